@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// A stream of segments, followed along the path: which segment, which step, which sample.
+// Twin: rtl/sampler/step_tracker.sv (and the landing in rtl/spherical_interpolator.sv).
+//
+// A step covers [m 2^k, (m+1) 2^k) of the segment's path, the last one [m 2^k, length]: a segment
+// is left when the path goes beyond its length, the rest goes into the next segment. A sample at
+// the segment's length exactly is its end word: that is how stops land without error.
+#pragma once
+
+#include "hls/spherical_kernel.hpp"
+
+namespace curvecore {
+namespace hls {
+
+template <class C>
+class InterpolatorKernel {
+  public:
+    using Length = Word<kLengthBits + 1>;
+    using Fine = Word<C::kFineBits>;
+
+    /// Moves ds quanta along the path and returns the fine position there. `next_segment()` gives
+    /// the next segment's words; it is called only when the path has left the present one.
+    template <class NextSegment>
+    void sample(const Length& ds, NextSegment&& next_segment, Fine* out) {
+        if (segments_ == 0) {
+            open(next_segment);
+        }
+        sigma_ = Length(sigma_ + ds);
+        while (sigma_ > step_length_ || (sigma_ == step_length_ && !last_step())) {
+            sigma_ = Length(sigma_ - step_length_);
+            if (last_step()) {
+                open(next_segment);
+            } else {
+                rest_ = Length(rest_ - step_length_);
+                kernel_.step();
+                measure();
+            }
+        }
+        if (sigma_ == rest_) {
+            for (int axis = 0; axis < C::kAxes; ++axis) {
+                out[axis] = segment_.end[axis];
+            }
+        } else {
+            kernel_.sample(sigma_, out);
+        }
+    }
+
+    /// Segments drawn so far, and those consumed because they had no length.
+    std::int64_t segments() const { return segments_; }
+    std::int64_t empty_segments() const { return empty_segments_; }
+
+  private:
+    bool last_step() const { return rest_ == step_length_; }
+
+    /// The next segment with a length; the others are consumed and counted.
+    template <class NextSegment>
+    void open(NextSegment&& next_segment) {
+        segment_ = next_segment();
+        while (segment_.length == 0) {
+            ++empty_segments_;
+            segment_ = next_segment();
+        }
+        ++segments_;
+        rest_ = segment_.length;
+        kernel_.load(segment_);
+        measure();
+    }
+
+    void measure() {
+        const Length full = Length(Length(1) << (segment_.step_exponent + kPathFrac));
+        step_length_ = rest_ < full ? rest_ : full;
+    }
+
+    SphericalKernel<C> kernel_;
+    SegmentWords<C> segment_;
+    Length sigma_ = 0;        // offset into the present step
+    Length rest_ = 0;         // from the present step's start to the segment's end
+    Length step_length_ = 0;  // of the present step
+    std::int64_t segments_ = 0;
+    std::int64_t empty_segments_ = 0;
+};
+
+/// A fine position as the output word: whole length units, rounded once.
+template <class C>
+inline Word<C::kPositionBits> to_position(const Word<C::kFineBits>& fine) {
+    return Word<C::kPositionBits>(round_shift<C::kFineBits, C::kGuardBits>(fine));
+}
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the path generator: path increments tick by tick, from pieces of constant jerk, and
+// their even share among the samples of a tick. The acceleration block of [Obukhov]. Twin:
+// rtl/path/path_generator.sv.
+//
+// Time runs at a rate r (0 .. 1, 16 fraction bits), so a hold or an override scales time inside a
+// piece and leaves the path as it is. Within a piece the path is evaluated from the piece's start
+// by Horner; at its end it has advanced by exactly ds: nothing accumulates.
+#pragma once
+
+#include "hls/words.hpp"
+
+namespace curvecore {
+namespace hls {
+
+/// s(tau) - s0 of a piece at `time` ticks (16 fraction bits), in quanta. Rounding: one per product,
+/// one to quanta.
+inline Word<kLengthBits + 1> piece_path(const ProfileWords& piece, std::int64_t time) {
+    using Coef = Word<kProfileBits>;
+    constexpr int kTauFrac = kProfileBits - 1;
+    constexpr int kLeft = kMaxProfileExponent - kProfileFrac;
+    const Coef tau = Coef(time << (kMaxTimeExponent - piece.time_exponent));
+    Coef d = piece.c[2];
+    d = Coef(piece.c[1] + rounded_product<kProfileBits, kTauFrac>(d, tau));
+    d = Coef(piece.c[0] + rounded_product<kProfileBits, kTauFrac>(d, tau));
+    d = rounded_product<kProfileBits, kTauFrac>(d, tau);
+    const Word<kLengthBits + 1> wide = Word<kLengthBits + 1>(d) * (1 << kLeft);
+    return round_shift<kLengthBits + 1>(wide, kMaxProfileExponent - piece.exponent);
+}
+static_assert(kMaxTimeExponent + kRateFrac == kProfileBits - 1, "time fills tau exactly");
+
+class PathKernel {
+  public:
+    using Length = Word<kLengthBits + 1>;
+
+    /// Advances time by rate / 2^16 ticks, rate in [0, 2^16]; returns the path increment in quanta.
+    /// `next_piece(words)` delivers the next piece or returns false; without one, time waits at the
+    /// present piece's end.
+    template <class NextPiece>
+    Length tick(std::int32_t rate, NextPiece&& next_piece) {
+        if (!active_) {
+            if (!next_piece(piece_)) {
+                return Length(0);
+            }
+            begin_piece(0);
+        }
+        time_ += rate;
+        const std::int64_t end = std::int64_t(piece_.ticks) << kRateFrac;
+        Length increment = 0;
+        if (time_ >= end) {
+            increment = Length(piece_.ds - walked_);
+            walked_ = piece_.ds;
+            if (piece_.final) {
+                active_ = false;
+                return increment;
+            }
+            if (!next_piece(piece_)) {
+                time_ = end;
+                return increment;
+            }
+            begin_piece(time_ - end);
+        }
+        // The words round; the path neither goes back nor beyond the piece's end.
+        Length path = piece_path(piece_, time_);
+        path = path < walked_ ? walked_ : path;
+        path = path > piece_.ds ? piece_.ds : path;
+        increment = Length(increment + path - walked_);
+        walked_ = path;
+        return increment;
+    }
+
+    /// A piece is in progress: not at rest before a program or after its final piece.
+    bool active() const { return active_; }
+
+  private:
+    void begin_piece(std::int64_t time) {
+        active_ = true;
+        time_ = time;
+        walked_ = 0;
+    }
+
+    ProfileWords piece_;
+    bool active_ = false;
+    std::int64_t time_ = 0;  // within the piece, ticks with 16 fraction bits
+    Length walked_ = 0;      // of the piece's ds
+};
+
+/// Shares a tick's increment among 2^n samples: after j of them, floor(j ds / 2^n) is gone.
+class SampleShare {
+  public:
+    using Length = Word<kLengthBits + 1>;
+
+    explicit SampleShare(int n) : n_(n) {}
+
+    /// The next sample needs a new tick first.
+    bool needs_tick() const { return index_ == 0; }
+    void tick(const Length& ds) { ds_ = ds; }
+
+    Length sample() {
+        index_ = (index_ + 1) & ((1 << n_) - 1);
+        const Length before = fraction_;
+        const Length sum = Length(before + ds_);
+        fraction_ = Length(sum & Length((Length(1) << n_) - 1));
+        return Length(sum >> n_);
+    }
+
+  private:
+    int n_;
+    int index_ = 0;
+    Length ds_ = 0;
+    Length fraction_ = 0;
+};
+
+}  // namespace hls
+}  // namespace curvecore

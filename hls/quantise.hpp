@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plan -> words: the only place where a real number becomes a word.
+#pragma once
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hls/words.hpp"
+#include "ref/plan/segment.hpp"
+
+namespace curvecore {
+namespace hls {
+
+/// value * 2^frac to nearest, as a word of `bits`.
+/// @throws std::range_error when the word cannot hold it: the planner has promised that it can.
+inline std::int64_t quantise(double value, int frac, int bits) {
+    const double scaled = std::floor(std::ldexp(value, frac) + 0.5);
+    const double limit = std::ldexp(1.0, bits - 1);
+    if (!(scaled >= -limit && scaled < limit)) {
+        throw std::range_error("a planned value does not fit its word");
+    }
+    return static_cast<std::int64_t>(scaled);
+}
+
+template <class C>
+inline SegmentWords<C> to_words(const ref::Segment& segment) {
+    SegmentWords<C> words;
+    const double theta = segment.radius > 0
+                             ? std::ldexp(segment.cos_pitch / segment.radius, segment.step_exponent)
+                             : 0.0;
+    words.length = static_cast<std::int64_t>(segment.length);
+    words.theta = quantise(theta, C::kUnitFrac, C::kCoefBits);
+    words.step_exponent = segment.step_exponent;
+    for (int axis = 0; axis < C::kAxes; ++axis) {
+        const bool aux = axis >= 3;
+        const std::size_t a = static_cast<std::size_t>(aux ? axis - 3 : 0);
+        const double start = aux ? segment.aux_start[a] : segment.start[axis];
+        const double end = aux ? segment.aux_end[a] : segment.end[axis];
+        const double rate = aux ? segment.aux_advance[a] : segment.advance[axis];
+        words.start[axis] = quantise(start, C::kGuardBits, C::kFineBits);
+        words.end[axis] = quantise(end, C::kGuardBits, C::kFineBits);
+        words.advance[axis] = quantise(rate, C::kCoefFrac, C::kCoefBits);
+        if (!aux) {
+            words.tangent[axis] =
+                quantise(segment.tangent[axis] * segment.cos_pitch, C::kCoefFrac, C::kCoefBits);
+            words.normal[axis] =
+                quantise(segment.normal[axis] * segment.cos_pitch, C::kCoefFrac, C::kCoefBits);
+        }
+    }
+    return words;
+}
+
+/// The planner computes a piece in the hardware's integers already.
+inline ProfileWords to_words(const ref::ProfilePiece& piece) {
+    ProfileWords words;
+    words.ticks = static_cast<std::int32_t>(piece.ticks);
+    words.time_exponent = piece.time_exponent;
+    words.exponent = piece.exponent;
+    words.final = piece.final;
+    words.ds = static_cast<std::int64_t>(piece.ds);
+    for (std::size_t i = 0; i < 3; ++i) {
+        words.c[i] = piece.c[i];
+    }
+    return words;
+}
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a program asks for: moves in mm, mm/s, degrees for rotary axes, with the line that asked.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace curvecore::ref {
+
+using Vec3 = Eigen::Vector3d;
+constexpr int kAuxAxes = 6;  // A B C U V W
+using Aux = std::array<double, kAuxAxes>;
+
+/// A straight line or an arc (circle, helix, any plane) with auxiliary axes linear in path length.
+///
+/// | field    | unit    | remark                                                             |
+/// |----------|---------|--------------------------------------------------------------------|
+/// | centre   | mm      | arcs: r(0) = start; on the plane through start normal to `normal`   |
+/// | normal   | 1       | |normal| = 1; counter-clockwise about it                            |
+/// | angle    | rad     | > 0, whole turns included                                          |
+/// | advance  | mm      | signed travel along `normal` over the whole arc (helix)            |
+/// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
+struct Move {
+    enum class Kind { kLine, kArc };
+
+    Kind kind = Kind::kLine;
+    int line = 0;  // in the program's file, from 1
+    bool rapid = false;
+    Vec3 start = Vec3::Zero();
+    Vec3 end = Vec3::Zero();
+    Vec3 centre = Vec3::Zero();
+    Vec3 normal = Vec3::UnitZ();
+    double angle = 0;
+    double advance = 0;
+    Aux aux_start{};
+    Aux aux_end{};
+    double feed = 0;
+    bool exact_stop = false;  // the machine stands still at the end of this move
+    double dwell = 0;         // s of rest after it (implies a stop)
+
+    /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1 mm).
+    double length() const;
+};
+
+struct Program {
+    std::string file;
+    std::vector<Move> moves;
+    std::vector<std::string> warnings;  // "FILE:LINE: warning: text"
+    int aux_axes = 0;                   // auxiliary axes in use: highest index + 1
+};
+
+}  // namespace curvecore::ref

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one rounding and the word formats.
+#include "hls/fixed_word.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "hls/words.hpp"
+
+namespace curvecore::hls {
+namespace {
+
+std::int64_t floor_half_up(std::int64_t value, int shift) {
+    return static_cast<std::int64_t>(
+        std::floor(std::ldexp(static_cast<long double>(value), -shift) + 0.5L));
+}
+
+TEST(FixedWord, RoundsToNearestTiesUp) {
+    EXPECT_EQ((round_shift<8, 2>(5)), 1);    // 1.25
+    EXPECT_EQ((round_shift<8, 2>(6)), 2);    // 1.5
+    EXPECT_EQ((round_shift<8, 2>(-6)), -1);  // -1.5
+    EXPECT_EQ((round_shift<8, 2>(-7)), -2);  // -1.75
+    EXPECT_EQ((round_shift<8, 0>(-7)), -7);
+}
+
+TEST(FixedWord, VariableShiftRoundsLikeTheConstantOne) {
+    std::mt19937_64 random(1);
+    for (int n = 0; n < 100000; ++n) {
+        const std::int64_t value = static_cast<std::int64_t>(random()) >> 22;
+        const int shift = static_cast<int>(random() % 40);
+        ASSERT_EQ(round_shift<43>(value, shift), floor_half_up(value, shift))
+            << value << " >> " << shift;
+    }
+}
+
+TEST(FixedWord, ProductIsRoundedOnceFromFullWidth) {
+    std::mt19937_64 random(2);
+    for (int n = 0; n < 100000; ++n) {
+        const std::int64_t a = static_cast<std::int64_t>(random()) >> 28;
+        const std::int64_t b = static_cast<std::int64_t>(random()) >> 29;
+        const long double exact =
+            std::ldexp(static_cast<long double>(a) * static_cast<long double>(b), -35);
+        // 71 bits do not fit a long double: within its last bit of the exact tie only.
+        ASSERT_NEAR(static_cast<double>((rounded_product<36, 35>(a, b)) - exact), 0, 0.5 + 1e-9);
+    }
+    EXPECT_EQ((rounded_product<36, 35>(std::int64_t(1) << 34, 1)), 1);   // a tie goes up
+    EXPECT_EQ((rounded_product<36, 35>(std::int64_t(1) << 34, -1)), 0);  // also below zero
+}
+
+TEST(FixedWord, ReciprocalsAreNearest) {
+    for (int i = 2; i <= 12; ++i) {
+        EXPECT_EQ(reciprocal<35>(i), std::llround(std::ldexp(1.0L, 35) / i)) << i;
+        EXPECT_EQ(reciprocal<17>(i), std::llround(std::ldexp(1.0L, 17) / i)) << i;
+    }
+}
+
+TEST(Words, SegmentFieldsKeepTheirPlacesOnTheBus) {
+    using C = Configuration<6, 36, 32, 10, 1, SamplerMode::kSeries>;
+    SegmentWords<C> segment;
+    segment.length = 1;
+    segment.theta = 2;
+    segment.step_exponent = 27;
+    for (int axis = 0; axis < C::kAxes; ++axis) {
+        segment.start[axis] = 100 + axis;
+        segment.end[axis] = -1 - axis;
+        segment.advance[axis] = 400 + axis;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        segment.tangent[axis] = 200 + axis;
+        segment.normal[axis] = 300 + axis;
+    }
+    std::uint64_t bus[segment_bus_words<C>()];
+    pack(segment, bus);
+    EXPECT_EQ(bus[0], 1U);
+    EXPECT_EQ(bus[1], 2U | (std::uint64_t(27) << 36));
+    EXPECT_EQ(bus[2], 100U);
+    EXPECT_EQ(bus[3], 0xFFFFFFFFFFFFU);  // sign-extended to the bus
+    EXPECT_EQ(bus[4], 200U);
+    EXPECT_EQ(bus[5], 300U);
+    EXPECT_EQ(bus[6], 400U);
+    EXPECT_EQ(bus[7], 101U);
+    EXPECT_EQ(bus[17], 103U);  // the auxiliary axis: start, end, advance
+    EXPECT_EQ(bus[18], 0xFFFFFFFFFFFCU);
+    EXPECT_EQ(bus[19], 403U);
+}
+
+TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
+    ProfileWords piece;
+    piece.ticks = 1 << 19;
+    piece.time_exponent = 19;
+    piece.exponent = 46;
+    piece.final = true;
+    piece.ds = 7;
+    piece.c[0] = -1;
+    std::uint64_t bus[kProfileBusWords];
+    pack(piece, bus);
+    EXPECT_EQ(bus[0], (1U << 19) | (19U << 20) | (46ULL << 25) | (1ULL << 31));
+    EXPECT_EQ(bus[1], 7U);
+    EXPECT_EQ(bus[2], 0xFFFFFFFFFFFFU);
+    EXPECT_EQ(bus[4], 0U);
+}
+
+}  // namespace
+}  // namespace curvecore::hls

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path generator's words against the pieces' exact polynomials.
+#include "hls/path_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace curvecore::hls {
+namespace {
+
+/// A piece that moves ds quanta in `ticks` ticks, from speed ratio v0 to v1 of the mean.
+ProfileWords piece_of(std::int64_t ds, std::int32_t ticks, double v0, bool final) {
+    ProfileWords piece;
+    piece.ticks = ticks;
+    while ((1 << piece.time_exponent) < ticks) ++piece.time_exponent;
+    piece.ds = ds;
+    piece.final = final;
+    // s(x) = ds (v0 x + (1.5 (2 - 2 v0) / 2) x^2 ...) with x = t / N: monotone for 0 <= v0 <= 2.
+    const double stretch = std::ldexp(1.0, piece.time_exponent) / ticks;
+    const double total = static_cast<double>(ds);
+    double c[3] = {total * v0 * stretch, total * (1 - v0) * 1.2 * stretch * stretch,
+                   total * (1 - v0) * -0.2 * stretch * stretch * stretch};
+    double largest = 1;
+    for (double value : c) largest = std::max(largest, std::fabs(value));
+    while (std::ldexp(1.9, piece.exponent) < largest) ++piece.exponent;
+    for (int i = 0; i < 3; ++i) {
+        piece.c[i] = std::llround(std::ldexp(c[i], kProfileFrac - piece.exponent));
+    }
+    return piece;
+}
+
+struct Feeder {
+    std::vector<ProfileWords> pieces;
+    std::size_t next = 0;
+    bool operator()(ProfileWords& out) {
+        if (next == pieces.size()) return false;
+        out = pieces[next++];
+        return true;
+    }
+};
+
+Feeder random_program(std::uint32_t seed, std::int64_t& total) {
+    std::mt19937_64 random(seed);
+    Feeder feeder;
+    total = 0;
+    for (int n = 0; n < 40; ++n) {
+        const std::int64_t ds = static_cast<std::int64_t>(random() >> (24 + random() % 40));
+        const std::int32_t ticks = 1 + static_cast<std::int32_t>(random() % 300);
+        feeder.pieces.push_back(
+            piece_of(ds, ticks, 1e-3 * static_cast<double>(random() % 1900), n == 39));
+        total += ds;
+    }
+    return feeder;
+}
+
+TEST(PathKernel, FollowsThePolynomialWithinItsRounding) {
+    std::mt19937_64 random(4);
+    for (int n = 0; n < 2000; ++n) {
+        const ProfileWords piece =
+            piece_of(static_cast<std::int64_t>(random() >> (24 + random() % 30)),
+                     1 + static_cast<std::int32_t>(random() % 1000), 0.5, true);
+        const std::int64_t time = static_cast<std::int64_t>(
+            random() % (static_cast<std::uint64_t>(piece.ticks) << kRateFrac));
+        const double tau = std::ldexp(static_cast<double>(time), -kRateFrac - piece.time_exponent);
+        double exact = 0;
+        for (int i = 2; i >= 0; --i) {
+            exact = (exact +
+                     std::ldexp(static_cast<double>(piece.c[i]), piece.exponent - kProfileFrac)) *
+                    tau;
+        }
+        // Three products of half a last bit each, 2^(e-35), and half a quantum.
+        const double bound = 3 * std::ldexp(0.5, piece.exponent - kProfileFrac) + 0.5 +
+                             1e-6 * std::fabs(exact) * 1e-6;
+        ASSERT_NEAR(static_cast<double>(piece_path(piece, time)), exact, bound + 1e-3);
+    }
+}
+
+TEST(PathKernel, PiecesEndExactlyAtAnyRate) {
+    for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+        std::int64_t total = 0;
+        Feeder feeder = random_program(seed, total);
+        std::mt19937 random(seed);
+        PathKernel path;
+        std::int64_t walked = 0;
+        int ticks = 0;
+        do {
+            const std::int32_t rate =
+                seed == 1 ? 65536 : static_cast<std::int32_t>(random() % 65537);
+            const std::int64_t ds = path.tick(rate, feeder);
+            ASSERT_GE(ds, 0);
+            walked += ds;
+            ASSERT_LE(walked, total);
+            ASSERT_LT(++ticks, 1000000);
+        } while (path.active());
+        EXPECT_EQ(walked, total) << "seed " << seed;
+    }
+}
+
+TEST(PathKernel, WaitsAtThePiecesEndWhenItIsNotFed) {
+    std::int64_t total = 0;
+    Feeder feeder = random_program(7, total);
+    feeder.pieces.resize(2);
+    const std::int64_t fed = feeder.pieces[0].ds + feeder.pieces[1].ds;
+    PathKernel path;
+    std::int64_t walked = 0;
+    for (int tick = 0; tick < 2000; ++tick) walked += path.tick(65536, feeder);
+    EXPECT_EQ(walked, fed);
+    EXPECT_TRUE(path.active());
+    feeder.pieces.push_back(piece_of(1000, 10, 1.0, true));
+    for (int tick = 0; tick < 20; ++tick) walked += path.tick(65536, feeder);
+    EXPECT_EQ(walked, fed + 1000);
+    EXPECT_FALSE(path.active());
+}
+
+TEST(SampleShare, SharesATickEvenlyAndWholly) {
+    std::mt19937_64 random(5);
+    for (int n = 0; n <= 8; ++n) {
+        SampleShare share(n);
+        for (int tick = 0; tick < 100; ++tick) {
+            const std::int64_t ds = static_cast<std::int64_t>(random() >> 30);
+            ASSERT_TRUE(share.needs_tick());
+            share.tick(ds);
+            std::int64_t sum = 0;
+            for (int j = 1; j <= (1 << n); ++j) {
+                sum += share.sample();
+                ASSERT_EQ(sum, (ds * j) >> n);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::hls

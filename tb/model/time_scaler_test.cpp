@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rate of time: bounded first and second differences, no overshoot, exact arrival.
+#include "hls/time_scaler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+namespace curvecore::hls {
+namespace {
+
+struct Bounds {
+    std::int64_t acceleration;
+    std::int64_t slope;
+};
+
+class TimeScalerBounds : public ::testing::TestWithParam<Bounds> {};
+
+TEST_P(TimeScalerBounds, DifferencesStayBoundedForAnyTargets) {
+    const Bounds bounds = GetParam();
+    TimeScaler scaler(bounds.acceleration, bounds.slope);
+    std::mt19937 random(3);
+    std::int32_t target = 1 << 16;
+    std::int64_t rate = 1 << 16;
+    std::int64_t slope = 0;
+    for (int tick = 0; tick < 200000; ++tick) {
+        if (random() % 50 == 0) {
+            const int kind = static_cast<int>(random() % 3);
+            target = kind == 0   ? 0
+                     : kind == 1 ? 1 << 16
+                                 : static_cast<std::int32_t>(random() % 65537);
+        }
+        const std::int64_t next = scaler.tick(target);
+        ASSERT_GE(next, 0);
+        ASSERT_LE(next, 1 << 16);
+        // The output is cut to 16 fraction bits: one last bit per difference.
+        ASSERT_LE(std::llabs(next - rate), (bounds.slope >> 16) + 1) << "tick " << tick;
+        ASSERT_LE(std::llabs(next - rate - slope), (bounds.acceleration >> 16) + 2)
+            << "tick " << tick;
+        slope = next - rate;
+        rate = next;
+    }
+}
+
+TEST_P(TimeScalerBounds, ArrivesExactlyAndWithoutOvershoot) {
+    const Bounds bounds = GetParam();
+    for (const std::int32_t target : {0, 1, 12345, 65535, 65536}) {
+        TimeScaler scaler(bounds.acceleration, bounds.slope);
+        std::int32_t rate = 1 << 16;
+        int ticks = 0;
+        while (rate != target && ticks < 10000000) {
+            const std::int32_t next = scaler.tick(target);
+            ASSERT_LE(next, rate);
+            ASSERT_GE(next, target);
+            rate = next;
+            ++ticks;
+        }
+        ASSERT_EQ(rate, target);
+        for (int rest = 0; rest < 10; ++rest) {
+            EXPECT_EQ(scaler.tick(target), target);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, TimeScalerBounds,
+                         ::testing::Values(Bounds{1 << 16, 1 << 24}, Bounds{1000, 1000 * 4000},
+                                           Bounds{std::int64_t(1) << 31, std::int64_t(1) << 32},
+                                           Bounds{77777, 77777}));
+
+TEST(TimeScaler, StopsNearlyAsFastAsTheBoundsAllow) {
+    const std::int64_t acceleration = 1 << 20;
+    TimeScaler scaler(acceleration, acceleration * 1000);
+    int ticks = 0;
+    while (scaler.tick(0) != 0) ++ticks;
+    // No slope limit in reach: 2 sqrt(1 / a) = 128 ticks is the shortest time.
+    EXPECT_LE(ticks, 132);
+}
+
+}  // namespace
+}  // namespace curvecore::hls

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints what the kernels compute, word by word, from fixed random input. Compiled once for each
+// storage of hls/fixed_word.hpp; the outputs must be equal. C++14, as HLS compilers want it.
+#include <cmath>
+#include <cstdio>
+
+#include "hls/interpolator_kernel.hpp"
+#include "hls/path_kernel.hpp"
+
+namespace {
+
+using namespace curvecore::hls;
+
+/// A plain generator: the same numbers everywhere.
+class Random {
+  public:
+    double uniform(double low, double high) {
+        state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+        return low + (high - low) * std::ldexp(static_cast<double>(state_ >> 11), -53);
+    }
+
+  private:
+    std::uint64_t state_ = 1;
+};
+
+template <class C>
+SegmentWords<C> random_segment(Random& random) {
+    SegmentWords<C> segment;
+    const double radius = std::exp(random.uniform(std::log(1e3), std::log(1e6)));
+    int k = 0;
+    while (std::ldexp(1.0, k + 1) < 0.3 * radius) ++k;
+    const double pitch = random.uniform(0, 1);
+    const double angle = random.uniform(0, 6.28);
+    const double one = std::ldexp(1.0, C::kCoefFrac);
+    const double wave[3] = {std::cos(angle) * std::cos(pitch), std::sin(angle) * std::cos(pitch),
+                            0};
+    segment.length = std::int64_t(random.uniform(1, 1.5 * radius * 65536));
+    segment.step_exponent = k;
+    segment.theta =
+        std::int64_t(std::ldexp(std::cos(pitch) / radius, k) * std::ldexp(1.0, C::kUnitFrac));
+    for (int axis = 0; axis < C::kAxes; ++axis) {
+        segment.start[axis] = std::int64_t(random.uniform(-1e6, 1e6));
+        segment.end[axis] = std::int64_t(random.uniform(-1e6, 1e6));
+        segment.advance[axis] = std::int64_t(random.uniform(-1, 1) * one);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        segment.normal[axis] = std::int64_t(wave[axis] * one);
+        segment.tangent[axis] = std::int64_t((axis == 0 ? -wave[1] : wave[(axis + 2) % 3]) * one);
+    }
+    return segment;
+}
+
+template <class C>
+void print_samples() {
+    Random random;
+    InterpolatorKernel<C> kernel;
+    for (int n = 0; n < 20000; ++n) {
+        Word<C::kFineBits> fine[C::kAxes];
+        const std::int64_t ds = std::int64_t(std::exp(random.uniform(0, 23)));
+        kernel.sample(
+            Word<kLengthBits + 1>(ds), [&] { return random_segment<C>(random); }, fine);
+        for (const auto& word : fine) {
+            std::printf("%lld ", static_cast<long long>(to_int<C::kFineBits>(word)));
+        }
+        std::printf("\n");
+    }
+}
+
+void print_path() {
+    Random random;
+    PathKernel path;
+    for (int n = 0; n < 20000; ++n) {
+        const auto piece = [&](ProfileWords& words) {
+            words.ticks = int(random.uniform(1, 500));
+            words.time_exponent = 9;
+            words.exponent = int(random.uniform(0, 41));
+            words.ds = std::int64_t(random.uniform(0, std::ldexp(1.0, words.exponent)));
+            for (auto& c : words.c) c = std::int64_t(random.uniform(-1, 1) * std::ldexp(1.0, 34));
+            return true;
+        };
+        const Word<kLengthBits + 1> ds = path.tick(int(random.uniform(0, 65536)), piece);
+        std::printf("%lld\n", static_cast<long long>(to_int<kLengthBits + 1>(ds)));
+    }
+}
+
+}  // namespace
+
+int main() {
+    print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>>();
+    print_samples<Configuration<6, 36, 32, 10, 1, SamplerMode::kPolynomial>>();
+    print_samples<Configuration<2, 18, 24, 2, 0, SamplerMode::kSeries>>();
+    print_samples<Configuration<11, 29, 32, 12, 6, SamplerMode::kPolynomial>>();
+    print_path();
+}
