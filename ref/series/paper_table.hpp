@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the paper claims of its spherical interpolator, measured: error by order and feed.
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace curvecore::ref {
+
+/// The paper's case: a circle of 50 mm diameter, one integration step per tick of 10 ms.
+constexpr double kPaperRadiusMm = 25.0;
+constexpr int kPaperTicksPerSecond = 100;
+constexpr int kPaperOrders = 14;
+constexpr std::array<double, 3> kPaperFeedsMetresPerMinute{1.5, 6.0, 60.0};
+
+/// | field      | unit  | remark                                                              |
+/// |------------|-------|---------------------------------------------------------------------|
+/// | order      |       | P; 4 is the Runge-Kutta method of the paper (equal on this network) |
+/// | feed_m_min | m/min |                                                                     |
+/// | step_mm    | mm    | distance from the exact point after one tick                        |
+/// | circle_mm  | mm    | the same after a full circle                                        |
+///
+/// A full circle is whole ticks and then one step of what remains of 2 pi R, so that the exact
+/// point is the start. Laws: R h^(P+1)/(P+1)! and 2 pi R h^P/(P+1)!, h the angle of a tick.
+struct PaperRow {
+    int order;
+    double feed_m_min;
+    double step_mm;
+    double circle_mm;
+};
+
+/// In 100 decimal digits, by the network of Fig. 8 in a tilted plane; order by order, feeds inside.
+std::vector<PaperRow> paper_table();
+
+}  // namespace curvecore::ref
