@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace curvecore::ref {
@@ -28,8 +29,23 @@ struct Machine {
     std::vector<std::string> notes;  // defaults that were taken, for the report
 };
 
-/// Reads LinuxCNC's .ini: [TRAJ] MAX_LINEAR_VELOCITY .., [AXIS_X] / [JOINT_n] MAX_VELOCITY .., LINEAR_UNITS.
-/// @throws ref::InputError with FILE:LINE and the reason.
+/// Reads LinuxCNC's .ini, lengths in its LINEAR_UNITS (mm or inch):
+///
+/// | section                        | names                                                      |
+/// |--------------------------------|------------------------------------------------------------|
+/// | [TRAJ]                         | MAX_LINEAR_VELOCITY MAX_LINEAR_ACCELERATION (or             |
+/// |                                | MAX_VELOCITY MAX_ACCELERATION), MAX_LINEAR_JERK,           |
+/// |                                | LINEAR_UNITS COORDINATES, and curvecore's own JOINT_TIME (s)
+/// | | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT MAX_LIMIT;
+/// | | [AXIS_0] ..), [JOINT_0] ..     | where an axis and its joints differ the tighter one holds |
+///
+/// Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path the
+/// axes' limits are added as vectors; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What was
+/// missing is said in `notes`.
+/// @throws InputError with file, line and reason.
 Machine read_machine(const std::string& file);
+
+/// @throws InputError, with `file_name` as its file
+Machine read_machine_text(std::string_view text, const std::string& file_name);
 
 }  // namespace curvecore::ref

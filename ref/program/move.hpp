@@ -40,7 +40,8 @@ struct Move {
     bool exact_stop = false;  // the machine stands still at the end of this move
     double dwell = 0;         // s of rest after it (implies a stop)
 
-    /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1 mm).
+    /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
+    /// mm).
     double length() const;
 };
 

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/plan/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "ref/plan/ini_file.hpp"
+#include "ref/program/input_error.hpp"
+#include "ref/program/text_file.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr std::string_view kLetters = "XYZABCUVW";
+constexpr double kJerkTime = 0.05;  // s: an axis without MAX_JERK reaches its acceleration
+constexpr double kSmallestLimit = 1e-6;
+constexpr double kLargestLimit = 1e12;
+constexpr double kFarthest = 1e99;  // LinuxCNC's travel of an axis without limits
+
+class MachineReader {
+  public:
+    explicit MachineReader(const IniFile& ini) : ini_(ini) {}
+
+    Machine read() {
+        machine_.name = std::filesystem::path(ini_.file()).filename().string();
+        read_units();
+        const std::string axes = read_axes();
+        if (!ini_.has_section("TRAJ") && !any_axis_) {
+            throw InputError(ini_.file(), 0,
+                             "no [TRAJ], [AXIS_..] or [JOINT_..]: not a machine of LinuxCNC");
+        }
+        read_path(axes);
+        return machine_;
+    }
+
+  private:
+    void note(const std::string& text) { machine_.notes.push_back(text); }
+
+    void read_units() {
+        if (const std::optional<IniEntry> units = ini_.find("TRAJ", "LINEAR_UNITS")) {
+            if (units->value == "inch" || units->value == "in" || units->value == "imperial") {
+                unit_ = 25.4;
+            } else if (units->value != "mm" && units->value != "metric") {
+                throw InputError(ini_.file(), units->line,
+                                 fmt::format("LINEAR_UNITS = {}: mm or inch", units->value));
+            }
+        } else {
+            note("LINEAR_UNITS: mm");
+        }
+        const std::optional<IniEntry> angles = ini_.find("TRAJ", "ANGULAR_UNITS");
+        if (angles && angles->value != "degree" && angles->value != "deg") {
+            throw InputError(ini_.file(), angles->line,
+                             fmt::format("ANGULAR_UNITS = {}: degree only", angles->value));
+        }
+    }
+
+    /// A limit above 0 in mm; `section` says in which unit it stands.
+    std::optional<double> limit(const std::string& section, const std::string& name, double unit) {
+        const std::optional<double> value = ini_.number(section, name);
+        if (!value) {
+            return std::nullopt;
+        }
+        const int line = ini_.find(section, name)->line;
+        if (*value <= 0) {
+            throw InputError(ini_.file(), line,
+                             fmt::format("{} must be above 0, not {:g}", name, *value));
+        }
+        if (*value < kSmallestLimit || *value > kLargestLimit) {
+            throw InputError(ini_.file(), line,
+                             fmt::format("{} = {:g} is out of range ({:g} .. {:g})", name, *value,
+                                         kSmallestLimit, kLargestLimit));
+        }
+        return *value * unit;
+    }
+
+    /// The letters of the axes in the order of the joints.
+    std::string joint_letters() const {
+        std::optional<IniEntry> entry = ini_.find("TRAJ", "COORDINATES");
+        std::string letters;
+        for (const char c : entry ? entry->value : std::string(kLetters)) {
+            const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+            if (kLetters.find(letter) != std::string_view::npos) {
+                letters += letter;
+            } else if (letter != ' ' && letter != '\t') {
+                throw InputError(
+                    ini_.file(), entry->line,
+                    fmt::format("COORDINATES = {}: letters of X Y Z A B C U V W", entry->value));
+            }
+        }
+        return letters;
+    }
+
+    /// Every section that limits the axis: its own, by letter or by number, and its joints'.
+    std::vector<std::string> sections_of(int axis, const std::string& joints) const {
+        std::vector<std::string> sections = {fmt::format("AXIS_{}", kLetters[axis]),
+                                             fmt::format("AXIS_{}", axis)};
+        const std::optional<IniEntry> kinematics = ini_.find("KINS", "KINEMATICS");
+        if (!kinematics || kinematics->value.rfind("trivkins", 0) == 0) {
+            for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+                if (joints[joint] == kLetters[axis]) {
+                    sections.push_back(fmt::format("JOINT_{}", joint));
+                }
+            }
+        }
+        sections.erase(std::remove_if(sections.begin(), sections.end(),
+                                      [this](const auto& s) { return !ini_.has_section(s); }),
+                       sections.end());
+        return sections;
+    }
+
+    /// The axes that the file describes.
+    std::string read_axes() {
+        const std::string joints = joint_letters();
+        std::string axes;
+        for (int axis = 0; axis < kMachineAxes; ++axis) {
+            const std::vector<std::string> sections = sections_of(axis, joints);
+            if (!sections.empty()) {
+                read_axis(axis, sections);
+                any_axis_ = true;
+                axes += kLetters[axis];
+            } else if (axis < 3) {
+                note(fmt::format("{}: the built-in machine's limits", kLetters[axis]));
+            }
+        }
+        return axes;
+    }
+
+    /// Where an axis and its joints differ, the tighter limit holds.
+    void read_axis(int axis, const std::vector<std::string>& sections) {
+        const double unit = axis >= 3 && axis < 6 ? 1 : unit_;
+        AxisLimits& limits = machine_.axis[axis];
+        const auto tightest = [&](const std::string& name) {
+            std::optional<double> least;
+            for (const std::string& section : sections) {
+                if (const std::optional<double> value = limit(section, name, unit)) {
+                    least = std::min(*value, least.value_or(*value));
+                }
+            }
+            return least;
+        };
+        const auto take = [&](const char* name, double& field, double otherwise) {
+            const std::optional<double> value = tightest(name);
+            if (!value) {
+                note(fmt::format("{} {}: {:g}", kLetters[axis], name, otherwise));
+            }
+            field = value.value_or(otherwise);
+        };
+        take("MAX_VELOCITY", limits.velocity, limits.velocity);
+        take("MAX_ACCELERATION", limits.acceleration, limits.acceleration);
+        take("MAX_JERK", limits.jerk, limits.acceleration / kJerkTime);
+        read_travel(axis, sections, unit);
+    }
+
+    void read_travel(int axis, const std::vector<std::string>& sections, double unit) {
+        AxisLimits& limits = machine_.axis[axis];
+        limits.min = -kFarthest;
+        limits.max = kFarthest;
+        for (const std::string& section : sections) {
+            const std::optional<double> min = ini_.number(section, "MIN_LIMIT");
+            const std::optional<double> max = ini_.number(section, "MAX_LIMIT");
+            limits.min = std::max(limits.min, min.value_or(-kFarthest) * unit);
+            limits.max = std::min(limits.max, max.value_or(kFarthest) * unit);
+            if (limits.min >= limits.max) {
+                const char* name = max ? "MAX_LIMIT" : "MIN_LIMIT";
+                throw InputError(
+                    ini_.file(), ini_.find(section, name)->line,
+                    fmt::format("{} has no travel: MIN_LIMIT {:g} mm, MAX_LIMIT {:g} mm",
+                                kLetters[axis], limits.min, limits.max));
+            }
+        }
+    }
+
+    /// Limits along the path; without them what the axes together allow.
+    void read_path(const std::string& axes) {
+        const auto together = [&](double AxisLimits::*limit) {
+            double sum = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const bool counts = axes.empty() || axes.find(kLetters[axis]) != std::string::npos;
+                sum = std::hypot(sum, counts ? machine_.axis[axis].*limit : 0);
+            }
+            return sum > 0 ? sum : machine_.axis[0].*limit;
+        };
+        const auto take = [&](const char* name, const char* old_name, double AxisLimits::*limit_of,
+                              double& field) {
+            std::optional<double> value = limit("TRAJ", name, unit_);
+            if (!value && old_name != nullptr) {
+                value = limit("TRAJ", old_name, unit_);
+            }
+            if (!value) {
+                note(fmt::format("{}: {:g}, from the axes", name, together(limit_of)));
+            }
+            field = value.value_or(together(limit_of));
+        };
+        take("MAX_LINEAR_VELOCITY", "MAX_VELOCITY", &AxisLimits::velocity, machine_.velocity);
+        take("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION", &AxisLimits::acceleration,
+             machine_.acceleration);
+        take("MAX_LINEAR_JERK", nullptr, &AxisLimits::jerk, machine_.jerk);
+        machine_.joint_time = limit("TRAJ", "JOINT_TIME", 1).value_or(machine_.joint_time);
+    }
+
+    const IniFile& ini_;
+    Machine machine_;
+    double unit_ = 1;  // mm
+    bool any_axis_ = false;
+};
+
+}  // namespace
+
+Machine read_machine(const std::string& file) {
+    return read_machine_text(read_text_file(file), file);
+}
+
+Machine read_machine_text(std::string_view text, const std::string& file_name) {
+    const IniFile ini(text, file_name);
+    return MachineReader(ini).read();
+}
+
+}  // namespace curvecore::ref

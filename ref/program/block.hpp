@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// One line of a program taken apart into words; knows letters and numbers, not their meaning.
+//
+// As in RS274/NGC: upper and lower case are the same, blanks may stand anywhere (also inside a
+// number), comments are (...) and ;..., numbers have no exponent. A '/' at the start of a line
+// (block delete) is passed over: the switch is off.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+
+/// Where in the input something stands.
+struct Place {
+    const std::string& file;
+    int line;
+
+    [[noreturn]] void refuse(const std::string& reason) const {
+        throw InputError(file, line, reason);
+    }
+};
+
+/// The words of a line. G codes are held in tenths (G59.1 is 591); G and M words may repeat.
+class Block {
+  public:
+    /// @throws InputError for anything that is not a word, and for a word that stands twice.
+    Block(std::string_view text, const Place& place);
+
+    bool empty() const { return !percent && given_.none() && g.empty() && m.empty(); }
+    bool has(char letter) const { return given_[letter - 'A']; }
+    bool has_any(std::string_view letters) const;
+    /// The number behind `letter`, which counts as used from here on.
+    double use(char letter);
+    bool used(char letter) const { return used_[letter - 'A']; }
+    /// The first letter that was given and not used, or 0.
+    char unused() const;
+
+    bool percent = false;  // a '%' that stands alone
+    std::vector<int> g;
+    std::vector<int> m;
+
+  private:
+    void add_word(char letter, double number, const Place& place);
+
+    std::bitset<26> given_;
+    std::bitset<26> used_;
+    std::array<double, 26> value_{};
+};
+
+/// `value` of a word that must be a whole number within a range. @throws InputError
+int whole_number(char letter, double value, int least, int most, const Place& place);
+
+/// "G59.1" of 591.
+std::string g_name(int tenths);
+
+}  // namespace curvecore::ref

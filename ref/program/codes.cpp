@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/program/codes.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace curvecore::ref {
+namespace {
+
+std::optional<Group> g_group(int code) {
+    switch (code) {
+        case 40:
+        case 100:
+        case 530:
+        case 920:
+        case 921:
+        case 922:
+        case 923:
+            return Group::kAction;
+        case 0:
+        case 10:
+        case 20:
+        case 24:
+        case 30:
+        case 34:
+        case 800:
+            return Group::kMotion;
+        case 170:
+        case 180:
+        case 190:
+            return Group::kPlane;
+        case 900:
+        case 910:
+            return Group::kDistance;
+        case 901:
+        case 911:
+            return Group::kArcDistance;
+        case 930:
+        case 940:
+            return Group::kFeedMode;
+        case 200:
+        case 210:
+            return Group::kUnits;
+        case 400:
+            return Group::kCompensation;
+        case 430:
+        case 490:
+            return Group::kToolLength;
+        case 980:
+        case 990:
+            return Group::kReturn;
+        case 540:
+        case 550:
+        case 560:
+        case 570:
+        case 580:
+        case 590:
+        case 591:
+        case 592:
+        case 593:
+            return Group::kSystem;
+        case 610:
+        case 611:
+        case 640:
+            return Group::kPathControl;
+        case 970:
+            return Group::kSpindleMode;
+        case 80:
+            return Group::kDiameter;
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<Group> m_group(int code) {
+    switch (code) {
+        case 0:
+        case 1:
+        case 2:
+        case 30:
+        case 60:
+            return Group::kStop;
+        case 3:
+        case 4:
+        case 5:
+            return Group::kSpindle;
+        case 6:
+            return Group::kToolChange;
+        case 7:
+        case 8:
+        case 9:
+            return Group::kCoolant;
+        case 48:
+        case 49:
+            return Group::kOverride;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Why a G code that LinuxCNC knows is not for this reader; empty if nobody knows it.
+std::string_view g_refusal(int code) {
+    const int whole = code / 10;
+    if (whole == 5) {
+        return "splines are not supported yet";
+    }
+    if (whole == 41 || whole == 42) {
+        return "cutter compensation belongs to LinuxCNC's interpreter";
+    }
+    if ((whole >= 81 && whole <= 89) || whole == 73 || whole == 74) {
+        return "canned cycles belong to LinuxCNC's interpreter";
+    }
+    if (whole >= 70 && whole <= 72) {
+        return "turning cycles belong to LinuxCNC's interpreter";
+    }
+    if (whole == 28 || whole == 30) {
+        return "stored positions are not supported: give the move with G53 G0";
+    }
+    if (whole == 33 || whole == 76 || whole == 95 || whole == 96) {
+        return "motion that depends on the spindle is not supported";
+    }
+    if (whole == 38) {
+        return "probing is not supported";
+    }
+    if (whole == 43) {
+        return "only G43 without a length is accepted";
+    }
+    if (whole == 52) {
+        return "give the offset with G10 L2 or G92";
+    }
+    if (code == 70) {
+        return "lathe diameters are not supported";
+    }
+    if (whole >= 17 && whole <= 19) {
+        return "arcs of U V W are not supported";
+    }
+    return "";
+}
+
+std::string_view m_refusal(int code) {
+    if (code == 98 || code == 99) {
+        return "subroutines belong to LinuxCNC's interpreter";
+    }
+    if (code >= 70 && code <= 73) {
+        return "saved modal state belongs to LinuxCNC's interpreter";
+    }
+    if ((code >= 62 && code <= 68) || code == 19 || (code >= 50 && code <= 53)) {
+        return "inputs, outputs and adaptive controls are not supported";
+    }
+    if (code >= 100) {
+        return "user-defined codes are not supported";
+    }
+    return "";
+}
+
+[[noreturn]] void refuse_code(const std::string& name, std::string_view why, const Place& place) {
+    place.refuse(why.empty() ? fmt::format("unknown code {}", name)
+                             : fmt::format("{}: {}", name, why));
+}
+
+}  // namespace
+
+Codes::Codes(const Block& block, const Place& place) {
+    for (const int code : block.g) {
+        const std::optional<Group> group = g_group(code);
+        if (!group) {
+            refuse_code(g_name(code), g_refusal(code), place);
+        }
+        add(*group, code, 'G', place);
+    }
+    for (const int code : block.m) {
+        const std::optional<Group> group = m_group(code);
+        if (!group) {
+            refuse_code(fmt::format("M{}", code), m_refusal(code), place);
+        }
+        if (*group != Group::kCoolant) {  // M7 and M8 may both be on
+            add(*group, code, 'M', place);
+        }
+    }
+}
+
+void Codes::add(Group group, int code, char letter, const Place& place) {
+    std::optional<int>& slot = code_[static_cast<int>(group)];
+    if (slot) {
+        const auto name = [letter](int c) {
+            return letter == 'G' ? g_name(c) : fmt::format("M{}", c);
+        };
+        place.refuse(*slot == code ? fmt::format("{} twice in one block", name(code))
+                                   : fmt::format("{} and {} exclude each other in one block",
+                                                 name(*slot), name(code)));
+    }
+    slot = code;
+}
+
+}  // namespace curvecore::ref

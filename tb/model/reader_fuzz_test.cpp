@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random mutations of valid programs and machine files: refused, or read as finite numbers.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "ref/plan/machine.hpp"
+#include "ref/program/gcode_reader.hpp"
+#include "ref/program/input_error.hpp"
+#include "ref/program/text_file.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using ref::Move;
+
+/// Changes texts at random, always in the same way.
+class Mutator {
+  public:
+    explicit Mutator(std::vector<std::string> samples) : samples_(std::move(samples)) {}
+
+    std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+
+    /// Up to 30 lines of a sample, mostly from its start.
+    std::string excerpt() {
+        const std::string& sample = samples_[below(samples_.size())];
+        std::size_t begin = 0;
+        if (below(4) == 0) {
+            begin = sample.find('\n', below(sample.size())) + 1;
+        }
+        std::size_t end = begin;
+        for (std::size_t lines = 1 + below(30); lines > 0 && end < sample.size(); --lines) {
+            end = std::min(sample.find('\n', end), sample.size() - 1) + 1;
+        }
+        return sample.substr(begin, end - begin);
+    }
+
+    void mutate(std::string& text) {
+        static const char* const kPieces[] = {
+            "X",    "Y-",     "Z1",     "I",    "J0",     "K5",    "R",      "R-1",  "P2",
+            "P0",   "F",      "F0",     "G2",   "G3 ",    "G2.4 ", "G3.4",   "G17",  "G18 ",
+            "G19",  "G20 ",   "G91 ",   "G90 ", "G90.1",  "G93 ",  "G94 ",   "G92 ", "G92.2",
+            "G53 ", "G10 L2", "G55 ",   "G61 ", "M0",     "M2",    "\n",     "%\n",  "(",
+            ")",    ";",      ".",      "-",    "9999",   "1e9",   "000001", "A90 ", "U-3 ",
+            "#1",   "[1]",    "\r",     "/",    "\t",     "=",     "[TRAJ]", "nan",  "inf",
+            "\xFF", "G4 P1",  "G43 H1", "G80 ", "X0 Y0 ", "O1"};
+        const std::size_t at = below(text.size() + 1);
+        const std::size_t length = 1 + below(below(4) == 0 ? 20 : 3);
+        switch (below(7)) {
+            case 0:
+                text.erase(at, length);
+                break;
+            case 1:
+                text.insert(at, 1, static_cast<char>(below(256)));
+                break;
+            case 2:
+                if (at < text.size()) {
+                    text[at] = static_cast<char>(below(2) == 0 ? '0' + below(10) : below(128));
+                }
+                break;
+            case 3:
+                text.insert(at, text.substr(below(text.size() + 1), length));
+                break;
+            case 4:
+                text += excerpt();
+                break;
+            default:
+                text.insert(at, kPieces[below(std::size(kPieces))]);
+        }
+    }
+
+  private:
+    std::vector<std::string> samples_;
+    std::mt19937_64 random_{20240607};
+};
+
+std::vector<std::string> samples(const std::string& extension) {
+    std::vector<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(DATA_DIR)) {
+        if (entry.path().extension() == extension) {
+            files.push_back(entry.path().string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    for (std::string& file : files) {
+        file = ref::read_text_file(file);
+    }
+    return files;
+}
+
+/// Everything that the planner relies on; empty if it holds.
+std::string flaw(const Move& move) {
+    for (const double number : {move.length(), move.feed, move.angle, move.advance, move.dwell}) {
+        if (!std::isfinite(number)) {
+            return "a number is not finite";
+        }
+    }
+    if (!move.start.allFinite() || !move.end.allFinite() || !move.centre.allFinite() ||
+        !move.normal.allFinite() || !(move.length() > 0)) {
+        return "a vector is not finite or the length is 0";
+    }
+    if (move.rapid ? move.feed != 0 : !(move.feed > 0)) {
+        return "the feed is wrong";
+    }
+    if (move.kind == Move::Kind::kArc) {
+        const Eigen::Vector3d radius = move.start - move.centre;
+        const Eigen::Vector3d end = move.centre +
+                                    Eigen::AngleAxisd(move.angle, move.normal) * radius +
+                                    move.normal * move.advance;
+        if (!(move.angle > 0) || std::abs(move.normal.norm() - 1) > 1e-12 ||
+            (end - move.end).norm() > 1e-8 + 1e-14 * radius.norm() * (1 + move.angle)) {
+            return "the arc misses its end";
+        }
+    }
+    return "";
+}
+
+TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
+    Mutator mutator(samples(".ngc"));
+    int read = 0;
+    for (int i = 0; i < 100000; ++i) {
+        std::string text = mutator.excerpt();
+        for (std::size_t n = 1 + mutator.below(4); n > 0; --n) {
+            mutator.mutate(text);
+        }
+        try {
+            const ref::Program program = ref::read_gcode_text(text, "part.ngc");
+            ++read;
+            const Move* before = nullptr;
+            for (const Move& move : program.moves) {
+                ASSERT_EQ(flaw(move), "") << "line " << move.line << " of case " << i << ":\n"
+                                          << text;
+                ASSERT_TRUE(before == nullptr ||
+                            (before->end == move.start && before->aux_end == move.aux_start))
+                    << "line " << move.line << " of case " << i << ":\n"
+                    << text;
+                before = &move;
+            }
+        } catch (const ref::InputError&) {
+        }
+    }
+    EXPECT_GT(read, 20000) << "the mutations are too coarse to reach the moves";
+    EXPECT_LT(read, 80000) << "the mutations are too fine to be refused";
+}
+
+TEST(ReaderFuzz, MutatedMachinesAreRefusedOrSound) {
+    Mutator mutator(samples(".ini"));
+    int read = 0;
+    for (int i = 0; i < 20000; ++i) {
+        std::string text = mutator.excerpt();
+        for (std::size_t n = 1 + mutator.below(4); n > 0; --n) {
+            mutator.mutate(text);
+        }
+        try {
+            const ref::Machine machine = ref::read_machine_text(text, "mill.ini");
+            ++read;
+            ASSERT_TRUE(machine.velocity > 0 && machine.acceleration > 0 && machine.jerk > 0)
+                << text;
+            for (const ref::AxisLimits& axis : machine.axis) {
+                ASSERT_TRUE(axis.velocity > 0 && axis.acceleration > 0 && axis.jerk > 0) << text;
+                ASSERT_LT(axis.min, axis.max) << text;
+                ASSERT_TRUE(std::isfinite(axis.min) && std::isfinite(axis.max)) << text;
+            }
+        } catch (const ref::InputError&) {
+        }
+    }
+    EXPECT_GT(read, 2000);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
