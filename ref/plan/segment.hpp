@@ -20,22 +20,22 @@ namespace curvecore::ref {
 /// with unit vectors t (tangent of the circle), n (outward normal) and phi = cos_pitch / radius.
 /// A line has radius 0: r(s) = start + advance s.
 struct Segment {
-    std::size_t move = 0;           // index into Program::moves
-    std::uint64_t s_start = 0;      // path quanta (2^-16 unit), program-wide
-    std::uint64_t length = 0;       // path quanta
-    Vec3 start = Vec3::Zero();      // exact, not rounded
+    std::size_t move = 0;       // index into Program::moves
+    std::uint64_t s_start = 0;  // path quanta (2^-16 unit), program-wide
+    std::uint64_t length = 0;   // path quanta
+    Vec3 start = Vec3::Zero();  // exact, not rounded
     Vec3 end = Vec3::Zero();
-    Vec3 tangent = Vec3::Zero();    // unit vectors at the start; zero for lines
+    Vec3 tangent = Vec3::Zero();  // unit vectors at the start; zero for lines
     Vec3 normal = Vec3::Zero();
-    double cos_pitch = 0;           // 0 for lines
-    double radius = 0;              // 0 for lines
-    Vec3 advance = Vec3::Zero();    // per unit of path
+    double cos_pitch = 0;         // 0 for lines
+    double radius = 0;            // 0 for lines
+    Vec3 advance = Vec3::Zero();  // per unit of path
     Aux aux_start{};
     Aux aux_end{};
-    Aux aux_advance{};              // per unit of path
-    int step_exponent = 0;          // k: an integration step is 2^k units
-    double bound = 0;               // derived bound of the error per axis, before the final rounding, units
-    double feed_start = 0;          // mm/s along the path, planned
+    Aux aux_advance{};      // per unit of path
+    int step_exponent = 0;  // k: an integration step is 2^k units
+    double bound = 0;       // derived bound of the error per axis, before the final rounding, units
+    double feed_start = 0;  // mm/s along the path, planned
     double feed_end = 0;
 };
 
@@ -44,11 +44,11 @@ struct Segment {
 ///     s(t) = s0 + 2^exponent (c1 tau + c2 tau^2 + c3 tau^3),  tau = t / 2^time_exponent
 struct ProfilePiece {
     std::uint32_t ticks = 1;
-    int time_exponent = 0;          // m, ticks <= 2^m, m <= 19
-    int exponent = 0;               // e, 0..46, in quanta
-    std::uint64_t ds = 0;           // quanta, exact
+    int time_exponent = 0;            // m, ticks <= 2^m, m <= 19
+    int exponent = 0;                 // e, 0..46, in quanta
+    std::uint64_t ds = 0;             // quanta, exact
     std::array<std::int64_t, 3> c{};  // c1 c2 c3, 34 fraction bits, |c| < 2
-    bool final = false;             // last piece of the program
+    bool final = false;               // last piece of the program
 };
 
 struct Plan {

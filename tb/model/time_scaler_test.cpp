@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <random>
+#include <string>
 
 namespace curvecore::hls {
 namespace {
@@ -63,10 +64,16 @@ TEST_P(TimeScalerBounds, ArrivesExactlyAndWithoutOvershoot) {
     }
 }
 
+std::string name_of(const ::testing::TestParamInfo<Bounds>& bounds) {
+    return "a" + std::to_string(bounds.param.acceleration) + "_slope" +
+           std::to_string(bounds.param.slope);
+}
+
 INSTANTIATE_TEST_SUITE_P(Machines, TimeScalerBounds,
                          ::testing::Values(Bounds{1 << 16, 1 << 24}, Bounds{1000, 1000 * 4000},
                                            Bounds{std::int64_t(1) << 31, std::int64_t(1) << 32},
-                                           Bounds{77777, 77777}));
+                                           Bounds{77777, 77777}),
+                         name_of);
 
 TEST(TimeScaler, StopsNearlyAsFastAsTheBoundsAllow) {
     const std::int64_t acceleration = 1 << 20;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far the words of a configuration may leave the exact curve: derived, not tuned.
+#pragma once
+
+#include "ref/plan/segment.hpp"
+
+namespace curvecore::ref {
+
+/// The parameters of a core that its error depends on (hls/ turns them into words).
+///
+/// | field         | range  | meaning                                                       |
+/// |---------------|--------|---------------------------------------------------------------|
+/// | order         | 2..12  | terms of the series                                           |
+/// | coef_bits     | 18..36 | W: coefficients have W-2 fraction bits, weights and tau W-1   |
+/// | position_bits | 16..32 | whole length units of a position                              |
+/// | guard_bits    | 2..12  | G: fraction bits of a position inside                         |
+/// | polynomial    |        | arcs as tangent * sine + normal * cosine instead of 3 series  |
+struct WordFormat {
+    int order = 6;
+    int coef_bits = 36;
+    int position_bits = 32;
+    int guard_bits = 10;
+    bool polynomial = false;
+};
+
+constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
+
+/// Errors per axis, in length units, before the final rounding, at any path length of the segment.
+/// Read from the segment: radius, cos_pitch, advance, aux_advance, length, step_exponent.
+double truncation_bound(const WordFormat& format, const Segment& segment);
+double rounding_bound(const WordFormat& format, const Segment& segment);
+
+/// Their sum: what the planner keeps below PlanOptions::error_limit.
+double segment_bound(const WordFormat& format, const Segment& segment);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/plan/geometry.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "ref/plan/travel.hpp"
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kQuanta = 65536;    // per unit
+constexpr double kMaxTheta = 0.5;    // rad in a step
+constexpr int kMaxPieces = 1 << 16;  // segments of one move
+constexpr int kMaxSteps = 1 << 12;   // steps of one segment
+constexpr double kClosing = 0.02;    // units by which a computed arc may miss its end
+
+/// How a move is cut.
+struct Cut {
+    int pieces = 0;  // 0: no cut meets the bound
+    int step_exponent = 0;
+    double bound = 0;
+};
+
+/// Segment 0 of the move if it were cut into so many pieces; without position.
+Segment prototype(const Move& move, const PathShape& shape, int pieces, double unit) {
+    Segment segment;
+    segment.length =
+        static_cast<std::uint64_t>(std::ceil(shape.length / unit / pieces * kQuanta)) + 1;
+    if (move.kind == Move::Kind::kArc) {
+        const Vec3 arm = move.start - move.centre;
+        segment.radius = arm.norm() / unit;
+        segment.normal = arm.normalized();
+        segment.tangent = move.normal.cross(segment.normal);
+        segment.cos_pitch = shape.turn;
+        segment.advance = move.normal * (move.advance / shape.length);
+    } else {
+        segment.advance = (move.end - move.start) / shape.length;
+    }
+    for (int i = 0; i < kAuxAxes; ++i) segment.aux_advance[i] = shape.advance[3 + i];
+    return segment;
+}
+
+/// Longest step that keeps the bound; the best one if none does.
+Cut best_step(Segment segment, const WordFormat& format, double limit) {
+    Cut cut;
+    cut.bound = 1e300;
+    const double length = static_cast<double>(segment.length) / kQuanta;
+    const int longest =
+        std::min(kMaxStepExponent, std::max(0, static_cast<int>(std::ceil(std::log2(length)))));
+    for (int k = longest; k >= 0 && std::ldexp(kMaxSteps, k) > length; --k) {
+        segment.step_exponent = k;
+        const double theta =
+            segment.radius > 0 ? std::ldexp(segment.cos_pitch, k) / segment.radius : 0;
+        if (theta > kMaxTheta) continue;
+        const double bound = segment_bound(format, segment);
+        if (bound < cut.bound) {
+            cut.bound = bound;
+            cut.step_exponent = k;
+        }
+        if (bound <= limit) break;
+    }
+    return cut;
+}
+
+Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format, double unit,
+             double limit) {
+    const auto with = [&](int pieces) {
+        Cut cut = best_step(prototype(move, shape, pieces, unit), format, limit);
+        cut.pieces = cut.bound <= limit ? pieces : 0;
+        return cut;
+    };
+    int least = 1;
+    if (move.kind == Move::Kind::kArc) {
+        least = std::max(1, static_cast<int>(std::ceil(move.angle / M_PI_2 * (1 - 1e-12))));
+    }
+    int high = least;
+    Cut best = with(high);
+    while (best.pieces == 0 && high < kMaxPieces) {
+        high = std::min(2 * high, std::max(kMaxPieces, least));
+        best = with(high);
+    }
+    if (best.pieces == 0) return best;
+    for (int low = std::max(least, high / 2); low < high;) {  // fewest pieces
+        const int middle = low + (high - low) / 2;
+        const Cut cut = with(middle);
+        if (cut.pieces > 0) {
+            best = cut;
+            high = middle;
+        } else {
+            low = middle + 1;
+        }
+    }
+    return best;
+}
+
+/// Which widths would carry the move.
+std::string remedy(const Move& move, const PathShape& shape, const PlanOptions& options) {
+    WordFormat format = options.format;
+    double unit = options.unit_mm;
+    const auto fits = [&] {
+        return cut_move(move, shape, format, unit, options.error_limit).pieces > 0;
+    };
+    for (int i = 0; i < 3; ++i) {  // an arc of a few units needs no wider words
+        unit /= 10;
+        if (fits()) return fmt::format("needs a unit of {:g} mm", unit);
+    }
+    unit = options.unit_mm;
+    while (format.coef_bits < 36) {
+        ++format.coef_bits;
+        if (fits()) return fmt::format("needs CoefBits {}", format.coef_bits);
+    }
+    while (format.guard_bits < 12) {
+        ++format.guard_bits;
+        if (fits()) {
+            format.coef_bits = options.format.coef_bits;
+            while (format.coef_bits < 36 && !fits()) ++format.coef_bits;
+            return format.coef_bits == options.format.coef_bits
+                       ? fmt::format("needs GuardBits {}", format.guard_bits)
+                       : fmt::format("needs GuardBits {} and CoefBits {}", format.guard_bits,
+                                     format.coef_bits);
+        }
+    }
+    while (format.order < 12) {
+        ++format.order;
+        if (fits())
+            return fmt::format("needs Order {}, CoefBits 36 and GuardBits 12", format.order);
+    }
+    return "is beyond the widest words";
+}
+
+class Cutter {
+  public:
+    Cutter(const Program& program, const Machine& machine, const PlanOptions& options)
+        : program_(program), machine_(machine), options_(options) {}
+
+    Geometry run() {
+        if (program_.aux_axes > options_.aux_axes) {
+            throw InputError(program_.file, 0,
+                             fmt::format("the program needs AuxAxes {} (now {})", program_.aux_axes,
+                                         options_.aux_axes));
+        }
+        for (std::size_t i = 0; i < program_.moves.size(); ++i) add(i);
+        return std::move(geometry_);
+    }
+
+  private:
+    [[noreturn]] void refuse(const Move& move, const std::string& reason) const {
+        throw InputError(program_.file, move.line, reason);
+    }
+
+    void add(std::size_t index) {
+        const Move& move = program_.moves[index];
+        check_travel(move);
+        const PathShape shape = path_shape(move);
+        const double unit = options_.unit_mm;
+        if (shape.length / unit * kQuanta < 0.5) {
+            path_ += static_cast<long double>(shape.length) / unit;
+            return;
+        }
+        const Cut cut = cut_move(move, shape, options_.format, unit, options_.error_limit);
+        const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
+        if (cut.pieces == 0) {
+            refuse(move, fmt::format("this {} {} to stay within {} units of the exact curve", kind,
+                                     remedy(move, shape, options_), options_.error_limit));
+        }
+        PlannedMove planned;
+        planned.move = index;
+        planned.shape = shape;
+        planned.first_segment = geometry_.segments.size();
+        const long double begin = path_;
+        for (int i = 0; i < cut.pieces; ++i) {
+            place(index, shape, cut, i,
+                  begin + shape.length / static_cast<long double>(unit) * (i + 1) / cut.pieces);
+        }
+        planned.segments = geometry_.segments.size() - planned.first_segment;
+        for (std::size_t i = planned.first_segment; i < geometry_.segments.size(); ++i) {
+            const double length = static_cast<double>(geometry_.segments[i].length);
+            planned.length += geometry_.segments[i].length;
+            planned.steps += std::ceil(std::ldexp(length, -16 - cut.step_exponent));
+        }
+        if (planned.segments > 0) geometry_.moves.push_back(planned);
+    }
+
+    /// Piece i of the move; the path reaches `end` with it.
+    void place(std::size_t index, const PathShape& shape, const Cut& cut, int i, long double end) {
+        const Move& move = program_.moves[index];
+        const double unit = options_.unit_mm;
+        Segment segment = prototype(move, shape, cut.pieces, unit);
+        segment.move = index;
+        segment.step_exponent = cut.step_exponent;
+        segment.bound = cut.bound;
+        segment.s_start = static_cast<std::uint64_t>(std::llround(path_ * kQuanta));
+        segment.length = static_cast<std::uint64_t>(std::llround(end * kQuanta)) - segment.s_start;
+        path_ = end;
+        const double from = static_cast<double>(i) / cut.pieces;
+        const double to = static_cast<double>(i + 1) / cut.pieces;
+        if (move.kind == Move::Kind::kArc) {
+            const Vec3 n = segment.normal;
+            const Vec3 t = segment.tangent;
+            const double angle = move.angle * from;
+            segment.normal = n * std::cos(angle) + t * std::sin(angle);
+            segment.tangent = t * std::cos(angle) - n * std::sin(angle);
+            segment.start = on_arc(move, n, t, segment.radius, from);
+            segment.end = on_arc(move, n, t, segment.radius, to);
+            const double miss = (segment.end - move.end / unit).norm();
+            if (i + 1 == cut.pieces && miss > kClosing) {
+                refuse(move,
+                       fmt::format("this arc misses its end point by {:.3g} mm", miss * unit));
+            }
+        } else {
+            segment.start = (move.start + (move.end - move.start) * from) / unit;
+            segment.end = (move.start + (move.end - move.start) * to) / unit;
+        }
+        if (i + 1 == cut.pieces) segment.end = move.end / unit;
+        for (int a = 0; a < kAuxAxes; ++a) {
+            const double travel = move.aux_end[a] - move.aux_start[a];
+            segment.aux_start[a] = (move.aux_start[a] + travel * from) / unit;
+            segment.aux_end[a] = i + 1 == cut.pieces ? move.aux_end[a] / unit
+                                                     : (move.aux_start[a] + travel * to) / unit;
+        }
+        if (segment.length > 0) geometry_.segments.push_back(segment);
+    }
+
+    /// Point of an arc, units, from its start so that a far centre costs no digits.
+    Vec3 on_arc(const Move& move, const Vec3& n, const Vec3& t, double radius, double part) const {
+        const double angle = move.angle * part;
+        const double half_sine = std::sin(angle / 2);
+        return move.start / options_.unit_mm +
+               radius * (t * std::sin(angle) - n * (2 * half_sine * half_sine)) +
+               move.normal * (move.advance / options_.unit_mm * part);
+    }
+
+    void check_travel(const Move& move) const {
+        static const char* const kNames = "XYZABCUVW";
+        const AxisRange range = travel(move);
+        for (int i = 0; i < kMachineAxes; ++i) {
+            const AxisLimits& axis = machine_.axis[i];
+            const bool moves = i < 3 || move.aux_start[i - 3] != move.aux_end[i - 3];
+            constexpr double kSlack = 1e-7;  // mm: rounding of an inch file
+            const bool low = range.low[i] < axis.min - kSlack;
+            if (moves && (low || range.high[i] > axis.max + kSlack)) {
+                refuse(move, fmt::format("{} = {:.6g} mm is beyond the machine's travel {:.6g} .. "
+                                         "{:.6g} mm",
+                                         kNames[i], low ? range.low[i] : range.high[i], axis.min,
+                                         axis.max));
+            }
+            const double far = std::max(-range.low[i], range.high[i]) / options_.unit_mm + 1;
+            const int bits = far < 1 ? 1 : static_cast<int>(std::ceil(std::log2(far))) + 1;
+            if (bits > options_.format.position_bits) {
+                refuse(move, fmt::format("{} = {:.6g} mm needs PositionBits {} (now {}) or a "
+                                         "larger unit",
+                                         kNames[i], (far - 1) * options_.unit_mm, bits,
+                                         options_.format.position_bits));
+            }
+        }
+    }
+
+    const Program& program_;
+    const Machine& machine_;
+    const PlanOptions& options_;
+    Geometry geometry_;
+    long double path_ = 0;  // units
+};
+
+}  // namespace
+
+Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options) {
+    return Cutter(program, machine, options).run();
+}
+
+}  // namespace curvecore::ref

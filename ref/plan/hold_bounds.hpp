@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What follows from a finished profile: how fast time may be scaled, and the feed at every joint.
+#pragma once
+
+#include "ref/plan/geometry.hpp"
+
+namespace curvecore::ref {
+
+/// Bounds of the time scaler for the whole program. With the rate of time r (0..1), the path's
+/// acceleration is r^2 a + r' v and its jerk r^3 j + 3 r r' a + r'' v. Both stay within what the
+/// moves allow if, for every piece with the limits A and J of the moves that it crosses,
+///
+///     r' <= (A - |a|) / v      3 r' |a| <= 2/3 (J - |j|)      r'' v <= 1/3 (J - |j|)
+///
+/// The words are whole numbers of at least one, 2^-32 per tick^2: with ticks below some 10 us the
+/// smallest second difference may exceed r''.
+void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
+                     Plan& plan);
+
+/// Segment::feed_start, feed_end (mm/s along the path) from the pieces.
+void set_segment_feeds(const PlanOptions& options, Plan& plan);
+
+}  // namespace curvecore::ref

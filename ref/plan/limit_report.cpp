@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/plan/limit_report.hpp"
+
+#include "ref/plan/piece_walk.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+/// The planned moves of a plan, from its segments.
+Geometry moves_of(const Program& program, const Plan& plan) {
+    Geometry geometry;
+    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
+        const Segment& segment = plan.segments[i];
+        if (geometry.moves.empty() || geometry.moves.back().move != segment.move) {
+            PlannedMove planned;
+            planned.move = segment.move;
+            planned.shape = path_shape(program.moves[segment.move]);
+            planned.first_segment = i;
+            geometry.moves.push_back(planned);
+        }
+        geometry.moves.back().length += segment.length;
+        ++geometry.moves.back().segments;
+    }
+    return geometry;
+}
+
+void keep_worst(LimitRatios& worst, const LimitRatios& ratios) {
+    worst.velocity = std::max(worst.velocity, ratios.velocity);
+    worst.acceleration = std::max(worst.acceleration, ratios.acceleration);
+    worst.jerk = std::max(worst.jerk, ratios.jerk);
+}
+
+}  // namespace
+
+LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan) {
+    const Geometry geometry = moves_of(program, plan);
+    LimitReport report;
+    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
+        constexpr int kParts = 4;  // within a stretch all loads are smooth
+        for (int i = 0; i <= kParts && !stretch.overhang; ++i) {
+            const PieceMotion m = motion(stretch, static_cast<double>(i) / kParts, plan);
+            keep_worst(report.inside, limit_ratios(stretch.move->shape, machine, m.v, m.a, m.j));
+        }
+        const double top = top_of(stretch, plan);
+        keep_worst(report.inside, limit_ratios(stretch.move->shape, machine, top, 0, 0));
+        const std::size_t next = stretch.move_index + 1;
+        if (!stretch.ends_move || next == geometry.moves.size()) return;
+        const PieceMotion m = motion(stretch, 1, plan);
+        // Words round: a stop ends with a speed of some 1e-9 of the cruise.
+        if (m.v < 1e-6) return;
+        ++report.passed;
+        keep_worst(report.joints,
+                   joint_ratios(stretch.move->shape, geometry.moves[next].shape, machine, m.v));
+    });
+    return report;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// How close a plan comes to the machine's limits, from its pieces and the curvature of its moves.
+#pragma once
+
+#include "ref/plan/limits.hpp"
+#include "ref/plan/planner.hpp"
+
+namespace curvecore::ref {
+
+/// | field  | remark                                                                             |
+/// |--------|------------------------------------------------------------------------------------|
+/// | inside | worst ratio to the limits inside pieces and moves, path and every axis; where a     |
+/// |        | piece reaches into a move by less than PieceGrid::shortest, that belongs to the     |
+/// |        | joint                                                                              |
+/// | joints | at joints passed in motion: worst change of velocity over acceleration * JointTime  |
+/// |        | (field acceleration) and of v^2 r'' over jerk * JointTime (field jerk)              |
+struct LimitReport {
+    LimitRatios inside;
+    LimitRatios joints;
+    int passed = 0;  // joints passed in motion
+};
+
+/// The plan must come from make_plan with the same arguments.
+LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the machine allows on a move and at a joint.
+#pragma once
+
+#include "ref/plan/path_shape.hpp"
+
+namespace curvecore::ref {
+
+/// Shares of the limits that the feed profile takes; the rest is for feed holds, where the
+/// acceleration is r^2 a + r' v and the jerk r^3 j + 3 r r' a + r'' v.
+constexpr double kAccelerationShare = 0.85;
+constexpr double kJerkShare = 0.7;
+
+/// Joints turning by more than this stop: |change of the unit tangent|, about 15 degrees.
+constexpr double kSmallTurn = 0.26;
+
+/// Along the path, mm and s: all that the machine allows.
+struct PathLimits {
+    double velocity = 0;
+    double acceleration = 0;  // while the speed is at most `velocity`
+    double jerk = 0;          // while speed and acceleration are at most those above
+};
+
+/// Speed that a move's path and axis velocities, centripetal acceleration v^2 / R and jerk v^3 /
+/// R^2 allow with some room left along the path.
+double top_speed(const PathShape& shape, const Machine& machine);
+
+/// What a speed of at most v leaves along the path.
+PathLimits along_path(const PathShape& shape, const Machine& machine, double v);
+
+/// Speed at which a joint may be passed; 0: stop. The change of the velocity vector stays within
+/// acceleration * JointTime, the change of v^2 r'' within jerk * JointTime, path and every axis.
+double joint_velocity(const PathShape& before, const PathShape& after, const Machine& machine);
+
+/// Loads as ratios to the limits, worst of path and axes.
+struct LimitRatios {
+    double velocity = 0;
+    double acceleration = 0;
+    double jerk = 0;
+};
+LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double v, double a,
+                         double j);
+
+/// Loads of a joint passed with speed v: change of velocity over acceleration * JointTime (field
+/// acceleration) and of v^2 r'' over jerk * JointTime (field jerk).
+LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const Machine& machine,
+                         double v);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// A move as a function of path length: how its derivatives load the axes.
+#pragma once
+
+#include <array>
+
+#include "ref/plan/machine.hpp"
+#include "ref/program/move.hpp"
+
+namespace curvecore::ref {
+
+using AxisVector = std::array<double, kMachineAxes>;
+
+/// With speed v, acceleration a and jerk j along the path,
+///
+///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t
+///
+/// | field     | unit    | remark                                                            |
+/// |-----------|---------|-------------------------------------------------------------------|
+/// | length    | mm      | of the path; stretched where an auxiliary axis is the fastest      |
+/// | rate      | 1       | programmed length / length, <= 1                                  |
+/// | turn      | 1       | |circular part of r'|; 0 for lines                                |
+/// | twist     | rad/mm  | turn / radius                                                     |
+/// | curvature | 1/mm    | turn twist                                                        |
+/// | swing     | 1       | per axis: largest component of t and n around the circle          |
+/// | advance   | 1       | per axis: constant part of r'                                     |
+struct PathShape {
+    double length = 0;
+    double rate = 1;
+    double turn = 0;
+    double twist = 0;
+    double curvature = 0;
+    bool linear = true;  // X Y Z or U V W move: the machine's own limits hold along the path
+    AxisVector swing{};
+    AxisVector advance{};
+    AxisVector tangent_start{};  // r'
+    AxisVector tangent_end{};
+    Vec3 bend_start = Vec3::Zero();  // r''
+    Vec3 bend_end = Vec3::Zero();
+};
+
+/// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
+constexpr double kMaxAuxRate = 1.9;
+
+PathShape path_shape(const Move& move);
+
+}  // namespace curvecore::ref

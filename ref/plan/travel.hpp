@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The box that a move needs.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "ref/plan/path_shape.hpp"
+
+namespace curvecore::ref {
+
+struct AxisRange {
+    AxisVector low, high;  // mm
+};
+
+/// Smallest and largest position of every axis. An arc turns back where its tangent has no
+/// component along the axis: once or twice per turn.
+inline AxisRange travel(const Move& move) {
+    AxisRange range;
+    for (int i = 0; i < kMachineAxes; ++i) {
+        const double from = i < 3 ? move.start[i] : move.aux_start[i - 3];
+        const double to = i < 3 ? move.end[i] : move.aux_end[i - 3];
+        range.low[i] = std::min(from, to);
+        range.high[i] = std::max(from, to);
+    }
+    if (move.kind != Move::Kind::kArc) return range;
+    const Vec3 n = move.start - move.centre;
+    const Vec3 t = move.normal.cross(n);
+    for (int i = 0; i < 3; ++i) {
+        const double swing = std::hypot(n[i], t[i]);
+        if (swing == 0) continue;
+        // d/dangle: t cos - n sin + rise = swing cos(angle + shift) + rise = 0
+        const double rise = move.normal[i] * move.advance / move.angle;
+        if (std::abs(rise) >= swing) continue;
+        const double shift = std::atan2(n[i], t[i]);
+        const double bend = std::acos(-rise / swing);
+        for (const double sign : {1.0, -1.0}) {
+            double first = std::fmod(sign * bend - shift, 2 * M_PI);
+            if (first < 0) first += 2 * M_PI;
+            // On a helix the extremes move by a pitch per turn: the first and the last count.
+            const double last = first + 2 * M_PI * std::floor((move.angle - first) / (2 * M_PI));
+            for (const double angle : {first, last}) {
+                if (angle < 0 || angle > move.angle) continue;
+                const double x =
+                    move.centre[i] + n[i] * std::cos(angle) + t[i] * std::sin(angle) + rise * angle;
+                range.low[i] = std::min(range.low[i], x);
+                range.high[i] = std::max(range.high[i], x);
+            }
+        }
+    }
+    return range;
+}
+
+}  // namespace curvecore::ref
