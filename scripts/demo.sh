@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing, builds, and runs a part through the RTL.
+#
+#   scripts/demo.sh [FILE] [OPTIONS]     default: tb/data/demo.ngc
+#
+# OPTIONS go to `curvecore run` (build/curvecore run --help).
+set -euo pipefail
+case ${1:-} in
+  -h | --help)
+    sed -n '3,7s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+esac
+file=
+case ${1:-} in
+  "" | -*) ;;
+  *)
+    file=$(realpath -- "$1")
+    shift
+    ;;
+esac
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+PATH=$PWD/.venv/bin:$PATH
+cmake --preset release >/dev/null
+cmake --build --preset release -j "$(nproc)" --target curvecore
+out=$PWD/build/demo
+status=0
+build/curvecore run "${file:-tb/data/demo.ngc}" -o "$out" "$@" || status=$?
+[ $status = 2 ] && exit 2
+echo
+echo "report and pictures  $out/report.html"
+echo "figures              $out/report.json"
+echo "samples              $out/samples.csv"
+[ -e "$out/waves.fst" ] && echo "waveform             gtkwave $out/waves.gtkw"
+exit $status

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Runs long parts that no one here wrote through the RTL: sample programs of Debian's linuxcnc-uspace
+# package (GPL), fetched into build/real_parts and never committed.
+#
+#   scripts/real_parts.sh [CURVECORE]      exit status 77: the package cannot be fetched here
+set -euo pipefail
+cd "$(dirname "$0")/.."
+curvecore=$(realpath "${1:-build/curvecore}")
+folder=$PWD/build/real_parts
+parts=(
+  usr/share/linuxcnc/ncfiles/arcspiral.ngc
+  usr/share/doc/linuxcnc/examples/sample-configs/sim/gmoccapy/non_trivial_kinematics/table-rotary-tilting/examples/impeller-7bl-xyzac.ngc
+)
+
+mkdir -p "$folder"
+if ! [ -e "$folder/usr" ]; then
+  (cd "$folder" && apt-get download -qq linuxcnc-uspace 2>/dev/null) || exit 77
+  dpkg-deb --extract "$folder"/linuxcnc-uspace_*.deb "$folder"
+  rm "$folder"/linuxcnc-uspace_*.deb
+fi
+
+for part in "${parts[@]}"; do
+  out=$folder/$(basename "$part" .ngc)
+  rm -rf "$out"
+  echo "== $part"
+  "$curvecore" run "$folder/$part" -o "$out" -q
+  python3 - "$out/report.json" <<'PYTHON'
+import json
+import sys
+
+report = json.load(open(sys.argv[1]))
+print(f"{report['moves']} moves, {report['segments']} segments, {report['samples']} samples, "
+      f"worst error {max(report['error']['max_lsb'].values()):.3f} units, "
+      f"words that differ {report['rtl_equals_kernel']}, landing {report['landing_lsb']}")
+PYTHON
+done

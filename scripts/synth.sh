@@ -1,0 +1,7 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Place and route of a core; scripts/synth.sh --help.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+"$root/scripts/setup.sh"
+PATH=$root/.venv/bin:$PATH exec python3 "$root/scripts/synth.py" "$@"

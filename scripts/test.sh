@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing, builds everything, runs every test; names the slowest ten at the end.
+#
+#   scripts/test.sh [-L LABEL] [-R REGEX] [--preset release|debug|asan|coverage]
+#
+# Labels: model unit system formal lint cli.  Other options go to ctest as they are.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+preset=release
+options=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --preset)
+      preset=$2
+      shift
+      ;;
+    -h | --help)
+      sed -n '3,7s/^# \{0,1\}//p' "$0"
+      exit 0
+      ;;
+    *) options+=("$1") ;;
+  esac
+  shift
+done
+
+scripts/setup.sh
+PATH=$PWD/.venv/bin:$PATH
+cmake --preset "$preset"
+cmake --build --preset "$preset" -j "$(nproc)"
+
+# Failures are shown as they come; passed tests are counted only.
+log=build/$preset/tests.log
+status=0
+ctest --preset "$preset" "${options[@]}" 2>&1 | tee "$log" |
+  awk '/tests passed/ {end = 1} !end && !/^ *Start +[0-9]+:|\.+ +Passed /' || status=$?
+echo "Slowest tests:"
+sed -nE 's|^ *[0-9]+/[0-9]+ +Test +#[0-9]+: +([^ ]+) .* ([0-9.]+) sec.*|\2 s  \1|p' "$log" |
+  sort -rn | head -n 10
+echo
+sed -n '/tests passed/,$p' "$log"
+exit $status

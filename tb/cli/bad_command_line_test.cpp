@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every command line here is refused: status 2, the reason in its words, nothing left behind.
+#include <gtest/gtest.h>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+struct BadCommandLine {
+    const char* name;
+    std::vector<std::string> arguments;
+    std::string message;  // the first line of stderr
+};
+
+void PrintTo(const BadCommandLine& line, std::ostream* out) { *out << line.name; }
+
+std::vector<std::string> with(std::vector<std::string> more,
+                              std::vector<std::string> base = {"plan", "part.ngc", "-o", "out"}) {
+    base.insert(base.end(), more.begin(), more.end());
+    return base;
+}
+
+std::vector<std::string> run_with(std::vector<std::string> more) {
+    return with(std::move(more), {"run", "part.ngc", "-o", "out"});
+}
+
+const std::vector<BadCommandLine> kBadCommandLines{
+    {"NoCommand", {}, "curvecore: error: A subcommand is required"},
+    {"UnknownCommand", {"draw", "part.ngc"}, "curvecore: error: A subcommand is required"},
+    {"NoFile", {"plan", "-o", "out"}, "curvecore: error: FILE is required"},
+    {"NoOutput", {"plan", "part.ngc"}, "curvecore: error: --output is required"},
+    {"OutputWithoutName", {"plan", "part.ngc", "-o"},
+     "curvecore: error: --output: 1 required DIR missing"},
+    {"UnknownOption", with({"--fast"}),
+     "curvecore: error: The following argument was not expected: --fast"},
+    {"TwoFiles", with({"other.ngc"}),
+     "curvecore: error: The following argument was not expected: other.ngc"},
+    {"StallWithoutRun", with({"--stall", "1"}),
+     "curvecore: error: The following arguments were not expected: 1 --stall"},
+    {"UnitUnknown", with({"--unit", "1mm"}),
+     "curvecore: error: --unit '1mm': must be 1nm, 10nm, 0.1um or 1um"},
+    {"PeriodWithoutUnit", with({"--sample-period", "100"}),
+     "curvecore: error: --sample-period '100': the unit must be ns, us, ms or s"},
+    {"PeriodOfAnotherUnit", with({"--sample-period", "100kHz"}),
+     "curvecore: error: --sample-period '100kHz': the unit must be ns, us, ms or s"},
+    {"PeriodNotANumber", with({"--sample-period", "fast"}),
+     "curvecore: error: --sample-period 'fast': not a number"},
+    {"PeriodZero", with({"--sample-period", "0us"}),
+     "curvecore: error: --sample-period must be in [10ns, 1s]"},
+    {"PeriodNegative", with({"--sample-period=-1us"}),
+     "curvecore: error: --sample-period must be in [10ns, 1s]"},
+    {"PeriodInfinite", with({"--sample-period", "infs"}),
+     "curvecore: error: --sample-period 'infs': not a number"},
+    {"PeriodTooLong", with({"--sample-period", "2s"}),
+     "curvecore: error: --sample-period must be in [10ns, 1s]"},
+    {"SamplesPerTickZero", with({"--samples-per-tick", "0"}),
+     "curvecore: error: --samples-per-tick must be a power of two in [1, 32768]"},
+    {"SamplesPerTickThree", with({"--samples-per-tick", "3"}),
+     "curvecore: error: --samples-per-tick must be a power of two in [1, 32768]"},
+    {"SamplesPerTickNotWhole", with({"--samples-per-tick", "1.5"}),
+     "curvecore: error: --samples-per-tick '1.5': not a whole number"},
+    {"SamplesPerTickTooMany", with({"--samples-per-tick", "65536"}),
+     "curvecore: error: --samples-per-tick must be a power of two in [1, 32768]"},
+    {"ClockZero", with({"--clock", "0MHz"}),
+     "curvecore: error: --clock must be in [1kHz, 10GHz]"},
+    {"ClockWithoutUnit", with({"--clock", "100"}),
+     "curvecore: error: --clock '100': the unit must be Hz, kHz, MHz or GHz"},
+    {"ClockNotANumber", with({"--clock", "nanHz"}),
+     "curvecore: error: --clock 'nanHz': not a number"},
+    {"BuildUnknown", with({"--build", "folded"}),
+     "curvecore: error: --build 'folded': must be parallel or serial"},
+    {"SetUnknown", with({"--set", "Width=36"}),
+     "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
+     "GuardBits, AuxAxes, Mode, SampleInterval"},
+    {"SetWithoutValue", with({"--set", "Order"}),
+     "curvecore: error: --set Order: Name=Value is expected"},
+    {"SetNotANumber", with({"--set", "Order=six"}),
+     "curvecore: error: --set Order=six: not a whole number"},
+    {"SetEmpty", with({"--set", "Order="}),
+     "curvecore: error: --set Order=: not a whole number"},
+    {"SetOrderTooLow", with({"--set", "Order=1"}), "curvecore: error: Order must be in [2, 12]"},
+    {"SetOrderTooHigh", with({"--set", "Order=13"}), "curvecore: error: Order must be in [2, 12]"},
+    {"SetCoefBitsTooMany", with({"--set", "CoefBits=37"}),
+     "curvecore: error: CoefBits must be in [18, 36]"},
+    {"SetPositionBitsTooFew", with({"--set", "PositionBits=15"}),
+     "curvecore: error: PositionBits must be in [16, 32]"},
+    {"SetGuardBitsTooMany", with({"--set", "GuardBits=13"}),
+     "curvecore: error: GuardBits must be in [2, 12]"},
+    {"SetAuxAxesTooMany", with({"--set", "AuxAxes=7"}),
+     "curvecore: error: AuxAxes must be in [0, 6]"},
+    {"SetModeUnknown", with({"--set", "Mode=2"}), "curvecore: error: Mode must be in [0, 1]"},
+    {"SetIntervalThree", with({"--set", "SampleInterval=3"}),
+     "curvecore: error: SampleInterval must be 1, 2, 4 or 8"},
+    {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
+     "curvecore: error: GuardBits must be in [2, 12]"},
+    {"NotCompiled", run_with({"--set", "Order=11"}),
+     "curvecore: error: no compiled core parallel Order=11 CoefBits=36 PositionBits=32 GuardBits=10 "
+     "AuxAxes=0 Mode=0 SampleInterval=1; tb/program/compiled_cores.cmake makes these:"},
+    {"OverrideZero", run_with({"--override", "0"}),
+     "curvecore: error: --override must be in [1, 100] percent"},
+    {"OverrideTooHigh", run_with({"--override", "101"}),
+     "curvecore: error: --override must be in [1, 100] percent"},
+    {"OverrideNotANumber", run_with({"--override", "half"}),
+     "curvecore: error: --override 'half': not a number"},
+    {"SeedNotWhole", run_with({"--stall", "x"}),
+     "curvecore: error: --stall 'x': not a whole number"},
+    {"TraceClocksNotWhole", run_with({"--trace", "--trace-clocks", "many"}),
+     "curvecore: error: --trace-clocks 'many': not a whole number"},
+    {"MachineMissing", with({"--machine", "none.ini"}),
+     "none.ini: error: no such file"},
+    {"KindOfFileUnknown", {"plan", "part.step", "-o", "out"},
+     "part.step: error: unknown kind of file: .ngc .nc .gcode .tap are read"},
+    {"PointsNotYet", {"plan", "points.csv", "-o", "out"},
+     "points.csv: error: points (.csv) are not supported yet"},
+    {"OutputIsAFile", {"plan", "part.ngc", "-o", "part.ngc"},
+     "part.ngc: error: exists and is not a folder"},
+    {"OutputBelowAFile", {"run", "part.ngc", "-o", "part.ngc/out"},
+     "part.ngc/out: error: part.ngc is not a folder"},
+    {"OutputNotWritable", {"words", "part.ngc", "-o", "/proc/out"},
+     "/proc/out: error: cannot be made: No such file or directory"},
+};
+
+class BadCommand : public testing::TestWithParam<BadCommandLine> {};
+
+TEST_P(BadCommand, IsRefused) {
+    const ProgramRun program;
+    program.write("part.ngc", "G21 G90 G94 F600\nG1 X10\nM2\n");
+    const ProgramResult result = program.run(GetParam().arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err.substr(0, result.err.find('\n')), GetParam().message);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(program.files(), std::vector<std::string>{"part.ngc"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, BadCommand, testing::ValuesIn(kBadCommandLines),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace curvecore::tb

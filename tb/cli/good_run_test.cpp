@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+// What good runs leave behind, and what must not change them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+using Files = std::vector<std::string>;
+
+/// Lines, arcs in two planes, a helix, a dwell and a corner.
+constexpr char kPart[] =
+    "G21 G90 G17 G94 F1200\n"
+    "G1 X4 Y1\n"
+    "G3 X6 Y3 I0 J2\n"
+    "G1 Y5\n"
+    "G4 P0.01\n"
+    "G2 X8 Y5 I1 J0 Z0.5\n"
+    "G18 G3 X10 Z2.5 I0 K2\n"
+    "G0 X0 Y0 Z0\n"
+    "M2\n";
+
+class GoodRun : public testing::Test {
+  protected:
+    void SetUp() override { program_.write("part.ngc", kPart); }
+
+    /// Runs the part; every check must hold.
+    Json report(std::vector<std::string> options = {}, const std::string& folder = "out") {
+        std::vector<std::string> arguments{"run", "part.ngc", "-q", "-o", folder};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, "");
+        return Json::parse(program_.read(folder + "/report.json"));
+    }
+
+    Files rows(const std::string& folder = "out") const {
+        std::istringstream text(program_.read(folder + "/samples.csv"));
+        Files rows;
+        for (std::string line; std::getline(text, line);) {
+            if (line[0] != '#') rows.push_back(line);
+        }
+        return rows;
+    }
+
+    ProgramRun program_;
+};
+
+TEST_F(GoodRun, WritesEveryFile) {
+    report();
+    for (const char* name : {"samples.csv", "report.json", "segments.json", "report.html"}) {
+        EXPECT_TRUE(program_.exists(std::string("out/") + name)) << name;
+    }
+    EXPECT_FALSE(program_.exists("out/waves.fst"));
+    EXPECT_EQ(program_.files(), (Files{"out", "part.ngc"}));
+}
+
+TEST_F(GoodRun, ReportHasEveryField) {
+    const Json json = report();
+    for (const char* name :
+         {"input", "unit_mm", "sample_period_s", "core", "build", "parameters", "moves", "segments",
+          "samples", "clocks", "clocks_per_sample", "error", "unrounded", "landing_lsb", "speed",
+          "limits", "rtl_equals_kernel", "underruns", "duration_s",
+          "simulation_clocks_per_second"}) {
+        EXPECT_TRUE(json.contains(name)) << name;
+    }
+    EXPECT_EQ(json["rtl_equals_kernel"], 0);
+    EXPECT_EQ(json["landing_lsb"], 0);
+    EXPECT_EQ(json["underruns"], 0);
+    EXPECT_EQ(json["stops"]["sampled"], json["stops"]["planned"]);
+    EXPECT_LE(json["unrounded"]["max_of_bound"], 1);
+    for (const char* axis : {"x", "y", "z"}) {
+        EXPECT_GT(json["error"]["max_lsb"][axis], 0.1);
+        EXPECT_LE(json["error"]["max_lsb"][axis], 0.6);
+        EXPECT_LE(json["unrounded"]["max_lsb"][axis], json["unrounded"]["bound_lsb"]);
+    }
+    for (const char* limit : {"velocity", "acceleration", "jerk"}) {
+        EXPECT_GT(json["limits"][limit], 0);
+        EXPECT_LE(json["limits"][limit], 1);
+    }
+}
+
+TEST_F(GoodRun, SamplesBeginAtTheStartAndEndAtTheEnd) {
+    const Json json = report();
+    const Files all = rows();
+    ASSERT_EQ(all.size(), json["samples"].get<std::size_t>() + 2);
+    EXPECT_EQ(all[0], "k,segment,s,x,y,z");
+    EXPECT_EQ(all[1], "0,0,0,0,0,0");
+    EXPECT_EQ(all.back().substr(all.back().size() - 6), ",0,0,0");
+}
+
+TEST_F(GoodRun, StallsDoNotChangeTheSamples) {
+    report();
+    const std::string samples = program_.read("out/samples.csv");
+    for (const char* seed : {"1", "2", "3"}) {
+        const Json json = report({"--stall", seed}, "stalled");
+        EXPECT_GT(json["clocks_per_sample"], 1.3) << "nothing stalled";
+        EXPECT_TRUE(program_.read("stalled/samples.csv") == samples) << "seed " << seed;
+    }
+}
+
+TEST_F(GoodRun, SerialGivesTheSameSamples) {
+    report();
+    const Json json = report({"--build", "serial"}, "serial");
+    EXPECT_EQ(json["build"], "serial");
+    EXPECT_GT(json["clocks_per_sample"], 10);
+    EXPECT_EQ(rows("serial"), rows());
+}
+
+TEST_F(GoodRun, OverrideIsSlowerOnTheSamePath) {
+    const Json full = report();
+    const Json half = report({"--override", "50"}, "half");
+    EXPECT_NEAR(half["duration_s"].get<double>() / full["duration_s"].get<double>(), 2, 0.1);
+    const auto path = [](const std::string& row) {
+        std::istringstream text(row);
+        std::string k, segment, s;
+        std::getline(std::getline(std::getline(text, k, ','), segment, ','), s, ',');
+        return segment + " " + s;
+    };
+    EXPECT_EQ(path(rows("half").back()), path(rows().back()));
+}
+
+TEST_F(GoodRun, SeveralSamplesShareATick) {
+    const Json json = report({"--samples-per-tick", "8", "--sample-period", "25us"});
+    EXPECT_EQ(json["samples"].get<std::uint64_t>() % 8, 0u);
+    EXPECT_LE(json["path_increment"]["max_error_quanta"], 1);
+}
+
+TEST_F(GoodRun, EveryUnitHolds) {
+    for (const char* unit : {"10nm", "0.1um", "1um"}) {
+        const Json json = report({"--unit", unit}, unit);
+        EXPECT_EQ(json["landing_lsb"], 0) << unit;
+    }
+}
+
+TEST_F(GoodRun, AuxiliaryAxesChooseTheirCore) {
+    program_.write("part.ngc", "G21 G90 F600\nG1 X3 A10\nG2 X5 Y2 I0 J2 A-5 B2\nM2\n");
+    const Json json = report();
+    EXPECT_GE(json["parameters"]["AuxAxes"], 2);
+    EXPECT_EQ(rows()[0], "k,segment,s,x,y,z,a,b");
+}
+
+TEST_F(GoodRun, TraceWritesWaveformAndItsArrangement) {
+    report({"--trace", "--trace-clocks", "3000"});
+    EXPECT_GT(std::filesystem::file_size(program_.folder() / "out/waves.fst"), 1000u);
+    const std::string arrangement = program_.read("out/waves.gtkw");
+    for (const char* group : {"-Request", "-Path generator", "-Network", "-Sampler", "-Positions"}) {
+        EXPECT_NE(arrangement.find(group), std::string::npos) << group;
+    }
+    report();
+    EXPECT_FALSE(program_.exists("out/waves.fst")) << "left from the run before";
+}
+
+TEST_F(GoodRun, KeepsWhatElseIsInTheFolder) {
+    std::filesystem::create_directory(program_.folder() / "out");
+    program_.write("out/notes.txt", "mine");
+    report();
+    EXPECT_EQ(program_.read("out/notes.txt"), "mine");
+}
+
+TEST_F(GoodRun, BadInputKeepsAnOlderResult) {
+    report();
+    const std::string before = program_.read("out/report.json");
+    program_.write("part.ngc", "G1 X1 F100\nG1 X2 X3\n");
+    EXPECT_EQ(program_.run({"run", "part.ngc", "-o", "out"}).status, 2);
+    EXPECT_EQ(program_.read("out/report.json"), before);
+}
+
+TEST_F(GoodRun, MakesFoldersAbove) {
+    report({}, "a/b/out");
+    EXPECT_TRUE(program_.exists("a/b/out/report.html"));
+}
+
+TEST_F(GoodRun, ReportNeedsNoNetwork) {
+    report();
+    const std::string page = program_.read("out/report.html");
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    EXPECT_LT(page.size(), 5'000'000u);
+}
+
+TEST_F(GoodRun, SummaryNamesTheFigures) {
+    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"});
+    for (const char* name : {"duration", "RTL = kernel", "worst error", "before rounding",
+                             "landing", "clocks/sample", "of the limits", "every check held"}) {
+        EXPECT_NE(result.out.find(name), std::string::npos) << name;
+    }
+    EXPECT_EQ(result.err, "") << "a progress bar off a terminal";
+}
+
+TEST_F(GoodRun, PlanPredictsWithoutTheRtl) {
+    const Json run = report();
+    ASSERT_EQ(program_.run({"plan", "part.ngc", "-q", "-o", "plan"}).status, 0);
+    const Json plan = Json::parse(program_.read("plan/report.json"));
+    EXPECT_EQ(plan["samples"], run["samples"]);
+    EXPECT_EQ(plan["duration_s"], run["duration_s"]);
+    EXPECT_EQ(plan["unrounded"]["bound_lsb"], run["unrounded"]["bound_lsb"]);
+    EXPECT_EQ(program_.read("plan/segments.json"), program_.read("out/segments.json"));
+    EXPECT_FALSE(program_.exists("plan/samples.csv"));
+}
+
+TEST(Help, IsOnEveryCommand) {
+    const ProgramRun program;
+    for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{
+             {"--help"}, {"run", "--help"}, {"plan", "--help"}, {"words", "--help"}}) {
+        const ProgramResult result = program.run(line);
+        EXPECT_EQ(result.status, 0);
+        EXPECT_NE(result.out.find("Usage: curvecore"), std::string::npos) << result.out;
+    }
+    const ProgramResult version = program.run({"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.out.rfind("curvecore 0.", 0), 0u);
+}
+
+}  // namespace
+}  // namespace curvecore::tb

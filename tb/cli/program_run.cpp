@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/cli/program_run.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace curvecore::tb {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path make_folder() {
+    std::string name = (fs::temp_directory_path() / "curvecore-cli.XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    return name;
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+}  // namespace
+
+ProgramRun::ProgramRun() : folder_(make_folder()), streams_(make_folder()) {}
+
+ProgramRun::~ProgramRun() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    fs::remove_all(streams_, ignored);
+}
+
+void ProgramRun::write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+}
+
+std::string ProgramRun::read(const std::string& name) const { return text_of(folder_ / name); }
+
+std::vector<std::string> ProgramRun::files() const {
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
+        names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+ProgramResult ProgramRun::run(const std::vector<std::string>& arguments) const {
+    const std::string out = streams_ / "out";
+    const std::string err = streams_ / "err";
+    const pid_t child = fork();
+    if (child == 0) {
+        std::vector<char*> argv{const_cast<char*>("curvecore")};
+        for (const std::string& argument : arguments) {
+            argv.push_back(const_cast<char*>(argument.c_str()));
+        }
+        argv.push_back(nullptr);
+        const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        if (chdir(folder_.c_str()) != 0 || dup2(out_file, STDOUT_FILENO) < 0 ||
+            dup2(err_file, STDERR_FILENO) < 0) {
+            _exit(127);
+        }
+        execv(CURVECORE_PROGRAM, argv.data());
+        _exit(127);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+}
+
+}  // namespace curvecore::tb

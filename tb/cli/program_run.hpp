@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The built program as a user starts it, in a folder of its own that goes when the test ends.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace curvecore::tb {
+
+struct ProgramResult {
+    int status = -1;  // exit status; -1: ended by a signal
+    std::string out;
+    std::string err;
+};
+
+class ProgramRun {
+  public:
+    ProgramRun();
+    ~ProgramRun();
+    ProgramRun(const ProgramRun&) = delete;
+    ProgramRun& operator=(const ProgramRun&) = delete;
+
+    const std::filesystem::path& folder() const { return folder_; }
+    void write(const std::string& name, const std::string& text) const;
+    std::string read(const std::string& name) const;
+    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    /// Names in the folder, sorted; what the program printed is not among them.
+    std::vector<std::string> files() const;
+
+    /// Arguments as an array, no shell; the folder is the working directory.
+    ProgramResult run(const std::vector<std::string>& arguments) const;
+
+  private:
+    std::filesystem::path folder_;
+    std::filesystem::path streams_;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore words`: what $readmemh reads is what the plan says.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Words of a memory file: hexadecimal digits, comments from // to the end of the line.
+std::vector<std::string> memory(const std::string& text) {
+    std::istringstream lines(text);
+    std::vector<std::string> words;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream rest(line.substr(0, line.find("//")));
+        for (std::string word; rest >> word;) words.push_back(word);
+    }
+    return words;
+}
+
+class Words : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(Words, AreThoseOfThePlan) {
+    const ProgramRun program;
+    program.write("part.ngc", "G21 G90 F900\nG1 X5 A3\nG3 X7 Y2 I0 J2 A1\nM2\n");
+    for (const char* command : {"words", "plan"}) {
+        std::vector<std::string> arguments{command, "part.ngc", "-q", "-o", command};
+        arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
+        const ProgramResult result = program.run(arguments);
+        ASSERT_EQ(result.status, 0) << result.err;
+    }
+    const Json json = Json::parse(program.read("words/words.json"));
+    const Json plan = Json::parse(program.read("plan/segments.json"));
+    std::vector<std::string> planned;
+    for (const Json& segment : plan["segments"]) {
+        for (const Json& word : segment["words"]) planned.push_back(word);
+    }
+    const std::vector<std::string> segments = memory(program.read("words/segments.hex"));
+    const std::vector<std::string> profile = memory(program.read("words/profile.hex"));
+    const std::size_t each = json["segments"]["words_each"];
+    EXPECT_EQ(segments, planned);
+    EXPECT_EQ(segments.size(), json["segments"]["count"].get<std::size_t>() * each);
+    EXPECT_EQ(profile.size(), json["profile"]["count"].get<std::size_t>() * 5);
+    for (const std::string& word : segments) EXPECT_EQ(word.size(), 12u);
+
+    // Lengths of segments and of pieces sum to the path; only the last piece is final.
+    const auto value = [](const std::string& word) { return std::stoull(word, nullptr, 16); };
+    std::uint64_t path = 0;
+    for (std::size_t i = 0; i < segments.size(); i += each) {
+        path += value(segments[i]);
+    }
+    std::uint64_t travelled = 0;
+    for (std::size_t i = 0; i < profile.size(); i += 5) {
+        travelled += value(profile[i + 1]);
+        EXPECT_EQ((value(profile[i]) >> 31) & 1, i + 5 == profile.size() ? 1u : 0u);
+    }
+    EXPECT_EQ(path, json["path_quanta"]);
+    EXPECT_EQ(travelled, path);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Configurations, Words,
+    testing::Values(std::vector<std::string>{}, std::vector<std::string>{"--set", "AuxAxes=6"},
+                    std::vector<std::string>{"--set", "CoefBits=30", "--set", "GuardBits=7"},
+                    std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
+                                             "PositionBits=20"}));
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+# core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
+#           [LIBRARIES target ...])
+# builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
+# unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
+# reaches the test as CFG_Name.
+function(core_test test configuration)
+  cmake_parse_arguments(ARG "" "TOP" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
+  set(target ${test}_${configuration})
+  verilated_model(${target}_model TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES})
+  list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
+  target_compile_definitions(${target} PRIVATE ${definitions})
+  target_link_libraries(${target} PRIVATE ${target}_model curvecore_options curvecore_hls
+                                          ${ARG_LIBRARIES} GTest::gtest_main)
+  gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS unit)
+endfunction()
+
+# illegal_parameter_test(<module> Name=Value "message")
+# The module refuses the parameter when elaborated, and says why.
+find_program(IVERILOG iverilog REQUIRED)
+find_program(VVP vvp REQUIRED)
+function(illegal_parameter_test module parameter message)
+  rtl_file(${module} file)
+  set(name unit.${module}.Rejects.${parameter})
+  add_test(NAME ${name}
+           COMMAND ${PROJECT_SOURCE_DIR}/tb/cmake/elaborate.sh ${IVERILOG} ${VVP} -s ${module}
+                   -P${module}.${parameter} -Y .sv ${RTL_SEARCH} ${RTL_PACKAGES} ${file})
+  set_tests_properties(${name} PROPERTIES LABELS unit
+                       PASS_REGULAR_EXPRESSION "FATAL: [^\n]*${message}")
+endfunction()

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# formal_test(tb/formal/<module>_formal.sv): tests formal.<module>.proved, .covered and one
+# .catches.<NAME> for every line `// control: NAME ...` of the wrapper.
+function(formal_test wrapper)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${wrapper})
+  cmake_path(GET wrapper STEM module)
+  string(REGEX REPLACE "_formal$" "" module ${module})
+  file(STRINGS ${wrapper} controls REGEX "^// control: ")
+  if(NOT controls)
+    message(FATAL_ERROR "${wrapper} declares no control: a proof that cannot fail proves nothing")
+  endif()
+
+  set(prove ${PROJECT_SOURCE_DIR}/tb/formal/prove.sh)
+  set(sources ${RTL_PACKAGES} ${RTL_MODULES})
+  set(name formal.${module})
+  add_test(NAME ${name}.proved COMMAND ${prove} prove ${wrapper} - ${sources})
+  add_test(NAME ${name}.covered COMMAND ${prove} cover ${wrapper} - ${sources})
+  set(tests ${name}.proved ${name}.covered)
+  foreach(control ${controls})
+    string(REGEX REPLACE "^// control: ([A-Za-z0-9_]+).*" "\\1" control ${control})
+    add_test(NAME ${name}.catches.${control}
+             COMMAND ${prove} control ${wrapper} ${control} ${sources})
+    list(APPEND tests ${name}.catches.${control})
+  endforeach()
+  set_tests_properties(${tests} PROPERTIES LABELS formal TIMEOUT 600)
+endfunction()

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+# add_lint_tests(): every module of rtl as its own top through four tools, and the C++ trees.
+#   lint.<module>.verilator|icarus|yosys|verible    lint.<tree>.format|tidy    lint.files
+# Waivers: rtl/waivers.vlt, each with its reason; verible's and clang-tidy's rules beside this.
+find_program(YOSYS yosys REQUIRED)
+find_program(VERIBLE_LINT verible-verilog-lint)
+find_program(VERIBLE_FORMAT verible-verilog-format)
+find_program(CLANG_FORMAT clang-format REQUIRED)
+find_program(CLANG_TIDY clang-tidy REQUIRED)
+if(NOT VERIBLE_LINT OR NOT VERIBLE_FORMAT)
+  message(FATAL_ERROR "verible is missing: run scripts/setup.sh")
+endif()
+
+function(lint_test name)
+  add_test(NAME lint.${name} COMMAND ${ARGN})
+  set_tests_properties(lint.${name} PROPERTIES LABELS lint)
+endfunction()
+
+function(lint_module file)
+  cmake_path(GET file STEM module)
+  lint_test(${module}.verilator ${VERILATOR} --lint-only -Wall --top-module ${module}
+            ${lint_waivers} ${RTL_SEARCH} -DNO_ICE40_DEFAULT_ASSIGNMENTS -v ${ICE40_CELLS}
+            ${RTL_PACKAGES} ${file})
+  lint_test(${module}.icarus ${IVERILOG} -g2012 -Wall -Wno-timescale -tnull -s ${module} -Y .sv
+            ${RTL_SEARCH} -DNO_ICE40_DEFAULT_ASSIGNMENTS -l ${ICE40_CELLS} ${RTL_PACKAGES} ${file})
+  lint_test(${module}.yosys ${PROJECT_SOURCE_DIR}/tb/lint/yosys.sh ${YOSYS} ${module}
+            ${RTL_PACKAGES} ${RTL_MODULES})
+  set_tests_properties(lint.${module}.verilator lint.${module}.icarus lint.${module}.yosys
+                       PROPERTIES FAIL_REGULAR_EXPRESSION "[Ww]arning")
+endfunction()
+
+function(lint_style file)
+  cmake_path(GET file STEM module)
+  lint_test(${module}.verible ${PROJECT_SOURCE_DIR}/tb/lint/verible.sh ${VERIBLE_LINT}
+            ${VERIBLE_FORMAT} ${file})
+endfunction()
+
+function(add_lint_tests)
+  file(GLOB lint_waivers ${PROJECT_SOURCE_DIR}/rtl/waivers.vlt)
+  foreach(file ${RTL_MODULES})
+    lint_module(${file})
+  endforeach()
+  file(GLOB_RECURSE test_modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tb/*.sv)
+  foreach(file ${RTL_PACKAGES} ${RTL_MODULES} ${test_modules})
+    lint_style(${file})
+  endforeach()
+  foreach(tree ref hls tb)
+    lint_test(${tree}.format ${PROJECT_SOURCE_DIR}/tb/lint/clang_format.sh ${CLANG_FORMAT}
+              ${PROJECT_SOURCE_DIR}/${tree})
+    lint_test(${tree}.tidy ${PROJECT_SOURCE_DIR}/tb/lint/clang_tidy.sh ${CLANG_TIDY}
+              ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/${tree})
+    set_tests_properties(lint.${tree}.tidy PROPERTIES PROCESSORS 2 COST 1000)
+  endforeach()
+  lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})
+endfunction()

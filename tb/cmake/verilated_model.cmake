@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+# verilated_model(<target> TOP <module> [PREFIX V<module>] [TRACE] [PARAMS Name=Value ...]
+#                 [SOURCES <file or flag> ...])
+# A library: one module as a C++ class PREFIX in PREFIX.h.  Verilator runs at build time, and again
+# only when a source that this model reads has changed (it writes the dependency file).
+find_program(VERILATOR verilator REQUIRED)
+execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
+                OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+
+# FPGA primitives: those that Yosys has no model of, and its models of iCE40 cells.
+list(APPEND RTL_SEARCH -y ${PROJECT_SOURCE_DIR}/tb/support/primitives)
+find_file(ICE40_CELLS yosys/ice40/cells_sim.v PATH_SUFFIXES share REQUIRED)
+
+# Verilator's own C++ library, once for all models.
+set(verilator_include ${VERILATOR_ROOT}/include)
+add_library(verilator_runtime STATIC
+            ${verilator_include}/verilated.cpp ${verilator_include}/verilated_threads.cpp
+            ${verilator_include}/verilated_fst_c.cpp ${verilator_include}/verilated_cov.cpp)
+target_include_directories(verilator_runtime SYSTEM PUBLIC ${verilator_include}
+                                                           ${verilator_include}/vltstd)
+target_compile_definitions(verilator_runtime PUBLIC VM_SC=0 VM_TRACE=1 VM_TRACE_FST=1 VM_TRACE_VCD=0
+                           VM_COVERAGE=$<BOOL:${CURVECORE_COVERAGE}>)
+target_compile_options(verilator_runtime PRIVATE -w)
+find_package(ZLIB REQUIRED)
+find_package(Threads REQUIRED)
+target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
+
+function(verilated_model target)
+  cmake_parse_arguments(ARG "TRACE" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
+  if(NOT ARG_PREFIX)
+    set(ARG_PREFIX V${ARG_TOP})
+  endif()
+  rtl_file(${ARG_TOP} top_file)
+  set(dir ${CMAKE_CURRENT_BINARY_DIR}/model/${target})
+  set(archive ${dir}/${ARG_PREFIX}__ALL.a)
+  list(TRANSFORM ARG_PARAMS PREPEND -G)
+  set(flags --top-module ${ARG_TOP} --prefix ${ARG_PREFIX} ${ARG_PARAMS} ${RTL_SEARCH})
+  if(ARG_TRACE)
+    list(APPEND flags --trace-fst)
+  endif()
+  if(CURVECORE_COVERAGE)
+    list(APPEND flags --coverage)
+  endif()
+  set(cflags -std=c++17 -w)
+  if(CURVECORE_SANITIZE)
+    list(APPEND cflags -fsanitize=address,undefined -fno-sanitize-recover=all)
+  endif()
+  list(JOIN cflags " " cflags)
+  add_custom_command(
+    OUTPUT ${archive}
+    BYPRODUCTS ${dir}/${ARG_PREFIX}.h
+    COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}" "CFLAGS=${cflags}"
+            "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
+            ${PROJECT_SOURCE_DIR}/tb/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
+            ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file}
+    DEPENDS ${PROJECT_SOURCE_DIR}/tb/cmake/verilate.sh
+    DEPFILE ${dir}/model.d
+    COMMENT "Verilating ${target}"
+    VERBATIM COMMAND_EXPAND_LISTS)
+  add_custom_target(${target}_archive DEPENDS ${archive})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}_archive)
+  target_include_directories(${target} SYSTEM INTERFACE ${dir})
+  target_link_libraries(${target} INTERFACE ${archive} verilator_runtime)
+endfunction()

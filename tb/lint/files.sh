@@ -1,0 +1,21 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# files.sh ROOT : every source file names its licence, is ASCII, and has at most 100 columns and 400
+# lines.
+set -u
+cd "$1" || exit 1
+status=0
+complain() {
+  echo "$*"
+  status=1
+}
+for file in $(find CMakeLists.txt ref hls rtl tb scripts -type f \
+    \( -name '*.[ch]pp' -o -name '*.sv' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' \
+    -o -name CMakeLists.txt \)); do
+  head -n 2 "$file" | grep -q 'SPDX-License-Identifier: Apache-2.0' ||
+    complain "$file: no SPDX line"
+  LC_ALL=C grep -nP '[^\x00-\x7F]' "$file" && complain "$file: not ASCII"
+  grep -nE '^.{101}' "$file" && complain "$file: more than 100 columns"
+  [ "$(wc -l <"$file")" -le 400 ] || complain "$file: more than 400 lines"
+done
+exit $status

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the comparison of a run's samples with kernel and exact curve found.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "ref/plan/machine.hpp"
+
+namespace curvecore::tb {
+
+struct AxisError {
+    double max = 0;
+    double sum_of_squares = 0;
+
+    void add(double error) {
+        max = std::max(max, std::abs(error));
+        sum_of_squares += error * error;
+    }
+    double rms(std::uint64_t samples) const {
+        return samples == 0 ? 0 : std::sqrt(sum_of_squares / static_cast<double>(samples));
+    }
+};
+
+/// Errors in length units.
+struct CheckResult {
+    std::uint64_t samples = 0;
+    std::uint64_t differing_words = 0;  // RTL against kernel
+    std::string first_difference;
+    std::array<AxisError, ref::kMachineAxes> rounded;
+    std::array<AxisError, ref::kMachineAxes> unrounded;
+    double of_bound = 0;       // worst error before rounding / its segment's bound
+    std::int64_t landing = 0;  // worst output word - commanded word at a stop
+    std::uint64_t stops = 0;   // exact stops that a sample fell on
+    double increment = 0;      // worst sample's increment - its share of the tick, quanta
+    double speed_error = 0;    // worst chord between samples - the exact curve's
+    double speed_relative = 0;    // the same, relative, of chords of kSpeedChord units or more
+    double speed_of_allowed = 0;  // the same / (1e-6 chord + 0.1 unit)
+};
+
+constexpr double kSpeedChord = 1000;  // below it, one position's rounding hides the speed
+
+}  // namespace curvecore::tb

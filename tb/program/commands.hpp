@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The subcommands: each returns the exit status 0 (every check held) or 1 (one failed).
+#pragma once
+
+#include "tb/program/job.hpp"
+#include "tb/program/options.hpp"
+
+namespace curvecore::tb {
+
+int run_command(const Options& options);
+int plan_command(const Options& options);
+int words_command(const Options& options);
+
+/// The program's warnings, to stderr.
+void print_warnings(const Job& job);
+
+}  // namespace curvecore::tb

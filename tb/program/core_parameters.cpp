@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/core_parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+#include "tb/program/usage_error.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+struct Parameter {
+    const char* name;
+    int CoreParameters::*value;
+    int low;
+    int high;
+};
+
+constexpr std::array<Parameter, 7> kParameters{{
+    {"Order", &CoreParameters::order, 2, 12},
+    {"CoefBits", &CoreParameters::coef_bits, 18, 36},
+    {"PositionBits", &CoreParameters::position_bits, 16, 32},
+    {"GuardBits", &CoreParameters::guard_bits, 2, 12},
+    {"AuxAxes", &CoreParameters::aux_axes, 0, 6},
+    {"Mode", &CoreParameters::mode, 0, 1},
+    {"SampleInterval", &CoreParameters::sample_interval, 1, 8},
+}};
+
+}  // namespace
+
+const char* build_name(Build build) { return build == Build::kParallel ? "parallel" : "serial"; }
+
+ref::WordFormat CoreParameters::format() const {
+    return {order, coef_bits, position_bits, guard_bits, mode == 1};
+}
+
+int CoreParameters::network_latency() const {
+    // Parallel: weights and orders, CoefBits / 2 clocks a product; serial: every product in turn.
+    return build == Build::kParallel ? (order + 2) * (coef_bits / 2 + 6) : 6 * (order + 2) * 24;
+}
+
+std::string CoreParameters::text() const {
+    std::string text;
+    for (const Parameter& parameter : kParameters) {
+        text += fmt::format("{}{}={}", text.empty() ? "" : " ", parameter.name,
+                            this->*parameter.value);
+    }
+    return text;
+}
+
+nlohmann::ordered_json CoreParameters::json() const {
+    nlohmann::ordered_json json;
+    for (const Parameter& parameter : kParameters) {
+        json[parameter.name] = this->*parameter.value;
+    }
+    return json;
+}
+
+bool operator==(const CoreParameters& a, const CoreParameters& b) {
+    for (const Parameter& parameter : kParameters) {
+        if (a.*parameter.value != b.*parameter.value) return false;
+    }
+    return a.build == b.build;
+}
+
+std::vector<std::string> parameter_names() {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : kParameters) names.emplace_back(parameter.name);
+    return names;
+}
+
+void set_parameter(CoreParameters& parameters, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string::npos) {
+        throw UsageError(fmt::format("--set {}: Name=Value is expected", assignment));
+    }
+    const std::string name = assignment.substr(0, equals);
+    for (const Parameter& parameter : kParameters) {
+        if (name != parameter.name) continue;
+        int value = 0;
+        const char* end = assignment.data() + assignment.size();
+        const auto result = std::from_chars(assignment.data() + equals + 1, end, value);
+        if (result.ec != std::errc() || result.ptr != end) {
+            throw UsageError(fmt::format("--set {}: not a whole number", assignment));
+        }
+        const bool power_of_two = (value & (value - 1)) == 0;
+        if (value < parameter.low || value > parameter.high ||
+            (parameter.value == &CoreParameters::sample_interval && !power_of_two)) {
+            throw UsageError(parameter.value == &CoreParameters::sample_interval
+                                 ? "SampleInterval must be 1, 2, 4 or 8"
+                                 : fmt::format("{} must be in [{}, {}]", name, parameter.low,
+                                               parameter.high));
+        }
+        parameters.*parameter.value = value;
+        return;
+    }
+    throw UsageError(fmt::format("--set {}: unknown parameter; there are {}", name,
+                                 fmt::join(parameter_names(), ", ")));
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parameters of a core as the command line sets them: names and ranges of hls/configuration.hpp
+// and of the RTL.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "ref/error_bound.hpp"
+
+namespace curvecore::tb {
+
+enum class Build { kParallel, kSerial };
+
+struct CoreParameters {
+    Build build = Build::kParallel;
+    int order = 6;
+    int coef_bits = 36;
+    int position_bits = 32;
+    int guard_bits = 10;
+    int aux_axes = 0;
+    int mode = 0;             // 0 series, 1 polynomial
+    int sample_interval = 1;  // clocks per sample of the parallel build
+
+    int axes() const { return 3 + aux_axes; }
+    ref::WordFormat format() const;
+    /// Clocks from a segment's or a step's start to its series: what the planner keeps time for.
+    int network_latency() const;
+    /// "Order=6 CoefBits=36 ..."
+    std::string text() const;
+    nlohmann::ordered_json json() const;
+};
+
+bool operator==(const CoreParameters& a, const CoreParameters& b);
+
+const char* build_name(Build build);
+
+/// Names as --set takes them, in order.
+std::vector<std::string> parameter_names();
+
+/// Name=Value.
+/// @throws UsageError: unknown name, not a number, out of range
+void set_parameter(CoreParameters& parameters, const std::string& assignment);
+
+}  // namespace curvecore::tb

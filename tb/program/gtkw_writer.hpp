@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// waves.gtkw: GTKWave opens waves.fst with the signals in groups, in the order of the data's flow.
+#pragma once
+
+#include <string>
+
+#include "tb/program/core_parameters.hpp"
+
+namespace curvecore::tb {
+
+std::string gtkw(const CoreParameters& core);
+
+}  // namespace curvecore::tb

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/job.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+
+#include "ref/program/gcode_reader.hpp"
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+ref::Program read_program(const std::string& file) {
+    std::string kind = std::filesystem::path(file).extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap", ".csv"};
+    if (known.count(kind) == 0) {
+        throw ref::InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap are read");
+    }
+    return ref::read_gcode(file);
+}
+
+}  // namespace
+
+std::uint64_t Job::path_length() const {
+    const ref::Segment& last = plan.segments.back();
+    return last.s_start + last.length;
+}
+
+double Job::bound() const {
+    double bound = 0;
+    for (const ref::Segment& segment : plan.segments) bound = std::max(bound, segment.bound);
+    return bound;
+}
+
+Job read_job(const Options& options) {
+    Job job;
+    job.options = options;
+    job.program = read_program(options.file);
+    if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
+    return job;
+}
+
+void plan_job(Job& job) {
+    job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
+    if (job.plan.segments.empty()) {
+        throw ref::InputError(job.options.file, 0, "the program does not move");
+    }
+    job.limits = ref::limit_report(job.program, job.machine, job.plan);
+}
+
+}  // namespace curvecore::tb

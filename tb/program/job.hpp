@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program read and planned: what every command starts from.
+#pragma once
+
+#include "ref/plan/limit_report.hpp"
+#include "tb/program/options.hpp"
+
+namespace curvecore::tb {
+
+struct Job {
+    Options options;
+    ref::Program program;
+    ref::Machine machine;
+    ref::Plan plan;
+    ref::LimitReport limits;
+
+    /// Length of the whole path, quanta.
+    std::uint64_t path_length() const;
+    /// Worst derived bound of any segment, length units before the final rounding.
+    double bound() const;
+};
+
+/// Reads program and machine.
+/// @throws ref::InputError
+Job read_job(const Options& options);
+
+/// Plans for the core in job.options.
+/// @throws ref::InputError, also when the program does not move
+void plan_job(Job& job);
+
+}  // namespace curvecore::tb

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// curvecore run | plan | words: parts through the cores, from the command line.
+//
+// Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
+// wrong, and nothing was written.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "ref/program/input_error.hpp"
+#include "tb/program/commands.hpp"
+#include "tb/program/usage_error.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+void add_common(CLI::App& command, RawOptions& raw, Options& options) {
+    command.add_option("FILE", options.file, "G-code: .ngc .nc .gcode .tap")->required();
+    command.add_option("-o,--output", options.folder, "folder for the results")
+        ->required()
+        ->type_name("DIR");
+    command.add_option("--unit", raw.unit, "length unit: 1nm, 10nm, 0.1um or 1um")
+        ->type_name("LENGTH")
+        ->capture_default_str();
+    command.add_option("--sample-period", raw.sample_period, "time between samples")
+        ->type_name("TIME")
+        ->capture_default_str();
+    command
+        .add_option("--samples-per-tick", raw.samples_per_tick,
+                    "samples that share a tick of the feed profile, 2^n")
+        ->type_name("N")
+        ->capture_default_str();
+    command.add_option("--clock", raw.clock, "the core's clock, for the planner's latency limit")
+        ->type_name("FREQUENCY")
+        ->capture_default_str();
+    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
+        ->type_name("FILE.ini");
+    command.add_option("--build", raw.build, "parallel or serial")
+        ->type_name("BUILD")
+        ->capture_default_str();
+    command
+        .add_option("--set", raw.set,
+                    fmt::format("a parameter of the core: {}", fmt::join(parameter_names(), ", ")))
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+}
+
+void add_run(CLI::App& command, RawOptions& raw, Options& options) {
+    command
+        .add_option("--stall", raw.stall_seed,
+                    "random stalls on every handshake; the samples must not change")
+        ->type_name("SEED");
+    command.add_option("--override", raw.override_percent, "feed override, 1 to 100")
+        ->type_name("PERCENT")
+        ->capture_default_str();
+    command.add_flag("--trace", options.trace, "write waves.fst, and waves.gtkw that arranges it");
+    command.add_option("--trace-clocks", raw.trace_clocks, "clocks in the waveform")
+        ->type_name("N")
+        ->capture_default_str();
+}
+
+int dispatch(int argc, char** argv) {
+    CLI::App app{"Arcs, helices and lines through FPGA interpolator cores", "curvecore"};
+    app.set_version_flag("--version", "curvecore " CURVECORE_VERSION);
+    app.require_subcommand(1);
+    RawOptions raw;
+    Options options;
+    CLI::App* run = app.add_subcommand(
+        "run", "plan FILE and run it through the Verilated RTL; compare every sample");
+    CLI::App* plan = app.add_subcommand(
+        "plan", "the same without the RTL: segments, feed profile, predicted error and time");
+    CLI::App* words =
+        app.add_subcommand("words", "segment and profile words as memory files for $readmemh");
+    for (CLI::App* command : {run, plan, words}) add_common(*command, raw, options);
+    add_run(*run, raw, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
+    }
+    interpret(raw, options);
+    if (*run) return run_command(options);
+    return *plan ? plan_command(options) : words_command(options);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
+
+int main(int argc, char** argv) {
+    try {
+        return curvecore::tb::dispatch(argc, argv);
+    } catch (const curvecore::ref::InputError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return 2;
+    } catch (const curvecore::tb::UsageError& error) {
+        fmt::print(stderr, "curvecore: error: {}\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "curvecore: internal error: {}\n", error.what());
+        return 1;
+    }
+}

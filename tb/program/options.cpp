@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "tb/program/usage_error.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+/// Name and power of ten.
+using Suffix = std::pair<std::string_view, int>;
+
+std::string names(const std::vector<Suffix>& suffixes) {
+    std::string text;
+    for (std::size_t i = 0; i < suffixes.size(); ++i) {
+        text += i == 0 ? "" : i + 1 == suffixes.size() ? " or " : ", ";
+        text += suffixes[i].first;
+    }
+    return text;
+}
+
+/// A number with a unit, in the unit's base.
+double quantity(const std::string& option, const std::string& text,
+                const std::vector<Suffix>& suffixes) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc() || !std::isfinite(value)) {
+        throw UsageError(fmt::format("{} '{}': not a number", option, text));
+    }
+    const std::string_view suffix(result.ptr, static_cast<std::size_t>(end - result.ptr));
+    for (const Suffix& known : suffixes) {
+        // By division, 100us is the double nearest to 1e-4.
+        if (suffix != known.first) continue;
+        const double power = std::pow(10.0, std::abs(known.second));
+        return known.second < 0 ? value / power : value * power;
+    }
+    throw UsageError(fmt::format("{} '{}': the unit must be {}", option, text, names(suffixes)));
+}
+
+std::uint64_t whole(const std::string& option, const std::string& text) {
+    std::uint64_t value = 0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc() || result.ptr != end) {
+        throw UsageError(fmt::format("{} '{}': not a whole number", option, text));
+    }
+    return value;
+}
+
+double unit_of(const std::string& text) {
+    const std::vector<Suffix> units{{"1nm", -6}, {"10nm", -5}, {"0.1um", -4}, {"1um", -3}};
+    for (const Suffix& unit : units) {
+        if (text == unit.first) return 1 / std::pow(10.0, -unit.second);
+    }
+    throw UsageError(fmt::format("--unit '{}': must be {}", text, names(units)));
+}
+
+}  // namespace
+
+int Options::samples_per_tick_log2() const {
+    int n = 0;
+    while ((1 << n) < samples_per_tick) ++n;
+    return n;
+}
+
+std::int32_t Options::override_word() const {
+    return static_cast<std::int32_t>(std::lround(override_percent / 100 * 65536));
+}
+
+ref::PlanOptions Options::plan_options() const {
+    ref::PlanOptions plan;
+    plan.unit_mm = unit_mm;
+    plan.sample_period_s = sample_period_s;
+    plan.samples_per_tick = samples_per_tick;
+    plan.format = core.format();
+    plan.aux_axes = core.aux_axes;
+    plan.clock_hz = clock_hz;
+    plan.network_latency_clocks = core.network_latency();
+    return plan;
+}
+
+void interpret(const RawOptions& raw, Options& options) {
+    if (options.folder.empty()) throw UsageError("--output: a folder's name is expected");
+    options.unit_mm = unit_of(raw.unit);
+    options.sample_period_s =
+        quantity("--sample-period", raw.sample_period,
+                 {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+    if (!(options.sample_period_s >= 1e-8 && options.sample_period_s <= 1)) {
+        throw UsageError("--sample-period must be in [10ns, 1s]");
+    }
+    const std::uint64_t per_tick = whole("--samples-per-tick", raw.samples_per_tick);
+    if (per_tick < 1 || per_tick > 32768 || (per_tick & (per_tick - 1)) != 0) {
+        throw UsageError("--samples-per-tick must be a power of two in [1, 32768]");
+    }
+    options.samples_per_tick = static_cast<int>(per_tick);
+    options.clock_hz = quantity("--clock", raw.clock,
+                                {{"Hz", 0}, {"kHz", 3}, {"MHz", 6}, {"GHz", 9}});
+    if (!(options.clock_hz >= 1e3 && options.clock_hz <= 1e10)) {
+        throw UsageError("--clock must be in [1kHz, 10GHz]");
+    }
+    if (raw.build != "parallel" && raw.build != "serial") {
+        throw UsageError(
+            fmt::format("--build '{}': must be parallel or serial", raw.build));
+    }
+    options.core.build = raw.build == "serial" ? Build::kSerial : Build::kParallel;
+    for (const std::string& assignment : raw.set) {
+        set_parameter(options.core, assignment);
+        options.aux_axes_set |= assignment.rfind("AuxAxes=", 0) == 0;
+    }
+    options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});
+    if (!(options.override_percent >= 1 && options.override_percent <= 100)) {
+        throw UsageError("--override must be in [1, 100] percent");
+    }
+    options.trace_clocks = whole("--trace-clocks", raw.trace_clocks);
+    if (!raw.stall_seed.empty()) options.stall_seed = whole("--stall", raw.stall_seed);
+}
+
+}  // namespace curvecore::tb

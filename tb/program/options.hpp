@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line asks for.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ref/plan/planner.hpp"
+#include "tb/program/core_parameters.hpp"
+
+namespace curvecore::tb {
+
+struct Options {
+    std::string file;
+    std::string folder;
+    std::string machine;  // empty: the built-in one
+    double unit_mm = 1e-6;
+    double sample_period_s = 100e-6;
+    int samples_per_tick = 1;
+    double clock_hz = 100e6;
+    CoreParameters core;
+    bool aux_axes_set = false;  // by --set; otherwise as many as the program needs
+    bool quiet = false;
+
+    // `run` alone
+    std::optional<std::uint64_t> stall_seed;
+    double override_percent = 100;
+    bool trace = false;
+    std::uint64_t trace_clocks = 20000;
+
+    int samples_per_tick_log2() const;
+    /// The override as the hardware's word, 2^16 = 100 %.
+    std::int32_t override_word() const;
+    ref::PlanOptions plan_options() const;
+};
+
+/// The command line as text, checked and turned into options.
+struct RawOptions {
+    std::string unit = "1nm";
+    std::string sample_period = "100us";
+    std::string samples_per_tick = "1";
+    std::string clock = "100MHz";
+    std::string build = "parallel";
+    std::string override_percent = "100";
+    std::string stall_seed;
+    std::string trace_clocks = "20000";
+    std::vector<std::string> set;
+};
+
+/// @throws UsageError with the option's name and the reason
+void interpret(const RawOptions& raw, Options& options);
+
+}  // namespace curvecore::tb

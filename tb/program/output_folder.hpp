@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// The folder that a command writes: all of it, or nothing.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace curvecore::tb {
+
+/// Files are written into a temporary sibling and moved into place by commit(); without commit()
+/// nothing stays behind. An existing folder keeps what is not this program's.
+class OutputFolder {
+  public:
+    /// @throws ref::InputError when the folder cannot be made, with the system's reason
+    explicit OutputFolder(const std::string& folder);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// Where to write a file of this name now.
+    std::string path(const std::string& name) const { return (temporary_ / name).string(); }
+
+    void write(const std::string& name, const std::string& text) const;
+    void commit();
+
+  private:
+    [[noreturn]] void refuse(const std::string& reason) const;
+
+    std::string given_;  // as the user named it
+    std::filesystem::path folder_;
+    std::filesystem::path temporary_;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path generator's words: the increments that a plan and an override make, sample by sample.
+#pragma once
+
+#include "hls/path_kernel.hpp"
+#include "hls/quantise.hpp"
+#include "hls/time_scaler.hpp"
+
+namespace curvecore::tb {
+
+class PathSource {
+  public:
+    PathSource(const ref::Plan& plan, int samples_per_tick_log2, std::int32_t target)
+        : plan_(plan),
+          scaler_(plan.hold_acceleration,
+                  std::int64_t(plan.hold_acceleration) * plan.hold_slope_steps),
+          share_(samples_per_tick_log2),
+          target_(target) {}
+
+    /// Moves to the next sample; true: a tick began with it.
+    bool next() {
+        const bool tick = share_.needs_tick();
+        if (tick) {
+            rate_ = scaler_.tick(target_);
+            tick_ds_ = path_.tick(rate_, [this](hls::ProfileWords& words) {
+                if (piece_ == plan_.pieces.size()) return false;
+                words = hls::to_words(plan_.pieces[piece_++]);
+                return true;
+            });
+            share_.tick(tick_ds_);
+        }
+        ds_ = share_.sample();
+        return tick;
+    }
+
+    std::int64_t ds() const { return ds_; }            // of the sample, quanta
+    std::int64_t tick_ds() const { return tick_ds_; }  // of its tick
+    std::int32_t rate() const { return rate_; }        // of time, 2^16 = 1
+    /// The plan goes on after the present tick.
+    bool active() const { return path_.active(); }
+
+  private:
+    const ref::Plan& plan_;
+    hls::TimeScaler scaler_;
+    hls::PathKernel path_;
+    hls::SampleShare share_;
+    std::int32_t target_;
+    std::size_t piece_ = 0;
+    std::int32_t rate_ = 0;
+    std::int64_t tick_ds_ = 0;
+    std::int64_t ds_ = 0;
+};
+
+/// Samples from rest to rest: whole ticks.
+inline std::uint64_t count_samples(const ref::Plan& plan, int samples_per_tick_log2,
+                                   std::int32_t target) {
+    PathSource source(plan, 0, target);
+    std::uint64_t ticks = 0;
+    do {
+        source.next();
+        ++ticks;
+    } while (source.active());
+    return ticks << samples_per_tick_log2;
+}
+
+/// Ticks that a hold takes from full speed.
+inline std::int64_t stop_ticks(const ref::Plan& plan) {
+    hls::TimeScaler scaler(plan.hold_acceleration,
+                           std::int64_t(plan.hold_acceleration) * plan.hold_slope_steps);
+    std::int64_t ticks = 1;
+    while (scaler.tick(0) > 0) ++ticks;
+    return ticks;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the report's pictures show, thinned out while the samples pass: memory and report stay small
+// however long the program is.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "tb/program/job.hpp"
+
+namespace curvecore::tb {
+
+/// Least and largest value of a stretch.
+struct Envelope {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+
+    void add(double value) {
+        if (value < low) low = value;
+        if (value > high) high = value;
+    }
+    bool empty() const { return low > high; }
+};
+
+struct PathPoint {
+    std::uint64_t s;   // quanta
+    ref::Vec3 point;   // length units
+    double feed;       // mm/s along the path
+};
+
+class Pictures {
+  public:
+    static constexpr std::size_t kBins = 1200;
+    static constexpr std::uint64_t kPoints = 12000;
+
+    Pictures(const Job& job, std::uint64_t ticks);
+
+    /// A tick's increment (quanta), ending on `segment`.
+    void tick(std::int64_t ds, const ref::Segment& segment);
+    /// Would this sample be drawn? Stops and other corners are, if there are not too many of them.
+    bool wants(std::uint64_t s, std::size_t segment, bool at_end) const;
+    void sample(std::uint64_t s, std::size_t segment, const ref::Vec3& point, bool at_end);
+    /// Its worst error on any axis before rounding, and the bound there, length units.
+    void error(std::uint64_t s, double error, double bound);
+
+    const std::vector<PathPoint>& path() const { return path_; }
+    std::uint64_t ticks() const { return ticks_; }
+
+    // Over path length
+    const std::vector<double>& errors() const { return errors_; }
+    const std::vector<double>& bounds() const { return bounds_; }
+    // Over time: along the path in mm and s; `total` with the centripetal acceleration
+    const std::vector<Envelope>& speed() const { return speed_; }
+    const std::vector<Envelope>& acceleration() const { return acceleration_; }
+    const std::vector<Envelope>& total_acceleration() const { return total_; }
+    const std::vector<Envelope>& jerk() const { return jerk_; }
+
+  private:
+    std::size_t path_bin(std::uint64_t s) const;
+
+    double tick_s_;
+    double quantum_mm_;
+    double unit_mm_;
+    std::uint64_t length_;
+    std::uint64_t ticks_;
+    std::uint64_t tick_ = 0;
+    double speed_now_ = 0;
+    double acceleration_now_ = 0;
+    std::size_t last_segment_ = 0;
+    std::vector<PathPoint> path_;
+    std::vector<double> errors_;
+    std::vector<double> bounds_;
+    std::vector<Envelope> speed_;
+    std::vector<Envelope> acceleration_;
+    std::vector<Envelope> total_;
+    std::vector<Envelope> jerk_;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore plan`: segments, feed profile, predicted error and time, without the RTL.
+#include "tb/program/commands.hpp"
+#include "ref/curve/segment_curve.hpp"
+#include "tb/program/output_folder.hpp"
+#include "tb/program/path_cursor.hpp"
+#include "tb/program/path_source.hpp"
+#include "tb/program/pictures.hpp"
+#include "tb/program/report_html.hpp"
+#include "tb/program/segments_json.hpp"
+#include "tb/program/summary.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+/// What the samples will show, from the exact curve.
+void draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
+    PathSource source(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());
+    PathCursor cursor(job.plan);
+    pictures.sample(0, cursor.index(), cursor.segment().start, true);
+    for (std::uint64_t k = 0; k < samples; ++k) {
+        const bool tick = source.next();
+        cursor.advance(static_cast<std::uint64_t>(source.ds()));
+        if (tick) pictures.tick(source.tick_ds(), cursor.segment());
+        pictures.error(cursor.s(), 0, cursor.segment().bound);
+        if (pictures.wants(cursor.s(), cursor.index(), cursor.at_end())) {
+            pictures.sample(cursor.s(), cursor.index(),
+                            ref::exact_position(cursor.segment(), cursor.local()),
+                            cursor.at_end());
+        }
+    }
+}
+
+}  // namespace
+
+int plan_command(const Options& options) {
+    Job job = read_job(options);
+    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
+    plan_job(job);
+    OutputFolder folder(options.folder);
+    const std::uint64_t samples =
+        count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
+    Pictures pictures(job, samples / static_cast<std::uint64_t>(options.samples_per_tick));
+    draw(job, samples, pictures);
+    const Report report{job, samples, nullptr};
+    folder.write("segments.json", segments_json(job));
+    folder.write("report.json", report.json().dump(2) + "\n");
+    folder.write("report.html", report_html(report, pictures));
+    folder.commit();
+    print_summary(report);
+    return report.held() ? 0 : 1;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bar on long work: on a terminal only, on stderr, gone when done.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace curvecore::tb {
+
+class ProgressBar {
+  public:
+    ProgressBar(std::uint64_t total, bool quiet);
+    ~ProgressBar();
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void update(std::uint64_t done);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::uint64_t total_;
+    bool on_;
+    bool shown_ = false;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point next_ = begin_ + std::chrono::milliseconds(300);
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace curvecore::tb {
+namespace {
+
+/// Stops that the profile plans: sample after sample falls on them at full speed.
+std::uint64_t planned_stops(const ref::Plan& plan) {
+    std::uint64_t stops = 1;
+    for (std::size_t i = 0; i + 1 < plan.segments.size(); ++i) {
+        stops += plan.segments[i].length > 0 && plan.segments[i].feed_end < 1e-6;
+    }
+    return stops;
+}
+
+template <class Value>
+nlohmann::ordered_json per_axis(const Job& job, Value value) {
+    nlohmann::ordered_json json;
+    std::size_t axis = 0;
+    for (const std::string& name : axis_names(job)) json[name] = value(axis++);
+    return json;
+}
+
+nlohmann::ordered_json errors_json(const Job& job,
+                                   const std::array<AxisError, ref::kMachineAxes>& errors,
+                                   std::uint64_t samples) {
+    nlohmann::ordered_json json;
+    json["max_lsb"] = per_axis(job, [&](std::size_t axis) { return errors[axis].max; });
+    json["rms_lsb"] = per_axis(job, [&](std::size_t axis) { return errors[axis].rms(samples); });
+    return json;
+}
+
+nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios) {
+    return {{"velocity", ratios.velocity},
+            {"acceleration", ratios.acceleration},
+            {"jerk", ratios.jerk}};
+}
+
+nlohmann::ordered_json machine_json(const Job& job) {
+    nlohmann::ordered_json json;
+    const ref::Machine& machine = job.machine;
+    json["name"] = machine.name;
+    json["velocity"] = machine.velocity;
+    json["acceleration"] = machine.acceleration;
+    json["jerk"] = machine.jerk;
+    json["joint_time_s"] = machine.joint_time;
+    std::size_t axis = 0;
+    for (const std::string& name : axis_names(job)) {
+        const ref::AxisLimits& limits = machine.axis[axis++];
+        json["axes"][name] = {{"velocity", limits.velocity},
+                              {"acceleration", limits.acceleration},
+                              {"jerk", limits.jerk},
+                              {"min", limits.min},
+                              {"max", limits.max}};
+    }
+    json["notes"] = machine.notes;
+    return json;
+}
+
+template <std::size_t N>
+double worst(const std::array<AxisError, N>& errors) {
+    double max = 0;
+    for (const AxisError& error : errors) max = std::max(max, error.max);
+    return max;
+}
+
+}  // namespace
+
+std::vector<std::string> axis_names(const Job& job) {
+    const std::vector<std::string> all{"x", "y", "z", "a", "b", "c", "u", "v", "w"};
+    return {all.begin(), all.begin() + 3 + job.plan.aux_axes};
+}
+
+std::string time_text(double seconds) {
+    if (seconds < 60) return fmt::format("{:.3f} s", seconds);
+    const auto whole = static_cast<long>(seconds);
+    if (whole < 3600) return fmt::format("{} min {:.1f} s", whole / 60, seconds - whole / 60 * 60.0);
+    return fmt::format("{} h {} min {} s", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+double Report::duration_s() const {
+    return static_cast<double>(samples) * job.options.sample_period_s;
+}
+
+double Report::clocks_per_sample() const {
+    return static_cast<double>(rtl->clocks) / static_cast<double>(samples);
+}
+
+double Report::clocks_per_second() const {
+    return static_cast<double>(rtl->clocks) / rtl->seconds;
+}
+
+std::vector<Check> Report::checks() const {
+    std::vector<Check> checks;
+    const ref::LimitRatios& inside = job.limits.inside;
+    const ref::LimitRatios& joints = job.limits.joints;
+    const double limits = std::max({inside.velocity, inside.acceleration, inside.jerk,
+                                    joints.acceleration, joints.jerk});
+    if (rtl != nullptr) {
+        const CheckResult& check = rtl->check;
+        const bool full_speed = job.options.override_percent == 100;
+        const std::uint64_t stops = planned_stops(job.plan);
+        checks = {
+            {"RTL equals kernel", check.differing_words == 0,
+             check.differing_words == 0
+                 ? fmt::format("{} samples", check.samples)
+                 : fmt::format("{} words differ; first: {}", check.differing_words,
+                               check.first_difference)},
+            {"error within the derived bound", check.of_bound <= 1,
+             fmt::format("{:.3f} of the bound at worst", check.of_bound)},
+            {"exact stops landed", check.landing == 0 && (!full_speed || check.stops == stops),
+             fmt::format("off by {} units, {} of {} stops sampled", check.landing, check.stops,
+                         stops)},
+            {"path increments even", check.increment <= 1,
+             fmt::format("within {:.3f} quanta of the tick's share", check.increment)},
+            {"speed true", check.speed_of_allowed <= 1,
+             fmt::format("chords within {:.4f} units of the exact curve's", check.speed_error)},
+            {"no underrun", !rtl->underrun, rtl->underrun ? "the profile queue ran low" : "fed"},
+        };
+    }
+    checks.push_back({"machine limits kept", limits <= 1 + 1e-9,
+                      fmt::format("{:.3f} of a limit at worst", limits)});
+    return checks;
+}
+
+bool Report::held() const {
+    const std::vector<Check> all = checks();
+    return std::all_of(all.begin(), all.end(), [](const Check& check) { return check.held; });
+}
+
+nlohmann::ordered_json Report::json() const {
+    nlohmann::ordered_json json;
+    json["input"] = job.options.file;
+    json["unit_mm"] = job.plan.unit_mm;
+    json["sample_period_s"] = job.options.sample_period_s;
+    json["samples_per_tick"] = job.options.samples_per_tick;
+    json["clock_hz"] = job.options.clock_hz;
+    json["core"] = "spherical";
+    json["build"] = build_name(job.options.core.build);
+    json["parameters"] = job.options.core.json();
+    json["moves"] = job.program.moves.size();
+    json["segments"] = job.plan.segments.size();
+    json["profile_pieces"] = job.plan.pieces.size();
+    json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
+    json["samples"] = samples;
+    if (rtl != nullptr) {
+        const CheckResult& check = rtl->check;
+        json["override_percent"] = job.options.override_percent;
+        json["stall_seed"] = nullptr;
+        if (job.options.stall_seed) json["stall_seed"] = *job.options.stall_seed;
+        json["clocks"] = rtl->clocks;
+        json["clocks_per_sample"] = clocks_per_sample();
+        json["error"] = errors_json(job, check.rounded, check.samples);
+        json["unrounded"] = errors_json(job, check.unrounded, check.samples);
+        json["unrounded"]["bound_lsb"] = job.bound();
+        json["unrounded"]["max_of_bound"] = check.of_bound;
+        json["landing_lsb"] = check.landing;
+        json["stops"] = {{"planned", planned_stops(job.plan)}, {"sampled", check.stops}};
+        json["path_increment"] = {{"max_error_quanta", check.increment}};
+        json["speed"] = {{"max_relative_error", check.speed_relative},
+                         {"max_error_lsb", check.speed_error}};
+    } else {
+        json["unrounded"]["bound_lsb"] = job.bound();
+    }
+    json["limits"] = ratios_json(job.limits.inside);
+    json["limits"]["joints"] = {{"acceleration", job.limits.joints.acceleration},
+                                {"jerk", job.limits.joints.jerk},
+                                {"passed", job.limits.passed}};
+    if (rtl != nullptr) {
+        json["rtl_equals_kernel"] = rtl->check.differing_words;
+        json["underruns"] = rtl->underrun ? 1 : 0;
+        json["empty_segments"] = rtl->empty_segments;
+    }
+    json["duration_s"] = duration_s();
+    if (rtl != nullptr) json["simulation_clocks_per_second"] = clocks_per_second();
+    for (const Check& check : checks()) {
+        json["checks"].push_back(
+            {{"name", check.name}, {"held", check.held}, {"detail", check.detail}});
+    }
+    json["machine"] = machine_json(job);
+    json["warnings"] = job.program.warnings;
+    return json;
+}
+
+std::vector<std::pair<std::string, std::string>> Report::table() const {
+    std::vector<std::pair<std::string, std::string>> rows;
+    const auto row = [&rows](const char* name, std::string value) {
+        rows.emplace_back(name, std::move(value));
+    };
+    row("core", fmt::format("spherical {}, {}", build_name(job.options.core.build),
+                            job.options.core.text()));
+    row("program", fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
+                               job.plan.segments.size(),
+                               std::ldexp(static_cast<double>(job.path_length()), -16) *
+                                   job.plan.unit_mm));
+    row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
+                                job.options.sample_period_s * 1e6));
+    if (rtl != nullptr) {
+        const CheckResult& check = rtl->check;
+        row("RTL = kernel", check.differing_words == 0
+                                ? fmt::format("{} samples, 0 words differ", check.samples)
+                                : fmt::format("{} words differ", check.differing_words));
+        row("worst error", fmt::format("{:.4f} units of {:g} mm (rounded output)",
+                                       worst(check.rounded), job.plan.unit_mm));
+        row("before rounding",
+            fmt::format("{:.4f} units; derived bound {:.4f}", worst(check.unrounded), job.bound()));
+        row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
+        row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
+    } else {
+        row("derived bound", fmt::format("{:.4f} units of {:g} mm before rounding", job.bound(),
+                                         job.plan.unit_mm));
+    }
+    const ref::LimitRatios& inside = job.limits.inside;
+    row("of the limits", fmt::format("velocity {:.3f}, acceleration {:.3f}, jerk {:.3f}",
+                                     inside.velocity, inside.acceleration, inside.jerk));
+    row("of the joints' limits",
+        fmt::format("acceleration {:.3f}, jerk {:.3f}; {} passed in motion",
+                    job.limits.joints.acceleration, job.limits.joints.jerk, job.limits.passed));
+    row("machine", job.machine.name);
+    return rows;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command found, in one place: report.json, the table of report.html and the summary on the
+// terminal all come from here.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tb/program/rtl_run.hpp"
+
+namespace curvecore::tb {
+
+struct Check {
+    std::string name;
+    bool held;
+    std::string detail;
+};
+
+/// The RTL's part is absent for `plan`.
+struct Report {
+    const Job& job;
+    std::uint64_t samples;
+    const RtlResult* rtl;
+
+    double duration_s() const;
+    double clocks_per_sample() const;
+    double clocks_per_second() const;
+    std::vector<Check> checks() const;
+    bool held() const;
+    nlohmann::ordered_json json() const;
+    /// What the terminal and the page show: name and value, one row each.
+    std::vector<std::pair<std::string, std::string>> table() const;
+};
+
+/// x y z, then a b c u v w as far as the program uses them.
+std::vector<std::string> axis_names(const Job& job);
+
+/// h min s, as short as the value allows.
+std::string time_text(double seconds);
+
+}  // namespace curvecore::tb

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/report_html.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include "tb/program/report_template.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Text = fmt::memory_buffer;
+constexpr std::string_view kDataMark = "/*DATA*/";
+
+template <class Values, class Format>
+void array(Text& text, const char* name, const Values& values, Format format) {
+    fmt::format_to(std::back_inserter(text), ",\n\"{}\":[", name);
+    const char* comma = "";
+    for (const auto& value : values) {
+        text.append(std::string_view(comma));
+        format(value);
+        comma = ",";
+    }
+    text.push_back(']');
+}
+
+void path(Text& text, const Report& report, const Pictures& pictures) {
+    const auto out = std::back_inserter(text);
+    const double unit = report.job.plan.unit_mm;
+    const auto points = pictures.path();
+    for (int axis = 0; axis < 3; ++axis) {
+        array(text, std::array<const char*, 3>{"x", "y", "z"}[static_cast<std::size_t>(axis)],
+              points, [&](const PathPoint& p) { fmt::format_to(out, "{:.7g}", p.point[axis] * unit); });
+    }
+    array(text, "feed", points,
+          [&](const PathPoint& p) { fmt::format_to(out, "{:.4g}", p.feed); });
+    array(text, "errors", pictures.errors(), [&](double e) { fmt::format_to(out, "{:.4g}", e); });
+    array(text, "bounds", pictures.bounds(), [&](double b) { fmt::format_to(out, "{:.4g}", b); });
+}
+
+void envelope(Text& text, const char* name, const std::vector<Envelope>& bins) {
+    const auto out = std::back_inserter(text);
+    array(text, name, bins, [&](const Envelope& bin) {
+        if (bin.empty()) {
+            fmt::format_to(out, "null");
+        } else {
+            fmt::format_to(out, "[{:.4g},{:.4g}]", bin.low, bin.high);
+        }
+    });
+}
+
+std::string data(const Report& report, const Pictures& pictures) {
+    const Job& job = report.job;
+    nlohmann::ordered_json head;
+    head["title"] = std::filesystem::path(job.options.file).filename().string();
+    head["version"] = CURVECORE_VERSION;
+    head["rtl"] = report.rtl != nullptr;
+    head["held"] = report.held();
+    head["unit_mm"] = job.plan.unit_mm;
+    head["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
+    head["duration_s"] = report.duration_s();
+    head["limits"] = {job.machine.velocity, job.machine.acceleration, job.machine.jerk};
+    for (const auto& [name, value] : report.table()) head["table"].push_back({name, value});
+    for (const Check& check : report.checks()) {
+        head["checks"].push_back({check.name, check.held, check.detail});
+    }
+    if (report.rtl != nullptr) {
+        std::size_t axis = 0;
+        for (const std::string& name : axis_names(job)) {
+            const AxisError& rounded = report.rtl->check.rounded[axis];
+            const AxisError& unrounded = report.rtl->check.unrounded[axis++];
+            const std::uint64_t n = report.rtl->check.samples;
+            head["axes"].push_back(
+                {name, rounded.max, rounded.rms(n), unrounded.max, unrounded.rms(n)});
+        }
+    }
+    head["notes"] = job.machine.notes;
+    head["warnings"] = job.program.warnings;
+    if (head["warnings"].size() > 50) head["warnings"].get_ref<nlohmann::ordered_json::array_t&>().resize(50);
+    std::string text = head.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    text.pop_back();  // the closing brace
+    Text rest;
+    path(rest, report, pictures);
+    envelope(rest, "speed", pictures.speed());
+    envelope(rest, "acceleration", pictures.acceleration());
+    envelope(rest, "total", pictures.total_acceleration());
+    envelope(rest, "jerk", pictures.jerk());
+    text += fmt::to_string(rest) + "}";
+    // A file name must not close the script.
+    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {
+        text.replace(at, 2, "<\\/");
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string report_html(const Report& report, const Pictures& pictures) {
+    std::string page(kReportTemplate);
+    const std::size_t mark = page.find(kDataMark);
+    page.replace(mark, kDataMark.size(), data(report, pictures));
+    return page;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore run`: plan, words, RTL, every sample checked, report.
+#include "tb/program/commands.hpp"
+#include "tb/program/gtkw_writer.hpp"
+#include "tb/program/output_folder.hpp"
+#include "tb/program/path_source.hpp"
+#include "tb/program/progress_bar.hpp"
+#include "tb/program/report_html.hpp"
+#include "tb/program/segments_json.hpp"
+#include "tb/program/summary.hpp"
+
+namespace curvecore::tb {
+
+int run_command(const Options& options) {
+    if (options.aux_axes_set) find_core(options.core, true);  // before the file is looked at
+    Job job = read_job(options);
+    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
+    const CompiledCore& core = find_core(job.options.core, options.aux_axes_set);
+    job.options.core = core.parameters;
+    plan_job(job);
+
+    OutputFolder folder(options.folder);
+    const std::uint64_t samples =
+        count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
+    Pictures pictures(job, samples / static_cast<std::uint64_t>(options.samples_per_tick));
+    SamplesWriter writer(folder.path("samples.csv"), job);
+    ProgressBar bar(samples, options.quiet);
+    const std::string waveform = options.trace ? folder.path("waves.fst") : "";
+    const RtlResult rtl = core.run({job, samples, writer, pictures, waveform,
+                                    [&bar](std::uint64_t done) { bar.update(done); }});
+    writer.close();
+
+    const Report report{job, samples, &rtl};
+    if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters));
+    folder.write("segments.json", segments_json(job));
+    folder.write("report.json", report.json().dump(2) + "\n");
+    folder.write("report.html", report_html(report, pictures));
+    folder.commit();
+    print_summary(report);
+    return report.held() ? 0 : 1;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/samples_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace curvecore::tb {
+namespace {
+
+constexpr std::size_t kBuffer = std::size_t(1) << 20;
+constexpr std::size_t kLongestRow = 16 * 21;
+
+}  // namespace
+
+SamplesWriter::SamplesWriter(const std::string& file, const Job& job)
+    : file_(std::fopen(file.c_str(), "wb"), &std::fclose), axes_(3 + job.plan.aux_axes) {
+    if (!file_) throw std::runtime_error("cannot write " + file);
+    buffer_.reserve(kBuffer + kLongestRow);
+    buffer_ = fmt::format(
+        "# curvecore: samples as the RTL gave them\n"
+        "# input: {}\n"
+        "# unit: {:g} mm (positions); path quanta: 2^-16 unit (s)\n"
+        "# sample period: {:g} s\n"
+        "# core: {}\n"
+        "k,segment,s,x,y,z",
+        std::filesystem::path(job.options.file).filename().string(), job.plan.unit_mm,
+        job.options.sample_period_s, job.options.core.text());
+    for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
+        buffer_ += ',';
+        buffer_ += "abcuvw"[axis];
+    }
+    buffer_ += '\n';
+}
+
+void SamplesWriter::row(std::uint64_t k, std::size_t segment, std::uint64_t s,
+                        const std::int64_t* position) {
+    const auto number = [this](auto value) {
+        const fmt::format_int text(value);
+        buffer_.append(text.data(), text.size());
+    };
+    number(k);
+    buffer_ += ',';
+    number(segment);
+    buffer_ += ',';
+    number(s);
+    for (int axis = 0; axis < axes_; ++axis) {
+        buffer_ += ',';
+        number(position[axis]);
+    }
+    buffer_ += '\n';
+    if (buffer_.size() >= kBuffer) flush();
+}
+
+void SamplesWriter::flush() {
+    if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) != buffer_.size()) {
+        throw std::runtime_error("cannot write samples.csv: is the disk full?");
+    }
+    buffer_.clear();
+}
+
+void SamplesWriter::close() {
+    flush();
+    if (std::fclose(file_.release()) != 0) {
+        throw std::runtime_error("cannot write samples.csv: is the disk full?");
+    }
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// samples.csv: one row per sample, as fast as the simulation gives them.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "tb/program/job.hpp"
+
+namespace curvecore::tb {
+
+class SamplesWriter {
+  public:
+    /// @throws std::runtime_error when the file cannot be written
+    SamplesWriter(const std::string& file, const Job& job);
+
+    /// `position` has 3 + aux_axes words.
+    void row(std::uint64_t k, std::size_t segment, std::uint64_t s, const std::int64_t* position);
+
+    /// @throws std::runtime_error when the disk is full
+    void close();
+
+  private:
+    void flush();
+
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    int axes_;
+    std::string buffer_;
+};
+
+}  // namespace curvecore::tb

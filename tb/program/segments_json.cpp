@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/segments_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "tb/program/bus_words.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+const char* kind(const ref::Segment& segment) {
+    if (segment.radius == 0) return "line";
+    return segment.advance.isZero() ? "arc" : "helix";
+}
+
+/// Three axes and the auxiliary ones that the program uses, mm.
+void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz,
+           const ref::Aux& aux) {
+    const double unit = job.plan.unit_mm;
+    fmt::format_to(std::back_inserter(text), ", \"{}\": [{:.12g}, {:.12g}, {:.12g}", name,
+                   xyz.x() * unit, xyz.y() * unit, xyz.z() * unit);
+    for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
+        fmt::format_to(std::back_inserter(text), ", {:.12g}",
+                       aux[static_cast<std::size_t>(axis)] * unit);
+    }
+    text.push_back(']');
+}
+
+}  // namespace
+
+std::string segments_json(const Job& job) {
+    Text text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out,
+                   "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n"
+                   "\"segments\": [",
+                   job.plan.unit_mm, std::ldexp(1.0, -16));
+    for (std::size_t i = 0; i < job.plan.segments.size(); ++i) {
+        const ref::Segment& segment = job.plan.segments[i];
+        fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
+                       i == 0 ? "" : ",", i, segment.move, job.program.moves[segment.move].line,
+                       kind(segment));
+        point(text, "start_mm", job, segment.start, segment.aux_start);
+        point(text, "end_mm", job, segment.end, segment.aux_end);
+        fmt::format_to(out,
+                       ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
+                       "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {:.6g}, "
+                       "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"words\": [",
+                       segment.s_start, segment.length,
+                       std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
+                       segment.radius * job.plan.unit_mm, segment.step_exponent, segment.bound,
+                       segment.feed_start, segment.feed_end);
+        const char* comma = "";
+        for (const std::uint64_t word : segment_bus_words(segment, job.options.core)) {
+            fmt::format_to(out, "{}\"{:012x}\"", comma, word);
+            comma = ", ";
+        }
+        fmt::format_to(out, "]}}");
+    }
+    fmt::format_to(out, "\n]\n}}\n");
+    return fmt::to_string(text);
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// segments.json: the plan, segment by segment, with the words that the core gets.
+#pragma once
+
+#include <string>
+
+#include "tb/program/job.hpp"
+
+namespace curvecore::tb {
+
+std::string segments_json(const Job& job);
+
+}  // namespace curvecore::tb

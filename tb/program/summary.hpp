@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result on the terminal.
+#pragma once
+
+#include "tb/program/report.hpp"
+
+namespace curvecore::tb {
+
+/// Warnings and failed checks to stderr, the table to stdout; with -q only the former.
+void print_summary(const Report& report);
+
+}  // namespace curvecore::tb

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// A command line that cannot be served: what() is the reason.
+#pragma once
+
+#include <stdexcept>
+
+namespace curvecore::tb {
+
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace curvecore::tb
