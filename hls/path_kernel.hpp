@@ -61,7 +61,8 @@ class PathKernel {
             begin_piece(time_ - end);
         }
         // The words round; the path neither goes back nor beyond the piece's end.
-        Length path = piece_path(piece_, time_);
+        Length path = time_ >= std::int64_t(piece_.ticks) << kRateFrac ? piece_.ds
+                                                                       : piece_path(piece_, time_);
         path = path < walked_ ? walked_ : path;
         path = path > piece_.ds ? piece_.ds : path;
         increment = Length(increment + path - walked_);

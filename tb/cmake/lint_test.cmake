@@ -47,6 +47,8 @@ function(add_lint_tests)
   foreach(tree ref hls tb)
     lint_test(${tree}.format ${PROJECT_SOURCE_DIR}/tb/lint/clang_format.sh ${CLANG_FORMAT}
               ${PROJECT_SOURCE_DIR}/${tree})
+  endforeach()
+  foreach(tree ref tb)  # hls has headers only: they are seen through tb
     lint_test(${tree}.tidy ${PROJECT_SOURCE_DIR}/tb/lint/clang_tidy.sh ${CLANG_TIDY}
               ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/${tree})
     set_tests_properties(lint.${tree}.tidy PROPERTIES PROCESSORS 2 COST 1000)

@@ -4,18 +4,10 @@
 #    build     Order CoefBits PositionBits GuardBits AuxAxes Mode SampleInterval
 set(COMPILED_CORES
     "parallel 6 36 32 10 0 0 1"
-    "parallel 6 36 32 10 1 0 1"
     "parallel 6 36 32 10 3 0 1"
     "parallel 6 36 32 10 6 0 1"
     "parallel 4 36 32 10 0 0 1"
     "parallel 8 36 32 10 0 0 1"
-    "parallel 6 36 32 10 0 1 1"
-    "parallel 6 36 32 10 0 0 4"
     "parallel 6 27 32 10 0 0 1"
-    "serial   6 36 32 10 0 0 1"
-    "serial   6 36 32 10 1 0 1"
-    "serial   6 36 32 10 3 0 1"
-    "serial   6 36 32 10 6 0 1"
-    "serial   4 36 32 10 0 0 1"
-    "serial   8 36 32 10 0 0 1"
-    "serial   6 36 32 10 0 1 1")
+    "parallel 6 36 32 10 0 1 1"
+    "parallel 6 36 32 10 0 0 4")

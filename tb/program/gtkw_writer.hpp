@@ -8,6 +8,7 @@
 
 namespace curvecore::tb {
 
-std::string gtkw(const CoreParameters& core);
+/// `folder` is where both files will stand.
+std::string gtkw(const CoreParameters& core, const std::string& folder);
 
 }  // namespace curvecore::tb

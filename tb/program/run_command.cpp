@@ -31,7 +31,7 @@ int run_command(const Options& options) {
     writer.close();
 
     const Report report{job, samples, &rtl};
-    if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters));
+    if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters, options.folder));
     folder.write("segments.json", segments_json(job));
     folder.write("report.json", report.json().dump(2) + "\n");
     folder.write("report.html", report_html(report, pictures));

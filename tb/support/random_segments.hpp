@@ -31,9 +31,8 @@ std::vector<hls::SegmentWords<C>> random_segments(uint32_t seed, int64_t length)
         segment.step_exponent = static_cast<int>(random() % 14);
         const double steps = std::pow(2.0, uniform(-6, 5));
         const double full = std::ldexp(1.0, segment.step_exponent + hls::kPathFrac);
-        segment.length = random() % 8 == 0
-                             ? 0
-                             : std::min(length, 1 + static_cast<int64_t>(steps * full));
+        segment.length =
+            random() % 8 == 0 ? 0 : std::min(length, 1 + static_cast<int64_t>(steps * full));
         length -= segment.length;
         const double pitch = uniform(-0.5, 0.5);
         const Eigen::Vector3d t =

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// Polynomials without constant term by Horner's rule, `Lanes` of them in the same variable:
+//
+//     a = 0;  for p = 0 .. Passes-1:  a = floor((coefficient[p] + a) x / 2^Shift + 1/2);  d_o = a
+//
+// coefficient[0] is that of the highest power.  The coefficients live here, in banks: write a bank
+// while no evaluation uses it, then name it in the low bits of an evaluation's tag.
+//
+// A multiplier per lane does Interval passes; there are ceil(Passes / Interval) of them.  `phase_i`
+// counts enabled clocks modulo Interval; an evaluation enters in phase 0.
+//
+//   enabled clock   0              Latency         Interval   Loop   Latency
+//   phase_i         0                              1          6      6 Passes + 1
+//   valid_i         1                              2          7      7 Passes
+//   x_i, tag_i      x, tag                         4, 8       9      9 Passes
+//   valid_o                        1
+//   d_o, tag_o                     d, tag
+//
+// Reset clears what is under way.  Coefficients are written whether enabled or not.
+// No overflow as long as every a and every sum fits Bits: whoever writes the coefficients sees to it.
+`default_nettype none
+module horner #(
+    parameter int Passes   = 6,   // [1, 12]
+    parameter int Lanes    = 1,   // [1, 6]
+    parameter int Bits     = 36,  // [18, 36]
+    parameter int Shift    = 35,  // [17, 35]
+    parameter int Interval = 1,   // 1, 2, 4, 8
+    parameter int BankBits = 2,   // [1, 5]
+    parameter int TagBits  = 2,   // [BankBits, 28]
+    parameter int Form     = 0    // 0 portable, 1 ECP5, 2 UP5K
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+    input wire logic en_i,
+
+    // Coefficients of one pass, all lanes, lane 0 in the low bits
+    input wire logic                  write_i,
+    input wire logic [  BankBits-1:0] write_bank_i,
+    input wire logic [           3:0] write_pass_i,
+    input wire logic [Lanes*Bits-1:0] write_coef_i,
+
+    // Evaluations
+    input  wire logic        [           2:0] phase_i,
+    input  wire logic                         valid_i,
+    input  wire logic signed [      Bits-1:0] x_i,
+    input  wire logic        [   TagBits-1:0] tag_i,
+    output logic                              valid_o,
+    output logic             [Lanes*Bits-1:0] d_o,
+    output logic             [   TagBits-1:0] tag_o
+);
+
+  initial if (Passes < 1 || Passes > 12) $fatal(1, "Passes must be in [1, 12]");
+  initial if (Lanes < 1 || Lanes > 6) $fatal(1, "Lanes must be in [1, 6]");
+  initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
+  initial if (Shift < 17 || Shift >= Bits) $fatal(1, "Shift must be in [17, Bits - 1]");
+  initial if (BankBits < 1 || BankBits > 5) $fatal(1, "BankBits must be in [1, 5]");
+  initial if (TagBits < BankBits || TagBits > 28) $fatal(1, "TagBits must be in [BankBits, 28]");
+  initial
+    if (Interval != 1 && Interval != 2 && Interval != 4 && Interval != 8)
+      $fatal(1, "Interval must be 1, 2, 4 or 8");
+
+  localparam int Loop = curvecore_pkg::horner_loop(Interval);
+  localparam int Stages = (Passes + Interval - 1) / Interval;
+  localparam int PassBits = $clog2(Interval);
+  localparam int Address = PassBits + BankBits;
+  localparam int WordBits = TagBits + Bits;
+
+  logic [2:0] place_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) place_q <= 3'd0;
+    else if (en_i) place_q <= (place_q == 3'(Loop - 2)) ? 3'd0 : place_q + 3'd1;
+  end
+
+  logic first;
+  assign first = (Interval == 1) || phase_i == 3'd0;
+
+  // Index 0: the input; s + 1: what leaves stage s.
+  logic                       loop_valid[Stages+1];
+  logic        [WordBits-1:0] loop_word [Stages+1];
+  logic signed [    Bits-1:0] late      [(Stages+1)*Lanes];
+  assign loop_valid[0] = valid_i;
+  assign loop_word[0]  = {tag_i, x_i};
+  for (genvar l = 0; l < Lanes; l++) begin : g_start
+    assign late[l] = '0;
+  end
+
+  for (genvar s = 0; s < Stages; s++) begin : g_stage
+    logic [WordBits-1:0] slot_word;
+    horner_slot #(
+        .Bits(WordBits),
+        .Loop(Loop)
+    ) u_slot (
+        .clk_i,
+        .rst_ni,
+        .en_i,
+        .first_i(first),
+        .place_i(place_q),
+        .valid_i(loop_valid[s]),
+        .word_i(loop_word[s]),
+        .slot_word_o(slot_word),
+        .loop_valid_o(loop_valid[s+1]),
+        .loop_word_o(loop_word[s+1])
+    );
+
+    logic [Bits-1:0] x_q;
+    logic [Bits-1:0] x2_q;
+    always_ff @(posedge clk_i) begin
+      if (en_i) begin
+        x_q  <= slot_word[Bits-1:0];
+        x2_q <= x_q;
+      end
+    end
+
+    // Pass p = s Interval + phase.
+    logic               write;
+    logic [Address-1:0] write_address;
+    logic [Address-1:0] address;
+    assign write = write_i && (write_pass_i >> PassBits) == 4'(s);
+    if (Interval > 1) begin : g_pass
+      assign write_address = {write_pass_i[PassBits-1:0], write_bank_i};
+      assign address       = {phase_i[PassBits-1:0], slot_word[Bits+:BankBits]};
+    end else begin : g_one_pass
+      assign write_address = write_bank_i;
+      assign address       = slot_word[Bits+:BankBits];
+    end
+
+    for (genvar l = 0; l < Lanes; l++) begin : g_lane
+      horner_stage #(
+          .Bits(Bits),
+          .Shift(Shift),
+          .Address(Address),
+          .Interval(Interval),
+          .First(s == 0 ? 1 : 0),
+          .Form(Form)
+      ) u_stage (
+          .clk_i,
+          .en_i,
+          .write_i(write),
+          .write_address_i(write_address),
+          .write_coef_i(write_coef_i[l*Bits+:Bits]),
+          .address_i(address),
+          .first_i(first),
+          .x_i(x2_q),
+          .previous_i(late[s*Lanes+l]),
+          .late_o(late[(s+1)*Lanes+l])
+      );
+    end
+  end
+
+  // The last pass has come back.  With one pass per stage its product is a clock behind its tag.
+  if (Interval > 1) begin : g_result
+    localparam int Back = Passes % Interval;
+    assign valid_o = loop_valid[Stages] && phase_i == 3'(Back);
+    assign tag_o   = loop_word[Stages][Bits+:TagBits];
+  end else begin : g_late_result
+    logic               valid_q;
+    logic [TagBits-1:0] tag_q;
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) valid_q <= 1'b0;
+      else if (en_i) valid_q <= loop_valid[Stages];
+    end
+    always_ff @(posedge clk_i) begin
+      if (en_i) tag_q <= loop_word[Stages][Bits+:TagBits];
+    end
+    assign valid_o = valid_q;
+    assign tag_o   = tag_q;
+  end
+  for (genvar l = 0; l < Lanes; l++) begin : g_d
+    assign d_o[l*Bits+:Bits] = late[Stages*Lanes+l];
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// One multiplier of a Horner evaluation, with the coefficients of its passes:
+//
+//     product = floor((coefficient + sum) x / 2^Shift + 1/2)
+//     sum     = product of the pass before, here or in the stage before; 0 in the first pass of all
+//
+//   enabled clock   0                1                2             Loop
+//   address_i       of the pass
+//   first_i         1: previous_i
+//   previous_i      Interval > 1     Interval = 1
+//   x_i                                               of the pass
+//   late_o                                                          product (Interval = 1: + 1)
+`default_nettype none
+module horner_stage #(
+    parameter int Bits     = 36,  // [18, 36]
+    parameter int Shift    = 35,  // [0, 35]
+    parameter int Address  = 2,   // [1, 8] coefficients: Interval passes of every bank
+    parameter int Interval = 1,   // 1, 2, 4, 8 passes
+    parameter int First    = 1,   // 1: no stage before
+    parameter int Form     = 0    // of the multiplier
+) (
+    input wire logic clk_i,
+    input wire logic en_i,
+
+    // Coefficients
+    input wire logic                      write_i,
+    input wire logic        [Address-1:0] write_address_i,
+    input wire logic signed [   Bits-1:0] write_coef_i,
+
+    // Passes
+    input  wire logic        [Address-1:0] address_i,
+    input  wire logic                      first_i,
+    input  wire logic signed [   Bits-1:0] x_i,
+    input  wire logic signed [   Bits-1:0] previous_i,
+    output logic signed      [   Bits-1:0] late_o
+);
+
+  logic signed [Bits-1:0] memory[2**Address];
+  always_ff @(posedge clk_i) begin
+    if (write_i) memory[write_address_i] <= write_coef_i;
+  end
+
+  logic signed [Bits-1:0] coef_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) coef_q <= memory[address_i];
+  end
+
+  // The sum, in time for the addition in clock 1.
+  logic signed [Bits-1:0] sum;
+  if (Interval > 1) begin : g_fold
+    logic signed [Bits-1:0] sum_q;
+    always_ff @(posedge clk_i) begin
+      if (en_i) begin
+        if (!first_i) sum_q <= late_o;
+        else if (First != 0) sum_q <= '0;
+        else sum_q <= previous_i;
+      end
+    end
+    assign sum = sum_q;
+  end else begin : g_chain
+    logic unused;
+    assign unused = first_i;
+    assign sum = (First != 0) ? '0 : previous_i;
+  end
+
+  logic signed [Bits-1:0] accumulator_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) accumulator_q <= coef_q + sum;
+  end
+
+  logic signed [2*Bits-Shift-1:0] product;
+  multiplier #(
+      .ABits(Bits),
+      .BBits(Bits),
+      .Shift(Shift),
+      .Form (Form)
+  ) u_multiplier (
+      .clk_i,
+      .en_i,
+      .a_i(accumulator_q),
+      .b_i(x_i),
+      .product_o(product)
+  );
+  logic signed [Bits-1:0] pass;
+  assign pass = product[Bits-1:0];
+
+  // Loop is 9 for 4 and 8 passes: two clocks more than the product needs.
+  if (Interval > 2) begin : g_late
+    logic signed [Bits-1:0] wait_q;
+    always_ff @(posedge clk_i) begin
+      if (en_i) begin
+        wait_q <= pass;
+        late_o <= wait_q;
+      end
+    end
+  end else begin : g_direct
+    assign late_o = pass;
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants that several modules share.  Twin of the formats: hls/configuration.hpp.
+package curvecore_pkg;
+  // Clocks from a multiplier's operands to its product (rtl/arithmetic/multiplier.sv).
+  localparam int MultiplierLatency = 5;
+
+  // Formats that no parameter changes.
+  localparam int BusBits = 48;          // a word of the segment and profile streams
+  localparam int PathFrac = 16;         // a path quantum is 2^-16 length unit
+  localparam int MaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
+  localparam int StepBits = MaxStepExponent + PathFrac + 1;  // a step's length in quanta
+
+  // Digits of two bits of a weight with `bits` - 1 fraction bits (rtl/arithmetic/digit_multiplier.sv).
+  function automatic int weight_digits(input int bits);
+    weight_digits = (bits + 1) / 2;
+  endfunction
+
+  // Enabled clocks of an evaluation (rtl/arithmetic/horner.sv).
+  function automatic int horner_loop(input int interval);
+    case (interval)
+      1: horner_loop = MultiplierLatency + 1;
+      2: horner_loop = MultiplierLatency + 2;
+      default: horner_loop = MultiplierLatency + 4;
+    endcase
+  endfunction
+  function automatic int horner_latency(input int passes, input int interval);
+    horner_latency = passes * horner_loop(interval);
+    if (interval == 1) horner_latency = horner_latency + 1;
+  endfunction
+
+  // round(2^frac / i), frac <= 35: the constants of Riemann's weights.
+  function automatic logic [35:0] reciprocal(input int frac, input int i);
+    logic [63:0] quotient;
+    quotient   = (64'd1 << (frac + 1)) / 64'(i);
+    quotient   = quotient + 64'd1;
+    reciprocal = quotient[36:1];
+  endfunction
+endpackage

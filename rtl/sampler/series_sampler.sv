@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Displacements by Horner's rule on the network's own series, in units of 2^k:
+//
+//     d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau,   c_1 = x[1] + advance,  c_i = x[i]
+//
+// and d = advance tau for an auxiliary axis.  Twin: hls/spherical_kernel.hpp, series mode.
+//
+//   enabled clock   0           Latency, that of `horner` with Passes = Order
+//   phase_i         0
+//   valid_i         tau_i, tag  valid_o, d_o, tag_o
+`default_nettype none
+module series_sampler #(
+    parameter int Order          = 6,   // [2, 12]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int SampleInterval = 1,   // 1, 2, 4, 8
+    parameter int TagBits        = 5,   // the low two are the bank
+    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+    input wire logic en_i,
+
+    // From the network, into a bank
+    input wire logic        [         1:0] bank_i,
+    input wire logic                       rate_valid_i,
+    input wire logic        [         3:0] rate_axis_i,
+    input wire logic signed [CoefBits-1:0] advance_i,
+    input wire logic                       collect_i,
+    input wire logic        [         3:0] order_i,
+    input wire logic signed [CoefBits-1:0] x_i,
+    input wire logic signed [CoefBits-1:0] y_i,
+    input wire logic signed [CoefBits-1:0] z_i,
+
+    // Samples
+    input  wire logic [                     2:0] phase_i,
+    input  wire logic                            valid_i,
+    input  wire logic [            CoefBits-1:0] tau_i,
+    input  wire logic [             TagBits-1:0] tag_i,
+    output logic                                 valid_o,
+    output logic      [(3+AuxAxes)*CoefBits-1:0] d_o,
+    output logic      [             TagBits-1:0] tag_o
+);
+
+  localparam int Axes = 3 + AuxAxes;
+
+  // The segment's linear rates join the first order.
+  logic signed [CoefBits-1:0] advance_q[Axes];
+  for (genvar a = 0; a < Axes; a++) begin : g_advance
+    always_ff @(posedge clk_i) begin
+      if (rate_valid_i && rate_axis_i == 4'(a)) advance_q[a] <= advance_i;
+    end
+  end
+
+  logic                first;
+  logic                write_q;
+  logic [         1:0] bank_q;
+  logic [         3:0] pass_q;
+  logic signed [CoefBits-1:0] linear_x;
+  logic signed [CoefBits-1:0] linear_y;
+  logic signed [CoefBits-1:0] linear_z;
+  logic signed [CoefBits-1:0] x_q;
+  logic signed [CoefBits-1:0] y_q;
+  logic signed [CoefBits-1:0] z_q;
+  assign first    = order_i == 4'd1;
+  assign linear_x = first ? advance_q[0] : '0;
+  assign linear_y = first ? advance_q[1] : '0;
+  assign linear_z = first ? advance_q[2] : '0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) write_q <= 1'b0;
+    else write_q <= collect_i;
+  end
+  always_ff @(posedge clk_i) begin
+    if (collect_i) begin
+      bank_q <= bank_i;
+      pass_q <= 4'(Order) - order_i;
+      x_q    <= x_i + linear_x;
+      y_q    <= y_i + linear_y;
+      z_q    <= z_i + linear_z;
+    end
+  end
+
+  horner #(
+      .Passes(Order),
+      .Lanes(3),
+      .Bits(CoefBits),
+      .Shift(CoefBits - 1),
+      .Interval(SampleInterval),
+      .BankBits(2),
+      .TagBits(TagBits),
+      .Form(MultiplierForm)
+  ) u_xyz (
+      .clk_i,
+      .rst_ni,
+      .en_i,
+      .write_i(write_q),
+      .write_bank_i(bank_q),
+      .write_pass_i(pass_q),
+      .write_coef_i({z_q, y_q, x_q}),
+      .phase_i,
+      .valid_i,
+      .x_i(tau_i),
+      .tag_i,
+      .valid_o,
+      .d_o(d_o[3*CoefBits-1:0]),
+      .tag_o
+  );
+
+  if (AuxAxes > 0) begin : g_auxiliary
+    auxiliary_sampler #(
+        .CoefBits(CoefBits),
+        .AuxAxes(AuxAxes),
+        .SampleInterval(SampleInterval),
+        .Latency(curvecore_pkg::horner_latency(Order, SampleInterval)),
+        .MultiplierForm(MultiplierForm)
+    ) u_auxiliary (
+        .clk_i,
+        .rst_ni,
+        .en_i,
+        .bank_i,
+        .rate_valid_i,
+        .rate_axis_i,
+        .advance_i,
+        .phase_i,
+        .tau_i,
+        .tau_bank_i(tag_i[1:0]),
+        .d_o(d_o[Axes*CoefBits-1:3*CoefBits])
+    );
+  end
+
+endmodule
+`default_nettype wire

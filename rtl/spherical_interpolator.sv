@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions along lines, arcs and helices in space, one per request: [Chikurov] Fig. 8.
+// Twin: hls/interpolator_kernel.hpp, bit for bit.
+//
+//   segment words -> loader -> network (steps ahead) -> banks -> sampler -> lander -> samples
+//   requests ----------------> step tracker -> offset --------------^
+//
+// A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
+// order.  It waits until the step it leads to is there.
+//
+//   clocks                            value (Digits = ceil(CoefBits / 2))
+//   between samples                   SampleInterval
+//   request to sample                 10 + SampleInterval + that of the sampler, and up to
+//                                     SampleInterval - 1 more
+//   of an integration step            Order (Digits + 2) + 4
+//   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
+//
+// Samples come at full rate as long as every step holds the samples of the larger of the last two.
+// An unready taker stops the sampler, not the network.  Formats: hls/words.hpp.
+`default_nettype none
+module spherical_interpolator #(
+    parameter int Order          = 6,   // [2, 12]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int PositionBits   = 32,  // [16, 32]
+    parameter int GuardBits      = 10,  // [2, 12]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int Mode           = 0,   // 0 series, 1 polynomial
+    parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Segments, 17 + 3 AuxAxes words each
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+
+    // Path increments
+    input  wire logic        request_valid_i,
+    output logic             request_ready_o,
+    input  wire logic [47:0] request_ds_i,
+
+    // Samples, axis 0 in the low bits
+    output logic                                              sample_valid_o,
+    input  wire logic                                         sample_ready_i,
+    output logic      [           (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+
+    output logic [15:0] empty_segments_o
+);
+
+  initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
+  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (PositionBits < 16 || PositionBits > 32) $fatal(1, "PositionBits must be in [16, 32]");
+  initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
+  initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
+  initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
+  initial if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
+  initial
+    if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
+      $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
+
+  localparam int Axes = 3 + AuxAxes;
+  localparam int FineBits = PositionBits + GuardBits;
+  localparam int StepBits = curvecore_pkg::StepBits;
+
+  // Network side: steps into banks.
+  logic                       room;
+  logic        [         2:0] write_step;
+  logic                       step_done;
+  logic                       last;
+  logic        [         4:0] k;
+  logic        [StepBits-1:0] offset;
+  logic        [  StepBits:0] stride;
+  logic                       rate_valid;
+  logic        [         3:0] rate_axis;
+  logic signed [CoefBits-1:0] advance;
+  logic                       point_write;
+  logic        [         3:0] point_axis;
+  logic signed [FineBits-1:0] origin;
+  logic signed [FineBits-1:0] segment_end;
+  logic                       zeroth;
+  logic                       collect;
+  logic        [         3:0] order;
+  logic signed [CoefBits-1:0] x;
+  logic signed [CoefBits-1:0] y;
+  logic signed [CoefBits-1:0] z;
+  logic signed [CoefBits-1:0] f;
+  logic signed [CoefBits-1:0] g;
+  logic signed [CoefBits-1:0] h;
+  logic signed [CoefBits-1:0] angle;
+
+  spherical_steps #(
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Mode(Mode)
+  ) u_steps (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i,
+      .segment_ready_o,
+      .segment_data_i,
+      .empty_segments_o,
+      .room_i(room),
+      .done_o(step_done),
+      .last_o(last),
+      .k_o(k),
+      .offset_o(offset),
+      .stride_o(stride),
+      .rate_valid_o(rate_valid),
+      .rate_axis_o(rate_axis),
+      .advance_o(advance),
+      .point_write_o(point_write),
+      .point_axis_o(point_axis),
+      .origin_o(origin),
+      .end_o(segment_end),
+      .zeroth_o(zeroth),
+      .collect_o(collect),
+      .order_o(order),
+      .x_o(x),
+      .y_o(y),
+      .z_o(z),
+      .f_o(f),
+      .g_o(g),
+      .h_o(h),
+      .angle_o(angle)
+  );
+
+  // Sample side: everything below moves with `enable`, in slots of SampleInterval clocks.
+  logic       enable;
+  logic [2:0] phase_q;
+  logic       slot;
+  assign slot = phase_q == 3'd0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) phase_q <= 3'd0;
+    else if (enable) phase_q <= (phase_q == 3'(SampleInterval - 1)) ? 3'd0 : phase_q + 3'd1;
+  end
+
+  logic        request_there;
+  logic        request_take;
+  logic [47:0] request_ds;
+  skid_buffer #(
+      .Bits(48)
+  ) u_request (
+      .clk_i,
+      .rst_ni,
+      .valid_i(request_valid_i),
+      .ready_o(request_ready_o),
+      .data_i (request_ds_i),
+      .valid_o(request_there),
+      .ready_i(request_take),
+      .data_o (request_ds)
+  );
+
+  logic                next_valid;
+  logic [  StepBits:0] next_stride;
+  logic                token;
+  logic                tracked;
+  logic [         2:0] step;
+  logic [StepBits-1:0] left;
+  step_tracker u_tracker (
+      .clk_i,
+      .rst_ni,
+      .en_i(enable),
+      .slot_i(slot),
+      .request_valid_i(request_there),
+      .request_ready_o(request_take),
+      .request_ds_i(request_ds),
+      .next_valid_i(next_valid),
+      .next_stride_i(next_stride),
+      .token_o(token),
+      .sample_o(tracked),
+      .step_o(step),
+      .left_o(left)
+  );
+
+  logic [         2:0] look_step;
+  logic                look_last;
+  logic [         4:0] look_k;
+  logic [StepBits-1:0] look_offset;
+  logic                tau_valid;
+  logic                tau_sample;
+  logic                tau_land;
+  logic [         2:0] tau_step;
+  logic [CoefBits-1:0] tau;
+  sample_offset #(
+      .CoefBits(CoefBits)
+  ) u_offset (
+      .clk_i,
+      .rst_ni,
+      .en_i(enable),
+      .token_i(token),
+      .sample_i(tracked),
+      .step_i(step),
+      .left_i(left),
+      .look_step_o(look_step),
+      .look_last_i(look_last),
+      .look_k_i(look_k),
+      .look_offset_i(look_offset),
+      .valid_o(tau_valid),
+      .sample_o(tau_sample),
+      .land_o(tau_land),
+      .step_o(tau_step),
+      .tau_o(tau)
+  );
+
+  // tau is there five clocks after its slot.
+  logic                     d_valid;
+  logic [              4:0] d_tag;
+  logic [Axes*CoefBits-1:0] d;
+  logic [              2:0] tau_phase;
+  logic [              2:0] tau_slot;
+  assign tau_phase = phase_q - 3'd5;
+  assign tau_slot  = tau_phase & 3'(SampleInterval - 1);
+  if (Mode == 0) begin : g_series
+    logic unused;
+    assign unused = &{zeroth, f, g, h, angle};
+    series_sampler #(
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .AuxAxes(AuxAxes),
+        .SampleInterval(SampleInterval),
+        .TagBits(5),
+        .MultiplierForm(MultiplierForm)
+    ) u_sampler (
+        .clk_i,
+        .rst_ni,
+        .en_i(enable),
+        .bank_i(write_step[1:0]),
+        .rate_valid_i(rate_valid),
+        .rate_axis_i(rate_axis),
+        .advance_i(advance),
+        .collect_i(collect),
+        .order_i(order),
+        .x_i(x),
+        .y_i(y),
+        .z_i(z),
+        .phase_i(tau_slot),
+        .valid_i(tau_valid),
+        .tau_i(tau),
+        .tag_i({tau_sample, tau_land, tau_step}),
+        .valid_o(d_valid),
+        .d_o(d),
+        .tag_o(d_tag)
+    );
+  end else begin : g_polynomial
+    polynomial_sampler #(
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .AuxAxes(AuxAxes),
+        .SampleInterval(SampleInterval),
+        .TagBits(5),
+        .MultiplierForm(MultiplierForm)
+    ) u_sampler (
+        .clk_i,
+        .rst_ni,
+        .en_i(enable),
+        .bank_i(write_step[1:0]),
+        .rate_valid_i(rate_valid),
+        .rate_axis_i(rate_axis),
+        .advance_i(advance),
+        .zeroth_i(zeroth),
+        .collect_i(collect),
+        .order_i(order),
+        .x_i(x),
+        .y_i(y),
+        .z_i(z),
+        .f_i(f),
+        .g_i(g),
+        .h_i(h),
+        .angle_i(angle),
+        .phase_i(tau_slot),
+        .valid_i(tau_valid),
+        .tau_i(tau),
+        .tag_i({tau_sample, tau_land, tau_step}),
+        .valid_o(d_valid),
+        .d_o(d),
+        .tag_o(d_tag)
+    );
+  end
+
+  // A sample's way through the landers.
+  logic [4:0] land_valid_q;
+  logic [4:0] land_sample_q;
+  logic [2:0] land_q;
+  logic [2:0] land_step_q  [4];
+  logic [4:0] scale_k;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      land_valid_q  <= '0;
+      land_sample_q <= '0;
+    end else if (enable) begin
+      land_valid_q  <= {land_valid_q[3:0], d_valid};
+      land_sample_q <= {land_sample_q[3:0], d_valid && d_tag[4]};
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (enable) begin
+      land_q         <= {land_q[1:0], d_tag[3]};
+      land_step_q[0] <= d_tag[2:0];
+      land_step_q[1] <= land_step_q[0];
+      land_step_q[2] <= land_step_q[1];
+      land_step_q[3] <= land_step_q[2];
+    end
+  end
+
+  logic leave;
+  assign leave = enable && land_valid_q[3];
+  series_buffer u_buffer (
+      .clk_i,
+      .rst_ni,
+      .room_o(room),
+      .write_step_o(write_step),
+      .write_i(step_done),
+      .last_i(last),
+      .k_i(k),
+      .offset_i(offset),
+      .stride_i(stride),
+      .current_step_i(step),
+      .next_valid_o(next_valid),
+      .next_stride_o(next_stride),
+      .look_step_i(look_step),
+      .look_last_o(look_last),
+      .look_k_o(look_k),
+      .look_offset_o(look_offset),
+      .scale_step_i(d_tag[2:0]),
+      .scale_k_o(scale_k),
+      .leave_i(leave),
+      .leave_step_i(land_step_q[3])
+  );
+
+  logic [    Axes*FineBits-1:0] fine;
+  logic [Axes*PositionBits-1:0] position;
+  for (genvar a = 0; a < Axes; a++) begin : g_axis
+    logic write;
+    assign write = point_write && point_axis == 4'(a);
+    lander #(
+        .CoefBits(CoefBits),
+        .PositionBits(PositionBits),
+        .GuardBits(GuardBits)
+    ) u_lander (
+        .clk_i,
+        .en_i(enable),
+        .write_i(write),
+        .write_bank_i(write_step[1:0]),
+        .write_origin_i(origin),
+        .write_end_i(segment_end),
+        .d_i(d[a*CoefBits+:CoefBits]),
+        .k_i(scale_k),
+        .origin_bank_i(land_step_q[0][1:0]),
+        .end_bank_i(land_step_q[2][1:0]),
+        .land_i(land_q[2]),
+        .fine_o(fine[a*FineBits+:FineBits]),
+        .position_o(position[a*PositionBits+:PositionBits])
+    );
+  end
+
+  skid_buffer #(
+      .Bits(Axes * (FineBits + PositionBits))
+  ) u_sample (
+      .clk_i,
+      .rst_ni,
+      .valid_i(land_sample_q[4]),
+      .ready_o(enable),
+      .data_i ({fine, position}),
+      .valid_o(sample_valid_o),
+      .ready_i(sample_ready_i),
+      .data_o ({sample_fine_o, sample_position_o})
+  );
+
+endmodule
+`default_nettype wire

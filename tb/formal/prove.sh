@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# prove.sh prove|cover|control WRAPPER NAME SOURCE... : an unbounded proof with Yosys and ABC.
+#   prove    every assertion of WRAPPER holds in every reachable state, from any start before reset
+#   cover    every cover statement of WRAPPER is reached
+#   control  with the defect NAME built in, the proof fails: a test of the proof itself.  WRAPPER
+#            declares it in a line `// control: NAME` (NAME is defined for the preprocessor), or
+#            `// control: NAME s/old/new/` (a change of the module under proof).
+# WRAPPER is tb/formal/<module>_formal.sv and assumes the reset in its first cycle.
+set -euo pipefail
+mode=$1 wrapper=$2 name=$3
+shift 3
+top=$(basename "$wrapper" .sv)
+module=${top%_formal}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+sources=()
+change=$(sed -n "s|^// control: $name \(s.*\)|\1|p" "$wrapper")
+for source in "$@"; do
+  if [ "$mode" = control ] && [ -n "$change" ] && [ "$(basename "$source")" = "$module.sv" ]; then
+    sed "$change" "$source" >"$work/$module.sv"
+    if cmp -s "$source" "$work/$module.sv"; then
+      echo "control $name changes nothing in $source"
+      exit 1
+    fi
+    source=$work/$module.sv
+  fi
+  sources+=("$source")
+done
+
+# Covers become assertions that they never happen; in the other modes they are dropped.
+case $mode in
+  cover) select="chformal -assert -remove; techmap -map $(dirname "$0")/cover_to_assert.v" ;;
+  *) select="chformal -cover -remove" ;;
+esac
+define=$([ "$mode" = control ] && echo "-D$name" || true)
+
+yosys -q -w "Replacing memory" -p "
+  read_verilog -sv -formal -DFORMAL $define -defer ${sources[*]}
+  read_verilog -sv -formal -DFORMAL $define $wrapper
+  prep -top $top -flatten; memory_map -formal; async2sync
+  chformal -early; $select; tee -o $work/count select -count t:\$assert
+  setundef -undriven -anyseq; setattr -unset keep; delete -output
+  opt -full; techmap; opt -fast; dffunmap; abc -g AND -fast; opt_clean
+  write_aiger -I -B -zinit $work/model.aig"
+count=$(grep -oE '^[0-9]+' "$work/count" | tail -n 1)
+if [ "$count" = 0 ]; then
+  echo "$top: nothing to $mode"
+  exit 1
+fi
+
+if [ "$mode" = cover ]; then
+  yosys-abc -c "read_aiger $work/model.aig; fold; strash; bmc3 -a -F 200 -T 120" \
+    >"$work/log" || true
+  reached=$(grep -c 'was asserted in frame' "$work/log" || true)
+  echo "$top: $reached of $count covers reached"
+  [ "$reached" = "$count" ]
+else
+  yosys-abc -c "read_aiger $work/model.aig; fold; strash; scorr; pdr -T 300" >"$work/log" || true
+  tail -n 3 "$work/log"
+  case $mode in
+    prove) grep -q '^Property proved' "$work/log" && echo "$top: $count assertions proved" ;;
+    control) grep -q 'was asserted in frame' "$work/log" && echo "$top: $name is caught" ;;
+  esac
+fi

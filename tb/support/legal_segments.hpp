@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seeded segments at the edges of what is legal: arcs, helices and lines; whole, partial, tiny and
+// empty ones; theta up to 1/2, steps and positions up to a quarter of the range.
+//
+// Legal: |t| = |n| = cos(pitch), t perpendicular to n, at most a quarter turn. The end word is
+// random: a core must land on it, not near.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "hls/words.hpp"
+
+namespace curvecore::tb {
+
+template <class C>
+class LegalSegments {
+  public:
+    explicit LegalSegments(uint64_t seed) : random_(seed) {}
+
+    hls::SegmentWords<C> next() {
+        hls::SegmentWords<C> s;
+        // At most eight steps, each of at most 1/64 of the range: all points stay inside.
+        s.step_exponent = static_cast<int>(
+            std::min<uint64_t>(random_() % (C::kPositionBits - 6), hls::kMaxStepExponent));
+        const int kind = static_cast<int>(random_() % 4);
+        const double pitch = kind == 0 ? uniform(-1.5, 1.5) : 0;
+        const bool line = kind == 1;
+        const double cos_pitch = line ? 0 : std::cos(pitch);
+        const double theta = line ? 0 : uniform(0.05, 0.49) * cos_pitch;
+        const Eigen::Vector3d normal = direction();
+        const Eigen::Vector3d across = normal.cross(direction());
+        const Eigen::Vector3d tangent =
+            across.norm() > 0.1 ? across.normalized() : normal.unitOrthogonal();
+        const Eigen::Vector3d axis = line ? direction() : normal.cross(tangent);
+        const double rate = line ? 1 : std::sin(pitch);
+
+        s.length = length(s.step_exponent, theta);
+        s.theta = word(theta, C::kUnitFrac);
+        for (int a = 0; a < C::kAxes; ++a) {
+            s.start[a] = word(uniform(-0.25, 0.25), C::kFineBits - 1);
+            s.end[a] = word(uniform(-0.25, 0.25), C::kFineBits - 1);
+            s.advance[a] = word(a < 3 ? rate * axis[a] : uniform(-1, 1), C::kCoefFrac);
+            if (a < 3) {
+                s.normal[a] = word(normal[a] * cos_pitch, C::kCoefFrac);
+                s.tangent[a] = word(tangent[a] * cos_pitch, C::kCoefFrac);
+            }
+        }
+        return s;
+    }
+
+    /// A segment of full steps only.
+    hls::SegmentWords<C> whole(int step_exponent, int steps) {
+        hls::SegmentWords<C> s = next();
+        s.step_exponent = step_exponent;
+        s.length = int64_t{steps} << (step_exponent + hls::kPathFrac);
+        return s;
+    }
+
+  private:
+    double uniform(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random_);
+    }
+
+    /// Along an axis now and then: components of exactly 0 and 1.
+    Eigen::Vector3d direction() {
+        switch (random_() % 6) {
+            case 0:
+                return Eigen::Vector3d::UnitX();
+            case 1:
+                return -Eigen::Vector3d::UnitZ();
+            default:
+                return Eigen::Vector3d(uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1))
+                    .normalized();
+        }
+    }
+
+    int64_t length(int k, double theta) {
+        const int64_t step = int64_t{1} << (k + hls::kPathFrac);
+        const double steps = theta > 0 ? std::min(8.0, M_PI / 2 / theta) : 8;
+        switch (random_() % 8) {
+            case 0:
+                return 0;
+            case 1:
+                return 1 + static_cast<int64_t>(random_() % 3);
+            case 2:
+                return step;
+            case 3:
+                return 1 + static_cast<int64_t>(random_() % static_cast<uint64_t>(step));
+            case 4:
+                return step + 1;
+            default:
+                return 1 + static_cast<int64_t>(uniform(0, steps) * static_cast<double>(step));
+        }
+    }
+
+    static int64_t word(double value, int frac) {
+        return static_cast<int64_t>(std::llround(std::ldexp(value, frac)));
+    }
+
+    std::mt19937_64 random_;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/sine_cosine_interpolator.sv equals hls::Oscillator, bit for bit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "Vsine_cosine_interpolator.h"
+#include "hls/spherical_kernel.hpp"
+#include "tb/support/clocked_dut.hpp"
+#include "tb/support/port_word.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Config =
+    hls::Configuration<CFG_Order, CFG_CoefBits, 32, 10, 0, hls::SamplerMode::kSeries>;
+using Coef = hls::Word<CFG_CoefBits>;
+constexpr int kOrder = CFG_Order;
+constexpr int kBits = CFG_CoefBits;
+
+// As stated in the header of the RTL.
+constexpr int kDigits = (kBits + 1) / 2;
+constexpr int kStepClocks = kOrder * (kDigits + 2) + 4;
+
+class SineCosineInterpolator : public testing::Test {
+  protected:
+    SineCosineInterpolator() {
+        dut_->step_i = 0;
+        dut_->load_i = 0;
+        dut_.reset();
+    }
+
+    void load(int64_t theta, double angle) {
+        theta_ = theta;
+        weight_[1] = theta;
+        for (int i = 2; i <= kOrder; ++i) {
+            weight_[i] = hls::rounded_product<kBits, Config::kUnitFrac>(
+                theta, hls::reciprocal<Config::kUnitFrac>(i));
+        }
+        kernel_.y = std::llround(std::ldexp(std::sin(angle), Config::kCoefFrac));
+        kernel_.z = std::llround(std::ldexp(std::cos(angle), Config::kCoefFrac));
+        kernel_.expand(weight_);
+        run(true);
+    }
+
+    void step() {
+        kernel_.advance(theta_);
+        kernel_.expand(weight_);
+        run(false);
+    }
+
+    /// A step of the RTL: every pulse in its cycle, every word as the kernel's.
+    void run(bool load) {
+        dut_->step_i = 1;
+        dut_->load_i = load;
+        dut_->theta_i = to_port(load ? theta_ : 12345, kBits);
+        dut_->sine_i = to_port(kernel_.y, kBits);
+        dut_->cosine_i = to_port(kernel_.z, kBits);
+        dut_.settle();
+        ASSERT_EQ(dut_->ready_o, 1);
+        int order = 0;
+        for (int cycle = 1; cycle <= kStepClocks; ++cycle) {
+            dut_.tick();
+            dut_->step_i = 0;
+            dut_.settle();
+            ASSERT_EQ(dut_->ready_o, cycle == kStepClocks);
+            const int due =
+                kDigits + (order == 0 ? 4 : 5 + (order - 1) * (kDigits + 2));
+            ASSERT_EQ(dut_->coef_valid_o, cycle == due && order <= kOrder) << cycle;
+            if (!dut_->coef_valid_o) continue;
+            ASSERT_EQ(dut_->order_o, order);
+            ASSERT_EQ(from_port(dut_->sine_o, kBits),
+                      order == 0 ? kernel_.y : kernel_.y_coef[order]);
+            ASSERT_EQ(from_port(dut_->cosine_o, kBits),
+                      order == 0 ? kernel_.z : kernel_.z_coef[order]);
+            ++order;
+        }
+        ASSERT_EQ(order, kOrder + 1);
+    }
+
+    ClockedDut<Vsine_cosine_interpolator> dut_;
+    hls::Oscillator<Config> kernel_;
+    int64_t theta_ = 0;
+    Coef weight_[kOrder + 1] = {};
+};
+
+TEST_F(SineCosineInterpolator, EqualsKernelOnEveryOrderOfEveryStep) {
+    std::mt19937_64 random(3);
+    for (int arc = 0; arc < 100; ++arc) {
+        const auto theta = static_cast<int64_t>(random() & low_mask(kBits - 2)) >> (arc % 10);
+        load(theta, std::uniform_real_distribution<double>(-4, 4)(random));
+        for (int n = 0; n < 10 && !HasFatalFailure(); ++n) step();
+        ASSERT_FALSE(HasFatalFailure()) << "arc " << arc << " theta " << theta;
+    }
+}
+
+TEST_F(SineCosineInterpolator, StandsStillWithThetaZero) {
+    load(0, 1.0);
+    const auto sine = kernel_.y;
+    for (int n = 0; n < 5; ++n) step();
+    EXPECT_EQ(kernel_.y, sine);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
