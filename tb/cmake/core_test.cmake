@@ -12,7 +12,7 @@ function(core_test test configuration)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
   target_compile_definitions(${target} PRIVATE ${definitions})
   target_link_libraries(${target} PRIVATE ${target}_model curvecore_options curvecore_hls
-                                          ${ARG_LIBRARIES} GTest::gtest_main)
+                                          ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS unit)
 endfunction()

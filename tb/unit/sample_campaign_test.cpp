@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// Many samples of either build of the arc core against its kernel: every fine word and position of
+// random chains of segments, mostly at a working density (64 to 512 samples per step), with random
+// stalls and holds. CURVECORE_SAMPLES sets how many (scripts/campaign.sh: 10^9 over all
+// configurations).
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <random>
+#include <vector>
+
+#if __has_include("Vspherical_interpolator_serial.h")
+#include "Vspherical_interpolator_serial.h"
+using Core = Vspherical_interpolator_serial;
+constexpr std::int64_t kDefaultSamples = 200'000;
+#else
+#include "Vspherical_interpolator.h"
+using Core = Vspherical_interpolator;
+constexpr std::int64_t kDefaultSamples = 500'000;
+#endif
+#include "hls/interpolator_kernel.hpp"
+#include "tb/support/clocked_dut.hpp"
+#include "tb/support/legal_segments.hpp"
+#include "tb/support/port_word.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Config =
+    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
+                       CFG_Mode == 0 ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial>;
+constexpr int kAxes = Config::kAxes;
+constexpr int kFineBits = Config::kFineBits;
+constexpr int kPositionBits = Config::kPositionBits;
+constexpr int kBusWords = hls::segment_bus_words<Config>();
+constexpr std::size_t kRing = 1024;  // more than the core holds in flight
+
+class Campaign : public testing::Test {
+  protected:
+    Campaign() {
+        dut_->segment_valid_i = 0;
+        dut_->request_valid_i = 0;
+        dut_->sample_ready_i = 0;
+        dut_.reset();
+        dut_.limit_cycles(~std::uint64_t{0});
+    }
+
+    static std::int64_t samples() {
+        const char* wanted = std::getenv("CURVECORE_SAMPLES");
+        return wanted != nullptr ? std::atoll(wanted) : kDefaultSamples;
+    }
+
+    /// The chain comes again and again; the core and the kernel read it each at its own pace.
+    const hls::SegmentWords<Config>& segment(std::size_t n) const {
+        return chain_[n % chain_.size()];
+    }
+
+    std::int64_t next_ds() {
+        if (--density_left_ < 0) {
+            density_left_ = static_cast<std::int64_t>(random_() % 2000);
+            hold_ = random_() % 16 == 0;
+            density_ = 6 + static_cast<int>(random_() % 4);
+        }
+        const int step = segment(drawn_ == 0 ? 0 : drawn_ - 1).step_exponent + hls::kPathFrac;
+        const std::int64_t ds = step > density_ ? std::int64_t{1} << (step - density_) : 1;
+        return hold_ && density_left_ < 50 ? 0 : ds + static_cast<std::int64_t>(random_() & 1);
+    }
+
+    void predict(std::int64_t ds) {
+        hls::Word<kFineBits> fine[kAxes];
+        kernel_.sample(
+            ds, [&]() -> const hls::SegmentWords<Config>& { return segment(drawn_++); }, fine);
+        for (int a = 0; a < kAxes; ++a) {
+            expected_[asked_ % kRing][static_cast<std::size_t>(a)] = fine[a];
+        }
+    }
+
+    void compare() {
+        const auto& truth = expected_[compared_ % kRing];
+        for (int a = 0; a < kAxes; ++a) {
+            const std::int64_t word = truth[static_cast<std::size_t>(a)];
+            differing_ += signed_field(dut_->sample_fine_o, a * kFineBits, kFineBits) != word;
+            differing_ += signed_field(dut_->sample_position_o, a * kPositionBits, kPositionBits) !=
+                          hls::to_position<Config>(word);
+        }
+        ++compared_;
+    }
+
+    /// One clock; each handshake is offered unless the random bits stall it.
+    void clock(unsigned stalls) {
+        dut_->segment_valid_i = (stalls & 1) == 0;
+        dut_->segment_data_i = bus_[bus_place_];
+        if (!requesting_) {
+            ds_ = next_ds();
+            predict(ds_);
+            requesting_ = true;
+            ++asked_;
+        }
+        dut_->request_valid_i = (stalls & 2) == 0 && asked_ - compared_ < kRing;
+        dut_->request_ds_i = static_cast<std::uint64_t>(ds_);
+        dut_->sample_ready_i = (stalls & 4) == 0;
+        dut_.settle();
+        const bool word_taken = dut_->segment_valid_i && dut_->segment_ready_o;
+        const bool request_taken = dut_->request_valid_i && dut_->request_ready_o;
+        if (dut_->sample_valid_o && dut_->sample_ready_i) compare();
+        dut_.tick();
+        if (request_taken) requesting_ = false;
+        if (word_taken && ++bus_place_ == bus_.size()) bus_place_ = 0;
+    }
+
+    void make_chain() {
+        LegalSegments<Config> shapes(1);
+        for (int n = 0; n < 5000; ++n) chain_.push_back(shapes.next());
+        bus_.resize(chain_.size() * kBusWords);
+        for (std::size_t n = 0; n < chain_.size(); ++n) hls::pack(chain_[n], &bus_[n * kBusWords]);
+    }
+
+    ClockedDut<Core> dut_;
+    hls::InterpolatorKernel<Config> kernel_;
+    std::mt19937_64 random_{3};
+    std::vector<hls::SegmentWords<Config>> chain_;
+    std::vector<std::uint64_t> bus_;
+    std::size_t bus_place_ = 0;
+    std::size_t drawn_ = 0;
+    std::array<std::array<std::int64_t, kAxes>, kRing> expected_{};
+    std::size_t asked_ = 0;
+    std::size_t compared_ = 0;
+    std::int64_t differing_ = 0;
+    std::int64_t ds_ = 0;
+    bool requesting_ = false;
+    std::int64_t density_left_ = 0;
+    int density_ = 6;
+    bool hold_ = false;
+};
+
+TEST_F(Campaign, EqualsKernelOverManySamples) {
+    make_chain();
+    const auto wanted = static_cast<std::size_t>(samples());
+    std::size_t waiting = 0;
+    std::size_t before = 0;
+    bool stalling = false;
+    while (compared_ < wanted) {
+        if (compared_ % 4096 == 0) stalling = random_() % 4 == 0;
+        clock(stalling ? static_cast<unsigned>(random_() & random_()) : 0);
+        waiting = compared_ == before ? waiting + 1 : 0;
+        before = compared_;
+        ASSERT_LT(waiting, 100'000U) << "no sample comes after " << compared_;
+        ASSERT_EQ(differing_, 0) << "at sample " << compared_;
+    }
+    RecordProperty("samples", std::to_string(compared_));
+    RecordProperty("segments", std::to_string(drawn_));
+    std::printf("%zu samples of %zu segments in %llu clocks, %lld words differ\n", compared_,
+                drawn_, static_cast<unsigned long long>(dut_.cycle()),
+                static_cast<long long>(differing_));
+}
+
+}  // namespace
+}  // namespace curvecore::tb
