@@ -38,27 +38,28 @@ class PathKernel {
     /// present piece's end.
     template <class NextPiece>
     Length tick(std::int32_t rate, NextPiece&& next_piece) {
+        Length increment = 0;
         if (!active_) {
             if (!next_piece(piece_)) {
-                return Length(0);
-            }
-            begin_piece(0);
-        }
-        time_ += rate;
-        const std::int64_t end = std::int64_t(piece_.ticks) << kRateFrac;
-        Length increment = 0;
-        if (time_ >= end) {
-            increment = Length(piece_.ds - walked_);
-            walked_ = piece_.ds;
-            if (piece_.final) {
-                active_ = false;
                 return increment;
             }
-            if (!next_piece(piece_)) {
-                time_ = end;
-                return increment;
+            begin_piece(rate);
+        } else {
+            time_ += rate;
+            const std::int64_t end = std::int64_t(piece_.ticks) << kRateFrac;
+            if (time_ >= end) {
+                increment = Length(piece_.ds - walked_);
+                walked_ = piece_.ds;
+                if (piece_.final) {
+                    active_ = false;
+                    return increment;
+                }
+                if (!next_piece(piece_)) {
+                    time_ = end;
+                    return increment;
+                }
+                begin_piece(time_ - end);
             }
-            begin_piece(time_ - end);
         }
         // The words round; the path neither goes back nor beyond the piece's end.
         Length path = time_ >= std::int64_t(piece_.ticks) << kRateFrac ? piece_.ds

@@ -5,12 +5,12 @@ package curvecore_pkg;
   localparam int MultiplierLatency = 5;
 
   // Formats that no parameter changes.
-  localparam int BusBits = 48;          // a word of the segment and profile streams
-  localparam int PathFrac = 16;         // a path quantum is 2^-16 length unit
+  localparam int BusBits = 48;  // a word of the segment and profile streams
+  localparam int PathFrac = 16;  // a path quantum is 2^-16 length unit
   localparam int MaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
   localparam int StepBits = MaxStepExponent + PathFrac + 1;  // a step's length in quanta
 
-  // Digits of two bits of a weight with `bits` - 1 fraction bits (rtl/arithmetic/digit_multiplier.sv).
+  // Digits of two bits of a weight with `bits` - 1 fraction bits (arithmetic/digit_multiplier.sv).
   function automatic int weight_digits(input int bits);
     weight_digits = (bits + 1) / 2;
   endfunction

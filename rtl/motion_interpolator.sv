@@ -9,7 +9,7 @@
 // differences; time stops, the geometry stays. All inputs beside the streams belong to that request.
 //
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
-//   request to path increment, clocks    45 (SampleInterval 1) .. 54, to sample: plus the core's
+//   request to path increment, clocks    about 60; to sample: plus the core's
 //
 // Word formats: hls/words.hpp. Whoever feeds the profile keeps more ticks queued than
 // 2 stop_ticks_i + 8, or the final piece; else underrun_o tells that time was stopped meanwhile.
@@ -72,7 +72,7 @@ module motion_interpolator #(
 
   // A serial core takes its time: one multiplier does for its path.
   localparam int TickInterval = (Build == 1) ? 8 : SampleInterval;
-  localparam int Room = (TickInterval == 1) ? 64 : (TickInterval == 2) ? 32 : 16;
+  localparam int Room = (TickInterval <= 2) ? 128 : (TickInterval == 4) ? 32 : 16;
 
   // Profile
   logic word_valid;
@@ -116,7 +116,7 @@ module motion_interpolator #(
   );
 
   logic present_final;
-  logic [19:0] present_ticks;
+  logic signed [21:0] present_ticks;
   logic [4:0] started;
   logic hold;
   underrun_guard u_guard (
@@ -161,6 +161,25 @@ module motion_interpolator #(
       .wanted_o(wanted)
   );
 
+  // The gate keeps room in these queues and in that of the increments.
+  logic target_room;
+  logic next_valid;
+  logic next_ready;
+  logic [16:0] next_target;
+  word_queue #(
+      .Bits (17),
+      .Depth(16)
+  ) u_target_queue (
+      .clk_i,
+      .rst_ni,
+      .valid_i(tick),
+      .ready_o(target_room),
+      .data_i (target),
+      .valid_o(next_valid),
+      .ready_i(next_ready),
+      .data_o (next_target)
+  );
+
   logic scaled_valid;
   logic [16:0] scaled;
   time_scaler u_scaler (
@@ -168,13 +187,13 @@ module motion_interpolator #(
       .rst_ni,
       .acceleration_i(hold_acceleration_i),
       .slope_i(hold_slope_i),
-      .valid_i(tick),
-      .target_i(target),
+      .valid_i(next_valid),
+      .ready_o(next_ready),
+      .target_i(next_target),
       .valid_o(scaled_valid),
       .rate_o(scaled)
   );
 
-  // The gate keeps room in this queue and in that of the increments.
   logic rate_room;
   logic rate_valid;
   logic rate_ready;
@@ -192,7 +211,6 @@ module motion_interpolator #(
       .ready_i(rate_ready),
       .data_o (rate)
   );
-  assign tick_taken = rate_valid && rate_ready;
 
   // Ticks into path increments
   logic ds_valid;
@@ -211,12 +229,13 @@ module motion_interpolator #(
       .rate_valid_i(rate_valid),
       .rate_ready_o(rate_ready),
       .rate_i(rate),
+      .tick_taken_o(tick_taken),
       .ds_valid_o(ds_valid),
       .ds_o(ds),
       .ds_rate_o(ds_rate),
       .piece_take_o(take),
       .active_o,
-      .final_o(present_final),
+      .last_o(present_final),
       .ticks_left_o(present_ticks),
       .next_ticks_o(take_ticks),
       .next_final_o(take_final)
@@ -240,7 +259,7 @@ module motion_interpolator #(
       .data_o (share)
   );
   logic unused_rooms;
-  assign unused_rooms = rate_room && ds_room;
+  assign unused_rooms = target_room && rate_room && ds_room;
 
   logic move_valid;
   logic move_ready;

@@ -8,11 +8,11 @@
 //     order i      their Taylor coefficients in tau (0 .. 1 over the step), divided by theta
 //
 //   cycle                                      Digits = ceil(CoefBits / 2)
-//   0                                          step_i and ready_o; with load_i: from theta_i, sine_i,
-//                                              cosine_i, else one step on
-//   Digits + 4                                 coef_valid_o, order_o = 0
-//   Digits + 5 + (i - 1) (Digits + 2)          coef_valid_o, order_o = i
-//   Order (Digits + 2) + 4                     ready_o again
+//   0                                          step_i and ready_o; with load_i: from theta_i,
+//                                              sine_i, cosine_i, else one step on
+//   Digits + 6                                 coef_valid_o, order_o = 0
+//   Digits + 8 + (i - 1) (Digits + 3)          coef_valid_o, order_o = i
+//   Order (Digits + 3) + 5                     ready_o again
 //
 // Formats: theta CoefBits - 1 fraction bits, below 1; all else CoefBits - 2 fraction bits.
 `default_nettype none
@@ -56,6 +56,8 @@ module sine_cosine_interpolator #(
   logic       zeroth;
   logic       collect;
   logic       first;
+  logic       zeroth_there;
+  logic       collect_there;
   logic [3:0] order;
   logic       unused_done;
   taylor_sequencer #(
@@ -78,7 +80,9 @@ module sine_cosine_interpolator #(
       .zeroth_o(zeroth),
       .collect_o(collect),
       .first_o(first),
-      .order_o(order),
+      .zeroth_there_o(zeroth_there),
+      .collect_there_o(collect_there),
+      .order_there_o(order),
       .done_o(unused_done)
   );
 
@@ -103,8 +107,8 @@ module sine_cosine_interpolator #(
       .z_o(cosine_o)
   );
 
-  assign coef_valid_o = zeroth || collect;
-  assign order_o      = zeroth ? 4'd0 : order;
+  assign coef_valid_o = zeroth_there || collect_there;
+  assign order_o      = order;
 
 endmodule
 `default_nettype wire

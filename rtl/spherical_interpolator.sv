@@ -10,13 +10,14 @@
 //
 //   clocks                            value (Digits = ceil(CoefBits / 2))
 //   between samples                   SampleInterval
-//   request to sample                 10 + SampleInterval + that of the sampler, and up to
+//   request to sample                 12 + 3 SampleInterval + that of the sampler, and up to
 //                                     SampleInterval - 1 more
-//   of an integration step            Order (Digits + 2) + 4
+//   of an integration step            Order (Digits + 3) + 6
 //   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
-// An unready taker stops the sampler, not the network.  Formats: hls/words.hpp.
+// While the taker is not ready, requests stop when the samples under way have filled their queue.
+// Formats: hls/words.hpp.
 `default_nettype none
 module spherical_interpolator #(
     parameter int Order          = 6,   // [2, 12]
@@ -42,9 +43,9 @@ module spherical_interpolator #(
     input  wire logic [47:0] request_ds_i,
 
     // Samples, axis 0 in the low bits
-    output logic                                              sample_valid_o,
-    input  wire logic                                         sample_ready_i,
-    output logic      [           (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
     output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
 
     output logic [15:0] empty_segments_o
@@ -56,7 +57,8 @@ module spherical_interpolator #(
   initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
   initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
-  initial if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
+  initial
+    if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
   initial
     if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
       $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
@@ -64,6 +66,16 @@ module spherical_interpolator #(
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
   localparam int StepBits = curvecore_pkg::StepBits;
+  localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
+
+  // Places for the samples under way at full rate.
+  localparam int SamplerClocks = (Mode == 0) ? curvecore_pkg::horner_latency(
+      Order, SampleInterval
+  ) : curvecore_pkg::horner_latency(
+      Order / 2, SampleInterval
+  ) + 19;
+  localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 6;
+  localparam int QueueDepth = (UnderWay > 16) ? 2 ** $clog2(UnderWay) : 16;
 
   // Network side: steps into banks.
   logic                       room;
@@ -130,18 +142,20 @@ module spherical_interpolator #(
       .angle_o(angle)
   );
 
-  // Sample side: everything below moves with `enable`, in slots of SampleInterval clocks.
-  logic       enable;
+  // Sample side: in slots of SampleInterval clocks.
   logic [2:0] phase_q;
   logic       slot;
   assign slot = phase_q == 3'd0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) phase_q <= 3'd0;
-    else if (enable) phase_q <= (phase_q == 3'(SampleInterval - 1)) ? 3'd0 : phase_q + 3'd1;
+    else phase_q <= (phase_q == 3'(SampleInterval - 1)) ? 3'd0 : phase_q + 3'd1;
   end
 
-  logic        request_there;
-  logic        request_take;
+  logic request_there;
+  logic request_take;
+  logic room_for_sample;
+  logic request_admitted;
+  assign request_admitted = request_there && room_for_sample;
   logic [47:0] request_ds;
   skid_buffer #(
       .Bits(48)
@@ -152,7 +166,7 @@ module spherical_interpolator #(
       .ready_o(request_ready_o),
       .data_i (request_ds_i),
       .valid_o(request_there),
-      .ready_i(request_take),
+      .ready_i(request_take && room_for_sample),
       .data_o (request_ds)
   );
 
@@ -165,9 +179,8 @@ module spherical_interpolator #(
   step_tracker u_tracker (
       .clk_i,
       .rst_ni,
-      .en_i(enable),
       .slot_i(slot),
-      .request_valid_i(request_there),
+      .request_valid_i(request_admitted),
       .request_ready_o(request_take),
       .request_ds_i(request_ds),
       .next_valid_i(next_valid),
@@ -186,13 +199,13 @@ module spherical_interpolator #(
   logic                tau_sample;
   logic                tau_land;
   logic [         2:0] tau_step;
+  logic [         4:0] tau_down;
   logic [CoefBits-1:0] tau;
   sample_offset #(
       .CoefBits(CoefBits)
   ) u_offset (
       .clk_i,
       .rst_ni,
-      .en_i(enable),
       .token_i(token),
       .sample_i(tracked),
       .step_i(step),
@@ -205,12 +218,13 @@ module spherical_interpolator #(
       .sample_o(tau_sample),
       .land_o(tau_land),
       .step_o(tau_step),
+      .down_o(tau_down),
       .tau_o(tau)
   );
 
   // tau is there five clocks after its slot.
   logic                     d_valid;
-  logic [              4:0] d_tag;
+  logic [              9:0] d_tag;
   logic [Axes*CoefBits-1:0] d;
   logic [              2:0] tau_phase;
   logic [              2:0] tau_slot;
@@ -224,12 +238,11 @@ module spherical_interpolator #(
         .CoefBits(CoefBits),
         .AuxAxes(AuxAxes),
         .SampleInterval(SampleInterval),
-        .TagBits(5),
+        .TagBits(TagBits),
         .MultiplierForm(MultiplierForm)
     ) u_sampler (
         .clk_i,
         .rst_ni,
-        .en_i(enable),
         .bank_i(write_step[1:0]),
         .rate_valid_i(rate_valid),
         .rate_axis_i(rate_axis),
@@ -242,7 +255,7 @@ module spherical_interpolator #(
         .phase_i(tau_slot),
         .valid_i(tau_valid),
         .tau_i(tau),
-        .tag_i({tau_sample, tau_land, tau_step}),
+        .tag_i({tau_down, tau_sample, tau_land, tau_step}),
         .valid_o(d_valid),
         .d_o(d),
         .tag_o(d_tag)
@@ -253,12 +266,11 @@ module spherical_interpolator #(
         .CoefBits(CoefBits),
         .AuxAxes(AuxAxes),
         .SampleInterval(SampleInterval),
-        .TagBits(5),
+        .TagBits(TagBits),
         .MultiplierForm(MultiplierForm)
     ) u_sampler (
         .clk_i,
         .rst_ni,
-        .en_i(enable),
         .bank_i(write_step[1:0]),
         .rate_valid_i(rate_valid),
         .rate_axis_i(rate_axis),
@@ -276,7 +288,7 @@ module spherical_interpolator #(
         .phase_i(tau_slot),
         .valid_i(tau_valid),
         .tau_i(tau),
-        .tag_i({tau_sample, tau_land, tau_step}),
+        .tag_i({tau_down, tau_sample, tau_land, tau_step}),
         .valid_o(d_valid),
         .d_o(d),
         .tag_o(d_tag)
@@ -287,29 +299,24 @@ module spherical_interpolator #(
   logic [4:0] land_valid_q;
   logic [4:0] land_sample_q;
   logic [2:0] land_q;
-  logic [2:0] land_step_q  [4];
-  logic [4:0] scale_k;
+  logic [2:0] land_step_q[4];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       land_valid_q  <= '0;
       land_sample_q <= '0;
-    end else if (enable) begin
+    end else begin
       land_valid_q  <= {land_valid_q[3:0], d_valid};
       land_sample_q <= {land_sample_q[3:0], d_valid && d_tag[4]};
     end
   end
   always_ff @(posedge clk_i) begin
-    if (enable) begin
-      land_q         <= {land_q[1:0], d_tag[3]};
-      land_step_q[0] <= d_tag[2:0];
-      land_step_q[1] <= land_step_q[0];
-      land_step_q[2] <= land_step_q[1];
-      land_step_q[3] <= land_step_q[2];
-    end
+    land_q         <= {land_q[1:0], d_tag[3]};
+    land_step_q[0] <= d_tag[2:0];
+    land_step_q[1] <= land_step_q[0];
+    land_step_q[2] <= land_step_q[1];
+    land_step_q[3] <= land_step_q[2];
   end
 
-  logic leave;
-  assign leave = enable && land_valid_q[3];
   series_buffer u_buffer (
       .clk_i,
       .rst_ni,
@@ -327,9 +334,7 @@ module spherical_interpolator #(
       .look_last_o(look_last),
       .look_k_o(look_k),
       .look_offset_o(look_offset),
-      .scale_step_i(d_tag[2:0]),
-      .scale_k_o(scale_k),
-      .leave_i(leave),
+      .leave_i(land_valid_q[3]),
       .leave_step_i(land_step_q[3])
   );
 
@@ -344,13 +349,12 @@ module spherical_interpolator #(
         .GuardBits(GuardBits)
     ) u_lander (
         .clk_i,
-        .en_i(enable),
         .write_i(write),
         .write_bank_i(write_step[1:0]),
         .write_origin_i(origin),
         .write_end_i(segment_end),
         .d_i(d[a*CoefBits+:CoefBits]),
-        .k_i(scale_k),
+        .down_i(d_tag[9:5]),
         .origin_bank_i(land_step_q[0][1:0]),
         .end_bank_i(land_step_q[2][1:0]),
         .land_i(land_q[2]),
@@ -359,13 +363,15 @@ module spherical_interpolator #(
     );
   end
 
-  skid_buffer #(
-      .Bits(Axes * (FineBits + PositionBits))
+  sample_queue #(
+      .Bits (Axes * (FineBits + PositionBits)),
+      .Depth(QueueDepth)
   ) u_sample (
       .clk_i,
       .rst_ni,
-      .valid_i(land_sample_q[4]),
-      .ready_o(enable),
+      .admit_i(request_admitted && request_take),
+      .room_o (room_for_sample),
+      .push_i (land_sample_q[4]),
       .data_i ({fine, position}),
       .valid_o(sample_valid_o),
       .ready_i(sample_ready_i),

@@ -1,12 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The benchmarks, one run: prints a table and writes build/bench.json.  Options go to the benchmark
-# (--benchmark_filter=REGEX ...).
+# The benchmarks, one run: the kernel beside the same loop by hand, the demo part through the RTL at
+# 100,000 samples a second, the paper's table. Prints rows and writes build/bench.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)" --target kernel_bench
-build/release/tb/bench/kernel_bench --benchmark_out=build/bench.json \
-  --benchmark_out_format=json "$@"
+cmake --build --preset release -j "$(nproc)"
+mkdir -p build/bench build/figures
+build/release/tb/bench/kernel_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true \
+  --benchmark_out=build/bench/kernel.json --benchmark_out_format=json
+build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
+for build in parallel serial; do
+  rm -rf "build/bench/$build"
+  build/curvecore run tb/data/demo.ngc -o "build/bench/$build" --build "$build" --sample-period 10us -q
+done
+python3 scripts/bench_rows.py

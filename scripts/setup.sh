@@ -47,10 +47,10 @@ install_debian_packages() {
   "${root[@]}" apt-get update -qq
   local wanted=()
   for pin in "${missing[@]}"; do
-    if apt-cache show "$pin" >/dev/null 2>&1; then
+    name=${pin%%=*}
+    if apt-cache madison "$name" | awk '{print $3}' | grep -xF "${pin#*=}" >/dev/null; then
       wanted+=("$pin")
     else
-      name=${pin%%=*}
       version=$(apt-cache policy "$name" | sed -n 's/^ *Candidate: //p')
       say "warning: $pin is no longer offered, taking $version"
       wanted+=("$name")

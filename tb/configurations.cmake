@@ -57,3 +57,73 @@ arc_configuration(10 33 32 9 1 0 4)
 arc_configuration(11 29 26 5 0 1 2)
 arc_configuration(12 36 32 12 0 0 2)
 arc_configuration(12 36 32 12 0 1 8)
+
+# Horner's rule, folded and not.
+foreach(interval 1 2 4 8)
+  core_test(horner interval_${interval} TOP horner
+            PARAMS Passes=6 Lanes=3 Bits=36 Interval=${interval})
+endforeach()
+core_test(horner narrow TOP horner PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 Interval=4)
+illegal_parameter_test(horner Interval=3 "Interval must be 1, 2, 4 or 8")
+illegal_parameter_test(horner Passes=13 "Passes must be in .1, 12.")
+
+# Sine and cosine: order, word length.
+foreach(size 2,18 6,36 7,29 12,33)
+  string(REPLACE "," ";" size ${size})
+  list(GET size 0 order)
+  list(GET size 1 bits)
+  core_test(sine_cosine_interpolator p${order}_w${bits} TOP sine_cosine_interpolator
+            PARAMS Order=${order} CoefBits=${bits})
+endforeach()
+illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
+
+# The parallel arc core: order, coefficient, position and guard bits, auxiliary axes, mode, interval.
+foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4 2,18,16,2,6,0,1
+        2,36,32,10,0,1,2 3,18,16,12,0,1,8 5,33,28,7,3,0,2 12,36,32,12,6,0,8 12,25,20,5,1,1,1)
+  string(REPLACE "," ";" size ${size})
+  list(GET size 0 order)
+  list(GET size 1 coef)
+  list(GET size 2 position)
+  list(GET size 3 guard)
+  list(GET size 4 aux)
+  list(GET size 5 mode)
+  list(GET size 6 interval)
+  core_test(spherical_interpolator
+            p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval}
+            TOP spherical_interpolator LIBRARIES Eigen3::Eigen
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
+endforeach()
+illegal_parameter_test(spherical_interpolator Order=1 "Order must be in .2, 12.")
+illegal_parameter_test(spherical_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(spherical_interpolator PositionBits=33 "PositionBits must be in .16, 32.")
+illegal_parameter_test(spherical_interpolator GuardBits=1 "GuardBits must be in .2, 12.")
+illegal_parameter_test(spherical_interpolator AuxAxes=7 "AuxAxes must be in .0, 6.")
+illegal_parameter_test(spherical_interpolator Mode=2 "Mode must be 0 or 1")
+illegal_parameter_test(spherical_interpolator SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
+
+# The path side: queue depth, interval between ticks.
+foreach(depth 2 16 512)
+  core_test(word_queue d${depth} TOP word_queue PARAMS Bits=48 Depth=${depth})
+endforeach()
+core_test(time_scaler default TOP time_scaler)
+foreach(interval 1 2 4 8)
+  core_test(path_generator interval_${interval} TOP path_generator PARAMS Interval=${interval})
+endforeach()
+illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 65536.")
+illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
+illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
+
+# The whole core: build, auxiliary axes, mode, interval.
+foreach(size 0,0,0,1 0,2,0,4 0,0,1,2 1,0,0,1)
+  string(REPLACE "," ";" size ${size})
+  list(GET size 0 build)
+  list(GET size 1 aux)
+  list(GET size 2 mode)
+  list(GET size 3 interval)
+  core_test(motion_interpolator build${build}_a${aux}_m${mode}_i${interval} TOP motion_interpolator
+            LIBRARIES Eigen3::Eigen
+            PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
+                   Mode=${mode} SampleInterval=${interval} ProfileQueueWords=512)
+endforeach()
+illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")

@@ -26,7 +26,7 @@ module delay_line #(
     localparam int PlaceBits = (Clocks > 2) ? $clog2(Clocks - 1) : 1;
     localparam logic [PlaceBits-1:0] Top = PlaceBits'(Clocks - 2);
     logic [PlaceBits-1:0] place_q;
-    logic [     Bits-1:0] ring[2**PlaceBits];
+    logic [     Bits-1:0] ring    [2**PlaceBits];
     always_ff @(posedge clk_i) begin
       if (!rst_ni) place_q <= '0;
       else if (en_i) place_q <= (place_q == Top) ? '0 : place_q + PlaceBits'(1);

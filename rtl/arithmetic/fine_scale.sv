@@ -6,7 +6,7 @@
 //               {origin, 1} + doubled = 2 (origin + fine) + (0 or 1)
 //
 //   enabled clock   0       1      2
-//   d_i, k_i        d, k
+//   d_i, down_i     d, MaxStepExponent - k
 //   doubled_o                      doubled
 `default_nettype none
 module fine_scale #(
@@ -17,7 +17,7 @@ module fine_scale #(
     input  wire logic                       clk_i,
     input  wire logic                       en_i,
     input  wire logic signed [CoefBits-1:0] d_i,
-    input  wire logic        [         4:0] k_i,
+    input  wire logic        [         4:0] down_i,
     output logic signed      [  FineBits:0] doubled_o
 );
 
@@ -29,7 +29,7 @@ module fine_scale #(
 
   logic        [     5:0] shift;
   logic signed [Bits-1:0] doubled;
-  assign shift   = 6'(Right + curvecore_pkg::MaxStepExponent) - {1'b0, k_i};
+  assign shift   = {1'b0, down_i} + 6'(Right);
   assign doubled = {d_i, {(Left + 1) {1'b0}}};
 
   logic        [     5:0] coarse;

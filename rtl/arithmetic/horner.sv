@@ -17,7 +17,7 @@
 //   d_o, tag_o                     d, tag
 //
 // Reset clears what is under way.  Coefficients are written whether enabled or not.
-// No overflow as long as every a and every sum fits Bits: whoever writes the coefficients sees to it.
+// No overflow as long as every a and every sum fits Bits: see to it when writing coefficients.
 `default_nettype none
 module horner #(
     parameter int Passes   = 6,   // [1, 12]
@@ -75,8 +75,8 @@ module horner #(
   assign first = (Interval == 1) || phase_i == 3'd0;
 
   // Index 0: the input; s + 1: what leaves stage s.
-  logic                       loop_valid[Stages+1];
-  logic        [WordBits-1:0] loop_word [Stages+1];
+  logic                       loop_valid[        Stages+1];
+  logic        [WordBits-1:0] loop_word [        Stages+1];
   logic signed [    Bits-1:0] late      [(Stages+1)*Lanes];
   assign loop_valid[0] = valid_i;
   assign loop_word[0]  = {tag_i, x_i};

@@ -30,8 +30,8 @@ module horner_slot #(
 );
 
   logic slot_valid;
-  assign slot_valid = first_i ? valid_i : loop_valid_o;
-  assign slot_word_o  = first_i ? word_i : loop_word_o;
+  assign slot_valid  = first_i ? valid_i : loop_valid_o;
+  assign slot_word_o = first_i ? word_i : loop_word_o;
 
   logic [Bits-1:0] ring[Loop-1];
   always_ff @(posedge clk_i) begin

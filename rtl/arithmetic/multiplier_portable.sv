@@ -66,7 +66,7 @@ module multiplier_portable #(
       .high_low_i (high_low_q[35:0]),
       .low_high_i (low_high_q[35:0]),
       .low_low_i  (low_low_q[35:0]),
-      .product_o(product)
+      .product_o  (product)
   );
 
   always_ff @(posedge clk_i) begin

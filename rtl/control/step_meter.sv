@@ -29,11 +29,11 @@ module step_meter (
 
   localparam int Bits = curvecore_pkg::StepBits;
 
-  logic               started_q;      // there is a step before the first of this segment
+  logic               started_q;  // there is a step before the first of this segment
   logic               last_before_q;  // the step before was the last of its segment
-  logic        [47:0] rest_q;         // of the segment, from this step's start
+  logic        [47:0] rest_q;  // of the segment, from this step's start
   logic        [47:0] full_q;
-  logic signed [48:0] beyond_q;       // of the segment, from a full step's end
+  logic signed [48:0] beyond_q;  // of the segment, from a full step's end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -57,7 +57,7 @@ module step_meter (
   assign full_exponent = {1'b0, k_i} + 6'(curvecore_pkg::PathFrac);
   assign rest          = {1'b0, rest_q};
   assign full          = {1'b0, full_q};
-  assign short_of        = full_q - 48'd1;
+  assign short_of      = full_q - 48'd1;
   assign offset        = last_o ? rest_q[Bits-1:0] : short_of[Bits-1:0];
   assign offset_wide   = {1'b0, offset_o};
   assign bias          = {{Bits{1'b0}}, !last_before_q};

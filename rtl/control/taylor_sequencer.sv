@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // One integration step of a network of Riemann integrators: order after order, the weights
 // w[i] = floor(theta reciprocal[i] / 2^(Bits-1) + 1/2) made on the way, each while the order before
-// it is multiplied.  Slots of Digits + 2 cycles (rtl/arithmetic/digit_multiplier.sv):
+// it is multiplied.  Slots of Digits + 3 cycles (rtl/arithmetic/digit_multiplier.sv):
 //
-//   cycle            what
+//   cycle            controls
 //   0                start_i and ready_o; fresh_i: the state will be loaded, not advanced
-//   1                slot 0: theta times the sums of the step before (take_o, close_o); w[2]
-//   Digits+3         advance_o (unless fresh): state <- state + product
-//   Digits+4         zeroth_o: coefficients of order 0; order 1 is copied
-//   Digits+5         slot 1: collect_o, order_o = 1; take_o; order 2 is multiplied; w[3]
-//   ...              slot i: collect_o, order_o = i; order i+1; w[i+2]
-//   Latency - 1      collect_o, order_o = Order, done_o; next cycle ready_o again
+//   1                slot 0: take_o, close_o: theta times the sums of the step before; w[2]
+//   Digits + 4       advance_o (unless fresh): state <- state + product
+//   Digits + 5       zeroth_o, take_o: coefficients of order 0, whose product is order 1
+//   Digits + 6       triple_o
+//   Digits + 7       slot 1: collect_o, first_o, take_o: order 1 is there; order 2; w[3]
+//   ...              slot i: collect_o, take_o: order i is there; order i + 1; w[i+2]
+//   Latency - 1      collect_o: order Order; next cycle ready_o again
 //
-//   Latency = Order (Digits + 2) + 4: clocks from one start to the next
+//   Latency = Order (Digits + 3) + 5: clocks from one start to the next
+//
+// Integrators follow a clock later.  So do zeroth_there_o, collect_there_o, order_there_o and
+// done_o, which say what is on the integrators' outputs.
 `default_nettype none
 module taylor_sequencer #(
     parameter int Order = 6,  // [2, 12]
@@ -38,7 +42,10 @@ module taylor_sequencer #(
     output logic       collect_o,
     output logic       first_o,
 
-    output logic [3:0] order_o,
+    // What the integrators show
+    output logic       zeroth_there_o,
+    output logic       collect_there_o,
+    output logic [3:0] order_there_o,
     output logic       done_o
 );
 
@@ -52,41 +59,57 @@ module taylor_sequencer #(
     Take,
     Triple,
     Digit,
+    Settle,
     Advance,
     Zeroth,
     Done
   } state_t;
 
   state_t state_q, state_d;
-  logic   [3:0] order_q, order_d;  // of the coefficient that is there; 0: the step before closes
-  logic   [4:0] digit_q, digit_d;
-  logic         fresh_q;
+  logic [3:0] order_q, order_d;  // of the coefficient that is there; 0: the step before closes
+  logic [4:0] digit_q, digit_d;
+  logic fresh_q;
+  logic copy_q, copy_d;  // order 1 is made, by no multiplication
 
   always_comb begin
     state_d = state_q;
     order_d = order_q;
     digit_d = digit_q;
+    copy_d  = copy_q;
     case (state_q)
       Idle: begin
         order_d = 4'd0;
+        copy_d  = 1'b0;
         if (start_i) state_d = Take;
       end
       Take: state_d = Triple;
       Triple: begin
-        state_d = Digit;
         digit_d = 5'd1;
+        copy_d  = 1'b0;
+        state_d = Digit;
+        if (copy_q) begin
+          order_d = 4'd1;
+          state_d = Take;
+        end
       end
       Digit: begin
         digit_d = digit_q + 5'd1;
-        if (digit_q == 5'(Digits)) begin
-          order_d = order_q + 4'd1;
-          if (order_q == 4'd0) state_d = Advance;
-          else if (order_q == 4'(Order - 1)) state_d = Done;
-          else state_d = Take;
+        if (digit_q == 5'(Digits)) state_d = Settle;
+      end
+      Settle: begin
+        order_d = order_q + 4'd1;
+        state_d = Take;
+        if (order_q == 4'(Order - 1)) state_d = Done;
+        if (order_q == 4'd0) begin
+          order_d = 4'd0;
+          state_d = Advance;
         end
       end
-      Advance: state_d = Zeroth;
-      Zeroth:  state_d = Take;
+      Advance: begin
+        copy_d  = 1'b1;
+        state_d = Zeroth;
+      end
+      Zeroth: state_d = Triple;
       default: state_d = Idle;
     endcase
   end
@@ -97,27 +120,42 @@ module taylor_sequencer #(
       order_q <= 4'd0;
       digit_q <= 5'd0;
       fresh_q <= 1'b0;
+      copy_q  <= 1'b0;
     end else begin
       state_q <= state_d;
       order_q <= order_d;
       digit_q <= digit_d;
+      copy_q  <= copy_d;
       if (start_i && ready_o) fresh_q <= fresh_i;
     end
   end
 
-  // The order closed by `advance` counts as 0 until the coefficients of order 0 have gone.
-  assign ready_o   = state_q == Idle;
-  assign take_o    = state_q == Take;
-  assign close_o   = state_q == Take && order_q == 4'd0;
-  assign triple_o  = state_q == Triple;
-  assign step_o    = state_q == Digit;
-  assign last_o    = state_q == Digit && digit_q == 5'(Digits);
-  assign advance_o = state_q == Advance && !fresh_q;
-  assign zeroth_o  = state_q == Zeroth;
-  assign done_o    = state_q == Done;
-  assign collect_o = done_o || (take_o && !close_o);
-  assign first_o   = order_q == 4'd1;
-  assign order_o   = order_q;
+  // Controls are registers: they reach far.
+  always_ff @(posedge clk_i) begin
+    take_o    <= state_d == Take || state_d == Zeroth;
+    close_o   <= state_d == Take && order_d == 4'd0;
+    triple_o  <= state_d == Triple;
+    step_o    <= state_d == Digit;
+    last_o    <= state_d == Digit && digit_d == 5'(Digits);
+    advance_o <= state_d == Advance && !fresh_q;
+    zeroth_o  <= state_d == Zeroth;
+    collect_o <= state_d == Done || (state_d == Take && order_d != 4'd0);
+    first_o   <= state_d == Take && order_d == 4'd1;
+  end
+  assign ready_o = state_q == Idle;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      zeroth_there_o  <= 1'b0;
+      collect_there_o <= 1'b0;
+      done_o          <= 1'b0;
+    end else begin
+      zeroth_there_o  <= zeroth_o;
+      collect_there_o <= collect_o;
+      done_o          <= state_q == Done;
+    end
+    order_there_o <= order_q;
+  end
 
   // Weights: theta in slot 0, then w[2], w[3], ...
   logic [35:0] reciprocal[16];
@@ -133,19 +171,25 @@ module taylor_sequencer #(
   assign next_order      = order_q + 4'd2;
   assign next_reciprocal = reciprocal[next_order];
 
+  // Order 1 needs none: its copy leaves the weight of order 2 in peace.
+  logic                   take_weight;
+  logic                   triple_weight;
+  logic signed [Bits-1:0] unused_base;
   logic signed [Bits-1:0] next_weight;
   logic        [     1:0] theta_digit;
+  assign take_weight   = take_o && !zeroth_o;
+  assign triple_weight = triple_o && !copy_q;
   digit_multiplier #(
       .Bits(Bits)
   ) u_weight (
       .clk_i,
-      .copy_i(1'b0),
-      .take_i(take_o),
-      .triple_i(triple_o),
+      .take_i(take_weight),
+      .triple_i(triple_weight),
       .step_i(step_o),
       .last_i(last_o),
       .digit_i(theta_digit),
       .a_i(next_reciprocal[Bits-1:0]),
+      .base_o(unused_base),
       .product_o(next_weight)
   );
 
@@ -158,7 +202,7 @@ module taylor_sequencer #(
   assign digit_o     = weight_q[1:0];
   assign theta_digit = theta_q[1:0];
   always_ff @(posedge clk_i) begin
-    if (take_o) begin
+    if (take_weight) begin
       weight_q <= {weight, {(Shifted - Bits) {1'b0}}};
       theta_q  <= {theta_i, {(Shifted - Bits) {1'b0}}};
     end else if (step_o) begin

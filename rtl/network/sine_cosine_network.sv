@@ -33,8 +33,6 @@ module sine_cosine_network #(
 
   logic signed [CoefBits-1:0] y;
   logic signed [CoefBits-1:0] z;
-  logic signed [CoefBits-1:0] minus_y;
-  assign minus_y = -y;
 
   logic signed [CoefBits-1:0] unused_sum_y;
   logic signed [CoefBits-1:0] unused_sum_z;
@@ -61,7 +59,8 @@ module sine_cosine_network #(
   );
 
   riemann_integrator #(
-      .Bits(CoefBits)
+      .Bits(CoefBits),
+      .Negative(1)
   ) u_z (
       .clk_i,
       .load_i,
@@ -77,7 +76,7 @@ module sine_cosine_network #(
       .collect_i,
       .first_i,
       .sum_o(unused_sum_z),
-      .u_i(minus_y),
+      .u_i(y),
       .coef_o(z)
   );
 

@@ -48,12 +48,6 @@ module spherical_network #(
   logic signed [CoefBits-1:0] f;
   logic signed [CoefBits-1:0] g;
   logic signed [CoefBits-1:0] h;
-  logic signed [CoefBits-1:0] minus_x;
-  logic signed [CoefBits-1:0] minus_y;
-  logic signed [CoefBits-1:0] minus_z;
-  assign minus_x = -x;
-  assign minus_y = -y;
-  assign minus_z = -z;
 
   logic signed [CoefBits-1:0] unused_sum_f;
   logic signed [CoefBits-1:0] unused_sum_g;
@@ -78,7 +72,8 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(sum_x_o),
-      .u_i(f), .coef_o(x)
+      .u_i(f),
+      .coef_o(x)
   );
 
   riemann_integrator #(
@@ -98,7 +93,8 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(sum_y_o),
-      .u_i(g), .coef_o(y)
+      .u_i(g),
+      .coef_o(y)
   );
 
   riemann_integrator #(
@@ -118,11 +114,13 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(sum_z_o),
-      .u_i(h), .coef_o(z)
+      .u_i(h),
+      .coef_o(z)
   );
 
   riemann_integrator #(
-      .Bits(CoefBits)
+      .Bits(CoefBits),
+      .Negative(1)
   ) u_f (
       .clk_i,
       .load_i(load_i[0]),
@@ -138,11 +136,13 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(unused_sum_f),
-      .u_i(minus_x), .coef_o(f)
+      .u_i(x),
+      .coef_o(f)
   );
 
   riemann_integrator #(
-      .Bits(CoefBits)
+      .Bits(CoefBits),
+      .Negative(1)
   ) u_g (
       .clk_i,
       .load_i(load_i[1]),
@@ -158,11 +158,13 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(unused_sum_g),
-      .u_i(minus_y), .coef_o(g)
+      .u_i(y),
+      .coef_o(g)
   );
 
   riemann_integrator #(
-      .Bits(CoefBits)
+      .Bits(CoefBits),
+      .Negative(1)
   ) u_h (
       .clk_i,
       .load_i(load_i[2]),
@@ -178,7 +180,8 @@ module spherical_network #(
       .collect_i,
       .first_i,
       .sum_o(unused_sum_h),
-      .u_i(minus_z), .coef_o(h)
+      .u_i(z),
+      .coef_o(h)
   );
 
   assign x_o = x;

@@ -4,13 +4,13 @@
 //
 // A step starts when there is room for it, and lasts (rtl/control/taylor_sequencer.sv)
 //
-//     Order (Digits + 2) + 4 clocks,  Digits = ceil(CoefBits / 2)
+//     Order (Digits + 3) + 6 clocks,  Digits = ceil(CoefBits / 2)
 //
 //   rate_valid_o     Axes clocks: advance_o of rate_axis_o
 //   point_write_o    Axes clocks: origin_o and end_o of point_axis_o
 //   zeroth_o         one clock: x_o .. h_o are n and t at the step's start
-//   collect_o        Order clocks: x_o .. z_o are the coefficients of order_o; with Mode 1 angle_o is
-//                    that of the sine (odd orders) or the cosine (even orders) of the angle
+//   collect_o        Order clocks: x_o .. z_o are the coefficients of order_o; with Mode 1 angle_o
+//                    is that of the angle's sine (odd orders) or cosine (even orders)
 //   done_o           with the last collect_o: last_o, k_o, offset_o, stride_o are the step's
 `default_nettype none
 module spherical_steps #(
@@ -29,10 +29,10 @@ module spherical_steps #(
     input  wire logic [47:0] segment_data_i,
     output logic      [15:0] empty_segments_o,
 
-    input  wire logic                                    room_i,
-    output logic                                         done_o,
-    output logic                                         last_o,
-    output logic             [                      4:0] k_o,
+    input  wire logic                               room_i,
+    output logic                                    done_o,
+    output logic                                    last_o,
+    output logic      [                        4:0] k_o,
     output logic      [curvecore_pkg::StepBits-1:0] offset_o,
     output logic      [  curvecore_pkg::StepBits:0] stride_o,
 
@@ -68,10 +68,10 @@ module spherical_steps #(
   logic                       ready;
   logic                       start;
   logic                       fresh_q;  // the next step is the first of its segment
-  logic                       load_q;   // the present step is
+  logic                       load_q;  // the present step is
   logic                       take_segment;
   logic        [CoefBits-1:0] theta_q;
-  assign start        = ready && room_i && (segment_there || !fresh_q);
+  assign start        = ready && !done_o && room_i && (segment_there || !fresh_q);
   assign take_segment = start && fresh_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) fresh_q <= 1'b1;
@@ -129,6 +129,8 @@ module spherical_steps #(
   logic       last_digit;
   logic [1:0] digit;
   logic       advance;
+  logic       zeroth;
+  logic       collect;
   logic       first;
   taylor_sequencer #(
       .Order(Order),
@@ -147,10 +149,12 @@ module spherical_steps #(
       .last_o(last_digit),
       .digit_o(digit),
       .advance_o(advance),
-      .zeroth_o,
-      .collect_o,
+      .zeroth_o(zeroth),
+      .collect_o(collect),
       .first_o(first),
-      .order_o,
+      .zeroth_there_o(zeroth_o),
+      .collect_there_o(collect_o),
+      .order_there_o(order_o),
       .done_o
   );
 
@@ -196,8 +200,8 @@ module spherical_steps #(
       .last_i(last_digit),
       .digit_i(digit),
       .advance_i(advance),
-      .zeroth_i(zeroth_o),
-      .collect_i(collect_o),
+      .zeroth_i(zeroth),
+      .collect_i(collect),
       .first_i(first),
       .x_o,
       .y_o,
@@ -211,10 +215,10 @@ module spherical_steps #(
   );
 
   step_origin #(
-      .CoefBits(CoefBits),
-      .FineBits(FineBits),
+      .CoefBits (CoefBits),
+      .FineBits (FineBits),
       .GuardBits(GuardBits),
-      .AuxAxes(AuxAxes)
+      .AuxAxes  (AuxAxes)
   ) u_origin (
       .clk_i,
       .rst_ni,
@@ -249,8 +253,8 @@ module spherical_steps #(
         .last_i(last_digit),
         .digit_i(digit),
         .advance_i(1'b0),
-        .zeroth_i(zeroth_o),
-        .collect_i(collect_o),
+        .zeroth_i(zeroth),
+        .collect_i(collect),
         .first_i(first),
         .y_o(sine),
         .z_o(cosine)

@@ -7,11 +7,11 @@
 //
 // `sum` is that of the network's axis; auxiliary axes have none.
 //
-//   cycle          0      1      Axes    5
-//   start_i        1                              fresh_i: a new segment
-//   rate_axis_o           0  ..  Axes-1           sum_i, advance_i of that axis
-//   point_axis_o                         0  ..    start_i of that axis
-//   write_o                              1  ..    origin_o, for Axes cycles
+//   cycle          0      1      Axes         6      Axes + 5
+//   start_i        1                                              fresh_i: a new segment
+//   rate_axis_o           0  ..  Axes - 1                         sum_i, advance_i of that axis
+//   point_axis_o                              0  ..  Axes - 1     segment_start_i of that axis
+//   write_o                                   1  ..  1            origin_o
 `default_nettype none
 module step_origin #(
     parameter int CoefBits  = 36,  // [18, 36]
@@ -26,8 +26,8 @@ module step_origin #(
     input wire logic       fresh_i,
     input wire logic [4:0] k_i,
 
-    output logic                           rate_valid_o,
-    output logic            [         3:0] rate_axis_o,
+    output logic                            rate_valid_o,
+    output logic             [         3:0] rate_axis_o,
     input  wire logic signed [CoefBits-1:0] sum_i,
     input  wire logic signed [CoefBits-1:0] advance_i,
 
@@ -56,9 +56,17 @@ module step_origin #(
     if (start_i) fresh_q <= fresh_i;
   end
 
+  logic signed [CoefBits-1:0] sum_q;
+  logic signed [CoefBits-1:0] advance_q;
   logic signed [CoefBits-1:0] d_q;
+  logic        [         4:0] down_q;
   always_ff @(posedge clk_i) begin
-    if (rate_valid_o) d_q <= sum_i + advance_i;
+    if (rate_valid_o) begin
+      sum_q     <= sum_i;
+      advance_q <= advance_i;
+    end
+    d_q    <= sum_q + advance_q;
+    down_q <= 5'(curvecore_pkg::MaxStepExponent) - k_i;
   end
 
   logic signed [FineBits:0] doubled;
@@ -70,41 +78,34 @@ module step_origin #(
       .clk_i,
       .en_i(1'b1),
       .d_i(d_q),
-      .k_i,
+      .down_i(down_q),
       .doubled_o(doubled)
   );
 
-  // The axis whose displacement is scaled now.
-  logic       valid_q[3];
-  logic [3:0] axis_q [3];
+  // Clocks since an axis was read: its old origin is read in 3 and added in 4.
+  localparam int Clocks = 5;
+  logic [Clocks-1:0] valid_q;
+  logic [       3:0] axis_q  [Clocks];
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      valid_q[0] <= 1'b0;
-      valid_q[1] <= 1'b0;
-      valid_q[2] <= 1'b0;
-    end else begin
-      valid_q[0] <= rate_valid_o;
-      valid_q[1] <= valid_q[0];
-      valid_q[2] <= valid_q[1];
-    end
+    if (!rst_ni) valid_q <= '0;
+    else valid_q <= {valid_q[Clocks-2:0], rate_valid_o};
   end
   always_ff @(posedge clk_i) begin
     axis_q[0] <= rate_axis_o;
-    axis_q[1] <= axis_q[0];
-    axis_q[2] <= axis_q[1];
+    for (int c = 1; c < Clocks; c++) axis_q[c] <= axis_q[c-1];
   end
 
-  logic signed [FineBits-1:0] origins[16];
-  logic signed [FineBits-1:0] old;
+  logic signed [FineBits-1:0] origins  [16];
+  logic signed [FineBits-1:0] old_q;
   logic signed [  FineBits:0] old_half;
-  logic signed [  FineBits:0] twice;
-  assign old          = origins[point_axis_o];
-  assign old_half  = {old, 1'b1};
-  assign twice        = old_half + doubled;
-  assign write_o      = valid_q[2];
-  assign point_axis_o = axis_q[2];
-  assign origin_o     = fresh_q ? segment_start_i : twice[FineBits:1];
+  logic signed [  FineBits:0] twice_q;
+  assign old_half     = {old_q, 1'b1};
+  assign write_o      = valid_q[Clocks-1];
+  assign point_axis_o = axis_q[Clocks-1];
+  assign origin_o     = fresh_q ? segment_start_i : twice_q[FineBits:1];
   always_ff @(posedge clk_i) begin
+    old_q   <= origins[axis_q[2]];
+    twice_q <= old_half + doubled;
     if (write_o) origins[point_axis_o] <= origin_o;
   end
 

@@ -5,10 +5,9 @@
 //     s = min(max(2^e (c1 tau + c2 tau^2 + c3 tau^3), s before), ds)     tau = t / 2^m
 //
 //   clock          0     Latency            Interval   Latency
-//   rate_valid_i   1                        1          32
-//   rate_ready_o   1                        2          34
-//   ds_valid_o           1                  4, 8       40
-//   ds_o                 increment
+//   tick_taken_o   1                        1          35
+//   ds_valid_o           1                  2          37
+//   ds_o                 increment          4, 8       43
 //
 // One tick per Interval clocks; results are not held: whoever sends rates has room for them. A
 // piece boundary costs no clock when the piece before was 6 clocks long and the next is queued.
@@ -30,6 +29,7 @@ module path_generator #(
     input  wire logic        rate_valid_i,
     output logic             rate_ready_o,
     input  wire logic [16:0] rate_i,
+    output logic             tick_taken_o,
 
     // Increments, a tick each
     output logic        ds_valid_o,
@@ -37,19 +37,23 @@ module path_generator #(
     output logic [16:0] ds_rate_o,
 
     // The present piece; piece_take_o: the next one begins
-    output logic        piece_take_o,
-    output logic        active_o,
-    output logic        final_o,
-    output logic [19:0] ticks_left_o,
-    output logic [19:0] next_ticks_o,
-    output logic        next_final_o
+    output logic               piece_take_o,
+    output logic               active_o,
+    output logic               last_o,
+    output logic signed [21:0] ticks_left_o,
+    output logic        [19:0] next_ticks_o,
+    output logic               next_final_o
 );
+
+  initial
+    if (Interval != 1 && Interval != 2 && Interval != 4 && Interval != 8)
+      $fatal(1, "Interval must be 1, 2, 4 or 8");
 
   // Pieces are 6 clocks apart at least, evaluations 36 clocks long at most: a bank that is written
   // is used no more.
   localparam int BankBits = 3;
-  localparam int TagBits = BankBits + 17 + 4;
-  localparam int StartPhase = (Interval == 8) ? 4 : 0;
+  localparam int TagBits = BankBits + 17 + 3;
+  localparam int StartPhase = (Interval == 1) ? 0 : (Interval == 2) ? 1 : 3;  // -5
 
   logic [2:0] phase_q;
   always_ff @(posedge clk_i) begin
@@ -90,7 +94,6 @@ module path_generator #(
   );
 
   logic event_valid;
-  logic event_tick;
   logic event_begin;
   logic event_still;
   logic event_end;
@@ -114,8 +117,8 @@ module path_generator #(
       .rate_valid_i,
       .rate_ready_o,
       .rate_i,
+      .tick_taken_o,
       .valid_o(event_valid),
-      .tick_o(event_tick),
       .begin_o(event_begin),
       .still_o(event_still),
       .end_o(event_end),
@@ -124,7 +127,7 @@ module path_generator #(
       .bank_o(event_bank),
       .rate_o(event_rate),
       .active_o,
-      .final_o,
+      .last_o,
       .ticks_left_o
   );
 
@@ -140,7 +143,7 @@ module path_generator #(
       .valid_i(event_valid),
       .time_i(event_time),
       .time_exponent_i(event_time_exponent),
-      .tag_i({event_rate, event_tick, event_begin, event_still, event_end, event_bank}),
+      .tag_i({event_rate, event_begin, event_still, event_end, event_bank}),
       .valid_o(tau_valid),
       .tau_o(tau),
       .tag_o(tau_tag)
@@ -187,14 +190,13 @@ module path_generator #(
       .clk_i,
       .rst_ni,
       .valid_i(d_valid),
-      .tick_i(d_tag[BankBits+3]),
       .begin_i(d_tag[BankBits+2]),
       .still_i(d_tag[BankBits+1]),
       .end_i(d_tag[BankBits]),
       .d_i(d),
       .exponent_i(bound[53:48]),
       .ds_i(bound[47:0]),
-      .rate_i(d_tag[BankBits+4+:17]),
+      .rate_i(d_tag[BankBits+3+:17]),
       .valid_o(ds_valid_o),
       .ds_o,
       .rate_o(ds_rate_o)

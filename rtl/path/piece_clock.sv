@@ -4,19 +4,20 @@
 //
 // A tick of rate r moves time by r / 2^16 ticks; what goes beyond a piece's end is time in the next
 // piece. Time waits at the end of the last piece there is. A tick waits while its piece is queued
-// but not loaded. The clock in which a program's first piece begins takes no tick.
+// but not loaded.
 //
-//   clock          0          1        2
-//   slot_i         1
+//   clock          0     3     6
 //   rate_valid_i   1
 //   rate_ready_o   1
-//   next_take_o    piece's end
-//   valid_o                            1
-//   time_o, ..                         of the tick
+//   slot_i               1
+//   tick_taken_o         1              at the earliest
+//   next_take_o          piece's end
+//   valid_o                    1
+//   time_o, ..                 of the tick
 //
-// An event, valid_o, says how far the path is in piece bank_o when the tick (or begin) is over:
+// An event, valid_o, says how far the path is in piece bank_o when the tick is over:
 //   begin_o    the piece before is over, this one begins
-//   still_o    nowhere: no piece is under way, or begin without a tick
+//   still_o    nowhere: no piece is under way
 //   end_o      at the piece's end
 //   else       at time_o, below 2^(time_exponent_o + 16)
 `default_nettype none
@@ -25,10 +26,10 @@ module piece_clock #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic slot_i,  // an event may start
+    input wire logic slot_i,  // a tick may be taken
 
-    // Pieces
-    input  wire logic                queued_i,              // complete ones, next_valid_i included
+    // Pieces; next_ticks_i stands still from 2 clocks before next_valid_i
+    input  wire logic                queued_i,              // complete ones, the next included
     input  wire logic                next_valid_i,
     output logic                     next_take_o,
     input  wire logic [        19:0] next_ticks_i,
@@ -40,10 +41,10 @@ module piece_clock #(
     input  wire logic        rate_valid_i,
     output logic             rate_ready_o,
     input  wire logic [16:0] rate_i,
+    output logic             tick_taken_o,
 
     // Events
     output logic                valid_o,
-    output logic                tick_o,
     output logic                begin_o,
     output logic                still_o,
     output logic                end_o,
@@ -53,103 +54,154 @@ module piece_clock #(
     output logic [        16:0] rate_o,
 
     // The present piece
-    output logic        active_o,
-    output logic        final_o,
-    output logic [19:0] ticks_left_o  // rounded down
+    output logic               active_o,
+    output logic               last_o,       // it is final
+    output logic signed [21:0] ticks_left_o  // at least so many, less 2
 );
 
   initial if (BankBits < 1 || BankBits > 5) $fatal(1, "BankBits must be in [1, 5]");
 
-  logic signed [37:0] left_q;  // to the piece's end, ticks with 16 fraction bits
-  logic [19:0] ticks_q;
-  logic [4:0] time_exponent_q;
-  logic [BankBits-1:0] bank_q;
-  assign ticks_left_o = left_q[35:16];
+  // The tick at hand and the two after it; no tick is a tick of rate 0.
+  logic head_valid_q;
+  logic [16:0] head_q;
+  logic after_valid_q;
+  logic [16:0] after_q;
+  logic third_valid_q;
+  logic [16:0] third_q;
 
-  logic signed [37:0] rate;
-  assign rate = {21'b0, rate_i};
-  logic signed [37:0] left;
-  assign left = left_q - rate;
+  // What is left of the piece after the tick at hand, less one: negative when the tick passes its
+  // end.  Counted in ticks with 16 fraction bits.
+  logic signed [37:0] left_q;
+  assign ticks_left_o = left_q[37:16];
   logic over;
-  assign over = left_q <= rate;
-  logic signed [37:0] next_left;
-  assign next_left = left + $signed({2'b0, next_ticks_i, 16'b0});
+  assign over = left_q[37];
 
-  logic starts;
-  logic stops;
+  // Next piece, less the tick after the one at hand.
+  logic signed [37:0] gain_q;
+  logic signed [37:0] next_ticks;
+  assign next_ticks = {2'b0, next_ticks_i, 16'b0};
+
+  logic may;
   logic runs;
-  logic idles;
   logic passes;
-  always_comb begin
-    starts = 1'b0;
-    idles  = 1'b0;
-    runs   = 1'b0;
-    passes = 1'b0;
-    stops  = 1'b0;
-    if (slot_i && rate_valid_i) begin
-      if (!active_o) begin
-        starts = next_valid_i;
-        idles  = !queued_i;
-      end else if (!over) begin
-        runs = 1'b1;
-      end else if (final_o) begin
-        stops = 1'b1;
-      end else begin
-        passes = next_valid_i;
-        stops  = !queued_i;
-      end
-    end
-  end
-  assign next_take_o  = starts || passes;
-  assign rate_ready_o = idles || runs || passes || stops;
+  logic stops;
+  logic advance;
+  assign may          = slot_i && head_valid_q;
+  assign runs         = may && !over;
+  assign passes       = may && over && !last_o && next_valid_i;
+  assign stops        = may && over && (last_o || !queued_i);
+  assign advance      = !head_valid_q || runs || passes || stops;
 
-  logic valid_q;
-  logic tick_q;
-  logic begin_q;
-  logic still_q;
-  logic end_q;
-  logic [16:0] rate_q;
+  assign next_take_o  = passes;
+  assign tick_taken_o = runs || passes || stops;
+  assign rate_ready_o = advance;
+
+  logic signed [37:0] after;
+  assign after = {21'b0, after_q};
+  logic signed [37:0] left_run;
+  logic signed [37:0] left_pass;
+  assign left_run  = left_q - after;
+  assign left_pass = left_q + gain_q;
+  logic signed [37:0] gain_moved;
+  logic signed [37:0] gain_kept;
+  assign gain_moved = next_ticks - $signed({21'b0, third_q});
+  assign gain_kept  = next_ticks - after;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      active_o <= 1'b0;
-      valid_q  <= 1'b0;
-      valid_o  <= 1'b0;
-    end else begin
-      if (starts) active_o <= 1'b1;
-      if (stops && final_o) active_o <= 1'b0;
-      valid_q <= starts || rate_ready_o;
-      valid_o <= valid_q;
+      head_valid_q  <= 1'b0;
+      after_valid_q <= 1'b0;
+      after_q       <= '0;
+      third_valid_q <= 1'b0;
+      third_q       <= '0;
+      left_q        <= -38'sd1;
+    end else if (advance) begin
+      head_valid_q  <= after_valid_q;
+      after_valid_q <= third_valid_q;
+      after_q       <= third_q;
+      third_valid_q <= rate_valid_i;
+      third_q       <= rate_valid_i ? rate_i : '0;
+      if (passes) left_q <= left_pass;
+      else if (stops) left_q <= ~after;
+      else left_q <= left_run;
     end
   end
-
   always_ff @(posedge clk_i) begin
-    if (next_take_o) begin
+    if (advance) head_q <= after_q;
+    gain_q <= advance ? gain_moved : gain_kept;
+  end
+
+  // The present piece.  It is at its very end when time has waited there, or when it is one tick
+  // long and a whole tick was waiting for it.
+  logic waits_q;
+  logic whole;
+  assign whole = waits_q && head_q[16] && next_ticks_i == 20'd1;
+  logic [19:0] ticks_q;
+  logic [4:0] time_exponent_q;
+  logic [BankBits-1:0] bank_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      active_o <= 1'b0;
+      last_o   <= 1'b0;
+      waits_q  <= 1'b1;
+    end else if (passes) begin
+      active_o <= 1'b1;
+      last_o   <= next_final_i;
+      waits_q  <= whole;
+    end else if (stops) begin
+      if (last_o) active_o <= 1'b0;
+      last_o  <= 1'b0;
+      waits_q <= 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (passes) begin
       ticks_q         <= next_ticks_i;
       time_exponent_q <= next_time_exponent_i;
-      final_o         <= next_final_i;
       bank_q          <= next_bank_i;
     end
-    if (starts) left_q <= {2'b0, next_ticks_i, 16'b0};
-    else if (passes) left_q <= next_left;
-    else if (stops) left_q <= '0;
-    else if (runs) left_q <= left;
-    tick_q  <= rate_ready_o;
-    begin_q <= next_take_o;
-    still_q <= starts || idles;
-    end_q   <= stops || (passes && next_left == 38'sd0);
-    rate_q  <= rate_i;
   end
 
+  // Events: time = ticks - (left + 1 + the tick at hand).
+  logic [2:1] valid_q;
+  logic [2:1] begin_q;
+  logic [2:1] still_q;
+  logic [2:1] end_q;
+  logic [16:0] rate_1_q;
+  logic [16:0] rate_2_q;
+  logic [35:0] elapsed_q;
+  logic [35:0] beyond_q;
+  logic [4:0] time_exponent_2_q;
+  logic [BankBits-1:0] bank_2_q;
   always_ff @(posedge clk_i) begin
-    tick_o <= tick_q;
-    begin_o <= begin_q;
-    still_o <= still_q;
-    end_o <= end_q;
-    time_o <= {ticks_q, 16'b0} - left_q[35:0];
-    rate_o <= rate_q;
-    bank_o <= bank_q;
-    time_exponent_o <= time_exponent_q;
+    if (!rst_ni) begin
+      valid_q <= '0;
+      valid_o <= 1'b0;
+    end else begin
+      valid_q <= {valid_q[1], tick_taken_o};
+      valid_o <= valid_q[2];
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    begin_q           <= {begin_q[1], passes};
+    still_q           <= {still_q[1], stops && !active_o};
+    end_q             <= {end_q[1], stops || (passes && whole)};
+    begin_o           <= begin_q[2];
+    still_o           <= still_q[2];
+    end_o             <= end_q[2];
+
+    rate_1_q          <= head_q;
+    rate_2_q          <= rate_1_q;
+    rate_o            <= rate_2_q;
+
+    elapsed_q         <= {ticks_q, 16'b0} - {19'b0, head_q};
+    beyond_q          <= ~left_q[35:0];
+    time_o            <= elapsed_q + beyond_q;
+
+    time_exponent_2_q <= time_exponent_q;
+    bank_2_q          <= bank_q;
+    time_exponent_o   <= time_exponent_2_q;
+    bank_o            <= bank_2_q;
   end
 
 endmodule

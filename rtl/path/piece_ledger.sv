@@ -32,8 +32,8 @@ module piece_ledger #(
 
   initial if (QueueWords < 16 || QueueWords > 4096) $fatal(1, "QueueWords must be in [16, 4096]");
 
-  // The queue, its output register and the loader.
-  localparam int MaxPieces = (QueueWords + 1) / 5 + 1;
+  // The queue, its output registers and the loader.
+  localparam int MaxPieces = (QueueWords + 2) / 5 + 1;
   localparam int CountBits = $clog2(MaxPieces + 1);
   localparam int Plenty = (3 * QueueWords) / 20;
 

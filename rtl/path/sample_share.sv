@@ -2,7 +2,7 @@
 // Shares each tick's increment among its 2^n samples: after j of them, floor(j ds / 2^n) is gone.
 // Twin: SampleShare of hls/path_kernel.hpp.
 //
-//   clock            0         1       2       3
+//   clock            0         1       3       5
 //   tick_valid_i     1
 //   tick_ready_o     1
 //   wanted_i                           1
@@ -10,7 +10,7 @@
 //   sample_ds_o                                ds/2^n
 //
 // One sample per clock, at tick boundaries too. A sample is sent only when it is wanted: wanted_i
-// is true as long as more samples are asked for than sample_sent_o told. n stands still.
+// is true as long as more samples are asked for than sent_o told. n stands still.
 `default_nettype none
 module sample_share (
     input wire logic clk_i,
@@ -33,55 +33,84 @@ module sample_share (
     output logic      [16:0] sample_rate_o
 );
 
-  logic [14:0] mask;
-  assign mask = ~(15'h7fff << samples_per_tick_log2_i);
+  logic [14:0] mask_q;
+  always_ff @(posedge clk_i) mask_q <= ~(15'h7fff << samples_per_tick_log2_i);
 
-  // A tick's whole share and what remains of its division
+  // ds / 2^n: 48 bits, and its fraction, 15 bits.  The shift takes two clocks.
+  logic advance;
+  logic coarse_valid_q;
+  logic fine_valid_q;
   logic share_valid_q;
-  logic share_ready;
-  logic [47:0] whole_q;
-  logic [14:0] rest_q;
-  logic [16:0] rate_q;
+  logic [62:0] coarse_q;
+  logic [62:0] fine_q;
+  logic [62:0] share_q;
+  logic [16:0] coarse_rate_q;
+  logic [16:0] fine_rate_q;
+  logic [16:0] share_rate_q;
+  logic [62:0] ds;
+  assign ds = {tick_ds_i, 15'b0};
 
   logic [14:0] index_q;
-  logic [14:0] fraction_q;
-  logic [15:0] sum;
-  logic [15:0] carried;
-  logic carry;
-  assign sum = {1'b0, fraction_q} + {1'b0, rest_q};
-  assign carried = sum >> samples_per_tick_log2_i;
-  assign carry = carried[0];
-
-  assign sent_o = share_valid_q && wanted_i && (!sample_valid_o || sample_ready_i);
   logic last;
-  assign last = index_q == mask;
-  assign share_ready = sent_o && last;
-  assign tick_ready_o = !share_valid_q || share_ready;
-
+  assign last = index_q == mask_q;
+  assign advance = !share_valid_q || (sent_o && last);
+  assign tick_ready_o = advance;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      coarse_valid_q <= 1'b0;
+      fine_valid_q   <= 1'b0;
       share_valid_q  <= 1'b0;
-      index_q        <= '0;
-      fraction_q     <= '0;
-      sample_valid_o <= 1'b0;
-    end else begin
-      if (tick_ready_o) share_valid_q <= tick_valid_i;
-      if (sent_o) begin
-        index_q    <= last ? '0 : index_q + 1'b1;
-        fraction_q <= sum[14:0] & mask;
-      end
-      if (sent_o || sample_ready_i) sample_valid_o <= sent_o;
+    end else if (advance) begin
+      coarse_valid_q <= tick_valid_i;
+      fine_valid_q   <= coarse_valid_q;
+      share_valid_q  <= fine_valid_q;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      coarse_q      <= ds >> {samples_per_tick_log2_i[3:2], 2'b0};
+      coarse_rate_q <= tick_rate_i;
+      fine_q        <= coarse_q >> samples_per_tick_log2_i[1:0];
+      fine_rate_q   <= coarse_rate_q;
+      share_q       <= fine_q;
+      share_rate_q  <= fine_rate_q;
     end
   end
 
+  // Fractions add up; their carry is a quantum.
+  logic [14:0] fraction_q;
+  logic [15:0] sum;
+  assign sum = {1'b0, fraction_q} + {1'b0, share_q[14:0]};
+  logic sum_valid_q;
+  logic sum_ready;
+  logic carry_q;
+  logic [47:0] whole_q;
+  logic [16:0] rate_q;
+  assign sum_ready = !sum_valid_q || !sample_valid_o || sample_ready_i;
+  assign sent_o = share_valid_q && wanted_i && sum_ready;
   always_ff @(posedge clk_i) begin
-    if (tick_ready_o) begin
-      whole_q <= tick_ds_i >> samples_per_tick_log2_i;
-      rest_q  <= tick_ds_i[14:0] & mask;
-      rate_q  <= tick_rate_i;
+    if (!rst_ni) begin
+      index_q        <= '0;
+      fraction_q     <= '0;
+      sum_valid_q    <= 1'b0;
+      sample_valid_o <= 1'b0;
+    end else begin
+      if (sent_o) begin
+        index_q    <= last ? '0 : index_q + 1'b1;
+        fraction_q <= sum[14:0];
+      end
+      if (sum_ready) sum_valid_q <= sent_o;
+      if (!sample_valid_o || sample_ready_i) sample_valid_o <= sum_valid_q;
     end
+  end
+  always_ff @(posedge clk_i) begin
     if (sent_o) begin
-      sample_ds_o   <= whole_q + {47'b0, carry};
+      carry_q <= sum[15];
+      whole_q <= share_q[62:15];
+      rate_q  <= share_rate_q;
+    end
+    if (!sample_valid_o || sample_ready_i) begin
+      sample_ds_o   <= whole_q + {47'b0, carry_q};
       sample_rate_o <= rate_q;
     end
   end

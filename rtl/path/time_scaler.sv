@@ -1,92 +1,265 @@
 // SPDX-License-Identifier: Apache-2.0
 // Time's rate follows its target with bounded slope and bounded change of slope. Twin:
-// hls/time_scaler.hpp.
+// hls/time_scaler.hpp, tick by tick.
 //
-//   clock      0        1
+//   clock      0        2
 //   valid_i    1
+//   ready_o    1
 //   target_i   target
-//   valid_o             1
-//   rate_o              rate       one tick per clock
+//   valid_o             1        at the earliest
+//   rate_o              rate
 //
-// Reset: rate 1. acceleration_i and slope_i stand still while ticks run.
+// One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
+// each when the rate turns round and when it arrives. Reset: rate 1. The bounds stand still while
+// ticks run.
+//
+// The decisions are signs of two margins, kept up to date instead of computed:
+//
+//     faster  >= 0: may go faster             rest - braking - 2 slope - acceleration
+//     steady  >= 0: may go on                 rest - braking - slope
+//
+// where rest is the way to the target in the present direction, braking what braking still moves.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,
     input wire logic rst_ni,
 
     // Bounds, in 2^-32 per tick
-    input wire logic [31:0] acceleration_i,  // [1, 2^31]
-    input wire logic [32:0] slope_i,         // a multiple of acceleration_i, up to 2^32
+    input wire logic [31:0] acceleration_i,  // a: [1, 2^31]
+    input wire logic [32:0] slope_i,         // a multiple of a, up to 2^32
 
     input  wire logic        valid_i,
+    output logic             ready_o,
     input  wire logic [16:0] target_i,  // 16 fraction bits, up to 1
     output logic             valid_o,
     output logic      [16:0] rate_o
 );
 
-  logic signed [35:0] rate_q;
-  logic signed [35:0] slope_q;
-  logic signed [35:0] braking_q;
-  logic rising_q;
+  // The tick at hand, and how its target differs.
+  logic head_valid_q;
+  logic [16:0] target_q;
+  logic signed [17:0] delta_q;
+  logic change_q;
 
-  logic signed [35:0] acceleration;
-  assign acceleration = {4'b0, acceleration_i};
-  logic signed [35:0] slope_bound;
-  assign slope_bound = {3'b0, slope_i};
-  logic signed [35:0] distance;
-  assign distance = $signed({3'b0, target_i, 16'b0}) - rate_q;
-  logic at_rest;
-  assign at_rest = slope_q == 36'sd0;
-  logic rising;
-  assign rising = at_rest ? !distance[35] : rising_q;
-  logic signed [35:0] rest;
-  assign rest = rising ? distance : -distance;
+  // Change adds to both margins: load an operand, give it its sign, add it.
+  typedef enum logic [2:0] {
+    Init,
+    Run,
+    Sign,
+    Load,
+    Add
+  } state_t;
+  state_t             state_q;
 
-  logic signed [35:0] hold_need;
-  assign hold_need = braking_q + slope_q;
-  logic signed [35:0] faster;
-  assign faster = slope_q + acceleration;
-  logic signed [35:0] slower;
-  assign slower = slope_q - acceleration;
-  logic signed [35:0] speed_need;
-  assign speed_need = hold_need + faster;
+  logic signed [35:0] faster_q;
+  logic signed [35:0] steady_q;
+  logic signed [35:0] slope_q;  // n a
+  logic signed [35:0] next_slope_q;  // slope + a
+  logic signed [35:0] faster_cost_q;  // 2 slope + 3 a
+  logic               rising_q;
+  logic               at_rest_q;
+  logic               at_max_q;
+  logic               arrived_q;  // at rest on the target
+  logic               arriving_q;
+  logic               short_q;  // the way to there is not zero
+  logic               settling_q;  // the last tick went it: the next one rests
 
-  logic signed [35:0] move;
-  logic signed [35:0] slope;
-  logic signed [35:0] braking;
-  always_comb begin
-    slope   = slope_q;
-    braking = braking_q;
-    move    = slope_q;
-    if (at_rest && rest < acceleration) begin
-      move = rest;
-    end else if (slope_q < slope_bound && rest >= speed_need) begin
-      slope   = faster;
-      braking = hold_need;
-      move    = faster;
-    end else if (rest < hold_need) begin
-      slope   = slower;
-      braking = braking_q - slower;
-      move    = slower;
+  logic signed [35:0] a;
+  assign a = {4'b0, acceleration_i};
+  logic signed [35:0] a2;
+  assign a2 = {3'b0, acceleration_i, 1'b0};
+  logic signed [35:0] below_max_q;
+  always_ff @(posedge clk_i) below_max_q <= $signed({3'b0, slope_i}) - a;
+
+  // Decisions
+  logic change;
+  logic turns;
+  logic turn;
+  logic arrives;
+  logic arrive;
+  logic tick;
+  logic up;
+  logic steady;
+  logic no_brake;
+  assign turns    = at_rest_q && steady_q[35] && !settling_q;
+  assign arrives  = at_rest_q && faster_q[35] && !settling_q && !arrived_q;
+  assign change   = state_q == Run && head_valid_q && change_q;
+  assign turn     = state_q == Run && !(head_valid_q && change_q) && turns;
+  assign arrive   = state_q == Run && head_valid_q && !change_q && !turns && arrives;
+  assign tick     = state_q == Run && head_valid_q && !change_q && !turns && !arrives;
+  assign up       = !faster_q[35] && !at_max_q && !settling_q;
+  assign no_brake = !steady_q[35] || settling_q;
+  assign steady   = !up && no_brake;
+
+  assign ready_o  = !head_valid_q || tick;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      head_valid_q <= 1'b0;
+      target_q     <= 17'h1_0000;
+      change_q     <= 1'b0;
+    end else begin
+      if (ready_o) head_valid_q <= valid_i;
+      if (ready_o && valid_i) begin
+        target_q <= target_i;
+        change_q <= target_i != target_q;
+      end else if (change) begin
+        change_q <= 1'b0;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (ready_o && valid_i) delta_q <= $signed({1'b0, target_i}) - $signed({1'b0, target_q});
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) state_q <= Init;
+    else
+      case (state_q)
+        Run: if (change || turn || arrive) state_q <= Sign;
+        Sign: state_q <= Load;
+        Load: state_q <= Add;
+        default: state_q <= Run;
+      endcase
+  end
+
+  // Braking adds 2 a and a to the margins; so do the operands of a change in their time, and the
+  // first values of all: -a, 0 and 3 a.
+  logic signed [35:0] operand_q;
+  logic negative_q;
+  logic signed [35:0] faster_add_q;
+  logic signed [35:0] steady_add_q;
+  logic signed [35:0] cost_add_q;
+  logic signed [35:0] signed_q;
+  logic signed [35:0] minus_a_q;
+  always_ff @(posedge clk_i) begin
+    if (change) operand_q <= {{2{delta_q[17]}}, delta_q, 16'b0};
+    else if (turn) operand_q <= {steady_q[34:0], 1'b0};
+    else operand_q <= steady_q;
+    negative_q <= !(change && rising_q);
+    signed_q   <= negative_q ? -operand_q : operand_q;
+    minus_a_q  <= -a;
+    if (!rst_ni) begin
+      faster_add_q <= minus_a_q;
+      steady_add_q <= '0;
+      cost_add_q   <= a2 + a;
+    end else if (state_q == Load) begin
+      faster_add_q <= signed_q;
+      steady_add_q <= signed_q;
+    end else begin
+      faster_add_q <= a2;
+      steady_add_q <= a;
+      cost_add_q   <= a2;
+    end
+  end
+
+  // Each sum is there before the decision is: the mux comes last.
+  logic signed [35:0] faster_up;
+  logic signed [35:0] faster_steady;
+  logic signed [35:0] faster_add;
+  logic signed [35:0] steady_up;
+  logic signed [35:0] steady_steady;
+  logic signed [35:0] steady_add;
+  assign faster_up     = faster_q - faster_cost_q;
+  assign faster_steady = faster_q - slope_q;
+  assign faster_add    = faster_q + faster_add_q;
+  assign steady_up     = steady_q - {next_slope_q[34:0], 1'b0};
+  assign steady_steady = steady_q - slope_q;
+  assign steady_add    = steady_q + steady_add_q;
+
+  logic signed [35:0] next_slope_up;
+  logic signed [35:0] slope_down;
+  logic signed [35:0] cost_up;
+  logic signed [35:0] cost_down;
+  assign next_slope_up = next_slope_q + a;
+  assign slope_down    = slope_q - a;
+  assign cost_up       = faster_cost_q + cost_add_q;
+  assign cost_down     = faster_cost_q - a2;
+  logic last_step;
+  logic last_rise;
+  assign last_step = slope_q == a;
+  assign last_rise = slope_q == below_max_q;
+
+  logic adds;
+  logic margins_up;
+  logic margins_steady;
+  logic slope_up;
+  logic slope_moves;
+  assign adds           = state_q == Init || state_q == Add;
+  assign margins_up     = state_q == Run && up;
+  assign margins_steady = state_q == Run && no_brake;
+  assign slope_up       = state_q == Init || up;
+  assign slope_moves    = state_q == Init || (tick && !steady);
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      faster_q      <= '0;
+      steady_q      <= '0;
+      slope_q       <= '0;
+      next_slope_q  <= '0;
+      faster_cost_q <= '0;
+    end else begin
+      if (adds || tick) begin
+        faster_q <= margins_up ? faster_up : margins_steady ? faster_steady : faster_add;
+        steady_q <= margins_up ? steady_up : margins_steady ? steady_steady : steady_add;
+      end
+      if (slope_moves) begin
+        slope_q       <= slope_up ? next_slope_q : slope_down;
+        next_slope_q  <= slope_up ? next_slope_up : slope_q;
+        faster_cost_q <= slope_up ? cost_up : cost_down;
+      end
     end
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      valid_o   <= 1'b0;
-      rate_q    <= 36'sh1_0000_0000;
-      slope_q   <= '0;
-      braking_q <= '0;
-      rising_q  <= 1'b1;
+      rising_q   <= 1'b1;
+      at_rest_q  <= 1'b1;
+      at_max_q   <= 1'b0;
+      arrived_q  <= 1'b1;
+      arriving_q <= 1'b0;
+      short_q    <= 1'b0;
+      settling_q <= 1'b0;
     end else begin
-      valid_o <= valid_i;
-      if (valid_i) begin
-        rate_q    <= rising ? rate_q + move : rate_q - move;
-        slope_q   <= slope;
-        braking_q <= braking;
-        rising_q  <= rising;
+      if (turn) rising_q <= !rising_q;
+      if (tick && !steady) begin
+        at_rest_q <= !up && last_step;
+        at_max_q  <= up && last_rise;
+      end
+      if (change || (tick && up)) arrived_q <= 1'b0;
+      else if (arrive) arrived_q <= 1'b1;
+      if (arrive) arriving_q <= 1'b1;
+      else if (state_q == Add) arriving_q <= 1'b0;
+      if (arriving_q && state_q == Sign) short_q <= operand_q != 36'sd0;
+      else if (tick) short_q <= 1'b0;
+      if (tick) settling_q <= short_q;
+    end
+  end
+
+  // The slope after a tick is what the rate moves in it; at rest it is the target.
+  logic ticked_q;
+  logic lands_q;
+  logic rises_q;
+  logic [16:0] landing_q;
+  logic signed [35:0] rate_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      ticked_q <= 1'b0;
+      valid_o  <= 1'b0;
+      rate_q   <= 36'sh1_0000_0000;
+    end else begin
+      ticked_q <= tick;
+      valid_o  <= ticked_q;
+      if (ticked_q) begin
+        if (lands_q) rate_q <= {3'b0, landing_q, 16'b0};
+        else if (rises_q) rate_q <= rate_q + slope_q;
+        else rate_q <= rate_q - slope_q;
       end
     end
+  end
+  always_ff @(posedge clk_i) begin
+    lands_q   <= at_rest_q && !up && !settling_q;
+    rises_q   <= rising_q;
+    landing_q <= target_q;
   end
   assign rate_o = rate_q[32:16];
 

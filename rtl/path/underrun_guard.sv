@@ -22,9 +22,9 @@ module underrun_guard (
     input wire logic [31:0] ticks_i,
 
     // The present piece
-    input wire logic        active_i,
-    input wire logic        present_final_i,
-    input wire logic [19:0] present_ticks_i,
+    input wire logic               active_i,
+    input wire logic               present_final_i,
+    input wire logic signed [21:0] present_ticks_i,
 
     input wire logic [4:0] started_i,  // ticks that are on their way to it
 
@@ -40,13 +40,17 @@ module underrun_guard (
   logic enough_q;
   logic signed [33:0] stop_q;
   logic signed [33:0] go_q;
+  logic signed [33:0] over_stop;
+  logic signed [33:0] over_go;
+  assign over_stop = stop_q - left_q;
+  assign over_go   = go_q - left_q;
   always_ff @(posedge clk_i) begin
     stop_q    <= {2'b0, stop_ticks_i} + Age;
     go_q      <= {1'b0, stop_ticks_i, 1'b0} + Age;
-    present_q <= $signed({14'b0, present_ticks_i}) - $signed({29'b0, started_i});
+    present_q <= 34'(present_ticks_i) - $signed({29'b0, started_i});
     left_q    <= $signed({2'b0, ticks_i}) + present_q;
-    low_q     <= left_q <= stop_q;
-    enough_q  <= left_q > go_q;
+    low_q     <= !over_stop[33];
+    enough_q  <= over_go[33];
   end
 
   logic exempt_q;

@@ -28,13 +28,13 @@ module segment_loader #(
     output logic      [        15:0] empty_segments_o,
 
     // The present segment
-    input  wire logic        [         3:0] rate_axis_i,
-    output logic signed      [CoefBits-1:0] tangent_o,
-    output logic signed      [CoefBits-1:0] normal_o,
-    output logic signed      [CoefBits-1:0] advance_o,
-    input  wire logic        [         3:0] point_axis_i,
-    output logic signed      [FineBits-1:0] start_o,
-    output logic signed      [FineBits-1:0] end_o
+    input  wire logic   [         3:0] rate_axis_i,
+    output logic signed [CoefBits-1:0] tangent_o,
+    output logic signed [CoefBits-1:0] normal_o,
+    output logic signed [CoefBits-1:0] advance_o,
+    input  wire logic   [         3:0] point_axis_i,
+    output logic signed [FineBits-1:0] start_o,
+    output logic signed [FineBits-1:0] end_o
 );
 
   localparam int Axes = 3 + AuxAxes;
@@ -81,7 +81,7 @@ module segment_loader #(
     if (complete) begin
       field_d = Full;
       if (empty) field_d = Length;
-      axis_d  = 4'd0;
+      axis_d = 4'd0;
     end
   end
 
@@ -106,11 +106,23 @@ module segment_loader #(
     end
   end
 
+  // A word is written a clock after its acceptance, before anybody can read it.
+  logic          write_q;
+  field_t        write_field_q;
+  logic   [ 4:0] fill_q;
+  logic   [47:0] data_q;
   always_ff @(posedge clk_i) begin
-    if (accept && field_q == Length) length_o <= data_i;
-    if (accept && field_q == Theta) begin
-      theta_o <= data_i[CoefBits-1:0];
-      k_o     <= data_i[40:36];
+    if (!rst_ni) write_q <= 1'b0;
+    else write_q <= accept;
+  end
+  always_ff @(posedge clk_i) begin
+    write_field_q <= field_q;
+    fill_q        <= {bank_q, axis_q};
+    data_q        <= data_i;
+    if (write_q && write_field_q == Length) length_o <= data_q;
+    if (write_q && write_field_q == Theta) begin
+      theta_o <= data_q[CoefBits-1:0];
+      k_o     <= data_q[40:36];
     end
   end
 
@@ -119,22 +131,20 @@ module segment_loader #(
   logic signed [CoefBits-1:0] tangent_memory[ 8];
   logic signed [CoefBits-1:0] normal_memory [ 8];
   logic signed [CoefBits-1:0] advance_memory[32];
-  logic        [         4:0] fill;
   logic        [         4:0] rate;
   logic        [         4:0] point;
   logic        [         2:0] fill_xyz;
   logic        [         2:0] rate_xyz;
-  assign fill     = {bank_q, axis_q};
   assign rate     = {!bank_q, rate_axis_i};
   assign point    = {!bank_q, point_axis_i};
-  assign fill_xyz = {bank_q, axis_q[1:0]};
+  assign fill_xyz = {fill_q[4], fill_q[1:0]};
   assign rate_xyz = {!bank_q, rate_axis_i[1:0]};
   always_ff @(posedge clk_i) begin
-    if (accept && field_q == Start) start_memory[fill] <= data_i[FineBits-1:0];
-    if (accept && field_q == End) end_memory[fill] <= data_i[FineBits-1:0];
-    if (accept && field_q == Tangent) tangent_memory[fill_xyz] <= data_i[CoefBits-1:0];
-    if (accept && field_q == Normal) normal_memory[fill_xyz] <= data_i[CoefBits-1:0];
-    if (accept && field_q == Advance) advance_memory[fill] <= data_i[CoefBits-1:0];
+    if (write_q && write_field_q == Start) start_memory[fill_q] <= data_q[FineBits-1:0];
+    if (write_q && write_field_q == End) end_memory[fill_q] <= data_q[FineBits-1:0];
+    if (write_q && write_field_q == Tangent) tangent_memory[fill_xyz] <= data_q[CoefBits-1:0];
+    if (write_q && write_field_q == Normal) normal_memory[fill_xyz] <= data_q[CoefBits-1:0];
+    if (write_q && write_field_q == Advance) advance_memory[fill_q] <= data_q[CoefBits-1:0];
   end
   assign tangent_o = tangent_memory[rate_xyz];
   assign normal_o  = normal_memory[rate_xyz];

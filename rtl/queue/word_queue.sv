@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // First in, first out: words between a writer and a reader at their own pace, one word per clock.
 //
-//   clock      0      1      2
+//   clock      0      1      2      3
 //   valid_i    1
 //   data_i     word
-//   valid_o                  1        until ready_o has taken it (Depth + 1 words fit)
-//   data_o                   word
+//   valid_o                         1        until ready_i has taken it (Depth + 2 words fit)
+//   data_o                          word
 //
-// The memory is read into a register, so it may be block or distributed RAM. Reset empties the
-// queue; the memory keeps its bits.
+// The memory is read into a register of its own, so it may be block RAM; that is slow, so a second
+// register follows. Reset empties the queue; the memory keeps its bits.
 `default_nettype none
 module word_queue #(
     parameter int Bits  = 48,  // [1, 128]
@@ -43,25 +43,32 @@ module word_queue #(
 
   logic write;
   logic read;
+  logic move;
+  logic read_valid_q;
+  assign move = !valid_o || ready_i;
   assign ready_o = !(same_address && !same_lap);
   assign write = valid_i && ready_o;
-  assign read = !(same_address && same_lap) && (!valid_o || ready_i);
+  assign read = !(same_address && same_lap) && (!read_valid_q || move);
 
+  logic [Bits-1:0] read_data_q;
   logic [Bits-1:0] memory[Depth];
   always_ff @(posedge clk_i) begin
     if (write) memory[write_q[AddressBits-1:0]] <= data_i;
-    if (read) data_o <= memory[read_q[AddressBits-1:0]];
+    if (read) read_data_q <= memory[read_q[AddressBits-1:0]];
+    if (move) data_o <= read_data_q;
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q <= '0;
-      read_q  <= '0;
+      read_q <= '0;
+      read_valid_q <= 1'b0;
       valid_o <= 1'b0;
     end else begin
       if (write) write_q <= write_q + 1'b1;
       if (read) read_q <= read_q + 1'b1;
-      if (read || ready_i) valid_o <= read;
+      if (read || move) read_valid_q <= read;
+      if (move) valid_o <= read_valid_q;
     end
   end
 

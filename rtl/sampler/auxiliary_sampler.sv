@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements of the auxiliary axes, d = advance tau in units of 2^k, as late as those of x, y, z.
+// Displacements of the auxiliary axes, d = advance tau in units of 2^k, as late as those of xyz.
 //
-//   enabled clock   0                       Latency
+//   clock           0                       Latency
 //   phase_i         0
 //                   tau_i, tau_bank_i       d_o
 `default_nettype none
@@ -14,7 +14,6 @@ module auxiliary_sampler #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic en_i,
 
     // From the segment, into a bank
     input wire logic        [         1:0] bank_i,
@@ -39,7 +38,7 @@ module auxiliary_sampler #(
   ) u_delay (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i  (1'b1),
       .data_i({tau_bank_i, tau_i}),
       .data_o(late)
   );
@@ -63,7 +62,7 @@ module auxiliary_sampler #(
     ) u_horner (
         .clk_i,
         .rst_ni,
-        .en_i,
+        .en_i(1'b1),
         .write_i(write),
         .write_bank_i(bank_i),
         .write_pass_i(4'd0),

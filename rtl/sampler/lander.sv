@@ -4,8 +4,8 @@
 //     fine = land ? end : origin + floor(d 2^k 2^GuardBits + 1/2)
 //     position = floor(fine / 2^GuardBits + 1/2)
 //
-//   enabled clock   0      1               2      3                   4      5
-//                   d, k   origin_bank_i          end_bank_i, land_i         fine_o, position_o
+//   clock           0      1               2      3                   4      5
+//                   d      origin_bank_i          end_bank_i, land_i         fine_o, position_o
 `default_nettype none
 module lander #(
     parameter int CoefBits     = 36,  // [18, 36]
@@ -13,7 +13,6 @@ module lander #(
     parameter int GuardBits    = 10   // [2, 12]
 ) (
     input wire logic clk_i,
-    input wire logic en_i,
 
     // Origin and end of the step in a bank
     input wire logic                                     write_i,
@@ -22,7 +21,7 @@ module lander #(
     input wire logic signed [PositionBits+GuardBits-1:0] write_end_i,
 
     input  wire logic signed [              CoefBits-1:0] d_i,
-    input  wire logic        [                       4:0] k_i,
+    input  wire logic        [                       4:0] down_i,
     input  wire logic        [                       1:0] origin_bank_i,
     input  wire logic        [                       1:0] end_bank_i,
     input  wire logic                                     land_i,
@@ -48,9 +47,9 @@ module lander #(
       .GuardBits(GuardBits)
   ) u_scale (
       .clk_i,
-      .en_i,
+      .en_i(1'b1),
       .d_i,
-      .k_i,
+      .down_i,
       .doubled_o(doubled)
   );
 
@@ -66,13 +65,11 @@ module lander #(
   assign half        = {{PositionBits{1'b0}}, 1'b1, {(GuardBits - 1) {1'b0}}};
   assign rounded     = fine_q + half;
   always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      origin_q   <= origin_memory[origin_bank_i];
-      sum_q      <= twice[FineBits:1];
-      fine_q     <= land_i ? end_memory[end_bank_i] : sum_q;
-      fine_o     <= fine_q;
-      position_o <= rounded[FineBits-1:GuardBits];
-    end
+    origin_q   <= origin_memory[origin_bank_i];
+    sum_q      <= twice[FineBits:1];
+    fine_q     <= land_i ? end_memory[end_bank_i] : sum_q;
+    fine_o     <= fine_q;
+    position_o <= rounded[FineBits-1:GuardBits];
   end
 
 endmodule

@@ -6,7 +6,7 @@
 //
 // with ceil(3 / SampleInterval) multipliers.  A rounding is half a bit of the adder that follows.
 //
-//   enabled clock     0        6           7             6 + Offset           12 + Offset
+//   clock             0        6           7             6 + Offset           12 + Offset
 //   *_bank_i          tangent  advance     normal: 5 + Offset
 //   sine_i            of 1 clock later: 1
 //   versine_i                              at Offset
@@ -22,7 +22,6 @@ module polynomial_axis #(
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
-    input wire logic en_i,
 
     // From the network, into a bank
     input wire logic        [         1:0] bank_i,
@@ -56,13 +55,11 @@ module polynomial_axis #(
   logic signed [CoefBits-1:0] normal_q;
   logic signed [CoefBits-1:0] tangent_q;
   always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      normal_q  <= normal_memory[normal_bank_i];
-      tangent_q <= tangent_memory[tangent_bank_i];
-    end
+    normal_q  <= normal_memory[normal_bank_i];
+    tangent_q <= tangent_memory[tangent_bank_i];
   end
 
-  logic signed [CoefBits-1:0] rate;
+  logic signed [  CoefBits-1:0] rate;
   logic signed [2*CoefBits-1:0] sine_product;
   logic signed [2*CoefBits-1:0] versine_product;
   logic signed [2*CoefBits-1:0] tau_product;
@@ -72,7 +69,6 @@ module polynomial_axis #(
       .MultiplierForm(MultiplierForm)
   ) u_products (
       .clk_i,
-      .en_i,
       .sine_phase_i,
       .versine_phase_i,
       .tangent_i(tangent_q),
@@ -95,11 +91,11 @@ module polynomial_axis #(
   assign versine_part = versine_product[Frac-1+:CoefBits+1];
   assign tau_part     = tau_product[Frac+:CoefBits+1];
 
-  logic signed [CoefBits:0] advance_half;
-  logic signed [CoefBits:0] rate_twice;
-  logic signed [CoefBits:0] inward_twice;
-  logic signed [CoefBits:0] inward_half;
-  logic signed [CoefBits:0] d_twice;
+  logic signed [  CoefBits:0] advance_half;
+  logic signed [  CoefBits:0] rate_twice;
+  logic signed [  CoefBits:0] inward_twice;
+  logic signed [  CoefBits:0] inward_half;
+  logic signed [  CoefBits:0] d_twice;
   logic signed [CoefBits-1:0] rate_q;
   logic signed [CoefBits-1:0] inward_q;
   assign advance_half = {advance_memory[advance_bank_i], 1'b1};
@@ -108,17 +104,15 @@ module polynomial_axis #(
   assign inward_half  = {inward_q, 1'b1};
   assign d_twice      = inward_half + tau_part;
   always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      rate_q   <= rate_twice[CoefBits:1];
-      inward_q <= inward_twice[CoefBits:1];
-      d_o      <= d_twice[CoefBits:1];
-    end
+    rate_q   <= rate_twice[CoefBits:1];
+    inward_q <= inward_twice[CoefBits:1];
+    d_o      <= d_twice[CoefBits:1];
   end
 
   if (SampleInterval == 2) begin : g_later
     logic signed [CoefBits-1:0] late_q;
     always_ff @(posedge clk_i) begin
-      if (en_i) late_q <= rate_q;
+      late_q <= rate_q;
     end
     assign rate = late_q;
   end else begin : g_direct

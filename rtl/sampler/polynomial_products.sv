@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three products of an axis on as few multipliers as the sample interval allows: exact products,
+// The three products of an axis on as few multipliers as the sample interval allows: exact,
 // curvecore_pkg::MultiplierLatency clocks after their factors.
 //
 //   SampleInterval   multipliers
@@ -15,7 +15,6 @@ module polynomial_products #(
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
-    input wire logic en_i,
 
     input wire logic                       sine_phase_i,
     input wire logic                       versine_phase_i,
@@ -53,7 +52,7 @@ module polynomial_products #(
       .Form (MultiplierForm)
   ) u_first (
       .clk_i,
-      .en_i,
+      .en_i(1'b1),
       .a_i(a),
       .b_i(b),
       .product_o(sine_product_o)
@@ -69,7 +68,7 @@ module polynomial_products #(
         .Form (MultiplierForm)
     ) u_versine (
         .clk_i,
-        .en_i,
+        .en_i(1'b1),
         .a_i(normal_i),
         .b_i(versine_i),
         .product_o(versine_product_o)
@@ -86,7 +85,7 @@ module polynomial_products #(
         .Form (MultiplierForm)
     ) u_tau (
         .clk_i,
-        .en_i,
+        .en_i(1'b1),
         .a_i(rate_i),
         .b_i(tau_i),
         .product_o(tau_product_o)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements as r0 cos + f0 sin, in units of 2^k: from two scalar series of the angle, in q = tau^2,
+// Displacements as r0 cos + f0 sin, in units of 2^k: from two series of the angle in q = tau^2,
 //
 //     sine = y_1 + y_3 q + ..     versine = z_2 q + z_4 q^2 + ..     (y_1 = 1)
 //     d = (t sine + advance) tau + n versine
 //
 // and d = advance tau for an auxiliary axis.  Twin: hls/spherical_kernel.hpp, polynomial mode.
 //
-//   enabled clock   0        5    B = 5 + Lv      B+1      B+Offset    B+1+Offset    Latency
+//   clock           0        5    B = 5 + Lv      B+1      B+Offset    B+1+Offset    Latency
 //                   tau_i    q    versine, sine   t sine   n versine   rate tau      d_o, tag_o
 //
 //   Lv = horner latency of Order / 2 passes;  Offset = 6, for SampleInterval 2: 7
@@ -22,7 +22,6 @@ module polynomial_sampler #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic en_i,
 
     // From the network, into a bank
     input wire logic        [         1:0] bank_i,
@@ -88,10 +87,10 @@ module polynomial_sampler #(
   assign versine_pass = 4'(VersinePasses) - {1'b0, order_q[3:1]};
 
   // q = tau^2
-  logic signed [CoefBits:0] q;
-  logic       [Square-1:0] valid_q;
-  logic      [TagBits-1:0] tag_late;
-  logic              [2:0] q_phase;
+  logic signed [ CoefBits:0] q;
+  logic        [ Square-1:0] valid_q;
+  logic        [TagBits-1:0] tag_late;
+  logic        [        2:0] q_phase;
   multiplier #(
       .ABits(CoefBits),
       .BBits(CoefBits),
@@ -99,7 +98,7 @@ module polynomial_sampler #(
       .Form (MultiplierForm)
   ) u_square (
       .clk_i,
-      .en_i,
+      .en_i(1'b1),
       .a_i(tau_i),
       .b_i(tau_i),
       .product_o(q)
@@ -110,19 +109,19 @@ module polynomial_sampler #(
   ) u_tag (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i  (1'b1),
       .data_i(tag_i),
       .data_o(tag_late)
   );
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
-    else if (en_i) valid_q <= {valid_q[Square-2:0], valid_i};
+    else valid_q <= {valid_q[Square-2:0], valid_i};
   end
   assign q_phase = phase_i - 3'(Square);
 
-  logic                       versine_valid;
-  logic        [CoefBits-1:0] versine;
-  logic        [ TagBits-1:0] versine_tag;
+  logic                versine_valid;
+  logic [CoefBits-1:0] versine;
+  logic [ TagBits-1:0] versine_tag;
   horner #(
       .Passes(VersinePasses),
       .Lanes(1),
@@ -135,7 +134,7 @@ module polynomial_sampler #(
   ) u_versine (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i(1'b1),
       .write_i(write_versine_q),
       .write_bank_i(bank_q),
       .write_pass_i(versine_pass),
@@ -167,7 +166,7 @@ module polynomial_sampler #(
     ) u_sine (
         .clk_i,
         .rst_ni,
-        .en_i,
+        .en_i(1'b1),
         .write_i(write_sine_q),
         .write_bank_i(bank_q),
         .write_pass_i(sine_pass),
@@ -186,7 +185,7 @@ module polynomial_sampler #(
     ) u_wait (
         .clk_i,
         .rst_ni,
-        .en_i,
+        .en_i  (1'b1),
         .data_i(early),
         .data_o(less)
     );
@@ -208,7 +207,7 @@ module polynomial_sampler #(
   ) u_versine_wait (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i  (1'b1),
       .data_i(versine),
       .data_o(versine_late)
   );
@@ -218,12 +217,12 @@ module polynomial_sampler #(
   ) u_tau_wait (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i  (1'b1),
       .data_i(tau_i),
       .data_o(tau_late)
   );
   always_ff @(posedge clk_i) begin
-    if (en_i) sine_q <= less + {2'b01, {(CoefBits - 2) {1'b0}}};
+    sine_q <= less + {2'b01, {(CoefBits - 2) {1'b0}}};
   end
   assign sine_phase    = (phase_i - 3'((Base + 1) % 8)) & PhaseMask;
   assign versine_phase = (phase_i - 3'((Base + Offset) % 8)) & PhaseMask;
@@ -233,13 +232,11 @@ module polynomial_sampler #(
   logic [TagBits-1:0] sample_tag_q  [Tail];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) sample_valid_q <= '0;
-    else if (en_i) sample_valid_q <= {sample_valid_q[Tail-2:0], versine_valid};
+    else sample_valid_q <= {sample_valid_q[Tail-2:0], versine_valid};
   end
   always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      sample_tag_q[0] <= versine_tag;
-      for (int c = 1; c < Tail; c++) sample_tag_q[c] <= sample_tag_q[c-1];
-    end
+    sample_tag_q[0] <= versine_tag;
+    for (int c = 1; c < Tail; c++) sample_tag_q[c] <= sample_tag_q[c-1];
   end
   assign valid_o = sample_valid_q[Tail-1];
   assign tag_o   = sample_tag_q[Tail-1];
@@ -261,7 +258,6 @@ module polynomial_sampler #(
         .MultiplierForm(MultiplierForm)
     ) u_axis (
         .clk_i,
-        .en_i,
         .bank_i,
         .advance_write_i(advance_write),
         .advance_i,
@@ -290,7 +286,6 @@ module polynomial_sampler #(
     ) u_auxiliary (
         .clk_i,
         .rst_ni,
-        .en_i,
         .bank_i,
         .rate_valid_i,
         .rate_axis_i,

@@ -6,32 +6,29 @@
 //
 //   network   room_o: bank write_step_o is free; write_i: the step in it is complete
 //   tracker   next_*: the step after `current_step_i`, if complete
-//   sampler   look_*, scale_*: words of a step that it reads;  leave_i: no sample of a step before
+//   sampler   look_*: words of a step that it reads;  leave_i: no sample of a step before
 //             leave_step_i is under way any more, their banks are free
 `default_nettype none
 module series_buffer (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    output logic                                          room_o,
-    output logic      [                              2:0] write_step_o,
-    input  wire logic                                     write_i,
-    input  wire logic                                     last_i,
-    input  wire logic [                              4:0] k_i,
+    output logic                                    room_o,
+    output logic      [                        2:0] write_step_o,
+    input  wire logic                               write_i,
+    input  wire logic                               last_i,
+    input  wire logic [                        4:0] k_i,
     input  wire logic [curvecore_pkg::StepBits-1:0] offset_i,
     input  wire logic [  curvecore_pkg::StepBits:0] stride_i,
 
-    input  wire logic [                        2:0] current_step_i,
-    output logic                                    next_valid_o,
-    output logic      [curvecore_pkg::StepBits:0]   next_stride_o,
+    input  wire logic [                      2:0] current_step_i,
+    output logic                                  next_valid_o,
+    output logic      [curvecore_pkg::StepBits:0] next_stride_o,
 
     input  wire logic [                        2:0] look_step_i,
     output logic                                    look_last_o,
     output logic      [                        4:0] look_k_o,
     output logic      [curvecore_pkg::StepBits-1:0] look_offset_o,
-
-    input  wire logic [2:0] scale_step_i,
-    output logic      [4:0] scale_k_o,
 
     input wire logic       leave_i,
     input wire logic [2:0] leave_step_i
@@ -62,13 +59,11 @@ module series_buffer (
 
   logic [  Bits:0] stride_memory[4];
   logic [Bits+5:0] look_memory  [4];
-  logic [     4:0] k_memory     [4];
   logic [Bits+5:0] look;
   always_ff @(posedge clk_i) begin
     if (write_i) begin
       stride_memory[write_q[1:0]] <= stride_i;
       look_memory[write_q[1:0]]   <= {last_i, k_i, offset_i};
-      k_memory[write_q[1:0]]      <= k_i;
     end
   end
   assign next_stride_o = stride_memory[next_step[1:0]];
@@ -76,7 +71,6 @@ module series_buffer (
   assign look_last_o   = look[Bits+5];
   assign look_k_o      = look[Bits+4:Bits];
   assign look_offset_o = look[Bits-1:0];
-  assign scale_k_o     = k_memory[scale_step_i[1:0]];
 
 endmodule
 `default_nettype wire

@@ -5,7 +5,7 @@
 //
 // and d = advance tau for an auxiliary axis.  Twin: hls/spherical_kernel.hpp, series mode.
 //
-//   enabled clock   0           Latency, that of `horner` with Passes = Order
+//   clock           0           Latency, that of `horner` with Passes = Order
 //   phase_i         0
 //   valid_i         tau_i, tag  valid_o, d_o, tag_o
 `default_nettype none
@@ -19,7 +19,6 @@ module series_sampler #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic en_i,
 
     // From the network, into a bank
     input wire logic        [         1:0] bank_i,
@@ -52,31 +51,50 @@ module series_sampler #(
     end
   end
 
-  logic                first;
-  logic                write_q;
-  logic [         1:0] bank_q;
-  logic [         3:0] pass_q;
-  logic signed [CoefBits-1:0] linear_x;
-  logic signed [CoefBits-1:0] linear_y;
-  logic signed [CoefBits-1:0] linear_z;
+  // Two clocks to the banks: register, add.
+  logic                       collect_q;
+  logic                       write_q;
+  logic        [         1:0] bank_q;
+  logic        [         1:0] write_bank_q;
+  logic        [         3:0] order_q;
+  logic        [         3:0] write_pass_q;
   logic signed [CoefBits-1:0] x_q;
   logic signed [CoefBits-1:0] y_q;
   logic signed [CoefBits-1:0] z_q;
-  assign first    = order_i == 4'd1;
-  assign linear_x = first ? advance_q[0] : '0;
-  assign linear_y = first ? advance_q[1] : '0;
-  assign linear_z = first ? advance_q[2] : '0;
+  logic signed [CoefBits-1:0] linear_x_q;
+  logic signed [CoefBits-1:0] linear_y_q;
+  logic signed [CoefBits-1:0] linear_z_q;
+  logic signed [CoefBits-1:0] write_x_q;
+  logic signed [CoefBits-1:0] write_y_q;
+  logic signed [CoefBits-1:0] write_z_q;
+  logic                       first;
+  assign first = order_i == 4'd1;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) write_q <= 1'b0;
-    else write_q <= collect_i;
+    if (!rst_ni) begin
+      collect_q <= 1'b0;
+      write_q   <= 1'b0;
+    end else begin
+      collect_q <= collect_i;
+      write_q   <= collect_q;
+    end
   end
   always_ff @(posedge clk_i) begin
     if (collect_i) begin
-      bank_q <= bank_i;
-      pass_q <= 4'(Order) - order_i;
-      x_q    <= x_i + linear_x;
-      y_q    <= y_i + linear_y;
-      z_q    <= z_i + linear_z;
+      bank_q     <= bank_i;
+      order_q    <= order_i;
+      x_q        <= x_i;
+      y_q        <= y_i;
+      z_q        <= z_i;
+      linear_x_q <= first ? advance_q[0] : '0;
+      linear_y_q <= first ? advance_q[1] : '0;
+      linear_z_q <= first ? advance_q[2] : '0;
+    end
+    if (collect_q) begin
+      write_bank_q <= bank_q;
+      write_pass_q <= 4'(Order) - order_q;
+      write_x_q    <= x_q + linear_x_q;
+      write_y_q    <= y_q + linear_y_q;
+      write_z_q    <= z_q + linear_z_q;
     end
   end
 
@@ -92,11 +110,11 @@ module series_sampler #(
   ) u_xyz (
       .clk_i,
       .rst_ni,
-      .en_i,
+      .en_i(1'b1),
       .write_i(write_q),
-      .write_bank_i(bank_q),
-      .write_pass_i(pass_q),
-      .write_coef_i({z_q, y_q, x_q}),
+      .write_bank_i(write_bank_q),
+      .write_pass_i(write_pass_q),
+      .write_coef_i({write_z_q, write_y_q, write_x_q}),
       .phase_i,
       .valid_i,
       .x_i(tau_i),
@@ -116,7 +134,6 @@ module series_sampler #(
     ) u_auxiliary (
         .clk_i,
         .rst_ni,
-        .en_i,
         .bank_i,
         .rate_valid_i,
         .rate_axis_i,

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which step a sample lies in.  Twin: hls/interpolator_kernel.hpp.
 //
-// `left` is what remains to the largest offset of the present step, `beyond` the same for the next
-// step: left + stride, held as a sum of two so that its addition takes no clock of its own.  Both
-// less ds are computed in parallel; the first that is not negative tells the step:
+// The path since reset is summed up modulo 2^50; a step reaches as far as its `reach`.  What is
+// left of the present step and of the next is computed side by side, and the first that is not
+// negative tells the step.  All but that choice is a pipeline:
 //
-//   left - ds >= 0                   the sample lies in the present step
-//   left - ds < 0, beyond - ds >= 0  in the next: one switch, no clock lost
-//   both < 0                         go on to the next step (hold), then compare again
+//   slot       0           1              2                     3             4
+//              request_*   path + ds      reach - path          choice        sample_o, step_o,
+//                                         next reach - path                   left_o
 //
-// Everything here moves in slots: enabled clocks in phase 0 of the sampler.
+// One switch costs nothing.  A sample further on, or one whose next step is not there yet, is tried
+// again, two slots a time, each going on by one step (Again, Try; then Refill behind it).
 //
-//   slot         0         1
-//   request_*    taken if request_ready_o
-//   token_o                1 in the clock after every slot
-//   sample_o               1: a sample at step_o, left_o
+// Everything moves in slots (slot_i).  request_ready_o does not depend on request_valid_i.
 `default_nettype none
 module step_tracker (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic en_i,
     input wire logic slot_i,
 
     input  wire logic        request_valid_i,
@@ -27,94 +24,154 @@ module step_tracker (
     input  wire logic [47:0] request_ds_i,
 
     // The step after step_o
-    input wire logic                                next_valid_i,
-    input wire logic [curvecore_pkg::StepBits:0]    next_stride_i,
+    input wire logic                             next_valid_i,
+    input wire logic [curvecore_pkg::StepBits:0] next_stride_i,
 
-    output logic        token_o,
-    output logic        sample_o,
-    output logic [ 2:0] step_o,
+    output logic                               token_o,
+    output logic                               sample_o,
+    output logic [                        2:0] step_o,
     output logic [curvecore_pkg::StepBits-1:0] left_o
 );
 
-  localparam int Bits = 50;  // of sums of a length of 2^44 and ds
-  localparam int NextBits = curvecore_pkg::StepBits + 1;
+  localparam int Bits = 50;
+  localparam int StrideBits = curvecore_pkg::StepBits + 1;
 
-  logic            [47:0] ds_q;       // 0 without a request
-  logic                   request_q;
-  logic signed [Bits-1:0] left_q;
-  logic        [Bits-1:0] beyond_q;   // beyond = beyond_q + stride_q, once ahead_q
-  logic        [Bits-1:0] stride_q;
-  logic                   ahead_q;    // the next step is known
-  logic                   hold_q;     // this slot goes on to the next step, without ds
+  typedef enum logic [1:0] {
+    Run,
+    Again,
+    Try,
+    Refill
+  } state_t;
+  state_t            state_q;
 
-  logic signed [Bits-1:0] ds;
-  logic signed [Bits-1:0] left;
-  assign ds   = {2'b00, ds_q};
-  assign left = left_q - ds;
+  // Sum, then two places for the sample that is compared and the one whose choice is due.
+  logic              sum_valid_q;
+  logic              path_valid_q;
+  logic              tried_valid_q;
+  logic   [Bits-1:0] sum_q;
+  logic   [Bits-1:0] path_q;
+  logic   [Bits-1:0] tried_q;
 
-  // beyond_q + stride_q - ds: three words become two, then one addition.
-  logic [Bits-1:0] minus;
-  logic [Bits-1:0] partial;
-  logic [Bits-1:0] majority;
-  logic [Bits-1:0] carries;
-  logic [Bits-1:0] beyond;
-  assign minus    = hold_q ? '1 : ~ds;
-  assign partial  = beyond_q ^ stride_q ^ minus;
-  assign majority = (beyond_q & stride_q) | (beyond_q & minus) | (stride_q & minus);
-  assign carries  = {majority[Bits-2:0], 1'b1};
-  assign beyond   = partial + carries;
+  logic   [Bits-1:0] reach_q;  // of the present step
+  logic   [Bits-1:0] next_reach_q;
+  logic              next_known_q;
 
-  logic stay;
-  logic go;
-  logic skip;
-  logic done;
-  assign stay = !hold_q && !left[Bits-1];
-  assign go   = hold_q || (left[Bits-1] && ahead_q && !beyond[Bits-1]);
-  assign skip = !hold_q && left[Bits-1] && ahead_q && beyond[Bits-1];
-  assign done = !hold_q && (stay || go);
+  // What is left, as of the step that was the present one then: a switch since shifts it.
+  logic   [Bits-1:0] left_q;
+  logic   [Bits-1:0] next_left_q;
+  logic              next_left_known_q;
+  logic              shifted_q;
 
-  logic move;
-  assign move            = en_i && slot_i;
-  assign request_ready_o = move && done;
+  logic              choose;
+  logic              fits;
+  logic              fits_next;
+  logic              stay;
+  logic              go;
+  logic              fail;
+  logic              skip;
+  assign choose    = (state_q == Run && tried_valid_q) || state_q == Try;
+  assign fits      = !left_q[Bits-1];
+  assign fits_next = next_left_known_q && !next_left_q[Bits-1];
+  assign stay      = shifted_q ? fits_next : fits;
+  assign go        = choose && !stay && !shifted_q && fits_next;
+  assign fail      = choose && !stay && !go;
+  assign skip      = fail && !shifted_q && next_left_known_q;
 
-  // Before the first step there is one that is over: its left is -1.
+  logic flow;
+  logic swap;
+  assign flow            = (state_q == Run && !fail) || state_q == Refill;
+  assign swap            = (state_q == Run && fail) || (state_q == Try && !fail);
+  assign request_ready_o = slot_i && flow;
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      ds_q      <= '0;
-      request_q <= 1'b0;
-      left_q    <= '1;
-      beyond_q  <= '1;
-      stride_q  <= '0;
-      ahead_q   <= 1'b0;
-      hold_q    <= 1'b0;
-      step_o    <= 3'd7;
-    end else if (move) begin
-      hold_q <= skip;
-      if (done) begin
-        request_q <= request_valid_i;
-        ds_q      <= request_valid_i ? request_ds_i : '0;
+      state_q       <= Run;
+      sum_valid_q   <= 1'b0;
+      path_valid_q  <= 1'b0;
+      tried_valid_q <= 1'b0;
+    end else if (slot_i) begin
+      case (state_q)
+        Run:     if (fail) state_q <= Again;
+        Again:   state_q <= Try;
+        Try: begin
+          state_q <= Refill;
+          if (fail) state_q <= Again;
+        end
+        default: state_q <= Run;
+      endcase
+      if (flow) begin
+        sum_valid_q   <= request_valid_i;
+        path_valid_q  <= sum_valid_q;
+        tried_valid_q <= path_valid_q;
+      end else if (swap) begin
+        path_valid_q  <= tried_valid_q;
+        tried_valid_q <= path_valid_q;
       end
-      if (go) step_o <= step_o + 3'd1;
-      if (stay) left_q <= left;
-      else if (go) left_q <= beyond;
-      if (stay || go) beyond_q <= beyond;
-      if (go) ahead_q <= 1'b0;
-      else if (next_valid_i) ahead_q <= 1'b1;
-      if (!go && !ahead_q && next_valid_i) stride_q <= {{(Bits - NextBits) {1'b0}}, next_stride_i};
-      else if (stay || go) stride_q <= '0;
     end
+  end
+
+  logic [Bits-1:0] ds;
+  assign ds = {2'b00, request_ds_i};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) sum_q <= '0;
+    else if (slot_i && flow && request_valid_i) sum_q <= sum_q + ds;
+    if (slot_i && flow) begin
+      path_q  <= sum_q;
+      tried_q <= path_q;
+    end else if (slot_i && swap) begin
+      path_q  <= tried_q;
+      tried_q <= path_q;
+    end
+    if (slot_i && (flow || state_q == Again)) begin
+      left_q            <= reach_q - path_q;
+      next_left_q       <= next_reach_q - path_q;
+      next_left_known_q <= next_known_q;
+      shifted_q         <= go;
+    end
+  end
+
+  // Steps.  Before the first one there is one that is over: number 7, of which -1 is left.
+  logic move;
+  logic stride_valid_q;
+  logic [Bits-1:0] stride_q;
+  assign move = slot_i && (go || skip);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      step_o         <= 3'd7;
+      reach_q        <= '1;
+      next_known_q   <= 1'b0;
+      stride_valid_q <= 1'b0;
+    end else begin
+      stride_valid_q <= next_valid_i && !next_known_q && !stride_valid_q && !move;
+      if (move) begin
+        step_o       <= step_o + 3'd1;
+        reach_q      <= next_reach_q;
+        next_known_q <= 1'b0;
+      end else if (stride_valid_q) begin
+        next_known_q <= 1'b1;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    stride_q <= {{(Bits - StrideBits) {1'b0}}, next_stride_i};
+    if (stride_valid_q) next_reach_q <= reach_q + stride_q;
   end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       token_o  <= 1'b0;
       sample_o <= 1'b0;
-    end else if (en_i) begin
+    end else begin
       token_o  <= slot_i;
-      sample_o <= slot_i && done && request_q;
+      sample_o <= slot_i && choose && !fail;
     end
   end
-  assign left_o = left_q[NextBits-2:0];
+  always_ff @(posedge clk_i) begin
+    if (slot_i) begin
+      left_o <= next_left_q[StrideBits-2:0];
+      if (fits && !shifted_q) left_o <= left_q[StrideBits-2:0];
+    end
+  end
 
 endmodule
 `default_nettype wire

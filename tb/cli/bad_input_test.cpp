@@ -35,11 +35,9 @@ TEST_P(BadInputFile, IsRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cli, BadInputFile, testing::ValuesIn(bad_input_cases(BAD_INPUT_CASES)),
-                         [](const auto& test) { return test.param.at("name").template get<std::string>(); });
-
-TEST(BadInputFiles, AreSixtyOrMore) {
-    EXPECT_GE(bad_input_cases(BAD_INPUT_CASES).size(), 60u);
-}
+                         [](const auto& test) {
+                             return test.param.at("name").template get<std::string>();
+                         });
 
 }  // namespace
 }  // namespace curvecore::tb

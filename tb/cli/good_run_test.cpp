@@ -63,11 +63,26 @@ TEST_F(GoodRun, WritesEveryFile) {
 
 TEST_F(GoodRun, ReportHasEveryField) {
     const Json json = report();
-    for (const char* name :
-         {"input", "unit_mm", "sample_period_s", "core", "build", "parameters", "moves", "segments",
-          "samples", "clocks", "clocks_per_sample", "error", "unrounded", "landing_lsb", "speed",
-          "limits", "rtl_equals_kernel", "underruns", "duration_s",
-          "simulation_clocks_per_second"}) {
+    for (const char* name : {"input",
+                             "unit_mm",
+                             "sample_period_s",
+                             "core",
+                             "build",
+                             "parameters",
+                             "moves",
+                             "segments",
+                             "samples",
+                             "clocks",
+                             "clocks_per_sample",
+                             "error",
+                             "unrounded",
+                             "landing_lsb",
+                             "speed",
+                             "limits",
+                             "rtl_equals_kernel",
+                             "underruns",
+                             "duration_s",
+                             "simulation_clocks_per_second"}) {
         EXPECT_TRUE(json.contains(name)) << name;
     }
     EXPECT_EQ(json["rtl_equals_kernel"], 0);
@@ -75,6 +90,8 @@ TEST_F(GoodRun, ReportHasEveryField) {
     EXPECT_EQ(json["underruns"], 0);
     EXPECT_EQ(json["stops"]["sampled"], json["stops"]["planned"]);
     EXPECT_LE(json["unrounded"]["max_of_bound"], 1);
+    EXPECT_LE(json["speed"]["max_error_lsb"], 0.1);
+    EXPECT_EQ(json["path_increment"]["max_error_quanta"], 0);
     for (const char* axis : {"x", "y", "z"}) {
         EXPECT_GT(json["error"]["max_lsb"][axis], 0.1);
         EXPECT_LE(json["error"]["max_lsb"][axis], 0.6);
@@ -150,7 +167,8 @@ TEST_F(GoodRun, TraceWritesWaveformAndItsArrangement) {
     report({"--trace", "--trace-clocks", "3000"});
     EXPECT_GT(std::filesystem::file_size(program_.folder() / "out/waves.fst"), 1000u);
     const std::string arrangement = program_.read("out/waves.gtkw");
-    for (const char* group : {"-Request", "-Path generator", "-Network", "-Sampler", "-Positions"}) {
+    for (const char* group :
+         {"-Request", "-Path generator", "-Network", "-Sampler", "-Positions"}) {
         EXPECT_NE(arrangement.find(group), std::string::npos) << group;
     }
     report();
@@ -170,6 +188,13 @@ TEST_F(GoodRun, BadInputKeepsAnOlderResult) {
     program_.write("part.ngc", "G1 X1 F100\nG1 X2 X3\n");
     EXPECT_EQ(program_.run({"run", "part.ngc", "-o", "out"}).status, 2);
     EXPECT_EQ(program_.read("out/report.json"), before);
+}
+
+TEST_F(GoodRun, InterruptLeavesNothing) {
+    program_.write("part.ngc", "G21 G90 F10\nG1 X900\nX-900\nM2\n");  // hours of samples
+    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"}, 500);
+    EXPECT_EQ(result.status, 130);
+    EXPECT_EQ(program_.files(), Files{"part.ngc"});
 }
 
 TEST_F(GoodRun, MakesFoldersAbove) {

@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace curvecore::tb {
 namespace fs = std::filesystem;
@@ -53,7 +56,7 @@ std::vector<std::string> ProgramRun::files() const {
     return names;
 }
 
-ProgramResult ProgramRun::run(const std::vector<std::string>& arguments) const {
+ProgramResult ProgramRun::run(const std::vector<std::string>& arguments, int interrupt_ms) const {
     const std::string out = streams_ / "out";
     const std::string err = streams_ / "err";
     const pid_t child = fork();
@@ -71,6 +74,10 @@ ProgramResult ProgramRun::run(const std::vector<std::string>& arguments) const {
         }
         execv(CURVECORE_PROGRAM, argv.data());
         _exit(127);
+    }
+    if (interrupt_ms > 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_ms));
+        kill(child, SIGINT);
     }
     int status = 0;
     waitpid(child, &status, 0);

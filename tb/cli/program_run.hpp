@@ -29,7 +29,8 @@ class ProgramRun {
     std::vector<std::string> files() const;
 
     /// Arguments as an array, no shell; the folder is the working directory.
-    ProgramResult run(const std::vector<std::string>& arguments) const;
+    /// `interrupt_ms`: Ctrl-C after so long.
+    ProgramResult run(const std::vector<std::string>& arguments, int interrupt_ms = 0) const;
 
   private:
     std::filesystem::path folder_;

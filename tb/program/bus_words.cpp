@@ -31,19 +31,18 @@ constexpr std::array<Pack, sizeof...(I)> pack_table(std::index_sequence<I...> /*
                      kLeastGuardBits + static_cast<int>(I) % kGuardBitsChoices>...};
 }
 
-constexpr auto kPack =
-    pack_table(std::make_index_sequence<kCoefBitsChoices * kGuardBitsChoices>());
+constexpr auto kPack = pack_table(std::make_index_sequence<kCoefBitsChoices * kGuardBitsChoices>());
 
 }  // namespace
 
 std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment,
                                              const CoreParameters& parameters) {
-    const auto choice =
-        static_cast<std::size_t>((parameters.coef_bits - kLeastCoefBits) * kGuardBitsChoices +
-                                 parameters.guard_bits - kLeastGuardBits);
+    const int choice = (parameters.coef_bits - kLeastCoefBits) * kGuardBitsChoices +
+                       parameters.guard_bits - kLeastGuardBits;
+    const int each = 17 + 3 * parameters.aux_axes;
     std::vector<std::uint64_t> words(17 + 3 * ref::kAuxAxes);
-    kPack[choice](segment, words.data());
-    words.resize(static_cast<std::size_t>(17 + 3 * parameters.aux_axes));
+    kPack[static_cast<std::size_t>(choice)](segment, words.data());
+    words.resize(static_cast<std::size_t>(each));
     return words;
 }
 

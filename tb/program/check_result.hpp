@@ -32,13 +32,13 @@ struct CheckResult {
     std::string first_difference;
     std::array<AxisError, ref::kMachineAxes> rounded;
     std::array<AxisError, ref::kMachineAxes> unrounded;
-    double of_bound = 0;       // worst error before rounding / its segment's bound
-    std::int64_t landing = 0;  // worst output word - commanded word at a stop
-    std::uint64_t stops = 0;   // exact stops that a sample fell on
-    double increment = 0;      // worst sample's increment - its share of the tick, quanta
-    double speed_error = 0;    // worst chord between samples - the exact curve's
+    double of_bound = 0;          // worst error before rounding / its segment's bound
+    std::int64_t landing = 0;     // worst output word - commanded word at a stop
+    std::uint64_t stops = 0;      // exact stops that a sample fell on
+    double increment = 0;         // worst sample's increment - its share of the tick, quanta
+    double speed_error = 0;       // worst chord between samples - the exact curve's
     double speed_relative = 0;    // the same, relative, of chords of kSpeedChord units or more
-    double speed_of_allowed = 0;  // the same / (1e-6 chord + 0.1 unit)
+    double speed_of_allowed = 0;  // the same / (1e-6 chord + what the bounds allow, 0.1 at least)
 };
 
 constexpr double kSpeedChord = 1000;  // below it, one position's rounding hides the speed

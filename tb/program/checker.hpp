@@ -36,7 +36,8 @@ class Checker {
           cursor_(job.plan),
           samples_(samples),
           pictures_(pictures),
-          axes_(3 + job.plan.aux_axes) {
+          axes_(3 + job.plan.aux_axes),
+          chord_tolerance_(std::max(0.1, 2 * std::sqrt(3.0) * job.bound())) {
         start();
     }
 
@@ -131,7 +132,7 @@ class Checker {
             const double error = std::abs((point - last_point_).norm() - length);
             result_.speed_error = std::max(result_.speed_error, error);
             result_.speed_of_allowed =
-                std::max(result_.speed_of_allowed, error / (1e-6 * length + 0.1));
+                std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
             if (length >= kSpeedChord) {
                 result_.speed_relative = std::max(result_.speed_relative, error / length);
             }
@@ -165,7 +166,8 @@ class Checker {
     PathCursor cursor_;
     SamplesWriter& samples_;
     Pictures& pictures_;
-    int axes_;  // in use; the others stand at 0
+    int axes_;                // in use; the others stand at 0
+    double chord_tolerance_;  // both ends off by the bound on every axis
     std::size_t next_segment_ = 0;
     std::size_t last_stop_ = static_cast<std::size_t>(-1);
     ref::Vec3 last_point_ = ref::Vec3::Zero();

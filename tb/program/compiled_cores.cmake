@@ -10,4 +10,9 @@ set(COMPILED_CORES
     "parallel 8 36 32 10 0 0 1"
     "parallel 6 27 32 10 0 0 1"
     "parallel 6 36 32 10 0 1 1"
-    "parallel 6 36 32 10 0 0 4")
+    "parallel 6 36 32 10 0 0 4"
+    "serial   6 36 32 10 0 0 1"
+    "serial   6 36 32 10 3 0 1"
+    "serial   6 36 32 10 6 0 1"
+    "serial   8 36 32 10 0 0 1"
+    "serial   6 36 32 10 0 1 1")

@@ -37,15 +37,17 @@ ref::WordFormat CoreParameters::format() const {
 }
 
 int CoreParameters::network_latency() const {
-    // Parallel: weights and orders, CoefBits / 2 clocks a product; serial: every product in turn.
-    return build == Build::kParallel ? (order + 2) * (coef_bits / 2 + 6) : 6 * (order + 2) * 24;
+    // Parallel: as rtl/spherical_interpolator.sv states it; serial: two products a node and order,
+    // one after the other through a pipeline of nine clocks, and the step before.
+    const int digits = (coef_bits + 1) / 2;
+    return build == Build::kParallel ? order * (digits + 2) + 4 : order * 18 + 60;
 }
 
 std::string CoreParameters::text() const {
     std::string text;
     for (const Parameter& parameter : kParameters) {
-        text += fmt::format("{}{}={}", text.empty() ? "" : " ", parameter.name,
-                            this->*parameter.value);
+        text +=
+            fmt::format("{}{}={}", text.empty() ? "" : " ", parameter.name, this->*parameter.value);
     }
     return text;
 }
@@ -67,6 +69,7 @@ bool operator==(const CoreParameters& a, const CoreParameters& b) {
 
 std::vector<std::string> parameter_names() {
     std::vector<std::string> names;
+    names.reserve(kParameters.size());
     for (const Parameter& parameter : kParameters) names.emplace_back(parameter.name);
     return names;
 }
@@ -88,10 +91,10 @@ void set_parameter(CoreParameters& parameters, const std::string& assignment) {
         const bool power_of_two = (value & (value - 1)) == 0;
         if (value < parameter.low || value > parameter.high ||
             (parameter.value == &CoreParameters::sample_interval && !power_of_two)) {
-            throw UsageError(parameter.value == &CoreParameters::sample_interval
-                                 ? "SampleInterval must be 1, 2, 4 or 8"
-                                 : fmt::format("{} must be in [{}, {}]", name, parameter.low,
-                                               parameter.high));
+            throw UsageError(
+                parameter.value == &CoreParameters::sample_interval
+                    ? "SampleInterval must be 1, 2, 4 or 8"
+                    : fmt::format("{} must be in [{}, {}]", name, parameter.low, parameter.high));
         }
         parameters.*parameter.value = value;
         return;

@@ -25,7 +25,7 @@ struct CoreParameters {
 
     int axes() const { return 3 + aux_axes; }
     ref::WordFormat format() const;
-    /// Clocks from a segment's or a step's start to its series: what the planner keeps time for.
+    /// Clocks of an integration step: what the planner keeps time for.
     int network_latency() const;
     /// "Order=6 CoefBits=36 ..."
     std::string text() const;

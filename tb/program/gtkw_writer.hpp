@@ -8,7 +8,8 @@
 
 namespace curvecore::tb {
 
-/// `folder` is where both files will stand.
-std::string gtkw(const CoreParameters& core, const std::string& folder);
+/// The arrangement of `fst_file`; `folder` is where both files will stand.
+std::string gtkw(const CoreParameters& core, const std::string& fst_file,
+                 const std::string& folder);
 
 }  // namespace curvecore::tb

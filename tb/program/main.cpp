@@ -2,20 +2,23 @@
 // curvecore run | plan | words: parts through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// wrong, and nothing was written.
+// wrong, and nothing was written; 130 interrupted, nothing written.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "ref/program/input_error.hpp"
 #include "tb/program/commands.hpp"
+#include "tb/program/interrupt.hpp"
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 void add_common(CLI::App& command, RawOptions& raw, Options& options) {
-    command.add_option("FILE", options.file, "G-code: .ngc .nc .gcode .tap")->required();
+    command.add_option("FILE", options.file, "G-code: .ngc .nc .gcode .tap")
+        ->required()
+        ->type_name("");
     command.add_option("-o,--output", options.folder, "folder for the results")
         ->required()
         ->type_name("DIR");
@@ -99,6 +102,8 @@ int main(int argc, char** argv) {
     } catch (const curvecore::tb::UsageError& error) {
         fmt::print(stderr, "curvecore: error: {}\n", error.what());
         return 2;
+    } catch (const curvecore::tb::Interrupted&) {
+        return 130;
     } catch (const std::exception& error) {
         fmt::print(stderr, "curvecore: internal error: {}\n", error.what());
         return 1;

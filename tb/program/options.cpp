@@ -88,9 +88,8 @@ ref::PlanOptions Options::plan_options() const {
 void interpret(const RawOptions& raw, Options& options) {
     if (options.folder.empty()) throw UsageError("--output: a folder's name is expected");
     options.unit_mm = unit_of(raw.unit);
-    options.sample_period_s =
-        quantity("--sample-period", raw.sample_period,
-                 {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+    options.sample_period_s = quantity("--sample-period", raw.sample_period,
+                                       {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
     if (!(options.sample_period_s >= 1e-8 && options.sample_period_s <= 1)) {
         throw UsageError("--sample-period must be in [10ns, 1s]");
     }
@@ -99,14 +98,13 @@ void interpret(const RawOptions& raw, Options& options) {
         throw UsageError("--samples-per-tick must be a power of two in [1, 32768]");
     }
     options.samples_per_tick = static_cast<int>(per_tick);
-    options.clock_hz = quantity("--clock", raw.clock,
-                                {{"Hz", 0}, {"kHz", 3}, {"MHz", 6}, {"GHz", 9}});
+    options.clock_hz =
+        quantity("--clock", raw.clock, {{"Hz", 0}, {"kHz", 3}, {"MHz", 6}, {"GHz", 9}});
     if (!(options.clock_hz >= 1e3 && options.clock_hz <= 1e10)) {
         throw UsageError("--clock must be in [1kHz, 10GHz]");
     }
     if (raw.build != "parallel" && raw.build != "serial") {
-        throw UsageError(
-            fmt::format("--build '{}': must be parallel or serial", raw.build));
+        throw UsageError(fmt::format("--build '{}': must be parallel or serial", raw.build));
     }
     options.core.build = raw.build == "serial" ? Build::kSerial : Build::kParallel;
     for (const std::string& assignment : raw.set) {

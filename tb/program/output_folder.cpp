@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 9> kOwnFiles{
-    "samples.csv", "report.json", "report.html", "segments.json", "waves.fst",
-    "waves.gtkw",  "segments.hex", "profile.hex", "words.json"};
+constexpr std::array<const char*, 9> kOwnFiles{"samples.csv",   "report.json", "report.html",
+                                               "segments.json", "waves.fst",   "waves.gtkw",
+                                               "segments.hex",  "profile.hex", "words.json"};
 
 }  // namespace
 
@@ -31,7 +31,8 @@ OutputFolder::OutputFolder(const std::string& folder)
     if (parent.empty()) parent = ".";
     if (!fs::is_directory(parent, error)) refuse(parent.string() + " is not a folder");
     std::string name = (parent / ("." + folder_.filename().string() + ".XXXXXX")).string();
-    if (mkdtemp(name.data()) == nullptr) refuse("cannot be made: " + std::generic_category().message(errno));
+    if (mkdtemp(name.data()) == nullptr)
+        refuse("cannot be made: " + std::generic_category().message(errno));
     temporary_ = name;
     fs::permissions(temporary_, fs::perms(0755), error);
 }

@@ -23,9 +23,7 @@ class PathCursor {
     const ref::Segment& segment() const { return plan_.segments[index_]; }
     bool at_end() const { return s_ == end(index_); }
     /// Path length within the segment, length units.
-    double local() const {
-        return std::ldexp(static_cast<double>(s_ - segment().s_start), -16);
-    }
+    double local() const { return std::ldexp(static_cast<double>(s_ - segment().s_start), -16); }
 
   private:
     std::uint64_t end(std::size_t index) const {

@@ -32,12 +32,11 @@ void Pictures::tick(std::int64_t ds, const ref::Segment& segment) {
     const double acceleration = (speed - speed_now_) / tick_s_;
     const double jerk = (acceleration - acceleration_now_) / tick_s_;
     const double curvature =
-        segment.radius > 0
-            ? segment.cos_pitch * segment.cos_pitch / (segment.radius * unit_mm_)
-            : 0.0;
-    const auto bin = static_cast<std::size_t>(static_cast<double>(std::min(tick_, ticks_ - 1)) /
-                                              static_cast<double>(ticks_) *
-                                              static_cast<double>(speed_.size()));
+        segment.radius > 0 ? segment.cos_pitch * segment.cos_pitch / (segment.radius * unit_mm_)
+                           : 0.0;
+    const auto bin =
+        static_cast<std::size_t>(static_cast<double>(std::min(tick_, ticks_ - 1)) /
+                                 static_cast<double>(ticks_) * static_cast<double>(speed_.size()));
     speed_[bin].add(speed);
     acceleration_[bin].add(acceleration);
     total_[bin].add(std::hypot(acceleration, speed * speed * curvature));

@@ -24,9 +24,9 @@ struct Envelope {
 };
 
 struct PathPoint {
-    std::uint64_t s;   // quanta
-    ref::Vec3 point;   // length units
-    double feed;       // mm/s along the path
+    std::uint64_t s;  // quanta
+    ref::Vec3 point;  // length units
+    double feed;      // mm/s along the path
 };
 
 class Pictures {

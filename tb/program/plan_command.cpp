@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore plan`: segments, feed profile, predicted error and time, without the RTL.
-#include "tb/program/commands.hpp"
 #include "ref/curve/segment_curve.hpp"
+#include "tb/program/commands.hpp"
 #include "tb/program/output_folder.hpp"
 #include "tb/program/path_cursor.hpp"
 #include "tb/program/path_source.hpp"
@@ -25,8 +25,7 @@ void draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
         pictures.error(cursor.s(), 0, cursor.segment().bound);
         if (pictures.wants(cursor.s(), cursor.index(), cursor.at_end())) {
             pictures.sample(cursor.s(), cursor.index(),
-                            ref::exact_position(cursor.segment(), cursor.local()),
-                            cursor.at_end());
+                            ref::exact_position(cursor.segment(), cursor.local()), cursor.at_end());
         }
     }
 }

@@ -76,11 +76,16 @@ std::vector<std::string> axis_names(const Job& job) {
     return {all.begin(), all.begin() + 3 + job.plan.aux_axes};
 }
 
+std::string unit_text(const Job& job) {
+    const double nm = std::round(job.plan.unit_mm * 1e6);
+    return nm < 100 ? fmt::format("{} nm", nm) : fmt::format("{} um", nm / 1000);
+}
+
 std::string time_text(double seconds) {
     if (seconds < 60) return fmt::format("{:.3f} s", seconds);
     const auto whole = static_cast<long>(seconds);
-    if (whole < 3600) return fmt::format("{} min {:.1f} s", whole / 60, seconds - whole / 60 * 60.0);
-    return fmt::format("{} h {} min {} s", whole / 3600, whole / 60 % 60, whole % 60);
+    const std::string rest = fmt::format("{} min {} s", whole / 60 % 60, whole % 60);
+    return whole < 3600 ? rest : fmt::format("{} h {}", whole / 3600, rest);
 }
 
 double Report::duration_s() const {
@@ -91,16 +96,14 @@ double Report::clocks_per_sample() const {
     return static_cast<double>(rtl->clocks) / static_cast<double>(samples);
 }
 
-double Report::clocks_per_second() const {
-    return static_cast<double>(rtl->clocks) / rtl->seconds;
-}
+double Report::clocks_per_second() const { return static_cast<double>(rtl->clocks) / rtl->seconds; }
 
 std::vector<Check> Report::checks() const {
     std::vector<Check> checks;
     const ref::LimitRatios& inside = job.limits.inside;
     const ref::LimitRatios& joints = job.limits.joints;
-    const double limits = std::max({inside.velocity, inside.acceleration, inside.jerk,
-                                    joints.acceleration, joints.jerk});
+    const double limits = std::max(
+        {inside.velocity, inside.acceleration, inside.jerk, joints.acceleration, joints.jerk});
     if (rtl != nullptr) {
         const CheckResult& check = rtl->check;
         const bool full_speed = job.options.override_percent == 100;
@@ -194,10 +197,10 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     };
     row("core", fmt::format("spherical {}, {}", build_name(job.options.core.build),
                             job.options.core.text()));
-    row("program", fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
-                               job.plan.segments.size(),
-                               std::ldexp(static_cast<double>(job.path_length()), -16) *
-                                   job.plan.unit_mm));
+    row("program",
+        fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
+                    job.plan.segments.size(),
+                    std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
                                 job.options.sample_period_s * 1e6));
     if (rtl != nullptr) {
@@ -205,15 +208,15 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
         row("RTL = kernel", check.differing_words == 0
                                 ? fmt::format("{} samples, 0 words differ", check.samples)
                                 : fmt::format("{} words differ", check.differing_words));
-        row("worst error", fmt::format("{:.4f} units of {:g} mm (rounded output)",
-                                       worst(check.rounded), job.plan.unit_mm));
+        row("worst error", fmt::format("{:.4f} units of {} (rounded output)", worst(check.rounded),
+                                       unit_text(job)));
         row("before rounding",
             fmt::format("{:.4f} units; derived bound {:.4f}", worst(check.unrounded), job.bound()));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
         row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
     } else {
-        row("derived bound", fmt::format("{:.4f} units of {:g} mm before rounding", job.bound(),
-                                         job.plan.unit_mm));
+        row("derived bound",
+            fmt::format("{:.4f} units of {} before rounding", job.bound(), unit_text(job)));
     }
     const ref::LimitRatios& inside = job.limits.inside;
     row("of the limits", fmt::format("velocity {:.3f}, acceleration {:.3f}, jerk {:.3f}",

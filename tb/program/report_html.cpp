@@ -30,13 +30,13 @@ void array(Text& text, const char* name, const Values& values, Format format) {
 void path(Text& text, const Report& report, const Pictures& pictures) {
     const auto out = std::back_inserter(text);
     const double unit = report.job.plan.unit_mm;
-    const auto points = pictures.path();
+    const std::vector<PathPoint>& points = pictures.path();
     for (int axis = 0; axis < 3; ++axis) {
         array(text, std::array<const char*, 3>{"x", "y", "z"}[static_cast<std::size_t>(axis)],
-              points, [&](const PathPoint& p) { fmt::format_to(out, "{:.7g}", p.point[axis] * unit); });
+              points,
+              [&](const PathPoint& p) { fmt::format_to(out, "{:.7g}", p.point[axis] * unit); });
     }
-    array(text, "feed", points,
-          [&](const PathPoint& p) { fmt::format_to(out, "{:.4g}", p.feed); });
+    array(text, "feed", points, [&](const PathPoint& p) { fmt::format_to(out, "{:.4g}", p.feed); });
     array(text, "errors", pictures.errors(), [&](double e) { fmt::format_to(out, "{:.4g}", e); });
     array(text, "bounds", pictures.bounds(), [&](double b) { fmt::format_to(out, "{:.4g}", b); });
 }
@@ -59,7 +59,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     head["version"] = CURVECORE_VERSION;
     head["rtl"] = report.rtl != nullptr;
     head["held"] = report.held();
-    head["unit_mm"] = job.plan.unit_mm;
+    head["unit"] = unit_text(job);
     head["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
     head["duration_s"] = report.duration_s();
     head["limits"] = {job.machine.velocity, job.machine.acceleration, job.machine.jerk};
@@ -79,7 +79,8 @@ std::string data(const Report& report, const Pictures& pictures) {
     }
     head["notes"] = job.machine.notes;
     head["warnings"] = job.program.warnings;
-    if (head["warnings"].size() > 50) head["warnings"].get_ref<nlohmann::ordered_json::array_t&>().resize(50);
+    if (head["warnings"].size() > 50)
+        head["warnings"].get_ref<nlohmann::ordered_json::array_t&>().resize(50);
     std::string text = head.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     text.pop_back();  // the closing brace
     Text rest;

@@ -84,9 +84,9 @@ class RtlBench {
         requesting_ = requesting_ || (may_request() && request_stall_.go());
         dut_->sample_request_valid_i = requesting_;
         dut_->sample_ready_i = sample_stall_.go();
-        dut_.settle();
+        dut_.fall();
         observe();
-        dut_.tick();
+        dut_.rise();
     }
 
     void drive_words() {
@@ -153,8 +153,8 @@ class RtlBench {
         sample.rate = moves_.front().rate;
         moves_.pop_front();
         for (int axis = 0; axis < C::kAxes; ++axis) {
-            sample.position[axis] = signed_field(dut_->sample_position_o, axis * C::kPositionBits,
-                                                 C::kPositionBits);
+            sample.position[axis] =
+                signed_field(dut_->sample_position_o, axis * C::kPositionBits, C::kPositionBits);
             sample.fine[axis] =
                 signed_field(dut_->sample_fine_o, axis * C::kFineBits, C::kFineBits);
         }

@@ -22,12 +22,12 @@ const CompiledCore& find_core(const CoreParameters& wanted, bool exact_aux_axes)
     if (best != nullptr) return *best;
     std::string list;
     for (const CompiledCore& core : compiled_cores()) {
-        list += fmt::format("\n  {:8}  {}", build_name(core.parameters.build),
-                            core.parameters.text());
+        list +=
+            fmt::format("\n  {:8}  {}", build_name(core.parameters.build), core.parameters.text());
     }
-    throw UsageError(fmt::format(
-        "no compiled core {} {}; tb/program/compiled_cores.cmake makes these:{}",
-        build_name(wanted.build), wanted.text(), list));
+    throw UsageError(
+        fmt::format("no compiled core {} {}; tb/program/compiled_cores.cmake makes these:{}",
+                    build_name(wanted.build), wanted.text(), list));
 }
 
 }  // namespace curvecore::tb

@@ -2,6 +2,7 @@
 // `curvecore run`: plan, words, RTL, every sample checked, report.
 #include "tb/program/commands.hpp"
 #include "tb/program/gtkw_writer.hpp"
+#include "tb/program/interrupt.hpp"
 #include "tb/program/output_folder.hpp"
 #include "tb/program/path_source.hpp"
 #include "tb/program/progress_bar.hpp"
@@ -19,6 +20,7 @@ int run_command(const Options& options) {
     job.options.core = core.parameters;
     plan_job(job);
 
+    const InterruptGuard guard;
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
@@ -26,12 +28,15 @@ int run_command(const Options& options) {
     SamplesWriter writer(folder.path("samples.csv"), job);
     ProgressBar bar(samples, options.quiet);
     const std::string waveform = options.trace ? folder.path("waves.fst") : "";
-    const RtlResult rtl = core.run({job, samples, writer, pictures, waveform,
-                                    [&bar](std::uint64_t done) { bar.update(done); }});
+    const auto progress = [&bar](std::uint64_t done) {
+        InterruptGuard::check();
+        bar.update(done);
+    };
+    const RtlResult rtl = core.run({job, samples, writer, pictures, waveform, progress});
     writer.close();
 
     const Report report{job, samples, &rtl};
-    if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters, options.folder));
+    if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters, waveform, options.folder));
     folder.write("segments.json", segments_json(job));
     folder.write("report.json", report.json().dump(2) + "\n");
     folder.write("report.html", report_html(report, pictures));

@@ -36,8 +36,7 @@ std::string segments_hex(const Job& job) {
     const int each = 17 + 3 * job.options.core.aux_axes;
     const int fine = job.options.core.position_bits + job.options.core.guard_bits;
     const int coef = job.options.core.coef_bits;
-    std::string text =
-        head(job, "segments", plan.segments.size() * static_cast<std::size_t>(each));
+    std::string text = head(job, "segments", plan.segments.size() * static_cast<std::size_t>(each));
     text += fmt::format(
         "// {} words a segment, sign-extended to 48 bits:\n"
         "//   0       length, path quanta (2^-16 unit)\n"
@@ -88,8 +87,7 @@ std::string words_json(const Job& job, std::uint64_t samples) {
     // Ports of motion_interpolator
     json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
     json["hold_acceleration"] = job.plan.hold_acceleration;
-    json["hold_slope"] =
-        std::uint64_t(job.plan.hold_acceleration) * job.plan.hold_slope_steps;
+    json["hold_slope"] = std::uint64_t(job.plan.hold_acceleration) * job.plan.hold_slope_steps;
     json["stop_ticks"] = stop_ticks(job.plan);
     json["samples"] = samples;
     json["path_quanta"] = job.path_length();

@@ -13,15 +13,14 @@
 namespace curvecore::tb {
 namespace {
 
-using Config =
-    hls::Configuration<CFG_Order, CFG_CoefBits, 32, 10, 0, hls::SamplerMode::kSeries>;
+using Config = hls::Configuration<CFG_Order, CFG_CoefBits, 32, 10, 0, hls::SamplerMode::kSeries>;
 using Coef = hls::Word<CFG_CoefBits>;
 constexpr int kOrder = CFG_Order;
 constexpr int kBits = CFG_CoefBits;
 
 // As stated in the header of the RTL.
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kStepClocks = kOrder * (kDigits + 2) + 4;
+constexpr int kStepClocks = kOrder * (kDigits + 3) + 5;
 
 class SineCosineInterpolator : public testing::Test {
   protected:
@@ -65,8 +64,7 @@ class SineCosineInterpolator : public testing::Test {
             dut_->step_i = 0;
             dut_.settle();
             ASSERT_EQ(dut_->ready_o, cycle == kStepClocks);
-            const int due =
-                kDigits + (order == 0 ? 4 : 5 + (order - 1) * (kDigits + 2));
+            const int due = kDigits + (order == 0 ? 6 : 8 + (order - 1) * (kDigits + 3));
             ASSERT_EQ(dut_->coef_valid_o, cycle == due && order <= kOrder) << cycle;
             if (!dut_->coef_valid_o) continue;
             ASSERT_EQ(dut_->order_o, order);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples on their way out, and room for all those under way: the sampler never stops, instead a
+// request is admitted only when its sample will find a place here.
+//
+//   cycle     0         1         2
+//   push_i    1
+//   valid_o                       1
+//   room_o    admit_i is allowed: of Depth samples admitted and not taken, at least one less
+`default_nettype none
+module sample_queue #(
+    parameter int Bits  = 222,  // [1, 1024]
+    parameter int Depth = 64    // [16, 256], a power of two
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic admit_i,
+    output logic      room_o,
+
+    input wire logic            push_i,
+    input wire logic [Bits-1:0] data_i,
+
+    output logic                 valid_o,
+    input  wire logic            ready_i,
+    output logic      [Bits-1:0] data_o
+);
+
+  localparam int PlaceBits = $clog2(Depth);
+
+  logic take;
+  logic fetch;
+  logic [PlaceBits-1:0] write_q;
+  logic [PlaceBits-1:0] read_q;
+  logic [PlaceBits:0] admitted_q;
+  assign take  = valid_o && ready_i;
+  assign fetch = write_q != read_q && (!valid_o || ready_i);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      write_q    <= '0;
+      read_q     <= '0;
+      admitted_q <= '0;
+      room_o     <= 1'b0;
+      valid_o    <= 1'b0;
+    end else begin
+      if (push_i) write_q <= write_q + 1'b1;
+      if (fetch) read_q <= read_q + 1'b1;
+      if (admit_i && !take) admitted_q <= admitted_q + 1'b1;
+      if (take && !admit_i) admitted_q <= admitted_q - 1'b1;
+      // Two more may be admitted before this is seen.
+      room_o <= admitted_q < (PlaceBits + 1)'(Depth - 2);
+      if (fetch) valid_o <= 1'b1;
+      else if (ready_i) valid_o <= 1'b0;
+    end
+  end
+
+  logic [Bits-1:0] memory[Depth];
+  always_ff @(posedge clk_i) begin
+    if (push_i) memory[write_q] <= data_i;
+    if (fetch) data_o <= memory[read_q];
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Displacements, one axis at a time, into origins and samples; twin: hls/spherical_kernel.hpp.
+//
+//     fine = land ? end : origin + floor(d 2^k 2^GuardBits + 1/2)
+//
+//   cycle       0                1, 2    3     4                  5
+//   target_i    2 sample
+//   d_i         d, axis_i                      sample_o complete
+//   target_i    3 origin                       origin written
+//
+// The sample is complete with its last axis; it moves on to the output as soon as that is free.
+// taken_o: it has left the core.
+`default_nettype none
+module serial_lander #(
+    parameter int CoefBits     = 36,  // [18, 36]
+    parameter int PositionBits = 32,  // [16, 32]
+    parameter int GuardBits    = 10,  // [2, 12]
+    parameter int AuxAxes      = 0    // [0, 6]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // From the bus: start or end words of an axis
+    input wire logic                                     write_start_i,
+    input wire logic                                     write_end_i,
+    input wire logic        [                       3:0] write_axis_i,
+    input wire logic signed [PositionBits+GuardBits-1:0] write_data_i,
+
+    input wire logic        [         4:0] down_i,    // MaxStepExponent - k
+    input wire logic        [         1:0] target_i,
+    input wire logic        [         3:0] axis_i,
+    input wire logic signed [CoefBits-1:0] d_i,
+    input wire logic                       land_i,
+
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+    output logic                                                 taken_o
+);
+
+  localparam int Axes = 3 + AuxAxes;
+  localparam int FineBits = PositionBits + GuardBits;
+
+  // The axis and what becomes of it, clocks 1 to 3.
+  logic [1:0] target_q[3];
+  logic [3:0] axis_q  [3];
+  logic       land_q  [2];
+  always_ff @(posedge clk_i) begin
+    target_q[0] <= rst_ni ? target_i : 2'd0;
+    axis_q[0]   <= axis_i;
+    land_q[0]   <= land_i;
+    for (int n = 1; n < 3; n = n + 1) begin
+      target_q[n] <= rst_ni ? target_q[n-1] : 2'd0;
+      axis_q[n]   <= axis_q[n-1];
+    end
+    land_q[1] <= land_q[0];
+  end
+
+  logic signed [FineBits:0] doubled;
+  fine_scale #(
+      .CoefBits (CoefBits),
+      .FineBits (FineBits),
+      .GuardBits(GuardBits)
+  ) u_scale (
+      .clk_i,
+      .en_i     (1'b1),
+      .d_i,
+      .down_i,
+      .doubled_o(doubled)
+  );
+
+  logic signed [FineBits-1:0] origin_memory[16];
+  logic signed [FineBits-1:0] end_memory   [16];
+  logic signed [FineBits-1:0] origin_q;
+  logic signed [FineBits-1:0] end_q;
+  logic signed [  FineBits:0] origin_half;
+  logic signed [  FineBits:0] twice;
+  logic signed [FineBits-1:0] fine_q;
+  logic                       write_origin;
+  logic        [         3:0] write_axis;
+  logic signed [FineBits-1:0] write_data;
+  assign origin_half  = {origin_q, 1'b1};
+  assign twice        = origin_half + doubled;
+  assign write_origin = write_start_i || target_q[2] == 2'd3;
+  assign write_axis   = write_start_i ? write_axis_i : axis_q[2];
+  assign write_data   = write_start_i ? write_data_i : fine_q;
+  always_ff @(posedge clk_i) begin
+    if (write_origin) origin_memory[write_axis] <= write_data;
+    if (write_end_i) end_memory[write_axis_i] <= write_data_i;
+    origin_q <= origin_memory[axis_q[0]];
+    end_q    <= end_memory[axis_q[0]];
+    fine_q   <= land_q[1] ? end_q : twice[FineBits:1];
+  end
+
+  logic signed [FineBits-1:0] half;
+  logic signed [FineBits-1:0] rounded;
+  assign half    = {{PositionBits{1'b0}}, 1'b1, {(GuardBits - 1) {1'b0}}};
+  assign rounded = fine_q + half;
+
+  logic                         full_q;
+  logic                         move;
+  logic                         complete;
+  logic [    Axes*FineBits-1:0] fine;
+  logic [Axes*PositionBits-1:0] position;
+  for (genvar a = 0; a < Axes; a++) begin : g_axis
+    logic [    FineBits-1:0] axis_fine_q;
+    logic [PositionBits-1:0] axis_position_q;
+    always_ff @(posedge clk_i) begin
+      if (target_q[2] == 2'd2 && axis_q[2] == 4'(a)) begin
+        axis_fine_q     <= fine_q;
+        axis_position_q <= rounded[FineBits-1:GuardBits];
+      end
+    end
+    assign fine[a*FineBits+:FineBits]             = axis_fine_q;
+    assign position[a*PositionBits+:PositionBits] = axis_position_q;
+  end
+
+  assign complete = target_q[2] == 2'd2 && axis_q[2] == 4'(Axes - 1);
+  assign taken_o  = sample_valid_o && sample_ready_i;
+  assign move     = full_q && (!sample_valid_o || sample_ready_i);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      full_q         <= 1'b0;
+      sample_valid_o <= 1'b0;
+    end else begin
+      full_q         <= complete || (full_q && !move);
+      sample_valid_o <= move || (sample_valid_o && !sample_ready_i);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (move) begin
+      sample_fine_o     <= fine;
+      sample_position_o <= position;
+    end
+  end
+
+endmodule
+`default_nettype wire

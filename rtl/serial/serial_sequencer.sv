@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs the program (spherical_program.sv) on the folded datapath: one network part alone, or up to
+// three samples, which take turns with frames of three words.  A rotation is nine clocks.
+//
+//   cycle      0                 1      2        3
+//              place in program  word   decode   addresses_o, target_o
+//
+//   net_start_i   runs the part at net_entry_i, orders from net_order_i; net_busy_o until fetched
+//   sample_i      a sample waits, its tau is in the memory at context_o; taken with sample_take_o
+//   free_o        nothing reads the tau of context_o any more
+//   room_i        a rotation may issue results
+//   quiet_o       no operation is under way, nor on its way to a sample
+//
+// Control of a frame, in its last word but two: 1 next frame; 2 the same frame with the next order
+// until the orders are over; 3 the next frame, or that after it when the orders are over; 4 halt;
+// 5 halt without auxiliary axes; 6 halt up to three of them; 7 as 2, then halt.
+`default_nettype none
+module serial_sequencer #(
+    parameter int Order   = 6,  // [2, 12]
+    parameter int AuxAxes = 0,  // [0, 6]
+    parameter int Mode    = 0   // 0 series, 1 polynomial
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic       net_start_i,
+    input  wire logic [6:0] net_entry_i,
+    input  wire logic [3:0] net_order_i,
+    output logic            net_busy_o,
+
+    input  wire logic       sample_i,
+    input  wire logic       land_i,
+    output logic            sample_take_o,
+    output logic      [1:0] context_o,
+    output logic            free_o,
+    input  wire logic       room_i,
+    output logic            issued_o,       // a sample's first result is on its way
+    output logic            quiet_o,
+
+    output logic [7:0] a_address_o,
+    output logic [7:0] b_address_o,
+    output logic [7:0] c_address_o,
+    output logic [7:0] d_address_o,  // target 2: {land, 000, axis}
+    output logic       wide_o,
+    output logic [1:0] target_o
+);
+
+  localparam int Spacing = 1 + (AuxAxes + 2) / 3;  // rotations between samples' first results
+  localparam logic [6:0] Entry = (Mode == 0) ? 7'd87 : 7'd102;
+  localparam logic [3:0] Stride = (Mode == 0) ? 4'd1 : 4'd2;
+  localparam logic [3:0] First = (Mode == 0) ? 4'(Order - 1) : 4'((Order / 2) * 2 - 1);
+  localparam logic [4:0] Drain = 5'd24;
+
+  logic [6:0] net_place_q;
+  logic [6:0] net_frame_q;
+  logic [3:0] net_order_q;
+
+  logic [1:0] turn_q;
+  logic [1:0] word_q;
+  logic       run_q;
+  logic       slice_q;
+  logic [2:0] active_q;
+  logic [2:0] land_q;
+  logic [1:0] next_q;
+  logic [1:0] spacing_q;
+  logic [6:0] frame_q  [3];
+  logic [3:0] order_q  [3];
+
+  // Fetch
+  logic       run;
+  logic       start;
+  logic       slice;
+  logic       fetch;
+  logic [6:0] frame;
+  logic [6:0] place;
+  logic [3:0] order;
+  logic       turn_active;
+  assign turn_active = active_q[turn_q];
+  assign run         = (turn_q == 2'd0 && word_q == 2'd0) ? room_i : run_q;
+  assign start       = run && word_q == 2'd0 && turn_q == next_q && !turn_active && sample_i
+                     && spacing_q == 2'd0 && !net_busy_o;
+  assign slice       = (word_q == 2'd0) ? (start || (run && turn_active)) : slice_q;
+  assign fetch       = net_busy_o || slice;
+  assign frame       = start ? Entry : frame_q[turn_q];
+  assign place       = net_busy_o ? net_place_q : frame + {5'd0, word_q};
+  always_comb begin
+    order = order_q[turn_q];
+    if (start) order = First;
+    if (net_busy_o) order = net_order_q;
+  end
+  assign sample_take_o = start;
+  assign context_o     = next_q;
+
+  logic [50:0] fetched;
+  logic [50:0] word;
+  spherical_program u_program (
+      .clk_i,
+      .place_i(place),
+      .word_o (fetched)
+  );
+
+  // Decode
+  logic       valid_q;
+  logic       net_q;
+  logic [1:0] context_q;
+  logic [3:0] i_q;
+  logic       flag_q;
+  logic       fetched_valid_q;
+  logic       fetched_net_q;
+  logic [1:0] fetched_context_q;
+  logic [3:0] fetched_i_q;
+  logic       fetched_flag_q;
+  always_ff @(posedge clk_i) begin
+    fetched_valid_q   <= rst_ni && fetch;
+    fetched_net_q     <= net_busy_o;
+    fetched_context_q <= turn_q;
+    fetched_i_q       <= order;
+    fetched_flag_q    <= start ? land_i : land_q[turn_q];
+    word              <= fetched;
+    valid_q           <= rst_ni && fetched_valid_q;
+    net_q             <= fetched_net_q;
+    context_q         <= fetched_context_q;
+    i_q               <= fetched_i_q;
+    flag_q            <= fetched_flag_q;
+  end
+
+  logic [2:0] control;
+  logic       over;
+  logic       halt;
+  logic       loop;
+  assign control = valid_q ? word[50:48] : 3'd0;
+  assign over    = net_q ? i_q == 4'(Order) : i_q <= Stride;
+  assign loop    = (control == 3'd2 || control == 3'd7) && !over;
+  always_comb begin
+    halt = control == 3'd4;
+    if (control == 3'd5) halt = AuxAxes == 0;
+    if (control == 3'd6) halt = AuxAxes <= 3;
+    if (control == 3'd7) halt = over;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      net_busy_o <= 1'b0;
+    end else if (net_start_i) begin
+      net_busy_o <= 1'b1;
+    end else if (net_q && halt) begin
+      net_busy_o <= 1'b0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    net_place_q <= net_place_q + 7'd1;
+    if (net_q && control != 3'd0) begin
+      if (loop) begin
+        net_place_q <= net_frame_q;
+        net_order_q <= net_order_q + 4'd1;
+      end else begin
+        net_frame_q <= net_place_q + 7'd1;
+      end
+    end
+    if (net_start_i) begin
+      net_place_q <= net_entry_i;
+      net_frame_q <= net_entry_i;
+      net_order_q <= net_order_i;
+    end
+  end
+
+  // The contexts
+  logic last_word;
+  assign last_word = word_q == 2'd2;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      turn_q    <= 2'd0;
+      word_q    <= 2'd0;
+      run_q     <= 1'b0;
+      slice_q   <= 1'b0;
+      active_q  <= '0;
+      next_q    <= 2'd0;
+      spacing_q <= 2'd0;
+    end else begin
+      run_q   <= run;
+      slice_q <= slice;
+      word_q  <= last_word ? 2'd0 : word_q + 2'd1;
+      if (last_word) turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
+      if (last_word && turn_q == 2'd2 && run && spacing_q != 2'd0) begin
+        spacing_q <= spacing_q - 2'd1;
+      end
+      if (start) begin
+        active_q[turn_q] <= 1'b1;
+        next_q           <= (next_q == 2'd2) ? 2'd0 : next_q + 2'd1;
+        spacing_q        <= 2'(Spacing);
+      end
+      if (!net_q && halt) active_q[context_q] <= 1'b0;
+    end
+  end
+  logic [6:0] advance;
+  always_comb begin
+    advance = 7'd3;
+    if (control == 3'd3 && over) advance = 7'd6;
+    if (loop) advance = 7'd0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (start) begin
+      land_q[turn_q]  <= land_i;
+      frame_q[turn_q] <= Entry;
+      order_q[turn_q] <= First;
+    end else if (!net_q && control != 3'd0) begin
+      frame_q[context_q] <= frame_q[context_q] + advance;
+      if (control == 3'd2 || control == 3'd3) order_q[context_q] <= i_q - Stride;
+    end
+  end
+
+  // Free when the last word's addresses have been read, quiet when its result is in the sample.
+  logic [1:0] free_q;
+  logic [4:0] drain_q;
+  assign free_o  = free_q == 2'd3;
+  assign quiet_o = drain_q == 5'd0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || active_q[next_q] || start) free_q <= 2'd0;
+    else if (free_q != 2'd3) free_q <= free_q + 2'd1;
+    if (!rst_ni || fetch || active_q != '0) drain_q <= Drain;
+    else if (drain_q != 5'd0) drain_q <= drain_q - 5'd1;
+  end
+
+  // Addresses
+  function automatic logic [7:0] address(input logic [10:0] field, input logic [3:0] i,
+                                         input logic [1:0] turn);
+    logic [3:0] offset;
+    offset  = {2'b00, field[9:8]} + 4'd15;
+    address = field[7:0];
+    if (field[10]) address[3:0] = i + offset;
+    if (field[10:8] == 3'd1) address[7:4] = 4'd13 + {2'b00, turn};
+  endfunction
+  assign issued_o = valid_q && word[47:46] == 2'd2 && word[36:33] == 4'd0;
+  always_ff @(posedge clk_i) begin
+    a_address_o <= address(word[10:0], i_q, context_q);
+    b_address_o <= address(word[21:11], i_q, context_q);
+    c_address_o <= address(word[32:22], i_q, context_q);
+    d_address_o <= address(word[43:33], i_q, context_q);
+    if (word[47:46] == 2'd2) d_address_o[7] <= flag_q;
+    wide_o   <= word[44] || (word[45] && i_q == 4'd1);
+    target_o <= valid_q ? word[47:46] : 2'd0;
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions along lines, arcs and helices in space on one multiplier: the serial build of
+// rtl/spherical_interpolator.sv, the same ports and the same bits ([Chikurov] Fig. 8).
+// Twin: hls/interpolator_kernel.hpp.
+//
+//   segment words, requests -> tracker -> sequencer and program -> datapath -> lander -> samples
+//
+// The network of Fig. 8 is a program (serial/spherical_program.sv, made from ref/series/figures.hpp)
+// for one multiplier and one word memory.  Up to three samples are under way at a time.
+//
+//   clocks                          value (Frames = Order series, 4 + floor(Order / 2) polynomial,
+//                                   and ceil(AuxAxes / 3) more)
+//   between samples of a step       max(9 (1 + ceil(AuxAxes / 3)), 3 Frames, 18), on average
+//
+// SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp.
+`default_nettype none
+module spherical_interpolator_serial #(
+    parameter int Order          = 6,   // [2, 12]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int PositionBits   = 32,  // [16, 32]
+    parameter int GuardBits      = 10,  // [2, 12]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int Mode           = 0,   // 0 series, 1 polynomial
+    parameter int SampleInterval = 1,   // 1, 2, 4, 8
+    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Segments, 17 + 3 AuxAxes words each
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+
+    // Path increments
+    input  wire logic        request_valid_i,
+    output logic             request_ready_o,
+    input  wire logic [47:0] request_ds_i,
+
+    // Samples, axis 0 in the low bits
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+
+    output logic [15:0] empty_segments_o
+);
+
+  initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
+  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (PositionBits < 16 || PositionBits > 32) $fatal(1, "PositionBits must be in [16, 32]");
+  initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
+  initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
+  initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
+  initial
+    if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
+  initial
+    if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
+      $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
+
+  localparam int FineBits = PositionBits + GuardBits;
+
+  logic                write;
+  logic                write_ready;
+  logic [         7:0] write_address;
+  logic [CoefBits-1:0] write_data;
+  logic                write_start;
+  logic                write_end;
+  logic [         3:0] write_axis;
+  logic [FineBits-1:0] write_point;
+  logic [         4:0] down;
+  logic                net_start;
+  logic [         6:0] net_entry;
+  logic [         3:0] net_order;
+  logic                net_busy;
+  logic                sample;
+  logic                land;
+  logic                sample_take;
+  logic [         1:0] free_context;
+  logic                free;
+  logic                quiet;
+  serial_tracker #(
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .AuxAxes(AuxAxes),
+      .Mode(Mode)
+  ) u_tracker (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i,
+      .segment_ready_o,
+      .segment_data_i,
+      .empty_segments_o,
+      .request_valid_i,
+      .request_ready_o,
+      .request_ds_i,
+      .write_o(write),
+      .write_ready_i(write_ready),
+      .write_address_o(write_address),
+      .write_data_o(write_data),
+      .write_start_o(write_start),
+      .write_end_o(write_end),
+      .write_axis_o(write_axis),
+      .write_point_o(write_point),
+      .down_o(down),
+      .net_start_o(net_start),
+      .net_entry_o(net_entry),
+      .net_order_o(net_order),
+      .net_busy_i(net_busy),
+      .sample_o(sample),
+      .land_o(land),
+      .sample_take_i(sample_take),
+      .context_i(free_context),
+      .free_i(free),
+      .quiet_i(quiet)
+  );
+
+  // Samples that are issued and not taken: one on its way and one at the output.
+  logic       issued;
+  logic       taken;
+  logic [1:0] held_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) held_q <= 2'd0;
+    else if (issued && !taken) held_q <= held_q + 2'd1;
+    else if (taken && !issued) held_q <= held_q - 2'd1;
+  end
+
+  logic [7:0] a_address;
+  logic [7:0] b_address;
+  logic [7:0] c_address;
+  logic [7:0] d_address;
+  logic       wide;
+  logic [1:0] target;
+  serial_sequencer #(
+      .Order(Order),
+      .AuxAxes(AuxAxes),
+      .Mode(Mode)
+  ) u_sequencer (
+      .clk_i,
+      .rst_ni,
+      .net_start_i(net_start),
+      .net_entry_i(net_entry),
+      .net_order_i(net_order),
+      .net_busy_o(net_busy),
+      .sample_i(sample),
+      .land_i(land),
+      .sample_take_o(sample_take),
+      .context_o(free_context),
+      .free_o(free),
+      .room_i(!held_q[1]),
+      .issued_o(issued),
+      .quiet_o(quiet),
+      .a_address_o(a_address),
+      .b_address_o(b_address),
+      .c_address_o(c_address),
+      .d_address_o(d_address),
+      .wide_o(wide),
+      .target_o(target)
+  );
+
+  logic        [         1:0] d_target;
+  logic        [         7:0] d_place;
+  logic signed [CoefBits-1:0] d;
+  folded_datapath #(
+      .CoefBits(CoefBits),
+      .MultiplierForm(MultiplierForm)
+  ) u_datapath (
+      .clk_i,
+      .rst_ni,
+      .a_address_i(a_address),
+      .b_address_i(b_address),
+      .c_address_i(c_address),
+      .d_address_i(d_address),
+      .wide_i(wide),
+      .target_i(target),
+      .external_i(write),
+      .external_ready_o(write_ready),
+      .external_address_i(write_address),
+      .external_data_i(write_data),
+      .target_o(d_target),
+      .d_address_o(d_place),
+      .d_o(d)
+  );
+
+  serial_lander #(
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes)
+  ) u_lander (
+      .clk_i,
+      .rst_ni,
+      .write_start_i(write_start),
+      .write_end_i(write_end),
+      .write_axis_i(write_axis),
+      .write_data_i(write_point),
+      .down_i(down),
+      .target_i(d_target),
+      .axis_i(d_place[3:0]),
+      .d_i(d),
+      .land_i(d_place[7] && d_target == 2'd2),
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_position_o,
+      .sample_fine_o,
+      .taken_o(taken)
+  );
+
+endmodule
+`default_nettype wire
