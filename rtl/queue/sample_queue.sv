@@ -27,13 +27,17 @@ module sample_queue #(
 
   localparam int PlaceBits = $clog2(Depth);
 
-  logic take;
-  logic fetch;
+  logic                 take;
+  logic                 fetch;
+  logic                 more;
   logic [PlaceBits-1:0] write_q;
   logic [PlaceBits-1:0] read_q;
-  logic [PlaceBits:0] admitted_q;
+  logic [  PlaceBits:0] admitted_q;
+  logic [  PlaceBits:0] count_q;  // in the memory
+  logic                 stored_q;  // count_q != 0
+  assign more  = count_q > (PlaceBits + 1)'(1);
   assign take  = valid_o && ready_i;
-  assign fetch = write_q != read_q && (!valid_o || ready_i);
+  assign fetch = stored_q && (!valid_o || ready_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q    <= '0;
@@ -41,9 +45,14 @@ module sample_queue #(
       admitted_q <= '0;
       room_o     <= 1'b0;
       valid_o    <= 1'b0;
+      count_q    <= '0;
+      stored_q   <= 1'b0;
     end else begin
       if (push_i) write_q <= write_q + 1'b1;
       if (fetch) read_q <= read_q + 1'b1;
+      if (push_i && !fetch) count_q <= count_q + 1'b1;
+      if (fetch && !push_i) count_q <= count_q - 1'b1;
+      stored_q <= push_i || (fetch ? more : stored_q);
       if (admit_i && !take) admitted_q <= admitted_q + 1'b1;
       if (take && !admit_i) admitted_q <= admitted_q - 1'b1;
       // Two more may be admitted before this is seen.
