@@ -58,6 +58,22 @@ arc_configuration(11 29 26 5 0 1 2)
 arc_configuration(12 36 32 12 0 0 2)
 arc_configuration(12 36 32 12 0 1 8)
 
+# The serial build of it; the interval changes nothing there.
+foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,6,2,0 3,30,28,8,6,1
+        4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
+  string(REPLACE "," ";" size ${size})
+  list(GET size 0 order)
+  list(GET size 1 coef)
+  list(GET size 2 position)
+  list(GET size 3 guard)
+  list(GET size 4 aux)
+  list(GET size 5 mode)
+  set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
+  core_test(sample_campaign ${name} TOP spherical_interpolator_serial
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode})
+endforeach()
+
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)
   core_test(horner interval_${interval} TOP horner

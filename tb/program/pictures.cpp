@@ -7,14 +7,16 @@
 namespace curvecore::tb {
 
 Pictures::Pictures(const Job& job, std::uint64_t ticks)
-    : tick_s_(job.plan.tick_s),
+    : span_(static_cast<std::uint64_t>(std::max(1.0, std::round(kSpan / job.plan.tick_s)))),
+      span_s_(static_cast<double>(span_) * job.plan.tick_s),
       quantum_mm_(std::ldexp(job.plan.unit_mm, -16)),
       unit_mm_(job.plan.unit_mm),
       length_(std::max<std::uint64_t>(job.path_length(), 1)),
       ticks_(std::max<std::uint64_t>(ticks, 1)),
       errors_(kBins, 0.0),
       bounds_(kBins, 0.0) {
-    const auto bins = static_cast<std::size_t>(std::min<std::uint64_t>(kBins, ticks_));
+    const auto bins = static_cast<std::size_t>(
+        std::min<std::uint64_t>(kBins, std::max<std::uint64_t>(ticks_ / span_, 1)));
     speed_.resize(bins);
     acceleration_.resize(bins);
     total_.resize(bins);
@@ -28,14 +30,17 @@ std::size_t Pictures::path_bin(std::uint64_t s) const {
 }
 
 void Pictures::tick(std::int64_t ds, const ref::Segment& segment) {
-    const double speed = static_cast<double>(ds) * quantum_mm_ / tick_s_;
-    const double acceleration = (speed - speed_now_) / tick_s_;
-    const double jerk = (acceleration - acceleration_now_) / tick_s_;
+    gathered_ += ds;
+    if (++tick_ % span_ != 0) return;
+    const double speed = static_cast<double>(gathered_) * quantum_mm_ / span_s_;
+    gathered_ = 0;
+    const double acceleration = (speed - speed_now_) / span_s_;
+    const double jerk = (acceleration - acceleration_now_) / span_s_;
     const double curvature =
         segment.radius > 0 ? segment.cos_pitch * segment.cos_pitch / (segment.radius * unit_mm_)
                            : 0.0;
     const auto bin =
-        static_cast<std::size_t>(static_cast<double>(std::min(tick_, ticks_ - 1)) /
+        static_cast<std::size_t>(static_cast<double>(std::min(tick_ - 1, ticks_ - 1)) /
                                  static_cast<double>(ticks_) * static_cast<double>(speed_.size()));
     speed_[bin].add(speed);
     acceleration_[bin].add(acceleration);
@@ -43,7 +48,6 @@ void Pictures::tick(std::int64_t ds, const ref::Segment& segment) {
     jerk_[bin].add(jerk);
     speed_now_ = speed;
     acceleration_now_ = acceleration;
-    ++tick_;
 }
 
 bool Pictures::wants(std::uint64_t s, std::size_t segment, bool at_end) const {

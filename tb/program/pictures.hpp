@@ -33,6 +33,7 @@ class Pictures {
   public:
     static constexpr std::size_t kBins = 1200;
     static constexpr std::uint64_t kPoints = 12000;
+    static constexpr double kSpan = 1e-4;  // s: over less, differences show the quanta of s
 
     Pictures(const Job& job, std::uint64_t ticks);
 
@@ -59,12 +60,14 @@ class Pictures {
   private:
     std::size_t path_bin(std::uint64_t s) const;
 
-    double tick_s_;
+    std::uint64_t span_;  // ticks over which speed is taken
+    double span_s_;
     double quantum_mm_;
     double unit_mm_;
     std::uint64_t length_;
     std::uint64_t ticks_;
     std::uint64_t tick_ = 0;
+    std::int64_t gathered_ = 0;  // quanta in the present span
     double speed_now_ = 0;
     double acceleration_now_ = 0;
     std::size_t last_segment_ = 0;
