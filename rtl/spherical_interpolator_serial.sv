@@ -10,7 +10,11 @@
 //
 //   clocks                          value (Frames = Order series, 4 + floor(Order / 2) polynomial,
 //                                   and ceil(AuxAxes / 3) more)
-//   between samples of a step       max(9 (1 + ceil(AuxAxes / 3)), 3 Frames, 18), on average
+//   between samples of a step       on average at most
+//                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 3), 21)
+//
+// A reset starts afresh; the program's constants come with the device's configuration
+// (serial/word_memory.sv), so memories must be initialised.
 //
 // SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp.
 `default_nettype none

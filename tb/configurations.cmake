@@ -72,7 +72,21 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
   core_test(sample_campaign ${name} TOP spherical_interpolator_serial
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
+  core_test(spherical_interpolator_serial ${name} TOP spherical_interpolator_serial
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode})
 endforeach()
+illegal_parameter_test(spherical_interpolator_serial Order=1 "Order must be in .2, 12.")
+illegal_parameter_test(spherical_interpolator_serial CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(spherical_interpolator_serial PositionBits=33
+                       "PositionBits must be in .16, 32.")
+illegal_parameter_test(spherical_interpolator_serial GuardBits=1 "GuardBits must be in .2, 12.")
+illegal_parameter_test(spherical_interpolator_serial AuxAxes=7 "AuxAxes must be in .0, 6.")
+illegal_parameter_test(spherical_interpolator_serial Mode=2 "Mode must be 0 or 1")
+illegal_parameter_test(spherical_interpolator_serial SampleInterval=3
+                       "SampleInterval must be 1, 2, 4 or 8")
+illegal_parameter_test(spherical_interpolator_serial MultiplierForm=3
+                       "MultiplierForm must be in .0, 2.")
 
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)

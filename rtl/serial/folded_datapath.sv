@@ -2,14 +2,13 @@
 // The one multiplier of the serial build with its word memory: d = c + round(a b / 2^(CoefBits-1)),
 // or / 2^(CoefBits-2) with wide_i; one operation per clock.
 //
-//   cycle    0                          1 .. 8                9                  10
-//   valid_i  1, addresses, target_i
-//   valid_o                                                   d_o, target_o
-//   memory                                                    d written          d readable
+//   cycle    0                      1 .. 7    8                9
+//            addresses, target_i              d_o, target_o
+//   memory   a, b read                        d written        d readable
 //
-// target_i: 1 the word memory at d_address_i, 2 and 3 what the user makes of d_o.  An operation may
-// read in cycle 9 or later what one of cycle 0 writes.  Words from outside are written when no
-// result is: external_ready_o.
+// target_i: 1 the word memory at d_address_i, 2 and 3 what the user makes of d_o.  An operation
+// reads what one nine cycles before has written; c is read five cycles after a and b.  Words from
+// outside are written when no result is: external_ready_o.  Nothing is written under reset.
 `default_nettype none
 module folded_datapath #(
     parameter int CoefBits       = 36,  // [18, 36]
@@ -64,7 +63,7 @@ module folded_datapath #(
   logic [  7:0] write_address;
   logic [W-1:0] write_data;
   assign external_ready_o = target_o != 2'd1;
-  assign write            = external_i || !external_ready_o;
+  assign write            = rst_ni && (external_i || !external_ready_o);
   assign write_address    = external_ready_o ? external_address_i : d_address_o;
   assign write_data       = external_ready_o ? external_data_i : d_o;
 

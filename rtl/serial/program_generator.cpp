@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints rtl/serial/spherical_program.sv: the program of the serial build, from the networks' tables.
+// The program of the serial build from the networks' tables, as two files in the given folder:
+// spherical_program_pkg.sv, where its parts begin, and spherical_program.sv, the words.
 //
 // A word is one operation D = C + round(A B) of rtl/serial/folded_datapath.sv; words form frames of
 // at least nine, so that a frame reads what the frame before has written (three contexts take turns
 // with frames of three words). A Riemann node is one word per order. What depends on Order,
 // AuxAxes and CoefBits is left to the sequencer: no word does.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdio>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -185,8 +190,7 @@ void polynomial() {
     std::vector<Word> pull;
     std::vector<Word> last;
     for (int axis = 0; axis < 3; ++axis) {
-        rate.push_back(
-            make(accumulator(axis), advance(axis), state(kSpeed[axis]), kSine, kCoef));
+        rate.push_back(make(accumulator(axis), advance(axis), state(kSpeed[axis]), kSine, kCoef));
         pull.push_back(make(inward(axis), kZero, state(kOutput[axis]), kVersine, kCoef));
         last.push_back(to(kSample, axis, inward(axis), accumulator(axis), kTau, kUnit));
     }
@@ -210,35 +214,49 @@ struct Part {
     const char* name;
     void (*write)();
 };
+constexpr std::size_t kPlaces = 128;
 constexpr Part kParts[] = {{"Weights", weights}, {"Angle", angle},   {"Expand", expand},
                            {"Step", step},       {"Series", series}, {"Polynomial", polynomial}};
 
 }  // namespace
 
-int main() {
-    std::string entries;
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: program_generator FOLDER\n");
+        return 2;
+    }
+    const std::string folder = argv[1];
+    std::ofstream package(folder + "/spherical_program_pkg.sv");
+    package << "// SPDX-License-Identifier: Apache-2.0\n"
+               "// Where the parts of the serial build's program begin, made by\n"
+               "// rtl/serial/program_generator.cpp: do not edit.\n"
+               "package spherical_program_pkg;\n";
     for (const Part& part : kParts) {
-        entries += std::string("//   ") + part.name + " " + std::to_string(program.size()) + "\n";
+        package << fmt::format("  localparam logic [6:0] {}Entry = 7'd{};\n", part.name,
+                               program.size());
         part.write();
     }
-    std::printf(
-        "// SPDX-License-Identifier: Apache-2.0\n"
-        "// Program of the serial build, made by rtl/serial/program_generator.cpp: do not edit.\n"
-        "// Entries (repeated in curvecore's sequencer, held equal by test):\n%s"
-        "`default_nettype none\n"
-        "module spherical_program (\n"
-        "    input  wire logic        clk_i,\n"
-        "    input  wire logic [ 6:0] place_i,\n"
-        "    output logic      [50:0] word_o    // of the clock before\n"
-        ");\n\n"
-        "  logic [50:0] program_rom[128];\n"
-        "  always_ff @(posedge clk_i) word_o <= program_rom[place_i];\n\n"
-        "  initial begin\n",
-        entries.c_str());
-    for (std::size_t place = 0; place < 128; ++place) {
-        std::printf("    program_rom[%zu] = 51'h%013llx;\n", place,
-                    place < program.size() ? bits(program[place]) : 0);
+    package << "endpackage\n";
+
+    std::ofstream words(folder + "/spherical_program.sv");
+    words << "// SPDX-License-Identifier: Apache-2.0\n"
+             "// Program of the serial build, made by rtl/serial/program_generator.cpp: do not "
+             "edit.\n"
+             "// Its parts begin where rtl/spherical_program_pkg.sv says.\n"
+             "`default_nettype none\n"
+             "module spherical_program (\n"
+             "    input  wire logic        clk_i,\n"
+             "    input  wire logic [ 6:0] place_i,\n"
+             "    output logic      [50:0] word_o    // of the clock before\n"
+             ");\n\n"
+             "  logic [50:0] program_rom[128];\n"
+             "  always_ff @(posedge clk_i) word_o <= program_rom[place_i];\n\n"
+             "  initial begin\n";
+    program.resize(std::max<std::size_t>(program.size(), kPlaces));
+    for (std::size_t place = 0; place < program.size(); ++place) {
+        words << fmt::format("    {:<17}= 51'h{:013x};\n", fmt::format("program_rom[{}]", place),
+                             bits(program[place]));
     }
-    std::printf("  end\n\nendmodule\n`default_nettype wire\n");
-    return program.size() <= 128 ? 0 : 1;
+    words << "  end\n\nendmodule\n`default_nettype wire\n";
+    return program.size() == kPlaces && package.good() && words.good() ? 0 : 1;
 }

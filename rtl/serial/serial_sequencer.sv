@@ -46,7 +46,8 @@ module serial_sequencer #(
 );
 
   localparam int Spacing = 1 + (AuxAxes + 2) / 3;  // rotations between samples' first results
-  localparam logic [6:0] Entry = (Mode == 0) ? 7'd87 : 7'd102;
+  localparam logic [6:0] Entry = (Mode == 0) ? spherical_program_pkg::SeriesEntry
+                                             : spherical_program_pkg::PolynomialEntry;
   localparam logic [3:0] Stride = (Mode == 0) ? 4'd1 : 4'd2;
   localparam logic [3:0] First = (Mode == 0) ? 4'(Order - 1) : 4'((Order / 2) * 2 - 1);
   localparam logic [4:0] Drain = 5'd24;
@@ -63,30 +64,32 @@ module serial_sequencer #(
   logic [2:0] land_q;
   logic [1:0] next_q;
   logic [1:0] spacing_q;
-  logic [6:0] frame_q  [3];
-  logic [3:0] order_q  [3];
+  logic       sample_q;
+  logic [6:0] follow_q;
+  logic [6:0] frame_q     [3];  // of a context that rests: the first
+  logic [3:0] order_q     [3];
 
   // Fetch
   logic       run;
   logic       start;
   logic       slice;
   logic       fetch;
-  logic [6:0] frame;
   logic [6:0] place;
   logic [3:0] order;
   logic       turn_active;
   assign turn_active = active_q[turn_q];
-  assign run         = (turn_q == 2'd0 && word_q == 2'd0) ? room_i : run_q;
-  assign start       = run && word_q == 2'd0 && turn_q == next_q && !turn_active && sample_i
-                     && spacing_q == 2'd0 && !net_busy_o;
-  assign slice       = (word_q == 2'd0) ? (start || (run && turn_active)) : slice_q;
-  assign fetch       = net_busy_o || slice;
-  assign frame       = start ? Entry : frame_q[turn_q];
-  assign place       = net_busy_o ? net_place_q : frame + {5'd0, word_q};
+  assign run = (turn_q == 2'd0 && word_q == 2'd0) ? room_i : run_q;
+  assign start       = run && word_q == 2'd0 && turn_q == next_q && !turn_active && sample_q
+                     && spacing_q == 2'd0;
+  assign slice = (word_q == 2'd0) ? (start || (run && turn_active)) : slice_q;
+  assign fetch = net_busy_o || slice;
   always_comb begin
+    place = (word_q == 2'd0) ? frame_q[turn_q] : follow_q;
     order = order_q[turn_q];
-    if (start) order = First;
-    if (net_busy_o) order = net_order_q;
+    if (net_busy_o) begin
+      place = net_place_q;
+      order = net_order_q;
+    end
   end
   assign sample_take_o = start;
   assign context_o     = next_q;
@@ -176,10 +179,13 @@ module serial_sequencer #(
       active_q  <= '0;
       next_q    <= 2'd0;
       spacing_q <= 2'd0;
+      sample_q  <= 1'b0;
     end else begin
-      run_q   <= run;
-      slice_q <= slice;
-      word_q  <= last_word ? 2'd0 : word_q + 2'd1;
+      // A taken sample stays for one more clock, which starts none.
+      sample_q <= sample_i && !net_busy_o;
+      run_q    <= run;
+      slice_q  <= slice;
+      word_q   <= last_word ? 2'd0 : word_q + 2'd1;
       if (last_word) turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
       if (last_word && turn_q == 2'd2 && run && spacing_q != 2'd0) begin
         spacing_q <= spacing_q - 2'd1;
@@ -199,10 +205,16 @@ module serial_sequencer #(
     if (loop) advance = 7'd0;
   end
   always_ff @(posedge clk_i) begin
-    if (start) begin
-      land_q[turn_q]  <= land_i;
-      frame_q[turn_q] <= Entry;
-      order_q[turn_q] <= First;
+    follow_q <= place + 7'd1;
+    if (start) land_q[turn_q] <= land_i;
+    if (!rst_ni) begin
+      for (int n = 0; n < 3; n = n + 1) begin
+        frame_q[n] <= Entry;
+        order_q[n] <= First;
+      end
+    end else if (!net_q && halt) begin
+      frame_q[context_q] <= Entry;
+      order_q[context_q] <= First;
     end else if (!net_q && control != 3'd0) begin
       frame_q[context_q] <= frame_q[context_q] + advance;
       if (control == 3'd2 || control == 3'd3) order_q[context_q] <= i_q - Stride;

@@ -35,7 +35,7 @@ module serial_tracker #(
     output logic                     write_end_o,
     output logic      [         3:0] write_axis_o,
     output logic      [FineBits-1:0] write_point_o,
-    output logic      [         4:0] down_o,            // MaxStepExponent - k
+    output logic      [         4:0] down_o,           // MaxStepExponent - k
 
     // The sequencer
     output logic            net_start_o,
@@ -92,6 +92,7 @@ module serial_tracker #(
   logic        [47:0] length_q;  // of the step
   logic        [47:0] full_q;
   logic signed [49:0] beyond_q;
+  logic               equal_q;
   logic        [42:0] shift_q;
   logic        [ 4:0] count_q;
 
@@ -100,43 +101,54 @@ module serial_tracker #(
   logic               network;
   logic               done;
   logic               over;
-  assign accept          = segment_valid_i && segment_ready_o;
-  assign complete        = accept && field_q == Advance && axis_q == 4'(Axes - 1);
+  assign accept = segment_valid_i && segment_ready_o;
+  assign complete = accept && field_q == Advance && axis_q == 4'(Axes - 1);
   assign segment_ready_o = state_q == Open;
   assign request_ready_o = state_q == Ready;
-  assign network         = state_q == Weights || state_q == Angle || state_q == Step
-                         || state_q == Expand;
-  assign net_start_o     = network && !started_q;
-  assign done            = network && started_q && !net_busy_i;
-  assign over            = !beyond_q[49] && (beyond_q != 50'd0 || !last_q);
+  assign network = state_q == Weights || state_q == Angle || state_q == Step || state_q == Expand;
+  assign net_start_o = network && !started_q;
+  assign done = network && started_q && !net_busy_i;
+  assign over = !beyond_q[49] && (!equal_q || !last_q);
   always_comb begin
-    net_entry_o = 7'd40;
+    net_entry_o = spherical_program_pkg::ExpandEntry;
     net_order_o = 4'd1;
     if (state_q == Weights) begin
-      net_entry_o = 7'd0;
+      net_entry_o = spherical_program_pkg::WeightsEntry;
       net_order_o = 4'd2;
     end
-    if (state_q == Angle) net_entry_o = 7'd11;
-    if (state_q == Step) net_entry_o = 7'd69;
+    if (state_q == Angle) net_entry_o = spherical_program_pkg::AngleEntry;
+    if (state_q == Step) net_entry_o = spherical_program_pkg::StepEntry;
   end
 
   always_comb begin
     state_d = state_q;
     case (state_q)
       Open:    if (complete && !empty_q) state_d = Weights;
-      Weights: if (done) state_d = (Mode == 0) ? Expand : Angle;
+      Weights: begin
+        if (done) state_d = Expand;
+        if (done && Mode == 1) state_d = Angle;
+      end
       Angle:   if (done) state_d = Expand;
       Step:    if (done) state_d = Expand;
       Expand:  if (done) state_d = Rest;
       Rest:    state_d = Measure;
-      Measure: state_d = request_q ? Compare : Ready;
+      Measure: begin
+        state_d = Ready;
+        if (request_q) state_d = Compare;
+      end
       Ready:   if (request_valid_i) state_d = Compare;
       Compare: state_d = Decide;
-      Decide:  state_d = over ? Leave : Shift;
+      Decide: begin
+        state_d = Shift;
+        if (over) state_d = Leave;
+      end
       Shift:   if (count_q == 5'd0) state_d = Tau;
       Tau:     if (free_i && write_ready_i) state_d = Start;
       Start:   if (sample_take_i) state_d = Ready;
-      default: if (quiet_i) state_d = last_q ? Open : Step;
+      default: begin
+        if (quiet_i) state_d = Step;
+        if (quiet_i && last_q) state_d = Open;
+      end
     endcase
   end
 
@@ -146,10 +158,16 @@ module serial_tracker #(
       Length:    field_d = Theta;
       Theta:     field_d = StartWord;
       StartWord: field_d = EndWord;
-      EndWord:   field_d = (axis_q >= 4'd3) ? Advance : Tangent;
+      EndWord: begin
+        field_d = Tangent;
+        if (axis_q >= 4'd3) field_d = Advance;
+      end
       Tangent:   field_d = Normal;
       Normal:    field_d = Advance;
-      default:   field_d = complete ? Length : StartWord;
+      default: begin
+        field_d = StartWord;
+        if (complete) field_d = Length;
+      end
     endcase
   end
 
@@ -196,6 +214,7 @@ module serial_tracker #(
     if (state_q == Rest) last_q <= fits;
     if (state_q == Measure) length_q <= last_q ? rest_q : full_q;
     beyond_q <= sigma_q - length;
+    equal_q  <= sigma_q == length;
     if (!rst_ni) sigma_q <= '0;
     else if (state_q == Ready && request_valid_i) sigma_q <= sigma_q + ds;
     else if (state_q == Decide && over) sigma_q <= beyond_q;
@@ -206,7 +225,7 @@ module serial_tracker #(
     if (state_q == Decide) begin
       shift_q <= sigma_q[42:0];
       count_q <= down_o;
-      land_q  <= beyond_q == 50'd0;
+      land_q  <= equal_q;
     end else if (state_q == Shift) begin
       if (count_q >= 5'd4) begin
         shift_q <= {shift_q[38:0], 4'd0};
@@ -221,17 +240,23 @@ module serial_tracker #(
   assign land_o   = land_q;
 
   // Coefficient rows: normal 0, 2, 4 and tangent 1, 3, 5 (x F y G z H of the table).
+  logic [         2:0] axis_row;
+  logic [CoefBits-1:0] tau;
+  logic [CoefBits-1:0] bus;
+  assign axis_row = {1'b0, axis_q[1:0]};
+  assign tau      = {1'b0, shift_q[42:TauLow]};
+  assign bus      = segment_data_i[CoefBits-1:0];
   always_comb begin
     write_o         = 1'b0;
     write_address_o = {2'b11, context_i + 2'd1, 4'd3};
-    write_data_o    = {1'b0, shift_q[42:TauLow]};
+    write_data_o    = tau;
     if (state_q == Tau) write_o = free_i;
     if (state_q == Open) begin
-      write_data_o = segment_data_i[CoefBits-1:0];
+      write_data_o = bus;
       case (field_q)
         Theta:   write_address_o = 8'ha1;
-        Tangent: write_address_o = {1'b0, axis_q[1:0], 1'b1, 4'd0};
-        Normal:  write_address_o = {1'b0, axis_q[1:0], 1'b0, 4'd0};
+        Tangent: write_address_o = {axis_row, 1'b1, 4'd0};
+        Normal:  write_address_o = {axis_row, 1'b0, 4'd0};
         default: write_address_o = {4'hc, axis_q};
       endcase
       write_o = accept && field_q != Length && field_q != StartWord && field_q != EndWord;

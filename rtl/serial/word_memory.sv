@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // 256 coefficients, one write and one read port; it starts with the constants of the program:
 //
-//   0x81 1    0x91 -1    (CoefBits - 2 fraction bits)    0xa2 .. 0xac  1/2 .. 1/12
+//   0x81 1    0x91 -1    (CoefBits - 2 fraction bits)    0xa2 .. 0xac  1/2 .. 1/12    0xa0 0
+//
+// The device's configuration loads them.  No program writes there, nor does a reset.
 //
 //   cycle       0           1
 //   read_i      address
-//   data_o                  word, without what cycle 0 writes
+//   data_o                  word; undefined if cycle 0 writes it
 `default_nettype none
 module word_memory #(
     parameter int CoefBits = 36  // [18, 36]
@@ -38,6 +40,7 @@ module word_memory #(
   always_ff @(posedge clk_i) begin
     if (write_i) memory[write_address_i] <= write_data_i;
     data_o <= memory[read_i];
+    if (write_i && write_address_i == read_i) data_o <= 'x;  // no program reads this
   end
 
 endmodule

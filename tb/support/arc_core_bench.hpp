@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bench for either build of the arc core against hls::InterpolatorKernel: segments and requests
+// go in, samples are compared bit for bit. CFG_... macros name the configuration.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "hls/interpolator_kernel.hpp"
+#include "tb/support/clocked_dut.hpp"
+#include "tb/support/legal_segments.hpp"
+#include "tb/support/port_word.hpp"
+
+namespace curvecore::tb {
+
+using Config =
+    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
+                       CFG_Mode == 0 ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial>;
+constexpr int kAxes = Config::kAxes;
+constexpr int kFineBits = Config::kFineBits;
+constexpr int kPositionBits = Config::kPositionBits;
+using Fine = std::array<int64_t, kAxes>;
+
+template <class Model>
+class ArcCoreBench : public testing::Test {
+  protected:
+    ArcCoreBench() {
+        dut_.limit_cycles(20'000'000);
+        dut_->segment_valid_i = 0;
+        dut_->request_valid_i = 0;
+        dut_->sample_ready_i = 0;
+        dut_.reset();
+    }
+
+    void add(const hls::SegmentWords<Config>& segment) {
+        segments_.push_back(segment);
+        std::array<uint64_t, hls::segment_bus_words<Config>()> words;
+        hls::pack(segment, words.data());
+        bus_.insert(bus_.end(), words.begin(), words.end());
+    }
+
+    /// What the kernel says of a request; `more()` adds segments when the path needs them.
+    template <class More>
+    Fine predict(int64_t ds, More&& more) {
+        std::array<typename hls::InterpolatorKernel<Config>::Fine, kAxes> fine;
+        kernel_.sample(
+            ds,
+            [&] {
+                while (drawn_ >= segments_.size()) more();
+                path_end_ += segments_[drawn_].length;
+                return segments_[drawn_++];
+            },
+            fine.data());
+        path_ += ds;
+        Fine words;
+        for (int a = 0; a < kAxes; ++a) words[a] = hls::to_int<kFineBits>(fine[a]);
+        return words;
+    }
+
+    /// One clock with the given handshakes; a request is taken from, a sample compared with
+    /// the expectation.
+    void clock(bool offer_segment, bool offer_request, bool take_sample) {
+        dut_->segment_valid_i = offer_segment && !bus_.empty();
+        dut_->segment_data_i = bus_.empty() ? 0 : bus_.front();
+        dut_->request_valid_i = offer_request && !requests_.empty();
+        dut_->request_ds_i = requests_.empty() ? 0 : requests_.front();
+        dut_->sample_ready_i = take_sample;
+        dut_.settle();
+        const bool segment = dut_->segment_valid_i && dut_->segment_ready_o;
+        const bool request = dut_->request_valid_i && dut_->request_ready_o;
+        const bool sample = dut_->sample_valid_o && dut_->sample_ready_i;
+        if (sample) compare();
+        dut_.tick();
+        if (segment) bus_.pop_front();
+        if (request) {
+            requests_.pop_front();
+            last_request_ = dut_.cycle();
+        }
+        if (sample) last_sample_ = dut_.cycle();
+    }
+
+    void compare() {
+        ASSERT_FALSE(expected_.empty()) << "a sample that nobody asked for";
+        for (int a = 0; a < kAxes; ++a) {
+            const int64_t fine = signed_field(dut_->sample_fine_o, a * kFineBits, kFineBits);
+            const int64_t position =
+                signed_field(dut_->sample_position_o, a * kPositionBits, kPositionBits);
+            const int64_t truth = expected_.front()[a];
+            ASSERT_EQ(fine, truth) << "sample " << compared_ << " axis " << a;
+            ASSERT_EQ(position, hls::to_position<Config>(truth)) << "sample " << compared_;
+        }
+        expected_.pop_front();
+        ++compared_;
+    }
+
+    /// Clocks until every requested sample has come.
+    template <class Chance>
+    void drain(Chance&& chance) {
+        int idle = 0;
+        while (!expected_.empty()) {
+            const auto before = compared_;
+            clock(chance(), chance(), chance());
+            if (HasFatalFailure()) return;
+            idle = compared_ == before ? idle + 1 : 0;
+            ASSERT_LT(idle, 100'000) << "no sample comes";
+        }
+    }
+
+    /// A path increment of one of the kinds that matter.
+    int64_t random_ds() {
+        const int k = drawn_ == 0 ? 4 : segments_[drawn_ - 1].step_exponent;
+        const int64_t step = int64_t{1} << (k + hls::kPathFrac);
+        const int64_t to_end = path_end_ - path_;
+        const auto some = [&](int64_t limit) {
+            return static_cast<int64_t>(random_() % static_cast<uint64_t>(limit + 1));
+        };
+        switch (random_() % 16) {
+            case 0:
+                return 0;
+            case 1:
+                return to_end;  // an exact landing
+            case 2:
+                return to_end + 1;
+            case 3:
+                return step;
+            case 4:
+                return some(3 * step);
+            case 5:
+                return some(3);
+            default:
+                return some(step >> (random_() % 8));
+        }
+    }
+
+    /// Random requests over random segments, at full speed and with stalls on all three ports.
+    void equals_kernel_with_random_stalls() {
+        LegalSegments<Config> shapes(11);
+        const auto more = [&] { add(shapes.next()); };
+        for (int round = 0; round < 60; ++round) {
+            const int part = round % 4;  // 0: full speed
+            const auto chance = [&] {
+                return part == 0 || static_cast<int>(random_() % 4) >= part;
+            };
+            for (int n = 0; n < 500; ++n) {
+                const int64_t ds = random_ds();
+                requests_.push_back(ds);
+                expected_.push_back(predict(ds, more));
+            }
+            ASSERT_NO_FATAL_FAILURE(drain(chance)) << "round " << round;
+        }
+        EXPECT_EQ(compared_, 60 * 500);
+        EXPECT_GT(kernel_.segments(), 100);
+        EXPECT_GT(kernel_.empty_segments(), 10);
+        EXPECT_EQ(dut_->empty_segments_o, kernel_.empty_segments());
+    }
+
+    /// Nothing is lost while nobody takes samples.
+    void holds_its_sample_while_stalled() {
+        LegalSegments<Config> shapes(5);
+        add(shapes.whole(6, 2));
+        for (int n = 0; n < 400; ++n) {
+            requests_.push_back(10 * n);
+            expected_.push_back(predict(10 * n, [] { FAIL(); }));
+        }
+        for (int n = 0; n < 4000; ++n) clock(true, true, false);
+        EXPECT_EQ(dut_->sample_valid_o, 1);
+        EXPECT_FALSE(requests_.empty());
+        drain([] { return true; });
+    }
+
+    /// Resets the core, and forgets what it was asked.
+    void start_afresh() {
+        dut_.reset();
+        kernel_ = {};
+        segments_.clear();
+        bus_.clear();
+        requests_.clear();
+        expected_.clear();
+        drawn_ = 0;
+        path_ = 0;
+        path_end_ = 0;
+    }
+
+    /// Resets with segments and samples under way.
+    void starts_afresh_after_a_reset() {
+        for (int round = 0; round < 4; ++round) {
+            LegalSegments<Config> shapes(round + 1);
+            add(shapes.whole(6, 3));
+            for (int n = 0; n < 50; ++n) {
+                requests_.push_back(70'000);
+                expected_.push_back(predict(70'000, [] { FAIL(); }));
+            }
+            for (int n = 0; n < 100 + 70 * round && !expected_.empty(); ++n)
+                clock(true, true, true);
+            start_afresh();
+        }
+    }
+
+    ClockedDut<Model> dut_;
+    hls::InterpolatorKernel<Config> kernel_;
+    std::mt19937_64 random_{7};
+    std::vector<hls::SegmentWords<Config>> segments_;
+    size_t drawn_ = 0;      // segments that the kernel has taken
+    int64_t path_ = 0;      // of the requests
+    int64_t path_end_ = 0;  // of the present segment
+    std::deque<uint64_t> bus_;
+    std::deque<int64_t> requests_;
+    std::deque<Fine> expected_;
+    int64_t compared_ = 0;
+    uint64_t last_request_ = 0;
+    uint64_t last_sample_ = 0;
+};
+
+}  // namespace curvecore::tb
