@@ -6,7 +6,7 @@
 //
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick of time. Its rate
 // follows override_i, or stops for hold_i, kill_i and underrun, with bounded first and second
-// differences; time stops, the geometry stays. All inputs beside the streams belong to that request.
+// differences; time stops, the geometry stays. Inputs beside the streams belong to that request.
 //
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
 //   request to path increment, clocks    about 60; to sample: plus the core's

@@ -5,13 +5,13 @@
 //
 //   segment words, requests -> tracker -> sequencer and program -> datapath -> lander -> samples
 //
-// The network of Fig. 8 is a program (serial/spherical_program.sv, made from ref/series/figures.hpp)
+// The network of Fig. 8 is a program (serial/spherical_program.sv, from ref/series/figures.hpp)
 // for one multiplier and one word memory.  Up to three samples are under way at a time.
 //
 //   clocks                          value (Frames = Order series, 4 + floor(Order / 2) polynomial,
 //                                   and ceil(AuxAxes / 3) more)
 //   between samples of a step       on average at most
-//                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 3), 21)
+//                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 5), 24)
 //
 // A reset starts afresh; the program's constants come with the device's configuration
 // (serial/word_memory.sv), so memories must be initialised.

@@ -9,11 +9,13 @@ PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)"
 mkdir -p build/bench build/figures
-build/release/tb/bench/kernel_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true \
+build/release/tb/bench/kernel_bench --benchmark_repetitions=3 \
+  --benchmark_report_aggregates_only=true \
   --benchmark_out=build/bench/kernel.json --benchmark_out_format=json
 build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 for build in parallel serial; do
   rm -rf "build/bench/$build"
-  build/curvecore run tb/data/demo.ngc -o "build/bench/$build" --build "$build" --sample-period 10us -q
+  build/curvecore run tb/data/demo.ngc -o "build/bench/$build" --build "$build" \
+    --sample-period 10us -q
 done
 python3 scripts/bench_rows.py

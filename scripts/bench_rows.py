@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Gathers build/bench/ into build/bench.json: rows of what was measured, each with its figure."""
+
 import json
 import pathlib
 
@@ -10,7 +11,11 @@ BENCH = pathlib.Path(__file__).resolve().parent.parent / "build" / "bench"
 def kernel_rates():
     """Median samples per second of each loop."""
     runs = json.loads((BENCH / "kernel.json").read_text())["benchmarks"]
-    return {run["run_name"]: run["items_per_second"] for run in runs if run["aggregate_name"] == "median"}
+    return {
+        run["run_name"]: run["items_per_second"]
+        for run in runs
+        if run["aggregate_name"] == "median"
+    }
 
 
 def main():
@@ -27,11 +32,18 @@ def main():
         per_sample = report["clocks_per_sample"]
         rows += [
             (f"{build}: clocks per sample, demo part", f"{per_sample:.3f}"),
-            (f"{build}: `curvecore run`, every check on", f"{clocks / per_sample / 1e6:.2f} M samples/s"),
+            (
+                f"{build}: `curvecore run`, every check on",
+                f"{clocks / per_sample / 1e6:.2f} M samples/s",
+            ),
             (f"{build}: simulation", f"{clocks / 1e6:.1f} M clocks/s"),
         ]
     (BENCH.parent / "bench.json").write_text(
-        json.dumps({"rows": [{"what": what, "measured": measured} for what, measured in rows]}, indent=1) + "\n")
+        json.dumps(
+            {"rows": [{"what": what, "measured": measured} for what, measured in rows]}, indent=1
+        )
+        + "\n"
+    )
     for what, measured in rows:
         print(f"{what:45s} {measured}")
 

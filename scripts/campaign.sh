@@ -13,12 +13,14 @@ cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)"
 mkdir -p build/campaign build/figures
 
-benches=(build/release/tb/sample_campaign_*)
-mapfile -t benches < <(for bench in "${benches[@]}"; do [ -f "$bench" ] && [ -x "$bench" ] && echo "$bench"; done)
+mapfile -t benches < <(find build/release/tb -maxdepth 1 -name 'sample_campaign_*' -type f \
+  -executable | sort)
 export CURVECORE_SAMPLES=$(((total + ${#benches[@]} - 1) / ${#benches[@]}))
 echo "${#benches[@]} configurations, $CURVECORE_SAMPLES samples each"
 printf '%s\n' "${benches[@]}" | xargs -P "$(nproc)" -I{} sh -c \
-  'log=build/campaign/$(basename {}).log; {} >$log 2>&1 || echo "FAILED: {}"; grep -H "words differ" $log'
+  'log=build/campaign/$(basename {}).log
+   {} >$log 2>&1 || echo "FAILED: {}"
+   grep -H "words differ" $log'
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
 
@@ -28,10 +30,12 @@ import json
 import re
 import sys
 
-found = [re.search(r"(\d+) samples of .* (\d+) words differ", open(log).read()) for log in glob.glob("build/campaign/*.log")]
+line = re.compile(r"(\d+) samples of .* (\d+) words differ")
+found = [line.search(open(log).read()) for log in glob.glob("build/campaign/*.log")]
 samples = sum(int(m[1]) for m in found if m)
 differ = sum(int(m[2]) for m in found if m)
-json.dump({"configurations": len(found), "samples": samples, "differ": differ}, open("build/figures/equality.json", "w"))
+equality = {"configurations": len(found), "samples": samples, "differ": differ}
+json.dump(equality, open("build/figures/equality.json", "w"))
 print(f"{samples} samples in {len(found)} configurations, {differ} words differ")
 sys.exit(not all(found) or differ > 0)
 PYTHON

@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes README.md's tables and values from what tests, benchmarks and place and route printed.
 
-    scripts/readme_tables.py           fill in what was measured (build/figures, build/bench.json, build/synth)
+    scripts/readme_tables.py           fill in what was measured (build/figures, bench, synth)
     scripts/readme_tables.py --check   fail if README.md has a place that no file here fills
 
-A table stands between `<!-- begin: NAME -->` and `<!-- end: NAME -->`; a figure that was not measured keeps
-the text it has.
+A table stands between `<!-- begin: NAME -->` and `<!-- end: NAME -->`; what was not
+measured keeps the text it has.
 """
+
 import argparse
 import json
 import pathlib
@@ -39,15 +40,32 @@ def accuracy():
         return None
     rows = [
         (
-            r["family"], f"{r['curves']:,}", f"{r['samples']:,}", f"{r['worst_rounded']:.3f}",
-            f"{r['worst_unrounded']:.4f}", f"{r['bound']:.4f}", f"{r['bound'] / r['worst_unrounded']:.1f}",
+            r["family"],
+            f"{r['curves']:,}",
+            f"{r['samples']:,}",
+            f"{r['worst_rounded']:.3f}",
+            f"{r['worst_unrounded']:.4f}",
+            f"{r['bound']:.4f}",
+            f"{r['bound'] / r['worst_unrounded']:.1f}",
             r["worst_landing"],
         )
         for r in data["families"]
     ]
-    head = ["curves", "number", "samples", "worst error, rounded", "before rounding", "derived bound", "bound / worst",
-            "end points"]
-    return "Error per axis in length units (1 nm), kernel (= RTL, bit for bit) against the exact curve:\n\n" + table(head, rows)
+    head = [
+        "curves",
+        "number",
+        "samples",
+        "worst error, rounded",
+        "before rounding",
+        "derived bound",
+        "bound / worst",
+        "end points",
+    ]
+    return (
+        "Error per axis in length units (1 nm), kernel (= RTL, bit for bit) against the exact"
+        " curve:\n\n"
+        + table(head, rows)
+    )
 
 
 def throughput():
@@ -62,7 +80,9 @@ def synthesis():
     for file in sorted((BUILD / "synth").glob("*.json")):
         r = json.loads(file.read_text())
         name = file.stem + "".join(f" {k}={v}" for k, v in r.get("set", {}).items())
-        rows.append((name, f"{r['fmax_mhz']:.0f}", r["lut4"], r["ff"], r["dsp"], r["bram"], r["seeds"]))
+        rows.append(
+            (name, f"{r['fmax_mhz']:.0f}", r["lut4"], r["ff"], r["dsp"], r["bram"], r["seeds"])
+        )
     if not rows:
         return None
     return table(["core-build-device", "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
@@ -74,7 +94,10 @@ def paper_table():
         return None
     feeds = sorted({r["feed_m_min"] for r in data["rows"]})
     orders = sorted({r["order"] for r in data["rows"]})
-    cell = {(r["order"], r["feed_m_min"]): f"{short(r['step_mm'])} / {short(r['circle_mm'])}" for r in data["rows"]}
+    cell = {
+        (r["order"], r["feed_m_min"]): f"{short(r['step_mm'])} / {short(r['circle_mm'])}"
+        for r in data["rows"]
+    }
     head = ["order"] + [f"{feed:g} m/min: step / circle" for feed in feeds]
     return table(head, [[order] + [cell[order, feed] for feed in feeds] for order in orders])
 
@@ -85,17 +108,30 @@ def demo():
         return None
     axes = sorted(report["error"]["max_lsb"])
     rows = [
-        (axis.upper(), f"{report['error']['max_lsb'][axis]:.3f}", f"{report['unrounded']['max_lsb'][axis]:.4f}",
-         f"{report['unrounded']['bound_lsb']:.4f}")
+        (
+            axis.upper(),
+            f"{report['error']['max_lsb'][axis]:.3f}",
+            f"{report['unrounded']['max_lsb'][axis]:.4f}",
+            f"{report['unrounded']['bound_lsb']:.4f}",
+        )
         for axis in axes
     ]
-    text = (f"What the demo prints for `{pathlib.Path(report['input']).name}` ({report['moves']} moves, "
-            f"{report['segments']} segments, {report['samples']:,} samples, unit 1 nm; words that differ between RTL "
-            f"and kernel: {report['rtl_equals_kernel']}; exact stops off by {report['landing_lsb']} units):\n\n")
+    text = (
+        f"What the demo prints for `{pathlib.Path(report['input']).name}` ({report['moves']} moves,"
+        f" {report['segments']} segments, {report['samples']:,} samples, unit 1 nm; words that"
+        f" differ between RTL and kernel: {report['rtl_equals_kernel']}; exact stops off by"
+        f" {report['landing_lsb']} units):\n\n"
+    )
     return text + table(["axis", "worst error", "before rounding", "derived bound"], rows)
 
 
-TABLES = {"accuracy": accuracy, "throughput": throughput, "synthesis": synthesis, "paper_table": paper_table, "demo": demo}
+TABLES = {
+    "accuracy": accuracy,
+    "throughput": throughput,
+    "synthesis": synthesis,
+    "paper_table": paper_table,
+    "demo": demo,
+}
 
 
 def main():
@@ -106,7 +142,9 @@ def main():
     text = readme.read_text()
     names = re.findall(r"<!-- begin: (\w+) -->", text)
     unknown = [name for name in names if name not in TABLES]
-    empty = [name for name in names if re.search(rf"<!-- begin: {name} -->\s*<!-- end: {name} -->", text)]
+    empty = [
+        name for name in names if re.search(rf"<!-- begin: {name} -->\s*<!-- end: {name} -->", text)
+    ]
     if arguments.check:
         if unknown or empty:
             sys.exit(f"README.md: unknown tables {unknown}, empty tables {empty}")
@@ -115,7 +153,9 @@ def main():
         body = TABLES[name]()
         if body is not None:
             pattern = rf"(<!-- begin: {name} -->\n).*?(<!-- end: {name} -->)"
-            text = re.sub(pattern, lambda m: m.group(1) + body + "\n" + m.group(2), text, flags=re.S)
+            text = re.sub(
+                pattern, lambda m: m.group(1) + body + "\n" + m.group(2), text, flags=re.S
+            )
         print(f"{name}: {'written' if body is not None else 'not measured, kept'}")
     readme.write_text(text)
 

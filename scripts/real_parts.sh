@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Runs long parts that no one here wrote through the RTL: sample programs of Debian's linuxcnc-uspace
-# package (GPL), fetched into build/real_parts and never committed.
+# Runs long parts that no one here wrote through the RTL: sample programs of Debian's
+# linuxcnc-uspace package (GPL), fetched into build/real_parts and never committed.
 #
 #   scripts/real_parts.sh [CURVECORE]      exit status 77: the package cannot be fetched here
 set -euo pipefail
 cd "$(dirname "$0")/.."
 curvecore=$(realpath "${1:-build/curvecore}")
 folder=$PWD/build/real_parts
+examples=usr/share/doc/linuxcnc/examples/sample-configs/sim/gmoccapy
+examples+=/non_trivial_kinematics/table-rotary-tilting/examples
 parts=(
   usr/share/linuxcnc/ncfiles/arcspiral.ngc
-  usr/share/doc/linuxcnc/examples/sample-configs/sim/gmoccapy/non_trivial_kinematics/table-rotary-tilting/examples/impeller-7bl-xyzac.ngc
+  "$examples/impeller-7bl-xyzac.ngc"
 )
 
 mkdir -p "$folder"

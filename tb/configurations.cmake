@@ -107,7 +107,7 @@ foreach(size 2,18 6,36 7,29 12,33)
 endforeach()
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
-# The parallel arc core: order, coefficient, position and guard bits, auxiliary axes, mode, interval.
+# The parallel arc core: order, coefficient, position, guard bits, auxiliary axes, mode, interval.
 foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4 2,18,16,2,6,0,1
         2,36,32,10,0,1,2 3,18,16,12,0,1,8 5,33,28,7,3,0,2 12,36,32,12,6,0,8 12,25,20,5,1,1,1)
   string(REPLACE "," ";" size ${size})
@@ -130,7 +130,8 @@ illegal_parameter_test(spherical_interpolator PositionBits=33 "PositionBits must
 illegal_parameter_test(spherical_interpolator GuardBits=1 "GuardBits must be in .2, 12.")
 illegal_parameter_test(spherical_interpolator AuxAxes=7 "AuxAxes must be in .0, 6.")
 illegal_parameter_test(spherical_interpolator Mode=2 "Mode must be 0 or 1")
-illegal_parameter_test(spherical_interpolator SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
+illegal_parameter_test(spherical_interpolator SampleInterval=3
+                       "SampleInterval must be 1, 2, 4 or 8")
 
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)

@@ -91,7 +91,7 @@ module path_increment (
   end
 
   // 7: never back, path = max(goal, path before).  The comparison with the path before takes a
-  // clock, so it is made with both values which that may have: the goal before, and its path before.
+  // clock, so it is made with both values which that may have: the goal before, its path before.
   logic [47:0] goal_7_q;
   logic [47:0] path_q;
   logic [47:0] path_before_q;

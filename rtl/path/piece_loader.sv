@@ -2,7 +2,7 @@
 // Profile words into the next piece, while the present one runs. Word format: hls/words.hpp.
 //
 // The five words of a piece go where they are used: coefficients and bounds into memories of Banks
-// banks (bank_o of the piece), what the clock of pieces needs into the outputs beside piece_valid_o.
+// banks (bank_o of the piece), what the clock of pieces needs into outputs beside piece_valid_o.
 // After piece_take_i the next piece is there 6 clocks later, when its words are queued.
 //
 //   clock           0    1    2    3    4    5

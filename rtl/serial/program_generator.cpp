@@ -18,7 +18,6 @@
 
 namespace {
 
-using curvecore::ref::Gain;
 using curvecore::ref::kSineCosine;
 using curvecore::ref::kSpherical;
 

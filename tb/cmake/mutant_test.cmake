@@ -2,7 +2,7 @@
 # Negative controls that are kept: a copy of a source with one thing broken, and the test that must
 # turn red. A mutation whose text is no longer in the source stops the configuration.
 
-# mutated_file(<result> <mutant> <file> "old text" "new text"): the broken copy, under the build tree
+# mutated_file(<result> <mutant> <file> "old text" "new text"): the broken copy, in the build tree
 function(mutated_file result mutant file old new)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
   file(READ ${PROJECT_SOURCE_DIR}/${file} text)

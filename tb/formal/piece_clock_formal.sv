@@ -77,10 +77,10 @@ module piece_clock_formal (
   logic [2:1] events_q;
   logic event_q;
   logic [3:0] idle_q;  // cycles in which a tick could have been taken
-  logic [2:0] inside;
-  assign inside = sent_q - taken_q;
+  logic [2:0] in_piece;
+  assign in_piece = sent_q - taken_q;
   logic could;
-  assign could = inside != '0 && slot_i && (next_valid_i || !queued_i);
+  assign could = in_piece != '0 && slot_i && (next_valid_i || !queued_i);
   logic [3:1] may_stop_q;  // at the tick of an event: no piece follows
   logic was_last_q;
   logic [2:0] event_piece_q;  // pieces begun, as the events tell
@@ -93,8 +93,8 @@ module piece_clock_formal (
     events_q      <= {events_q[1], taken} & {2{rst_ni}};
     event_q       <= events_q[2] && rst_ni;
     idle_q        <= {idle_q[2:0], rst_ni && could && !taken};
-    may_stop_q <= {may_stop_q[2:1], last || !queued_i};
-    was_last_q <= rst_ni && last;
+    may_stop_q    <= {may_stop_q[2:1], last || !queued_i};
+    was_last_q    <= rst_ni && last;
     if (!rst_ni) begin
       sent_q        <= '0;
       taken_q       <= '0;
@@ -119,9 +119,9 @@ module piece_clock_formal (
       if (kept_next_q) assume (next_final_i == kept_final_q);
       if (kept_queued_q || next_valid_i) assume (queued_i);
 
-      FewInside : assert (inside <= 3'd3);
+      FewInside : assert (in_piece <= 3'd3);
       if (next_take) TakesLoaded : assert (next_valid_i && taken);
-      if (taken) TakesAtSlot : assert (slot_i && inside != '0);
+      if (taken) TakesAtSlot : assert (slot_i && in_piece != '0);
       EventPerTick : assert (valid == event_q);
       if (valid) InOrder : assert (rate == {1'b0, seen_q, 13'b0});
       if (valid && begins) OwnBank : assert (bank == event_piece_q && !still);

@@ -43,7 +43,7 @@ module word_queue_formal (
   assign hidden = rst_ni && held != '0 && !valid;
 
   logic started_q = 1'b0;
-  logic kept_q;    // an offer that was not taken in the cycle before
+  logic kept_q;  // an offer that was not taken in the cycle before
   logic [1:0] hidden_q;
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;

@@ -12,7 +12,7 @@ namespace {
 // As stated in the header of the RTL.
 constexpr int kAuxFrames = (Config::kAuxAxes + 2) / 3;
 constexpr int kFrames = (CFG_Mode == 0 ? Config::kOrder : 4 + Config::kOrder / 2) + kAuxFrames;
-constexpr int kSampleClocks = std::max({9 * (1 + kAuxFrames), 3 * (kFrames + 3), 21});
+constexpr int kSampleClocks = std::max({9 * (1 + kAuxFrames), 3 * (kFrames + 5), 24});
 
 using SphericalInterpolatorSerial = ArcCoreBench<Vspherical_interpolator_serial>;
 
@@ -29,7 +29,7 @@ TEST_F(SphericalInterpolatorSerial, GivesSamplesOfAStepInTheStatedClocks) {
     for (int exponent = 0; exponent <= hls::kMaxStepExponent; ++exponent) {
         LegalSegments<Config> shapes(5);
         add(shapes.whole(exponent, 1));
-        for (int n = 0; n <= kSamples; ++n) {
+        for (uint64_t n = 0; n <= kSamples; ++n) {
             requests_.push_back(10);
             expected_.push_back(predict(10, [] { FAIL(); }));
         }
