@@ -25,7 +25,7 @@ namespace curvecore::ref {
 /// about eight operations, measured below 0.6 2^-50 max(|start|, s): below 1e-6 units for |start|,
 /// s <= 2.1e9 units and any radius.
 inline Vec3 exact_position(const Segment& segment, double s) {
-    const Vec3 linear = segment.start + segment.advance * s;
+    Vec3 linear = segment.start + segment.advance * s;
     if (segment.radius == 0) {
         return linear;
     }
