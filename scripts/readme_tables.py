@@ -77,7 +77,7 @@ def throughput():
 
 def synthesis():
     rows = []
-    for file in sorted((BUILD / "synth").glob("*.json")):
+    for file in sorted((BUILD / "synth").glob("spherical-*.json")):
         r = json.loads(file.read_text())
         name = file.stem + "".join(f" {k}={v}" for k, v in r.get("set", {}).items())
         rows.append(
