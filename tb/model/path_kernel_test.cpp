@@ -8,29 +8,12 @@
 #include <random>
 #include <vector>
 
+#include "tb/support/random_pieces.hpp"
+
 namespace curvecore::hls {
 namespace {
 
-/// A piece that moves ds quanta in `ticks` ticks, from speed ratio v0 to v1 of the mean.
-ProfileWords piece_of(std::int64_t ds, std::int32_t ticks, double v0, bool final) {
-    ProfileWords piece;
-    piece.ticks = ticks;
-    while ((1 << piece.time_exponent) < ticks) ++piece.time_exponent;
-    piece.ds = ds;
-    piece.final = final;
-    // s(x) = ds (v0 x + (1.5 (2 - 2 v0) / 2) x^2 ...) with x = t / N: monotone for 0 <= v0 <= 2.
-    const double stretch = std::ldexp(1.0, piece.time_exponent) / ticks;
-    const double total = static_cast<double>(ds);
-    double c[3] = {total * v0 * stretch, total * (1 - v0) * 1.2 * stretch * stretch,
-                   total * (1 - v0) * -0.2 * stretch * stretch * stretch};
-    double largest = 1;
-    for (double value : c) largest = std::max(largest, std::fabs(value));
-    while (std::ldexp(1.9, piece.exponent) < largest) ++piece.exponent;
-    for (int i = 0; i < 3; ++i) {
-        piece.c[i] = std::llround(std::ldexp(c[i], kProfileFrac - piece.exponent));
-    }
-    return piece;
-}
+using tb::piece_of;
 
 struct Feeder {
     std::vector<ProfileWords> pieces;
@@ -43,16 +26,9 @@ struct Feeder {
 };
 
 Feeder random_program(std::uint32_t seed, std::int64_t& total) {
-    std::mt19937_64 random(seed);
-    Feeder feeder;
+    Feeder feeder{tb::random_pieces(seed, 40, 300)};
     total = 0;
-    for (int n = 0; n < 40; ++n) {
-        const std::int64_t ds = static_cast<std::int64_t>(random() >> (24 + random() % 40));
-        const std::int32_t ticks = 1 + static_cast<std::int32_t>(random() % 300);
-        feeder.pieces.push_back(
-            piece_of(ds, ticks, 1e-3 * static_cast<double>(random() % 1900), n == 39));
-        total += ds;
-    }
+    for (const ProfileWords& piece : feeder.pieces) total += piece.ds;
     return feeder;
 }
 
