@@ -36,7 +36,7 @@ ctest --preset "$preset" "${options[@]}" 2>&1 | tee "$log" |
   awk '/tests passed/ {end = 1} !end && !/^ *Start +[0-9]+:|\.+ +Passed /' || status=$?
 echo "Slowest tests:"
 sed -nE 's|^ *[0-9]+/[0-9]+ +Test +#[0-9]+: +([^ ]+) .* ([0-9.]+) sec.*|\2 s  \1|p' "$log" |
-  sort -rn | head -n 10
+  sort -rn | sed -n 1,10p
 echo
 sed -n '/tests passed/,$p' "$log"
 exit $status
