@@ -12,7 +12,7 @@
 //   between samples                   SampleInterval
 //   request to sample                 12 + 3 SampleInterval + that of the sampler, and up to
 //                                     SampleInterval - 1 more
-//   of an integration step            Order (Digits + 3) + 6
+//   of an integration step            Order (Digits + 3) + 7
 //   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
@@ -74,7 +74,7 @@ module spherical_interpolator #(
   ) : curvecore_pkg::horner_latency(
       Order / 2, SampleInterval
   ) + 19;
-  localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 6;
+  localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 7;
   localparam int QueueDepth = (UnderWay > 16) ? 2 ** $clog2(UnderWay) : 16;
 
   // Network side: steps into banks.
@@ -143,12 +143,19 @@ module spherical_interpolator #(
   );
 
   // Sample side: in slots of SampleInterval clocks.
+  localparam logic [2:0] PhaseMask = 3'(SampleInterval - 1);
   logic [2:0] phase_q;
+  logic [2:0] tau_phase_q;  // tau is there five clocks after its slot
   logic       slot;
   assign slot = phase_q == 3'd0;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) phase_q <= 3'd0;
-    else phase_q <= (phase_q == 3'(SampleInterval - 1)) ? 3'd0 : phase_q + 3'd1;
+    if (!rst_ni) begin
+      phase_q     <= 3'd0;
+      tau_phase_q <= (3'd0 - 3'd5) & PhaseMask;
+    end else begin
+      phase_q     <= (phase_q + 3'd1) & PhaseMask;
+      tau_phase_q <= (tau_phase_q + 3'd1) & PhaseMask;
+    end
   end
 
   logic request_there;
@@ -222,14 +229,9 @@ module spherical_interpolator #(
       .tau_o(tau)
   );
 
-  // tau is there five clocks after its slot.
   logic                     d_valid;
   logic [              9:0] d_tag;
   logic [Axes*CoefBits-1:0] d;
-  logic [              2:0] tau_phase;
-  logic [              2:0] tau_slot;
-  assign tau_phase = phase_q - 3'd5;
-  assign tau_slot  = tau_phase & 3'(SampleInterval - 1);
   if (Mode == 0) begin : g_series
     logic unused;
     assign unused = &{zeroth, f, g, h, angle};
@@ -252,7 +254,7 @@ module spherical_interpolator #(
         .x_i(x),
         .y_i(y),
         .z_i(z),
-        .phase_i(tau_slot),
+        .phase_i(tau_phase_q),
         .valid_i(tau_valid),
         .tau_i(tau),
         .tag_i({tau_down, tau_sample, tau_land, tau_step}),
@@ -285,7 +287,7 @@ module spherical_interpolator #(
         .g_i(g),
         .h_i(h),
         .angle_i(angle),
-        .phase_i(tau_slot),
+        .phase_i(tau_phase_q),
         .valid_i(tau_valid),
         .tau_i(tau),
         .tag_i({tau_down, tau_sample, tau_land, tau_step}),

@@ -16,14 +16,19 @@ module delay_line #(
     logic unused;
     assign unused = &{clk_i, rst_ni, en_i};
     assign data_o = data_i;
-  end else if (Clocks == 1) begin : g_register
+  end else if (Clocks <= 3) begin : g_registers
     logic unused;
     assign unused = rst_ni;
+    logic [Bits-1:0] data_q[Clocks];
     always_ff @(posedge clk_i) begin
-      if (en_i) data_o <= data_i;
+      if (en_i) begin
+        data_q[0] <= data_i;
+        for (int i = 1; i < Clocks; i++) data_q[i] <= data_q[i-1];
+      end
     end
+    assign data_o = data_q[Clocks-1];
   end else begin : g_ring
-    localparam int PlaceBits = (Clocks > 2) ? $clog2(Clocks - 1) : 1;
+    localparam int PlaceBits = $clog2(Clocks - 1);
     localparam logic [PlaceBits-1:0] Top = PlaceBits'(Clocks - 2);
     logic [PlaceBits-1:0] place_q;
     logic [     Bits-1:0] ring    [2**PlaceBits];

@@ -67,18 +67,21 @@ module digit_multiplier #(
     endcase
   end
 
-  // One place more for the rounding: 1/2 of what the last, one-bit shift drops.
-  logic signed [Bits+2:0] left;
-  logic signed [Bits+2:0] right;
-  logic signed [Bits+2:0] sum;
-  assign left  = {{2{product_o[Bits-1]}}, product_o, 1'b1};
-  assign right = {multiple_q, last_q};
-  assign sum   = left + right;
+  // The sum of the digits so far in halves: every digit shifts by two places, the last by one, so
+  // what it leaves are whole units, rounded by last_q.
+  logic signed [  Bits:0] half_q;
+  logic signed [Bits+1:0] whole;
+  logic signed [Bits+1:0] carry;
+  logic signed [Bits+1:0] sum;
+  assign whole = {{2{half_q[Bits]}}, half_q[Bits:1]};
+  assign carry = {{(Bits + 1) {1'b0}}, last_q};
+  assign sum   = whole + multiple_q + carry;
 
   always_ff @(posedge clk_i) begin
-    if (clear_q) product_o <= '0;
-    else if (step_q) product_o <= last_q ? sum[Bits+1:2] : sum[Bits+2:3];
+    if (clear_q) half_q <= '0;
+    else if (step_q) half_q <= sum[Bits+1:1];
   end
+  assign product_o = half_q[Bits-1:0];
 
 endmodule
 `default_nettype wire

@@ -71,8 +71,13 @@ module horner #(
     else if (en_i) place_q <= (place_q == 3'(Loop - 2)) ? 3'd0 : place_q + 3'd1;
   end
 
-  logic first;
-  assign first = (Interval == 1) || phase_i == 3'd0;
+  // The next clock's phase: every stage has registers of its own for it.
+  logic [2:0] next_phase;
+  always_comb begin
+    next_phase = phase_i;
+    if (en_i) next_phase = (phase_i + 3'd1) & 3'(Interval - 1);
+    if (!rst_ni) next_phase = 3'd0;
+  end
 
   // Index 0: the input; s + 1: what leaves stage s.
   logic                       loop_valid[        Stages+1];
@@ -85,6 +90,17 @@ module horner #(
   end
 
   for (genvar s = 0; s < Stages; s++) begin : g_stage
+    logic [2:0] phase;
+    logic       first;
+    local_copy #(
+        .Bits(3)
+    ) u_phase (
+        .clk_i,
+        .data_i(next_phase),
+        .data_o(phase)
+    );
+    assign first = (Interval == 1) || phase == 3'd0;
+
     logic [WordBits-1:0] slot_word;
     horner_slot #(
         .Bits(WordBits),
@@ -102,14 +118,17 @@ module horner #(
         .loop_word_o(loop_word[s+1])
     );
 
-    logic [Bits-1:0] x_q;
-    logic [Bits-1:0] x2_q;
-    always_ff @(posedge clk_i) begin
-      if (en_i) begin
-        x_q  <= slot_word[Bits-1:0];
-        x2_q <= x_q;
-      end
-    end
+    logic [Bits-1:0] x;
+    delay_line #(
+        .Bits(Bits),
+        .Clocks((Interval > 2) ? 3 : 2)
+    ) u_x (
+        .clk_i,
+        .rst_ni,
+        .en_i,
+        .data_i(slot_word[Bits-1:0]),
+        .data_o(x)
+    );
 
     // Pass p = s Interval + phase.
     logic               write;
@@ -118,7 +137,7 @@ module horner #(
     assign write = write_i && (write_pass_i >> PassBits) == 4'(s);
     if (Interval > 1) begin : g_pass
       assign write_address = {write_pass_i[PassBits-1:0], write_bank_i};
-      assign address       = {phase_i[PassBits-1:0], slot_word[Bits+:BankBits]};
+      assign address       = {phase[PassBits-1:0], slot_word[Bits+:BankBits]};
     end else begin : g_one_pass
       assign write_address = write_bank_i;
       assign address       = slot_word[Bits+:BankBits];
@@ -140,7 +159,7 @@ module horner #(
           .write_coef_i(write_coef_i[l*Bits+:Bits]),
           .address_i(address),
           .first_i(first),
-          .x_i(x2_q),
+          .x_i(x),
           .previous_i(late[s*Lanes+l]),
           .late_o(late[(s+1)*Lanes+l])
       );

@@ -4,12 +4,16 @@
 //     product = floor((coefficient + sum) x / 2^Shift + 1/2)
 //     sum     = product of the pass before, here or in the stage before; 0 in the first pass of all
 //
-//   enabled clock   0                1                2             Loop
+//   enabled clock   0                1                2             3             Loop
 //   address_i       of the pass
 //   first_i         1: previous_i
 //   previous_i      Interval > 1     Interval = 1
-//   x_i                                               of the pass
-//   late_o                                                          product (Interval = 1: + 1)
+//   x_i                                               Interval <= 2 Interval > 2
+//   late_o                                                                        product
+//                                                                     (Interval = 1: + 1)
+//
+// Loop is 9 for 4 and 8 passes, two clocks more than sum and product need: one of them registers
+// the address, which comes from a wide choice.
 `default_nettype none
 module horner_stage #(
     parameter int Bits     = 36,  // [18, 36]
@@ -40,12 +44,23 @@ module horner_stage #(
     if (write_i) memory[write_address_i] <= write_coef_i;
   end
 
-  logic signed [Bits-1:0] coef_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) coef_q <= memory[address_i];
+  logic [Address-1:0] address;
+  if (Interval > 2) begin : g_address
+    logic [Address-1:0] address_q;
+    always_ff @(posedge clk_i) begin
+      if (en_i) address_q <= address_i;
+    end
+    assign address = address_q;
+  end else begin : g_direct_address
+    assign address = address_i;
   end
 
-  // The sum, in time for the addition in clock 1.
+  logic signed [Bits-1:0] coef_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) coef_q <= memory[address];
+  end
+
+  // The sum, in time for the addition to coef_q.
   logic signed [Bits-1:0] sum;
   if (Interval > 1) begin : g_fold
     logic signed [Bits-1:0] sum_q;
@@ -56,7 +71,15 @@ module horner_stage #(
         else sum_q <= previous_i;
       end
     end
-    assign sum = sum_q;
+    if (Interval > 2) begin : g_late_sum
+      logic signed [Bits-1:0] sum2_q;
+      always_ff @(posedge clk_i) begin
+        if (en_i) sum2_q <= sum_q;
+      end
+      assign sum = sum2_q;
+    end else begin : g_direct_sum
+      assign sum = sum_q;
+    end
   end else begin : g_chain
     logic unused;
     assign unused = first_i;
@@ -84,14 +107,9 @@ module horner_stage #(
   logic signed [Bits-1:0] pass;
   assign pass = product[Bits-1:0];
 
-  // Loop is 9 for 4 and 8 passes: two clocks more than the product needs.
   if (Interval > 2) begin : g_late
-    logic signed [Bits-1:0] wait_q;
     always_ff @(posedge clk_i) begin
-      if (en_i) begin
-        wait_q <= pass;
-        late_o <= wait_q;
-      end
+      if (en_i) late_o <= pass;
     end
   end else begin : g_direct
     assign late_o = pass;

@@ -70,6 +70,9 @@ module taylor_sequencer #(
   logic [4:0] digit_q, digit_d;
   logic fresh_q;
   logic copy_q, copy_d;  // order 1 is made, by no multiplication
+  logic order_zero_q;
+  logic order_last_q;  // order_q is Order - 1
+  logic digit_last_q;  // digit_q is Digits
 
   always_comb begin
     state_d = state_q;
@@ -94,13 +97,13 @@ module taylor_sequencer #(
       end
       Digit: begin
         digit_d = digit_q + 5'd1;
-        if (digit_q == 5'(Digits)) state_d = Settle;
+        if (digit_last_q) state_d = Settle;
       end
       Settle: begin
         order_d = order_q + 4'd1;
         state_d = Take;
-        if (order_q == 4'(Order - 1)) state_d = Done;
-        if (order_q == 4'd0) begin
+        if (order_last_q) state_d = Done;
+        if (order_zero_q) begin
           order_d = 4'd0;
           state_d = Advance;
         end
@@ -116,31 +119,44 @@ module taylor_sequencer #(
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q <= Idle;
-      order_q <= 4'd0;
-      digit_q <= 5'd0;
-      fresh_q <= 1'b0;
-      copy_q  <= 1'b0;
+      state_q      <= Idle;
+      order_q      <= 4'd0;
+      order_zero_q <= 1'b1;
+      order_last_q <= 1'b0;
+      digit_q      <= 5'd0;
+      digit_last_q <= 1'b0;
+      fresh_q      <= 1'b0;
+      copy_q       <= 1'b0;
     end else begin
-      state_q <= state_d;
-      order_q <= order_d;
-      digit_q <= digit_d;
-      copy_q  <= copy_d;
+      state_q      <= state_d;
+      order_q      <= order_d;
+      order_zero_q <= order_d == 4'd0;
+      order_last_q <= order_d == 4'(Order - 1);
+      digit_q      <= digit_d;
+      digit_last_q <= digit_d == 5'(Digits);
+      copy_q       <= copy_d;
       if (start_i && ready_o) fresh_q <= fresh_i;
     end
   end
 
-  // Controls are registers: they reach far.
+  // Controls are registers: they reach far.  In terms of the present state, which is ready early.
+  logic order_done;
+  logic digit_more;
+  logic copy;
+  assign order_done = state_q == Settle && !order_zero_q;
+  assign digit_more = state_q == Digit && !digit_last_q;
+  assign copy       = state_q == Triple && copy_q;
   always_ff @(posedge clk_i) begin
-    take_o    <= state_d == Take || state_d == Zeroth;
-    close_o   <= state_d == Take && order_d == 4'd0;
-    triple_o  <= state_d == Triple;
-    step_o    <= state_d == Digit;
-    last_o    <= state_d == Digit && digit_d == 5'(Digits);
-    advance_o <= state_d == Advance && !fresh_q;
-    zeroth_o  <= state_d == Zeroth;
-    collect_o <= state_d == Done || (state_d == Take && order_d != 4'd0);
-    first_o   <= state_d == Take && order_d == 4'd1;
+    take_o <= (state_q == Idle && start_i) || (order_done && !order_last_q) || copy
+        || state_q == Advance;
+    close_o   <= state_q == Idle && start_i;
+    triple_o  <= state_q == Take || state_q == Zeroth;
+    step_o    <= digit_more || (state_q == Triple && !copy_q);
+    last_o    <= digit_more && digit_q == 5'(Digits - 1);
+    advance_o <= state_q == Settle && order_zero_q && !fresh_q;
+    zeroth_o  <= state_q == Advance;
+    collect_o <= order_done || copy;
+    first_o   <= copy;
   end
   assign ready_o = state_q == Idle;
 

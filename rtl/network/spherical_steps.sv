@@ -4,7 +4,7 @@
 //
 // A step starts when there is room for it, and lasts (rtl/control/taylor_sequencer.sv)
 //
-//     Order (Digits + 3) + 6 clocks,  Digits = ceil(CoefBits / 2)
+//     Order (Digits + 3) + 7 clocks,  Digits = ceil(CoefBits / 2)
 //
 //   rate_valid_o     Axes clocks: advance_o of rate_axis_o
 //   point_write_o    Axes clocks: origin_o and end_o of point_axis_o
@@ -62,20 +62,33 @@ module spherical_steps #(
   logic        [         4:0] segment_k;
   logic signed [CoefBits-1:0] tangent;
   logic signed [CoefBits-1:0] normal;
+  logic signed [CoefBits-1:0] segment_advance;
   logic signed [FineBits-1:0] segment_start;
+  logic signed [FineBits-1:0] segment_end;
+  logic                       rate_valid;
+  logic        [         3:0] rate_axis;
+  logic                       point_write;
+  logic        [         3:0] point_axis;
+  logic signed [FineBits-1:0] origin;
 
-  // A step of the present segment, or the first of the next.
+  // A step of the present segment, or the first of the next.  The start is a register: it reaches
+  // far.
   logic                       ready;
   logic                       start;
   logic                       fresh_q;  // the next step is the first of its segment
   logic                       load_q;  // the present step is
   logic                       take_segment;
   logic        [CoefBits-1:0] theta_q;
-  assign start        = ready && !done_o && room_i && (segment_there || !fresh_q);
-  assign take_segment = start && fresh_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) fresh_q <= 1'b1;
-    else if (done_o) fresh_q <= last_o;
+    if (!rst_ni) begin
+      fresh_q      <= 1'b1;
+      start        <= 1'b0;
+      take_segment <= 1'b0;
+    end else begin
+      if (done_o) fresh_q <= last_o;
+      start        <= ready && !done_o && !start && room_i && (segment_there || !fresh_q);
+      take_segment <= ready && !done_o && !start && room_i && segment_there && fresh_q;
+    end
   end
   always_ff @(posedge clk_i) begin
     if (start) load_q <= fresh_q;
@@ -101,13 +114,13 @@ module spherical_steps #(
       .theta_o(segment_theta),
       .k_o(segment_k),
       .empty_segments_o,
-      .rate_axis_i(rate_axis_o),
+      .rate_axis_i(rate_axis),
       .tangent_o(tangent),
       .normal_o(normal),
-      .advance_o,
-      .point_axis_i(point_axis_o),
+      .advance_o(segment_advance),
+      .point_axis_i(point_axis),
       .start_o(segment_start),
-      .end_o
+      .end_o(segment_end)
   );
 
   step_meter u_meter (
@@ -158,9 +171,11 @@ module spherical_steps #(
       .done_o
   );
 
-  // While the axes pass by, their unit vectors are loaded.
+  // While the axes pass by, their unit vectors are loaded, a clock later.
   logic        [         2:0] axis;
-  logic        [         2:0] load;
+  logic        [         2:0] initial_load_q;
+  logic signed [CoefBits-1:0] initial_normal_q;
+  logic signed [CoefBits-1:0] initial_tangent_q;
   logic signed [CoefBits-1:0] sum_x;
   logic signed [CoefBits-1:0] sum_y;
   logic signed [CoefBits-1:0] sum_z;
@@ -168,7 +183,7 @@ module spherical_steps #(
   always_comb begin
     axis = 3'b000;
     sum  = '0;
-    case (rate_axis_o)
+    case (rate_axis)
       4'd0: begin
         axis = 3'b001;
         sum  = sum_x;
@@ -184,15 +199,19 @@ module spherical_steps #(
       default: ;
     endcase
   end
-  assign load = (rate_valid_o && load_q) ? axis : 3'b000;
+  always_ff @(posedge clk_i) begin
+    initial_load_q    <= (rate_valid && load_q) ? axis : 3'b000;
+    initial_normal_q  <= normal;
+    initial_tangent_q <= tangent;
+  end
 
   spherical_network #(
       .CoefBits(CoefBits)
   ) u_network (
       .clk_i,
-      .load_i(load),
-      .normal_i(normal),
-      .tangent_i(tangent),
+      .load_i(initial_load_q),
+      .normal_i(initial_normal_q),
+      .tangent_i(initial_tangent_q),
       .take_i(take),
       .close_i(close),
       .triple_i(triple),
@@ -225,15 +244,33 @@ module spherical_steps #(
       .start_i(start),
       .fresh_i(fresh_q),
       .k_i(k_o),
-      .rate_valid_o,
-      .rate_axis_o,
+      .rate_valid_o(rate_valid),
+      .rate_axis_o(rate_axis),
       .sum_i(sum),
-      .advance_i(advance_o),
-      .write_o(point_write_o),
-      .point_axis_o,
+      .advance_i(segment_advance),
+      .write_o(point_write),
+      .point_axis_o(point_axis),
       .segment_start_i(segment_start),
-      .origin_o
+      .origin_o(origin)
   );
+
+  // To the banks.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      rate_valid_o  <= 1'b0;
+      point_write_o <= 1'b0;
+    end else begin
+      rate_valid_o  <= rate_valid;
+      point_write_o <= point_write;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    rate_axis_o  <= rate_axis;
+    advance_o    <= segment_advance;
+    point_axis_o <= point_axis;
+    origin_o     <= origin;
+    end_o        <= segment_end;
+  end
 
   // The angle from the step's start: sine and cosine from 0 and 1.
   if (Mode == 1) begin : g_angle

@@ -27,7 +27,9 @@ module sample_queue #(
 
   localparam int PlaceBits = $clog2(Depth);
 
+  logic                 admit_q;
   logic                 take;
+  logic                 take_q;
   logic                 fetch;
   logic                 more;
   logic [PlaceBits-1:0] write_q;
@@ -42,6 +44,8 @@ module sample_queue #(
     if (!rst_ni) begin
       write_q    <= '0;
       read_q     <= '0;
+      admit_q    <= 1'b0;
+      take_q     <= 1'b0;
       admitted_q <= '0;
       room_o     <= 1'b0;
       valid_o    <= 1'b0;
@@ -53,10 +57,12 @@ module sample_queue #(
       if (push_i && !fetch) count_q <= count_q + 1'b1;
       if (fetch && !push_i) count_q <= count_q - 1'b1;
       stored_q <= push_i || (fetch ? more : stored_q);
-      if (admit_i && !take) admitted_q <= admitted_q + 1'b1;
-      if (take && !admit_i) admitted_q <= admitted_q - 1'b1;
-      // Two more may be admitted before this is seen.
-      room_o <= admitted_q < (PlaceBits + 1)'(Depth - 2);
+      admit_q  <= admit_i;
+      take_q   <= take;
+      if (admit_q && !take_q) admitted_q <= admitted_q + 1'b1;
+      if (take_q && !admit_q) admitted_q <= admitted_q - 1'b1;
+      // Three more may be admitted before this is seen.
+      room_o <= admitted_q < (PlaceBits + 1)'(Depth - 3);
       if (fetch) valid_o <= 1'b1;
       else if (ready_i) valid_o <= 1'b0;
     end

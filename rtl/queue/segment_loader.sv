@@ -54,11 +54,11 @@ module segment_loader #(
   logic [3:0] axis_q, axis_d;
   logic accept;
   logic complete;
-  logic empty;
+  logic last_axis_q;
+  logic empty_q;  // the length is zero; valid from two words after it
   assign ready_o  = field_q != Full;
   assign accept   = valid_i && ready_o;
-  assign complete = accept && field_q == Advance && axis_q == 4'(Axes - 1);
-  assign empty    = length_o == 48'd0;
+  assign complete = accept && field_q == Advance && last_axis_q;
 
   always_comb begin
     field_d = field_q;
@@ -80,7 +80,7 @@ module segment_loader #(
     endcase
     if (complete) begin
       field_d = Full;
-      if (empty) field_d = Length;
+      if (empty_q) field_d = Length;
       axis_d = 4'd0;
     end
   end
@@ -91,14 +91,16 @@ module segment_loader #(
     if (!rst_ni) begin
       field_q          <= Length;
       axis_q           <= 4'd0;
+      last_axis_q      <= 1'b0;
       bank_q           <= 1'b0;
       empty_segments_o <= 16'd0;
     end else begin
       if (accept) begin
-        field_q <= field_d;
-        axis_q  <= axis_d;
+        field_q     <= field_d;
+        axis_q      <= axis_d;
+        last_axis_q <= axis_d == 4'(Axes - 1);
       end
-      if (complete && empty) empty_segments_o <= empty_segments_o + 16'd1;
+      if (complete && empty_q) empty_segments_o <= empty_segments_o + 16'd1;
       if (segment_valid_o && take_i) begin
         field_q <= Length;
         bank_q  <= !bank_q;
@@ -120,6 +122,7 @@ module segment_loader #(
     fill_q        <= {bank_q, axis_q};
     data_q        <= data_i;
     if (write_q && write_field_q == Length) length_o <= data_q;
+    empty_q <= length_o == 48'd0;
     if (write_q && write_field_q == Theta) begin
       theta_o <= data_q[CoefBits-1:0];
       k_o     <= data_q[40:36];

@@ -122,7 +122,8 @@ module step_tracker (
       path_q  <= tried_q;
       tried_q <= path_q;
     end
-    if (slot_i && (flow || state_q == Again)) begin
+    // Read only when it is of the present path_q: after Run, Again and Refill.
+    if (slot_i) begin
       left_q            <= reach_q - path_q;
       next_left_q       <= next_reach_q - path_q;
       next_left_known_q <= next_known_q;

@@ -3,7 +3,7 @@
 // it is the present one, empty segments are counted and nothing else, nothing gets stuck. Words
 // carry their segment's number; of the places, one is watched, any.
 // control: LOSES_WORD s/assign accept   = .*/assign accept   = valid_i \&\& data_i[8:7] != 2'd3;/
-// control: KEEPS_EMPTY s/if (empty) field_d = Length;//
+// control: KEEPS_EMPTY s/if (empty_q) field_d = Length;//
 // control: SAME_BANK s/bank_q  <= !bank_q/bank_q <= bank_q/
 // control: TAKES_EARLY s/field_q <= Length;$/field_q <= Theta;/
 // control: NO_RESET s/axis_q           <= 4'd0;//

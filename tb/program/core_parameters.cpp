@@ -40,7 +40,7 @@ int CoreParameters::network_latency() const {
     // Parallel: as rtl/spherical_interpolator.sv states it; serial: two products a node and order,
     // one after the other through a pipeline of nine clocks, and the step before.
     const int digits = (coef_bits + 1) / 2;
-    return build == Build::kParallel ? order * (digits + 2) + 4 : order * 18 + 60;
+    return build == Build::kParallel ? order * (digits + 3) + 7 : order * 18 + 60;
 }
 
 std::string CoreParameters::text() const {

@@ -11,7 +11,7 @@ constexpr int kInterval = CFG_SampleInterval;
 
 // As stated in the headers of the RTL.
 constexpr int kDigits = (Config::kCoefBits + 1) / 2;
-constexpr int kStepClocks = Config::kOrder * (kDigits + 3) + 6;
+constexpr int kStepClocks = Config::kOrder * (kDigits + 3) + 7;
 constexpr int kLoadClocks = 18 + 3 * Config::kAuxAxes;
 constexpr int kStepSamples =
     (std::max(kStepClocks, kLoadClocks) + kInterval - 1) / kInterval;  // for full rate
