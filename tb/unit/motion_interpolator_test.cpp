@@ -13,9 +13,9 @@
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
 #include "tb/support/clocked_dut.hpp"
+#include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
 #include "tb/support/random_pieces.hpp"
-#include "tb/support/random_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -24,6 +24,7 @@ using C = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_Guar
                              static_cast<hls::SamplerMode>(CFG_Mode)>;
 constexpr int64_t kAcceleration = int64_t{1} << 22;
 constexpr int64_t kSlope = 40 * kAcceleration;
+constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program
 
 int ticks_of_a_stop() {
     hls::TimeScaler scaler(kAcceleration, kSlope);
@@ -51,6 +52,12 @@ class MotionInterpolator : public testing::Test {
 
     /// A program, after those before it: `pieces` and random segments as long.
     void program(const std::vector<hls::ProfileWords>& pieces) {
+        LegalSegments<C> shapes(random_(), kMaxStepExponent);
+        segments(shapes.chain(profile(pieces)));
+    }
+
+    /// Returns the length of the path.
+    int64_t profile(const std::vector<hls::ProfileWords>& pieces) {
         int64_t length = 0;
         for (const hls::ProfileWords& piece : pieces) {
             pieces_.push_back(piece);
@@ -60,7 +67,11 @@ class MotionInterpolator : public testing::Test {
             length += piece.ds;
         }
         length_ += length;
-        for (const hls::SegmentWords<C>& segment : random_segments<C>(random_(), length)) {
+        return length;
+    }
+
+    void segments(const std::vector<hls::SegmentWords<C>>& added) {
+        for (const hls::SegmentWords<C>& segment : added) {
             segments_.push_back(segment);
             uint64_t words[hls::segment_bus_words<C>()];
             hls::pack<C>(segment, words);
@@ -232,7 +243,10 @@ TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
 
 TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
     if (CFG_Build == 1) GTEST_SKIP() << "the serial core's samples take as long as their steps";
-    program(pieces(3, 30, 100, 200, 1 << 14));
+    // Segments of one step each, of 256 samples: more clocks than a step or a segment's words take.
+    profile(pieces(3, 30, 100, 200, 1 << 14));
+    LegalSegments<C> shapes(3);
+    for (int n = 0; n < 20; ++n) segments({shapes.whole(6, 1)});
     fill();
     requesting_ = true;
     while (samples_ < 500) clock();
