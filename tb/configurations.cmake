@@ -76,17 +76,6 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
 endforeach()
-illegal_parameter_test(spherical_interpolator_serial Order=1 "Order must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator_serial CoefBits=37 "CoefBits must be in .18, 36.")
-illegal_parameter_test(spherical_interpolator_serial PositionBits=33
-                       "PositionBits must be in .16, 32.")
-illegal_parameter_test(spherical_interpolator_serial GuardBits=1 "GuardBits must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator_serial AuxAxes=7 "AuxAxes must be in .0, 6.")
-illegal_parameter_test(spherical_interpolator_serial Mode=2 "Mode must be 0 or 1")
-illegal_parameter_test(spherical_interpolator_serial SampleInterval=3
-                       "SampleInterval must be 1, 2, 4 or 8")
-illegal_parameter_test(spherical_interpolator_serial MultiplierForm=3
-                       "MultiplierForm must be in .0, 2.")
 
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)
@@ -124,14 +113,16 @@ foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endforeach()
-illegal_parameter_test(spherical_interpolator Order=1 "Order must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
-illegal_parameter_test(spherical_interpolator PositionBits=33 "PositionBits must be in .16, 32.")
-illegal_parameter_test(spherical_interpolator GuardBits=1 "GuardBits must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator AuxAxes=7 "AuxAxes must be in .0, 6.")
-illegal_parameter_test(spherical_interpolator Mode=2 "Mode must be 0 or 1")
-illegal_parameter_test(spherical_interpolator SampleInterval=3
-                       "SampleInterval must be 1, 2, 4 or 8")
+foreach(core spherical_interpolator spherical_interpolator_serial)
+  illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
+  illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
+  illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")
+  illegal_parameter_test(${core} GuardBits=1 "GuardBits must be in .2, 12.")
+  illegal_parameter_test(${core} AuxAxes=7 "AuxAxes must be in .0, 6.")
+  illegal_parameter_test(${core} Mode=2 "Mode must be 0 or 1")
+  illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
+  illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
+endforeach()
 
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bench for either build of the arc core against hls::InterpolatorKernel: segments and requests
-// go in, samples are compared bit for bit. CFG_... macros name the configuration.
+// go in, samples are compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,18 +11,13 @@
 #include <vector>
 
 #include "hls/interpolator_kernel.hpp"
+#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
 
 namespace curvecore::tb {
 
-using Config =
-    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                       CFG_Mode == 0 ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial>;
-constexpr int kAxes = Config::kAxes;
-constexpr int kFineBits = Config::kFineBits;
-constexpr int kPositionBits = Config::kPositionBits;
 using Fine = std::array<int64_t, kAxes>;
 
 template <class Model>

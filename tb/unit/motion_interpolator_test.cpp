@@ -12,6 +12,7 @@
 #include "hls/interpolator_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
+#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
@@ -20,8 +21,7 @@
 namespace curvecore::tb {
 namespace {
 
-using C = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                             static_cast<hls::SamplerMode>(CFG_Mode)>;
+using C = Config;
 constexpr int64_t kAcceleration = int64_t{1} << 22;
 constexpr int64_t kSlope = 40 * kAcceleration;
 constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configuration that CFG_... macros name: of a test (tb/configurations.cmake) or of a core in
+// the program (tb/program/compiled_cores.cmake).
+#pragma once
+
+#include "hls/configuration.hpp"
+
+namespace curvecore::tb {
+
+using Config = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits,
+                                  CFG_AuxAxes, static_cast<hls::SamplerMode>(CFG_Mode)>;
+constexpr int kAxes = Config::kAxes;
+constexpr int kFineBits = Config::kFineBits;
+constexpr int kPositionBits = Config::kPositionBits;
+
+}  // namespace curvecore::tb
