@@ -189,6 +189,33 @@ class MotionInterpolator : public testing::Test {
         EXPECT_FALSE(dut_->active_o);
     }
 
+    /// Resets the core, and forgets all programs.
+    void start_afresh() {
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
+        dut_->sample_request_valid_i = 0;
+        dut_->hold_i = 0;
+        dut_->kill_i = 0;
+        requesting_ = false;
+        dut_.reset();
+        pieces_.clear();
+        segments_.clear();
+        profile_words_.clear();
+        segment_words_.clear();
+        next_piece_ = 0;
+        next_segment_ = 0;
+        length_ = 0;
+        path_kernel_ = {};
+        share_ = hls::SampleShare(0);
+        kernel_ = {};
+        rate_ = 65536;
+        rate_before_ = 65536;
+        path_ = 0;
+        moves_.clear();
+        requested_ = 0;
+        samples_ = 0;
+    }
+
     bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
 
     ClockedDut<Vmotion_interpolator> dut_;
@@ -307,6 +334,25 @@ TEST_F(MotionInterpolator, StopsInTimeWhenTheProfileRunsLowAndGoesOnWhenFed) {
     });
     EXPECT_TRUE(dut_->underrun_o);
     EXPECT_GT(stood, 0);
+}
+
+TEST_F(MotionInterpolator, StartsAfreshAfterAReset) {
+    for (int round = 0; round < 24; ++round) {
+        program(pieces(100 + round, 20, 5, 40, 3 << 16));
+        stall_ = 30 * (round % 3);
+        requesting_ = true;
+        const auto clocks = static_cast<int>(random_() % 3000);
+        for (int n = 0; n < clocks && !HasFatalFailure(); ++n) {
+            dut_->hold_i = round % 4 == 1 && n > clocks / 2;
+            dut_->kill_i = round % 4 == 2 && n == clocks / 2;
+            clock();
+        }
+        start_afresh();
+        program(pieces(200 + round, 10, 10, 20, 3 << 16));
+        fill();
+        run();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
 }
 
 TEST_F(MotionInterpolator, CountsEmptySegments) {
