@@ -11,6 +11,8 @@
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
 //   request to path increment, clocks    about 60; to sample: plus the core's
 //
+// Reset: two clocks or more, in which the settings stand still. It empties the queues.
+//
 // Word formats: hls/words.hpp. Whoever feeds the profile keeps more ticks queued than
 // 2 stop_ticks_i + 8, or the final piece; else underrun_o tells that time was stopped meanwhile.
 `default_nettype none

@@ -14,6 +14,7 @@
 //   Digits + 8 + (i - 1) (Digits + 3)          coef_valid_o, order_o = i
 //   Order (Digits + 3) + 5                     ready_o again
 //
+// Reset: two clocks or more.
 // Formats: theta CoefBits - 1 fraction bits, below 1; all else CoefBits - 2 fraction bits.
 `default_nettype none
 module sine_cosine_interpolator #(

@@ -13,8 +13,8 @@
 //   between samples of a step       on average at most
 //                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 5), 24)
 //
-// A reset starts afresh; the program's constants come with the device's configuration
-// (serial/word_memory.sv), so memories must be initialised.
+// A reset of two clocks or more starts afresh; the program's constants come with the device's
+// configuration (serial/word_memory.sv), so memories must be initialised.
 //
 // SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp.
 `default_nettype none

@@ -4,6 +4,14 @@
 # makes tests unit.<configuration>.<Suite>.<Test>; Name=Value reaches the RTL as a parameter and the
 # test as CFG_Name.
 
+# read_row(<value>,<value>,... <variable> <variable> ...)
+macro(read_row row)
+  string(REPLACE "," ";" row_values ${row})
+  foreach(variable ${ARGN})
+    list(POP_FRONT row_values ${variable})
+  endforeach()
+endmacro()
+
 # Multipliers: Form is 0 portable, 1 ECP5, 2 UP5K.
 set(form_0 portable)
 set(form_1 ecp5)
@@ -11,10 +19,7 @@ set(form_2 up5k)
 set(primitives_2 -Wno-lint -Wno-TIMESCALEMOD -DNO_ICE40_DEFAULT_ASSIGNMENTS -v ${ICE40_CELLS})
 foreach(form 0 1 2)
   foreach(size 36,36,0 36,36,35 36,18,0 18,36,17 18,18,0 32,32,31 33,27,20)
-    string(REPLACE "," ";" words ${size})
-    list(GET words 0 a)
-    list(GET words 1 b)
-    list(GET words 2 shift)
+    read_row(${size} a b shift)
     core_test(multiplier ${form_${form}}_${a}x${b}_${shift} TOP multiplier
               PARAMS ABits=${a} BBits=${b} Shift=${shift} Form=${form}
               SOURCES ${primitives_${form}})
@@ -61,13 +66,7 @@ arc_configuration(12 36 32 12 0 1 8)
 # The serial build of it; the interval changes nothing there.
 foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,6,2,0 3,30,28,8,6,1
         4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
-  string(REPLACE "," ";" size ${size})
-  list(GET size 0 order)
-  list(GET size 1 coef)
-  list(GET size 2 position)
-  list(GET size 3 guard)
-  list(GET size 4 aux)
-  list(GET size 5 mode)
+  read_row(${size} order coef position guard aux mode)
   set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
   core_test(sample_campaign ${name} TOP spherical_interpolator_serial
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
@@ -76,17 +75,18 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
 endforeach()
-illegal_parameter_test(spherical_interpolator_serial Order=1 "Order must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator_serial CoefBits=37 "CoefBits must be in .18, 36.")
-illegal_parameter_test(spherical_interpolator_serial PositionBits=33
-                       "PositionBits must be in .16, 32.")
-illegal_parameter_test(spherical_interpolator_serial GuardBits=1 "GuardBits must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator_serial AuxAxes=7 "AuxAxes must be in .0, 6.")
-illegal_parameter_test(spherical_interpolator_serial Mode=2 "Mode must be 0 or 1")
-illegal_parameter_test(spherical_interpolator_serial SampleInterval=3
-                       "SampleInterval must be 1, 2, 4 or 8")
-illegal_parameter_test(spherical_interpolator_serial MultiplierForm=3
-                       "MultiplierForm must be in .0, 2.")
+
+# Both builds of it with the multipliers of ECP5 and UP5K inside.
+foreach(form 1 2)
+  set(size PARAMS Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
+           MultiplierForm=${form})
+  foreach(interval 1 4)
+    core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
+              ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
+  endforeach()
+  core_test(spherical_interpolator_serial ${form_${form}}_serial
+            TOP spherical_interpolator_serial ${size} SOURCES ${primitives_${form}})
+endforeach()
 
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)
@@ -99,9 +99,7 @@ illegal_parameter_test(horner Passes=13 "Passes must be in .1, 12.")
 
 # Sine and cosine: order, word length.
 foreach(size 2,18 6,36 7,29 12,33)
-  string(REPLACE "," ";" size ${size})
-  list(GET size 0 order)
-  list(GET size 1 bits)
+  read_row(${size} order bits)
   core_test(sine_cosine_interpolator p${order}_w${bits} TOP sine_cosine_interpolator
             PARAMS Order=${order} CoefBits=${bits})
 endforeach()
@@ -110,28 +108,23 @@ illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 1
 # The parallel arc core: order, coefficient, position, guard bits, auxiliary axes, mode, interval.
 foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4 2,18,16,2,6,0,1
         2,36,32,10,0,1,2 3,18,16,12,0,1,8 5,33,28,7,3,0,2 12,36,32,12,6,0,8 12,25,20,5,1,1,1)
-  string(REPLACE "," ";" size ${size})
-  list(GET size 0 order)
-  list(GET size 1 coef)
-  list(GET size 2 position)
-  list(GET size 3 guard)
-  list(GET size 4 aux)
-  list(GET size 5 mode)
-  list(GET size 6 interval)
+  read_row(${size} order coef position guard aux mode interval)
   core_test(spherical_interpolator
             p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval}
             TOP spherical_interpolator LIBRARIES Eigen3::Eigen
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endforeach()
-illegal_parameter_test(spherical_interpolator Order=1 "Order must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
-illegal_parameter_test(spherical_interpolator PositionBits=33 "PositionBits must be in .16, 32.")
-illegal_parameter_test(spherical_interpolator GuardBits=1 "GuardBits must be in .2, 12.")
-illegal_parameter_test(spherical_interpolator AuxAxes=7 "AuxAxes must be in .0, 6.")
-illegal_parameter_test(spherical_interpolator Mode=2 "Mode must be 0 or 1")
-illegal_parameter_test(spherical_interpolator SampleInterval=3
-                       "SampleInterval must be 1, 2, 4 or 8")
+foreach(core spherical_interpolator spherical_interpolator_serial)
+  illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
+  illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
+  illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")
+  illegal_parameter_test(${core} GuardBits=1 "GuardBits must be in .2, 12.")
+  illegal_parameter_test(${core} AuxAxes=7 "AuxAxes must be in .0, 6.")
+  illegal_parameter_test(${core} Mode=2 "Mode must be 0 or 1")
+  illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
+  illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
+endforeach()
 
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)
@@ -147,11 +140,7 @@ illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 409
 
 # The whole core: build, auxiliary axes, mode, interval.
 foreach(size 0,0,0,1 0,2,0,4 0,0,1,2 1,0,0,1)
-  string(REPLACE "," ";" size ${size})
-  list(GET size 0 build)
-  list(GET size 1 aux)
-  list(GET size 2 mode)
-  list(GET size 3 interval)
+  read_row(${size} build aux mode interval)
   core_test(motion_interpolator build${build}_a${aux}_m${mode}_i${interval} TOP motion_interpolator
             LIBRARIES Eigen3::Eigen
             PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}

@@ -27,7 +27,7 @@ module multiplier_ecp5 #(
   logic [35:0] low_high;
   logic [35:0] low_low;
 
-  ecp5_multiplier #(
+  dsp_ecp5 #(
       .ASigned(1),
       .BSigned(1)
   ) u_high_high (
@@ -39,7 +39,7 @@ module multiplier_ecp5 #(
   );
 
   if (BBits > 18) begin : g_high_low
-    ecp5_multiplier #(
+    dsp_ecp5 #(
         .ASigned(1),
         .BSigned(0)
     ) u_high_low (
@@ -54,7 +54,7 @@ module multiplier_ecp5 #(
   end
 
   if (ABits > 18) begin : g_low_high
-    ecp5_multiplier #(
+    dsp_ecp5 #(
         .ASigned(0),
         .BSigned(1)
     ) u_low_high (
@@ -69,7 +69,7 @@ module multiplier_ecp5 #(
   end
 
   if (ABits > 18 && BBits > 18) begin : g_low_low
-    ecp5_multiplier #(
+    dsp_ecp5 #(
         .ASigned(0),
         .BSigned(0)
     ) u_low_low (

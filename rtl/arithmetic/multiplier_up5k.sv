@@ -38,7 +38,7 @@ module multiplier_up5k #(
   logic [31:0] p01;
   logic [31:0] p00;
 
-  up5k_multiplier #(
+  dsp_up5k #(
       .ASigned(1),
       .BSigned(1)
   ) u_p22 (
@@ -49,7 +49,7 @@ module multiplier_up5k #(
       .product_o(p22)
   );
 
-  up5k_multiplier #(
+  dsp_up5k #(
       .ASigned(1),
       .BSigned(0)
   ) u_p21 (
@@ -60,7 +60,7 @@ module multiplier_up5k #(
       .product_o(p21)
   );
 
-  up5k_multiplier #(
+  dsp_up5k #(
       .ASigned(0),
       .BSigned(1)
   ) u_p12 (
@@ -71,7 +71,7 @@ module multiplier_up5k #(
       .product_o(p12)
   );
 
-  up5k_multiplier #(
+  dsp_up5k #(
       .ASigned(0),
       .BSigned(0)
   ) u_p11 (
@@ -83,7 +83,7 @@ module multiplier_up5k #(
   );
 
   if (BBits > 32) begin : g_p20
-    up5k_multiplier #(
+    dsp_up5k #(
         .ASigned(1),
         .BSigned(0)
     ) u_p20 (
@@ -98,7 +98,7 @@ module multiplier_up5k #(
   end
 
   if (ABits > 32) begin : g_p02
-    up5k_multiplier #(
+    dsp_up5k #(
         .ASigned(0),
         .BSigned(1)
     ) u_p02 (
@@ -113,7 +113,7 @@ module multiplier_up5k #(
   end
 
   if (BBits > 32) begin : g_p10
-    up5k_multiplier #(
+    dsp_up5k #(
         .ASigned(0),
         .BSigned(0)
     ) u_p10 (
@@ -128,7 +128,7 @@ module multiplier_up5k #(
   end
 
   if (ABits > 32) begin : g_p01
-    up5k_multiplier #(
+    dsp_up5k #(
         .ASigned(0),
         .BSigned(0)
     ) u_p01 (

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the profile queue holds: whole pieces, their ticks, and whether one of them is final.
 //
-//   clock       0             1             2          3          4
+//   clock       0             1              2          3
 //   word_i      piece's last
 //   queued_o                  1
 //   final_o                   of the piece
-//   ticks_o                                                       with the piece
+//   ticks_o                                             with the piece
 //
 // A piece is counted from its last word until take_i; ticks_o follows take_i by 3 clocks as well.
 `default_nettype none

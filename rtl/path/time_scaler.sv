@@ -2,7 +2,7 @@
 // Time's rate follows its target with bounded slope and bounded change of slope. Twin:
 // hls/time_scaler.hpp, tick by tick.
 //
-//   clock      0        2
+//   clock      0        3
 //   valid_i    1
 //   ready_o    1
 //   target_i   target

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace curvecore::tb {
 namespace fs = std::filesystem;
@@ -33,7 +34,8 @@ std::string text_of(const fs::path& file) {
 
 }  // namespace
 
-ProgramRun::ProgramRun() : folder_(make_folder()), streams_(make_folder()) {}
+ProgramRun::ProgramRun(std::string program)
+    : program_(std::move(program)), folder_(make_folder()), streams_(make_folder()) {}
 
 ProgramRun::~ProgramRun() {
     std::error_code ignored;
@@ -72,7 +74,7 @@ ProgramResult ProgramRun::run(const std::vector<std::string>& arguments, int int
             dup2(err_file, STDERR_FILENO) < 0) {
             _exit(127);
         }
-        execv(CURVECORE_PROGRAM, argv.data());
+        execv(program_.c_str(), argv.data());
         _exit(127);
     }
     if (interrupt_ms > 0) {

@@ -16,7 +16,8 @@ struct ProgramResult {
 
 class ProgramRun {
   public:
-    ProgramRun();
+    /// `program`: a path; the built `curvecore` unless said.
+    explicit ProgramRun(std::string program = CURVECORE_PROGRAM);
     ~ProgramRun();
     ProgramRun(const ProgramRun&) = delete;
     ProgramRun& operator=(const ProgramRun&) = delete;
@@ -33,6 +34,7 @@ class ProgramRun {
     ProgramResult run(const std::vector<std::string>& arguments, int interrupt_ms = 0) const;
 
   private:
+    std::string program_;
     std::filesystem::path folder_;
     std::filesystem::path streams_;
 };

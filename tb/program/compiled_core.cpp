@@ -3,13 +3,13 @@
 #include <thread>
 
 #include "tb/program/rtl_bench.hpp"
+#include "tb/support/arc_configuration.hpp"
 #include CFG_HEADER
 
 namespace curvecore::tb {
 namespace {
 
-using C = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                             static_cast<hls::SamplerMode>(CFG_Mode)>;
+using C = Config;
 using Bench = RtlBench<C, CFG_MODEL>;
 
 /// Simulation in this thread, checks and samples.csv in another.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 #include "tb/program/waveform_signals.hpp"
 
@@ -19,6 +20,12 @@ enum Show : unsigned {
     kSigned = 0x420,
     kCurve = 0x8420
 };
+
+struct Signal {
+    Show show;
+    std::string name;
+};
+using Signals = std::vector<Signal>;
 
 class Arrangement {
   public:
@@ -36,86 +43,120 @@ class Arrangement {
             (at / "waves.fst").string(), (at / "waves.gtkw").string());
     }
 
-    void begin(const char* name) { text_ += fmt::format("@800200\n-{}\n", name); }
-    void end(const char* name) { text_ += fmt::format("@1000200\n-{}\n", name); }
+    /// Signals of the instance `at`, "" or with a dot at its end.
+    void show(const std::string& at, const Signals& signals) {
+        for (const Signal& signal : signals) show(signal.show, at + signal.name);
+    }
 
-    /// A signal that this core does not have is left out.
-    void signal(Show show, const std::string& name) {
-        const std::string full = "dut.motion_interpolator." + name;
-        const auto found = signals_.find(full);
-        if (found == signals_.end()) return;
-        text_ += fmt::format("@{:x}\n{}{}\n", static_cast<unsigned>(show), full, found->second);
-        if (show == kCurve) text_ += "@20000\n-\n-\n";  // room to draw it
+    void group(const char* name, const std::string& at, const Signals& signals) {
+        text_ += fmt::format("@800200\n-{}\n", name);
+        show(at, signals);
+        text_ += fmt::format("@1000200\n-{}\n", name);
     }
 
     const std::string& text() const { return text_; }
 
   private:
+    /// A signal that this core does not have is left out.
+    void show(Show how, const std::string& name) {
+        const std::string full = "dut.motion_interpolator." + name;
+        const auto found = signals_.find(full);
+        if (found == signals_.end()) return;
+        text_ += fmt::format("@{:x}\n{}{}\n", static_cast<unsigned>(how), full, found->second);
+        if (how == kCurve) text_ += "@20000\n-\n-\n";  // room to draw it
+    }
+
     WaveformSignals signals_;
     std::string text_;
 };
 
 void parallel_core(Arrangement& view) {
-    const std::string at = "g_parallel.u_core.";
-    view.begin("Network");
-    view.signal(kBit, at + "u_steps.segment_there");
-    view.signal(kBit, at + "u_steps.room_i");
-    view.signal(kUnsigned, at + "u_steps.order_o");
-    view.signal(kBit, at + "u_steps.collect_o");
-    for (const char* node : {"x_o", "y_o", "z_o", "f_o", "g_o", "h_o"}) {
-        view.signal(kSigned, at + "u_steps." + node);
-    }
-    view.signal(kBit, at + "u_steps.done_o");
-    view.signal(kBit, at + "u_steps.last_o");
-    view.signal(kUnsigned, at + "u_steps.k_o");
-    view.end("Network");
-    view.begin("Sampler");
-    view.signal(kBit, at + "u_tracker.sample_o");
-    view.signal(kUnsigned, at + "u_tracker.step_o");
-    view.signal(kUnsigned, at + "u_tracker.left_o");
-    view.signal(kBit, at + "u_offset.sample_o");
-    view.signal(kUnsigned, at + "u_offset.tau_o");
-    view.signal(kBit, at + "u_offset.land_o");
-    view.end("Sampler");
+    const std::string core = "g_parallel.u_core.";
+    view.group("Network", core + "u_steps.",
+               {{kBit, "segment_there"},
+                {kBit, "room_i"},
+                {kUnsigned, "order_o"},
+                {kBit, "collect_o"},
+                {kSigned, "x_o"},
+                {kSigned, "y_o"},
+                {kSigned, "z_o"},
+                {kSigned, "f_o"},
+                {kSigned, "g_o"},
+                {kSigned, "h_o"},
+                {kBit, "done_o"},
+                {kBit, "last_o"},
+                {kUnsigned, "k_o"}});
+    view.group("Sampler", core,
+               {{kBit, "u_tracker.sample_o"},
+                {kUnsigned, "u_tracker.step_o"},
+                {kUnsigned, "u_tracker.left_o"},
+                {kBit, "u_offset.sample_o"},
+                {kUnsigned, "u_offset.tau_o"},
+                {kBit, "u_offset.land_o"}});
 }
 
 void serial_core(Arrangement& view) {
-    const std::string at = "g_serial.u_core.";
-    view.begin("Network");
-    view.signal(kBit, at + "net_start");
-    view.signal(kBit, at + "net_busy");
-    view.signal(kUnsigned, at + "u_sequencer.place");
-    for (const char* port : {"a_address", "b_address", "c_address"}) view.signal(kHex, at + port);
-    view.signal(kSigned, at + "u_datapath.a_q");
-    view.signal(kSigned, at + "u_datapath.b_q");
-    view.signal(kSigned, at + "u_datapath.c_q");
-    view.signal(kHex, at + "d_place");
-    view.signal(kSigned, at + "d");
-    view.end("Network");
-    view.begin("Sampler");
-    view.signal(kBit, at + "request_valid_i");
-    view.signal(kBit, at + "request_ready_o");
-    view.signal(kUnsigned, at + "request_ds_i");
-    view.signal(kBit, at + "sample");
-    view.signal(kBit, at + "sample_take");
-    view.signal(kBit, at + "land");
-    view.signal(kUnsigned, at + "u_sequencer.context_q");
-    view.end("Sampler");
+    const std::string core = "g_serial.u_core.";
+    view.group("Network", core,
+               {{kBit, "net_start"},
+                {kBit, "net_busy"},
+                {kUnsigned, "u_sequencer.place"},
+                {kHex, "a_address"},
+                {kHex, "b_address"},
+                {kHex, "c_address"},
+                {kSigned, "u_datapath.a_q"},
+                {kSigned, "u_datapath.b_q"},
+                {kSigned, "u_datapath.c_q"},
+                {kHex, "d_place"},
+                {kSigned, "d"}});
+    view.group("Sampler", core,
+               {{kBit, "request_valid_i"},
+                {kBit, "request_ready_o"},
+                {kUnsigned, "request_ds_i"},
+                {kBit, "sample"},
+                {kBit, "sample_take"},
+                {kBit, "land"},
+                {kUnsigned, "u_sequencer.context_q"}});
+}
+
+void path_side(Arrangement& view) {
+    view.show("", {{kBit, "clk_i"}, {kBit, "rst_ni"}});
+    view.group("Request", "",
+               {{kBit, "sample_request_valid_i"},
+                {kBit, "sample_request_ready_o"},
+                {kUnsigned, "override_i"},
+                {kBit, "hold_i"},
+                {kBit, "kill_i"}});
+    view.group("Queues", "",
+               {{kBit, "segment_valid_i"},
+                {kBit, "segment_ready_o"},
+                {kHex, "segment_data_i"},
+                {kBit, "profile_valid_i"},
+                {kBit, "profile_ready_o"},
+                {kHex, "profile_data_i"},
+                {kUnsigned, "queued_ticks"},
+                {kBit, "underrun_o"}});
+    view.group("Path generator", "",
+               {{kBit, "active_o"},
+                {kBit, "tick"},
+                {kUnsigned, "u_path.ticks_left_o"},
+                {kBit, "path_valid_o"},
+                {kUnsigned, "path_rate_o"},
+                {kUnsigned, "path_ds_o"},
+                {kUnsigned, "path_o"}});
 }
 
 void positions(Arrangement& view, const CoreParameters& core) {
-    view.begin("Positions");
-    view.signal(kBit, "sample_valid_o");
-    view.signal(kBit, "sample_ready_i");
+    Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
     const char* words = core.build == Build::kParallel
                             ? "g_parallel.u_core.g_axis[{}].u_lander.position_o"
                             : "g_serial.u_core.u_lander.g_axis[{}].axis_position_q";
     for (int axis = 0; axis < core.axes(); ++axis) {
-        view.signal(kCurve, fmt::format(fmt::runtime(words), axis));
+        signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});
     }
-    view.signal(kHex, "sample_position_o");
-    view.signal(kHex, "sample_fine_o");
-    view.end("Positions");
+    signals.push_back({kHex, "sample_position_o"});
+    signals.push_back({kHex, "sample_fine_o"});
+    view.group("Positions", "", signals);
 }
 
 }  // namespace
@@ -123,34 +164,7 @@ void positions(Arrangement& view, const CoreParameters& core) {
 std::string gtkw(const CoreParameters& core, const std::string& fst_file,
                  const std::string& folder) {
     Arrangement view(folder, waveform_signals(fst_file));
-    view.signal(kBit, "clk_i");
-    view.signal(kBit, "rst_ni");
-    view.begin("Request");
-    view.signal(kBit, "sample_request_valid_i");
-    view.signal(kBit, "sample_request_ready_o");
-    view.signal(kUnsigned, "override_i");
-    view.signal(kBit, "hold_i");
-    view.signal(kBit, "kill_i");
-    view.end("Request");
-    view.begin("Queues");
-    view.signal(kBit, "segment_valid_i");
-    view.signal(kBit, "segment_ready_o");
-    view.signal(kHex, "segment_data_i");
-    view.signal(kBit, "profile_valid_i");
-    view.signal(kBit, "profile_ready_o");
-    view.signal(kHex, "profile_data_i");
-    view.signal(kUnsigned, "queued_ticks");
-    view.signal(kBit, "underrun_o");
-    view.end("Queues");
-    view.begin("Path generator");
-    view.signal(kBit, "active_o");
-    view.signal(kBit, "tick");
-    view.signal(kUnsigned, "u_path.ticks_left_o");
-    view.signal(kBit, "path_valid_o");
-    view.signal(kUnsigned, "path_rate_o");
-    view.signal(kUnsigned, "path_ds_o");
-    view.signal(kUnsigned, "path_o");
-    view.end("Path generator");
+    path_side(view);
     if (core.build == Build::kParallel) {
         parallel_core(view);
     } else {

@@ -40,6 +40,7 @@ Job read_job(const Options& options) {
     Job job;
     job.options = options;
     job.program = read_program(options.file);
+    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
     return job;
 }

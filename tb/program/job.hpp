@@ -20,7 +20,7 @@ struct Job {
     double bound() const;
 };
 
-/// Reads program and machine.
+/// Reads program and machine; the core has the program's auxiliary axes unless --set says others.
 /// @throws ref::InputError
 Job read_job(const Options& options);
 

@@ -6,9 +6,7 @@
 #include "tb/program/path_cursor.hpp"
 #include "tb/program/path_source.hpp"
 #include "tb/program/pictures.hpp"
-#include "tb/program/report_html.hpp"
-#include "tb/program/segments_json.hpp"
-#include "tb/program/summary.hpp"
+#include "tb/program/publish.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -34,20 +32,13 @@ void draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
 
 int plan_command(const Options& options) {
     Job job = read_job(options);
-    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     plan_job(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
     Pictures pictures(job, samples / static_cast<std::uint64_t>(options.samples_per_tick));
     draw(job, samples, pictures);
-    const Report report{job, samples, nullptr};
-    folder.write("segments.json", segments_json(job));
-    folder.write("report.json", report.json().dump(2) + "\n");
-    folder.write("report.html", report_html(report, pictures));
-    folder.commit();
-    print_summary(report);
-    return report.held() ? 0 : 1;
+    return publish({job, samples, nullptr}, pictures, folder);
 }
 
 }  // namespace curvecore::tb

@@ -6,16 +6,13 @@
 #include "tb/program/output_folder.hpp"
 #include "tb/program/path_source.hpp"
 #include "tb/program/progress_bar.hpp"
-#include "tb/program/report_html.hpp"
-#include "tb/program/segments_json.hpp"
-#include "tb/program/summary.hpp"
+#include "tb/program/publish.hpp"
 
 namespace curvecore::tb {
 
 int run_command(const Options& options) {
     if (options.aux_axes_set) find_core(options.core, true);  // before the file is looked at
     Job job = read_job(options);
-    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     const CompiledCore& core = find_core(job.options.core, options.aux_axes_set);
     job.options.core = core.parameters;
     plan_job(job);
@@ -37,12 +34,7 @@ int run_command(const Options& options) {
 
     const Report report{job, samples, &rtl};
     if (options.trace) folder.write("waves.gtkw", gtkw(core.parameters, waveform, options.folder));
-    folder.write("segments.json", segments_json(job));
-    folder.write("report.json", report.json().dump(2) + "\n");
-    folder.write("report.html", report_html(report, pictures));
-    folder.commit();
-    print_summary(report);
-    return report.held() ? 0 : 1;
+    return publish(report, pictures, folder);
 }
 
 }  // namespace curvecore::tb

@@ -98,7 +98,6 @@ std::string words_json(const Job& job, std::uint64_t samples) {
 
 int words_command(const Options& options) {
     Job job = read_job(options);
-    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     plan_job(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =

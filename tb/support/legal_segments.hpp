@@ -3,13 +3,14 @@
 // empty ones; theta up to 1/2, steps and positions up to a quarter of the range.
 //
 // Legal: |t| = |n| = cos(pitch), t perpendicular to n, at most a quarter turn. The end word is
-// random: a core must land on it, not near.
+// random: a core must land on it, not near. Segments need not join.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "hls/words.hpp"
 
@@ -18,13 +19,15 @@ namespace curvecore::tb {
 template <class C>
 class LegalSegments {
   public:
-    explicit LegalSegments(uint64_t seed) : random_(seed) {}
+    /// Steps of 2^max_step_exponent units at most.
+    explicit LegalSegments(uint64_t seed, int max_step_exponent = hls::kMaxStepExponent)
+        // At most eight steps, each of at most 1/64 of the range: all points stay inside.
+        : random_(seed), max_step_exponent_(std::min(max_step_exponent, C::kPositionBits - 7)) {}
 
     hls::SegmentWords<C> next() {
         hls::SegmentWords<C> s;
-        // At most eight steps, each of at most 1/64 of the range: all points stay inside.
-        s.step_exponent = static_cast<int>(
-            std::min<uint64_t>(random_() % (C::kPositionBits - 6), hls::kMaxStepExponent));
+        s.step_exponent =
+            static_cast<int>(random_() % static_cast<uint64_t>(max_step_exponent_ + 1));
         const int kind = static_cast<int>(random_() % 4);
         const double pitch = kind == 0 ? uniform(-1.5, 1.5) : 0;
         const bool line = kind == 1;
@@ -57,6 +60,17 @@ class LegalSegments {
         s.step_exponent = step_exponent;
         s.length = int64_t{steps} << (step_exponent + hls::kPathFrac);
         return s;
+    }
+
+    /// Segments of `length` quanta in all; the last one is not empty.
+    std::vector<hls::SegmentWords<C>> chain(int64_t length) {
+        std::vector<hls::SegmentWords<C>> segments;
+        while (length > 0) {
+            segments.push_back(next());
+            segments.back().length = std::min(length, segments.back().length);
+            length -= segments.back().length;
+        }
+        return segments;
     }
 
   private:
@@ -101,6 +115,7 @@ class LegalSegments {
     }
 
     std::mt19937_64 random_;
+    int max_step_exponent_;
 };
 
 }  // namespace curvecore::tb

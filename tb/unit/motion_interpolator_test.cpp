@@ -12,18 +12,19 @@
 #include "hls/interpolator_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
+#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
+#include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
 #include "tb/support/random_pieces.hpp"
-#include "tb/support/random_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
 
-using C = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                             static_cast<hls::SamplerMode>(CFG_Mode)>;
+using C = Config;
 constexpr int64_t kAcceleration = int64_t{1} << 22;
 constexpr int64_t kSlope = 40 * kAcceleration;
+constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program
 
 int ticks_of_a_stop() {
     hls::TimeScaler scaler(kAcceleration, kSlope);
@@ -51,6 +52,12 @@ class MotionInterpolator : public testing::Test {
 
     /// A program, after those before it: `pieces` and random segments as long.
     void program(const std::vector<hls::ProfileWords>& pieces) {
+        LegalSegments<C> shapes(random_(), kMaxStepExponent);
+        segments(shapes.chain(profile(pieces)));
+    }
+
+    /// Returns the length of the path.
+    int64_t profile(const std::vector<hls::ProfileWords>& pieces) {
         int64_t length = 0;
         for (const hls::ProfileWords& piece : pieces) {
             pieces_.push_back(piece);
@@ -60,7 +67,11 @@ class MotionInterpolator : public testing::Test {
             length += piece.ds;
         }
         length_ += length;
-        for (const hls::SegmentWords<C>& segment : random_segments<C>(random_(), length)) {
+        return length;
+    }
+
+    void segments(const std::vector<hls::SegmentWords<C>>& added) {
+        for (const hls::SegmentWords<C>& segment : added) {
             segments_.push_back(segment);
             uint64_t words[hls::segment_bus_words<C>()];
             hls::pack<C>(segment, words);
@@ -178,6 +189,33 @@ class MotionInterpolator : public testing::Test {
         EXPECT_FALSE(dut_->active_o);
     }
 
+    /// Resets the core, and forgets all programs.
+    void start_afresh() {
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
+        dut_->sample_request_valid_i = 0;
+        dut_->hold_i = 0;
+        dut_->kill_i = 0;
+        requesting_ = false;
+        dut_.reset();
+        pieces_.clear();
+        segments_.clear();
+        profile_words_.clear();
+        segment_words_.clear();
+        next_piece_ = 0;
+        next_segment_ = 0;
+        length_ = 0;
+        path_kernel_ = {};
+        share_ = hls::SampleShare(0);
+        kernel_ = {};
+        rate_ = 65536;
+        rate_before_ = 65536;
+        path_ = 0;
+        moves_.clear();
+        requested_ = 0;
+        samples_ = 0;
+    }
+
     bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
 
     ClockedDut<Vmotion_interpolator> dut_;
@@ -232,7 +270,10 @@ TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
 
 TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
     if (CFG_Build == 1) GTEST_SKIP() << "the serial core's samples take as long as their steps";
-    program(pieces(3, 30, 100, 200, 1 << 14));
+    // Segments of one step each, of 256 samples: more clocks than a step or a segment's words take.
+    profile(pieces(3, 30, 100, 200, 1 << 14));
+    LegalSegments<C> shapes(3);
+    for (int n = 0; n < 20; ++n) segments({shapes.whole(6, 1)});
     fill();
     requesting_ = true;
     while (samples_ < 500) clock();
@@ -293,6 +334,25 @@ TEST_F(MotionInterpolator, StopsInTimeWhenTheProfileRunsLowAndGoesOnWhenFed) {
     });
     EXPECT_TRUE(dut_->underrun_o);
     EXPECT_GT(stood, 0);
+}
+
+TEST_F(MotionInterpolator, StartsAfreshAfterAReset) {
+    for (int round = 0; round < 24; ++round) {
+        program(pieces(100 + round, 20, 5, 40, 3 << 16));
+        stall_ = 30 * (round % 3);
+        requesting_ = true;
+        const auto clocks = static_cast<int>(random_() % 3000);
+        for (int n = 0; n < clocks && !HasFatalFailure(); ++n) {
+            dut_->hold_i = round % 4 == 1 && n > clocks / 2;
+            dut_->kill_i = round % 4 == 2 && n == clocks / 2;
+            clock();
+        }
+        start_afresh();
+        program(pieces(200 + round, 10, 10, 20, 3 << 16));
+        fill();
+        run();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
 }
 
 TEST_F(MotionInterpolator, CountsEmptySegments) {

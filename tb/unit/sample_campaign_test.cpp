@@ -20,6 +20,7 @@ using Core = Vspherical_interpolator;
 constexpr std::int64_t kDefaultSamples = 500'000;
 #endif
 #include "hls/interpolator_kernel.hpp"
+#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
@@ -27,12 +28,6 @@ constexpr std::int64_t kDefaultSamples = 500'000;
 namespace curvecore::tb {
 namespace {
 
-using Config =
-    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                       CFG_Mode == 0 ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial>;
-constexpr int kAxes = Config::kAxes;
-constexpr int kFineBits = Config::kFineBits;
-constexpr int kPositionBits = Config::kPositionBits;
 constexpr int kBusWords = hls::segment_bus_words<Config>();
 constexpr std::size_t kRing = 1024;  // more than the core holds in flight
 

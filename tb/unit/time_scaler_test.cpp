@@ -102,6 +102,16 @@ TEST_P(TimeScaler, TakesATickPerClockTowardsOneTarget) {
     EXPECT_LE(dut_.cycle() - begin, 100000U + 12);
 }
 
+TEST_P(TimeScaler, LatencyIsThree) {
+    for (int n = 0; n < 20; ++n) clock(-1);
+    take(65536);
+    for (int n = 1; n <= 3; ++n) {
+        ASSERT_EQ(ticks_, 0) << n;
+        clock(-1);
+    }
+    EXPECT_EQ(ticks_, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Machines, TimeScaler,
                          testing::Values(Bounds{1 << 16, 1 << 24}, Bounds{1000, 1000 * 4000},
                                          Bounds{1 << 22, 1 << 26}, Bounds{77777, 77777},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Behaviour of the ECP5 DSP multiplier as `ecp5_multiplier` uses it: input, pipeline and output
+// Behaviour of the ECP5 DSP multiplier as `dsp_ecp5` uses it: input, pipeline and output
 // registers on CLK0 with CE0 and the synchronous RST0, no cascade.  After Lattice's "ECP5 and
 // ECP5-5G sysDSP Usage Guide" (FPGA-TN-02205); the signs travel with the operands.
 `default_nettype none

@@ -2,7 +2,7 @@
 // One ECP5 DSP multiplier, 18 x 18 bits, with its input, pipeline and output registers: the product
 // follows its operands three clocks later.
 `default_nettype none
-module ecp5_multiplier #(
+module dsp_ecp5 #(
     parameter int ASigned = 1,  // 0, 1
     parameter int BSigned = 1   // 0, 1
 ) (

@@ -2,7 +2,7 @@
 // One UP5K DSP multiplier, 16 x 16 bits, with its input and output registers: the product follows
 // its operands two clocks later.
 `default_nettype none
-module up5k_multiplier #(
+module dsp_up5k #(
     parameter int ASigned = 1,  // 0, 1
     parameter int BSigned = 1   // 0, 1
 ) (

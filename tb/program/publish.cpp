@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tb/program/publish.hpp"
+
+#include "tb/program/report_html.hpp"
+#include "tb/program/segments_json.hpp"
+#include "tb/program/summary.hpp"
+
+namespace curvecore::tb {
+
+int publish(const Report& report, const Pictures& pictures, OutputFolder& folder) {
+    folder.write("segments.json", segments_json(report.job));
+    folder.write("report.json", report.json().dump(2) + "\n");
+    folder.write("report.html", report_html(report, pictures));
+    folder.commit();
+    print_summary(report);
+    return report.held() ? 0 : 1;
+}
+
+}  // namespace curvecore::tb

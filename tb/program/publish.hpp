@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `plan` and `run` leave behind: segments.json, report.json, report.html, and the summary.
+#pragma once
+
+#include "tb/program/output_folder.hpp"
+#include "tb/program/report.hpp"
+
+namespace curvecore::tb {
+
+/// Completes the folder and prints the summary. Returns the exit status: 0 every check held, 1 one
+/// failed.
+int publish(const Report& report, const Pictures& pictures, OutputFolder& folder);
+
+}  // namespace curvecore::tb

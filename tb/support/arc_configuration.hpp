@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configuration that CFG_... macros name: of a test (tb/configurations.cmake) or of a core in
+// the program (tb/program/compiled_cores.cmake).
+#pragma once
+
+#include "hls/configuration.hpp"
+
+#ifndef CFG_MultiplierForm
+#define CFG_MultiplierForm 0
+#endif
+
+namespace curvecore::tb {
+
+using Config = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits,
+                                  CFG_AuxAxes, static_cast<hls::SamplerMode>(CFG_Mode)>;
+constexpr bool kPortable = CFG_MultiplierForm == 0;  // models of DSP primitives simulate slowly
+constexpr int kAxes = Config::kAxes;
+constexpr int kFineBits = Config::kFineBits;
+constexpr int kPositionBits = Config::kPositionBits;
+
+}  // namespace curvecore::tb
