@@ -2,14 +2,14 @@
 // What a program asks for: moves in mm, mm/s, degrees for rotary axes, with the line that asked.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <vector>
 
+#include "ref/curve/vec3.hpp"
+
 namespace curvecore::ref {
 
-using Vec3 = Eigen::Vector3d;
 constexpr int kAuxAxes = 6;  // A B C U V W
 using Aux = std::array<double, kAuxAxes>;
 

@@ -162,8 +162,6 @@ TEST(Network, WrongSignFailsTheClosedForm) {
 // The general nodes: [Chikurov] Fig. 3, y = 1 / (k (t0 + t)), feeds a Stieltjes integrator with its
 // own integrand.
 TEST(Network, StieltjesIntegratorDrawsTheHyperbola) {
-    constexpr Network<2, 1> kHyperbola{
-        "Fig. 3", "t", {"k"}, {{riemann("y", "z", "t"), stieltjes("z", "y", "y", {-2, "k"})}}};
     const Real k("0.7");
     const Real t0(2);
     const Real y0 = 1 / (k * t0);
