@@ -170,7 +170,7 @@ TEST(CubicFit, DistanceSeesTheErrorOfTheCommonQuarterCircle) {
 
 TEST(CubicFit, RandomCurvesStayWithinTheirToleranceAndKeepTheirTangents) {
     std::mt19937 random(5);
-    for (int n = 0; n < 20; ++n) {
+    for (int n = 0; n < 12; ++n) {
         const int order = 3 + n % 5;
         const Nurbs nurbs = random_nurbs(random, order, order + 2, true, n % 2 == 0);
         for (const RationalBezier& span : spans(nurbs)) {
@@ -199,13 +199,9 @@ TEST(CubicFit, CuspsAndFarApartWeightsEndWithinTheTolerance) {
     RationalBezier cusp;
     for (const Vec3& point : part) cusp.points.emplace_back(point.x(), point.y(), point.z(), 1);
     EXPECT_EQ(fit_cubics(cusp, kFitTolerance).size(), 1U) << "it is a cubic";
-    RationalBezier product;  // the same times (1 + t): rational, degree 4
-    for (int i = 0; i <= 4; ++i) {
-        product.points.emplace_back(Eigen::Vector4d::Zero());
-        if (i < 4) product.points[i] += (4.0 - i) / 4 * cusp.points[i];
-        if (i > 0) product.points[i] += i / 4.0 * 2 * cusp.points[i - 1];
-    }
-    const std::vector<Cubic> pieces = fit_cubics(product, kFitTolerance);
+    RationalBezier moebius = cusp;  // the same points at t / (1.7 - 0.7 t)
+    for (int i = 0; i < 4; ++i) moebius.points[i] *= std::pow(1.7, i);
+    const std::vector<Cubic> pieces = fit_cubics(moebius, kFitTolerance);
     const tb::CurveDistance exact(cusp);
     for (const Cubic& piece : pieces) EXPECT_LE(exact.of(piece), kFitTolerance);
     EXPECT_GE(pieces.size(), 4U);

@@ -40,13 +40,24 @@ class CurveDistance {
     }
 
   private:
+    /// Ever finer samples about the best one: derivatives would fail at a cusp.
     double refined(const ref::Vec3& point, double low, double high) const {
-        for (int i = 0; i < 50; ++i) {  // where the distance stops falling
-            const double middle = (low + high) / 2;
-            const ref::RationalBezier::Point here = curve_.at(middle / kCurvePoints);
-            ((here.position - point).dot(here.derivative) < 0 ? low : high) = middle;
+        double best = 1e300;
+        double nearest = low;
+        for (int round = 0; round < 8; ++round) {
+            const double step = (high - low) / 32;
+            for (int i = 0; i <= 32; ++i) {
+                const double at = low + i * step;
+                const double far = (curve_.at(at / kCurvePoints).position - point).norm();
+                if (far < best) {
+                    best = far;
+                    nearest = at;
+                }
+            }
+            low = std::max(low, nearest - step);
+            high = std::min(high, nearest + step);
         }
-        return (curve_.at(low / kCurvePoints).position - point).norm();
+        return best;
     }
 
     static constexpr int kCurvePoints = 500;
