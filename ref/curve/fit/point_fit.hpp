@@ -2,7 +2,9 @@
 // Splines through points: the choice of parameter and of slopes, as cubics.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "ref/curve/cubic.hpp"
@@ -23,10 +25,13 @@ namespace curvecore::ref {
 /// (*) C2 if they are those of a C2 spline. The quintic is C2; what is drawn of it are cubics with
 /// its tangents, within the tolerance.
 enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic };
+constexpr std::array<std::string_view, 7> kFitNames = {"bessel",  "akima",   "natural", "clamped",
+                                                       "hermite", "moments", "quintic"};
 
 /// Step of the parameter from point to point: their distance, its square root, or 1. Derivatives
 /// are by this parameter: with kChord a first derivative of length 1 is a unit tangent.
 enum class Parameter { kChord, kCentripetal, kUniform };
+constexpr std::array<std::string_view, 3> kParameterNames = {"chord", "centripetal", "uniform"};
 
 struct FitPoint {
     Vec3 position = Vec3::Zero();
