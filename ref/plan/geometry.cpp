@@ -155,6 +155,7 @@ class Cutter {
 
     void add(std::size_t index) {
         const Move& move = program_.moves[index];
+        if (move.kind == Move::Kind::kCubic) refuse(move, "splines cannot be planned yet");
         check_travel(move);
         const PathShape shape = path_shape(move);
         const double unit = options_.unit_mm;

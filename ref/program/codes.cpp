@@ -24,6 +24,10 @@ std::optional<Group> g_group(int code) {
         case 24:
         case 30:
         case 34:
+        case 50:
+        case 51:
+        case 52:
+        case 53:
         case 800:
             return Group::kMotion;
         case 170:
@@ -102,9 +106,6 @@ std::optional<Group> m_group(int code) {
 /// Why a G code that LinuxCNC knows is not for this reader; empty if nobody knows it.
 std::string_view g_refusal(int code) {
     const int whole = code / 10;
-    if (whole == 5) {
-        return "splines are not supported yet";
-    }
     if (whole == 41 || whole == 42) {
         return "cutter compensation belongs to LinuxCNC's interpreter";
     }

@@ -9,9 +9,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kStill = 1e-9;    // mm
-constexpr double kFarthest = 1e6;  // mm
-
 void check_range(char letter, double value, const Place& place) {
     if (std::abs(value) > kFarthest) {
         place.refuse(fmt::format("{} is out of range: {:.10g} is beyond {:.10g} mm", letter, value,

@@ -7,6 +7,7 @@
 #include <array>
 #include <string_view>
 
+#include "ref/curve/vec3.hpp"
 #include "ref/program/block.hpp"
 
 namespace curvecore::ref {
@@ -14,6 +15,11 @@ namespace curvecore::ref {
 constexpr std::string_view kAxisLetters = "XYZABCUVW";
 constexpr int kAxes = 9;
 using Point = std::array<double, kAxes>;
+
+constexpr double kStill = 1e-9;    // mm: what moves less stands
+constexpr double kFarthest = 1e6;  // mm
+
+inline Vec3 xyz(const Point& point) { return {point[0], point[1], point[2]}; }
 
 class Coordinates {
   public:

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/program/gcode_reader.hpp"
 
-#include <filesystem>
-
 #include "ref/program/interpreter.hpp"
 #include "ref/program/text_file.hpp"
 
 namespace curvecore::ref {
 
-Program read_gcode(const std::string& file) {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    if (extension == ".csv") {
-        throw InputError(file, 0, "points (.csv) are not supported yet");
-    }
-    return read_gcode_text(read_text_file(file), file);
+Program read_gcode(const std::string& file, double fit_tolerance) {
+    return read_gcode_text(read_text_file(file), file, fit_tolerance);
 }
 
-Program read_gcode_text(std::string_view text, const std::string& file_name) {
-    Interpreter interpreter(file_name);
+Program read_gcode_text(std::string_view text, const std::string& file_name, double fit_tolerance) {
+    Interpreter interpreter(file_name, fit_tolerance);
     TextLines lines(text);
     bool framed = false;
     bool begun = false;

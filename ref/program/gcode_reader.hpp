@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // G-code (RS274/NGC as LinuxCNC reads it, without its interpreter's language) to moves.
 //
-// G0 G1 G2 G3 G2.4 G3.4 (by way of a point, next block: end point) G4 G10 L2 G17 G18 G19 G20 G21
-// G40 G43 G49 G53 G54..G59.3 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1 G92..G92.3 G93 G94, stops,
-// program ends and '%' frames. Everything else is refused with its file, line and reason.
+// G0 G1 G2 G3 G2.4 G3.4 (by way of a point, next block: end point) G4 G5 G5.1 G5.2 G5.3 (splines in
+// G17) G10 L2 G17 G18 G19 G20 G21 G40 G43 G49 G53 G54..G59.3 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1
+// G92..G92.3 G93 G94, stops, program ends and '%' frames. Everything else is refused with its file,
+// line and reason.
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "ref/curve/fit/cubic_fit.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
 
-/// @throws InputError
-Program read_gcode(const std::string& file);
+/// NURBS that are no cubics are drawn by cubics within `fit_tolerance` (mm). @throws InputError
+Program read_gcode(const std::string& file, double fit_tolerance = kFitTolerance);
 
 /// @throws InputError, with `file_name` as its file
-Program read_gcode_text(std::string_view text, const std::string& file_name);
+Program read_gcode_text(std::string_view text, const std::string& file_name,
+                        double fit_tolerance = kFitTolerance);
 
 }  // namespace curvecore::ref

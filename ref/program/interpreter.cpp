@@ -22,6 +22,10 @@ bool Interpreter::execute(Block block, const Place& place) {
         space_arc(block, codes, place);
         return true;
     }
+    if (nurbs_) {
+        nurbs_block(block, codes, place);
+        return true;
+    }
     set_feed(block, codes, place);
     use_spindle_and_tool(block, codes, place);
     const std::optional<int> action = codes.of(Group::kAction);
@@ -38,15 +42,15 @@ bool Interpreter::execute(Block block, const Place& place) {
     }
     const std::optional<int> end = codes.of(Group::kStop);
     if (end) {
-        check_no_arc_waits(place);
+        check_nothing_waits(place);
         stop();
     }
     return end != 2 && end != 30;
 }
 
 Program Interpreter::finish() {
-    if (middle_) {
-        check_no_arc_waits({program_.file, middle_->line});
+    if (middle_ || nurbs_) {
+        check_nothing_waits({program_.file, middle_ ? middle_->line : nurbs_->line});
     }
     for (const auto& [text, warning] : warnings_) {
         program_.warnings.push_back(
@@ -185,10 +189,13 @@ void Interpreter::set_offsets(int action, Block& block, const Codes& codes, cons
     }
 }
 
-void Interpreter::check_no_arc_waits(const Place& place) const {
+void Interpreter::check_nothing_waits(const Place& place) const {
     if (middle_) {
         place.refuse(fmt::format("the arc begun in line {} lacks the block with its end point",
                                  middle_->line));
+    }
+    if (nurbs_) {
+        place.refuse(fmt::format("the NURBS begun in line {} lacks its G5.3", nurbs_->line));
     }
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "ref/curve/fit/nurbs.hpp"
 #include "ref/program/arc_geometry.hpp"
 #include "ref/program/codes.hpp"
 #include "ref/program/coordinates.hpp"
@@ -20,11 +21,14 @@ namespace curvecore::ref {
 
 class Interpreter {
   public:
-    explicit Interpreter(const std::string& file) { program_.file = file; }
+    Interpreter(const std::string& file, double fit_tolerance) : fit_tolerance_(fit_tolerance) {
+        program_.file = file;
+    }
 
     /// Carries out a block; false when it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
-    /// The whole program. @throws InputError when it has no moves or an arc lacks its end point.
+    /// The whole program. @throws InputError when it has no moves, an arc lacks its end point or
+    /// a NURBS its G5.3.
     Program finish();
 
   private:
@@ -39,11 +43,23 @@ class Interpreter {
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
     void space_arc(Block& block, const Codes& codes, const Place& place);
-    void check_no_arc_waits(const Place& place) const;
+    void check_nothing_waits(const Place& place) const;
+    void check_spline(Block& block, const Place& place) const;
+    void spline(Block& block, const Place& place);
+    Bezier cubic_legs(Block& block, const Vec3& start, const Vec3& end, const Place& place);
+    Bezier quadratic_legs(Block& block, const Vec3& start, const Vec3& end,
+                          const Place& place) const;
+    void open_nurbs(Block& block, const Place& place);
+    void nurbs_block(Block& block, const Codes& codes, const Place& place);
+    void control_point(Block& block, const Place& place);
+    void close_nurbs(const Place& place);
 
     Move move_to(const Point& target, const Place& place) const;
     void add(Move move, const Point& target, const Place& place);
-    double feed_of(const Move& move, const Place& place) const;
+    void add_curve(const std::vector<Cubic>& cubics, const Point& target, const Place& place);
+    void append(const Move& move);
+    /// Feed of a move that is a part, or all, of a block's path of this length.
+    double feed_of(const Move& move, double length, const Place& place) const;
     void stop();
     void warn(const std::string& text, const Place& place);
 
@@ -55,11 +71,21 @@ class Interpreter {
         std::optional<double> feed;  // F of that block, for G93
     };
 
+    /// A curve begun by G5.2, waiting for G5.3.
+    struct OpenNurbs {
+        Nurbs curve;
+        Point last;  // control point
+        std::optional<int> order;
+        std::optional<double> feed;  // F of its blocks, for G93
+        int line;
+    };
+
     struct Warning {
         int line;
         int count;
     };
 
+    double fit_tolerance_;  // mm
     Program program_;
     Coordinates coordinates_;
     int motion_ = 800;  // G code in tenths
@@ -70,6 +96,8 @@ class Interpreter {
     std::optional<double> feed_;  // F as written: per minute, of degrees or ..
     double feed_unit_ = 1;        // .. of this many mm
     std::optional<Middle> middle_;
+    std::optional<OpenNurbs> nurbs_;
+    std::optional<Vec3> last_leg_;  // P Q of a G5 that is still in force, mm
     std::map<std::string, Warning> warnings_;
 };
 

@@ -18,8 +18,8 @@ constexpr std::string_view kOffsetLetters = "IJK";
 
 bool is_arc(int motion) { return motion == 20 || motion == 30; }
 bool is_space_arc(int motion) { return motion == 24 || motion == 34; }
+bool is_spline(int motion) { return motion == 50 || motion == 51; }
 
-Vec3 xyz(const Point& point) { return {point[0], point[1], point[2]}; }
 Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], point[7], point[8]}; }
 
 }  // namespace
@@ -27,6 +27,9 @@ Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], po
 void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     const std::optional<int> code = codes.of(Group::kMotion);
     motion_ = code.value_or(motion_);
+    if (motion_ != 50) {
+        last_leg_.reset();
+    }
     const std::optional<int> action = codes.of(Group::kAction);
     const bool machine = action == 530;
     const bool axes_taken = action == 100 || action == 920;
@@ -41,9 +44,19 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     if (machine && !wants_motion) {
         place.refuse("G53 without axis words");
     }
+    if (code == 52) {
+        open_nurbs(block, place);
+        return;
+    }
+    if (code == 53) {
+        place.refuse("G5.3 without a G5.2");
+    }
     if (!wants_motion) {
         if (code && is_arc(*code)) {
             place.refuse(fmt::format("{} without an end point or a centre", g_name(*code)));
+        }
+        if (code && is_spline(*code)) {
+            place.refuse(fmt::format("{} without an end point (X, Y)", g_name(*code)));
         }
         return;
     }
@@ -52,6 +65,8 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     }
     if (is_arc(motion_)) {
         arc(block, place);
+    } else if (is_spline(motion_)) {
+        spline(block, place);
     } else if (is_space_arc(motion_)) {
         if (block.has_any("ABCUVW")) {
             place.refuse("the intermediate point of an arc takes X, Y and Z only");
@@ -153,7 +168,7 @@ void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place
     const std::optional<int> code = codes.of(Group::kMotion);
     if (block.g.size() > (code == motion_ ? 1 : 0) || !block.m.empty() ||
         !block.has_any(kAxisLetters)) {
-        check_no_arc_waits(place);
+        check_nothing_waits(place);
     }
     if (block.has('F')) {
         set_feed(block, codes, place);
@@ -184,17 +199,21 @@ void Interpreter::add(Move move, const Point& target, const Place& place) {
         warn("a move of length 0 is left out", place);
         return;
     }
-    move.feed = move.rapid ? 0 : feed_of(move, place);
+    move.feed = move.rapid ? 0 : feed_of(move, move.length(), place);
+    append(move);
+    coordinates_.set_position(target);
+}
+
+void Interpreter::append(const Move& move) {
     for (int i = 0; i < kAuxAxes; ++i) {
         if (move.aux_end[i] != move.aux_start[i]) {
             program_.aux_axes = std::max(program_.aux_axes, i + 1);
         }
     }
     program_.moves.push_back(move);
-    coordinates_.set_position(target);
 }
 
-double Interpreter::feed_of(const Move& move, const Place& place) const {
+double Interpreter::feed_of(const Move& move, double length, const Place& place) const {
     if (!feed_) {
         place.refuse(inverse_time_
                          ? fmt::format("{} in G93 wants an F in its own block", g_name(motion_))
@@ -206,7 +225,7 @@ double Interpreter::feed_of(const Move& move, const Place& place) const {
     const auto still = [&move](int axis) { return move.aux_end[axis] == move.aux_start[axis]; };
     const bool degrees = move.kind == Move::Kind::kLine && move.start == move.end && still(3) &&
                          still(4) && still(5);
-    const double per_minute = inverse_time_ ? *feed_ * move.length()
+    const double per_minute = inverse_time_ ? *feed_ * length
                               : degrees     ? *feed_
                                             : *feed_ * feed_unit_;
     const double feed = per_minute / 60;

@@ -3,11 +3,16 @@
 
 #include <cmath>
 
+#include "ref/curve/arc_length.hpp"
+
 namespace curvecore::ref {
 
 double Move::length() const {
     if (kind == Kind::kArc) {
         return std::hypot((start - centre).norm() * angle, advance);
+    }
+    if (kind == Kind::kCubic) {
+        return arc_length(cubic, 0, 1);
     }
     const double xyz = (end - start).norm();
     if (xyz > 0) {

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "ref/curve/vec3.hpp"
+#include "ref/curve/cubic.hpp"
 
 namespace curvecore::ref {
 
 constexpr int kAuxAxes = 6;  // A B C U V W
 using Aux = std::array<double, kAuxAxes>;
 
-/// A straight line or an arc (circle, helix, any plane) with auxiliary axes linear in path length.
+/// A straight line, an arc (circle, helix, any plane) or a cubic, with auxiliary axes linear in
+/// path length.
 ///
 /// | field    | unit    | remark                                                             |
 /// |----------|---------|--------------------------------------------------------------------|
@@ -21,9 +22,11 @@ using Aux = std::array<double, kAuxAxes>;
 /// | normal   | 1       | |normal| = 1; counter-clockwise about it                            |
 /// | angle    | rad     | > 0, whole turns included                                          |
 /// | advance  | mm      | signed travel along `normal` over the whole arc (helix)            |
+/// | cubic    | mm      | its ends are `start` and `end` to 1e-8 mm; length > 0, may stand    |
+/// |          |         | still in points (cusps)                                            |
 /// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
 struct Move {
-    enum class Kind { kLine, kArc };
+    enum class Kind { kLine, kArc, kCubic };
 
     Kind kind = Kind::kLine;
     int line = 0;  // in the program's file, from 1
@@ -34,6 +37,7 @@ struct Move {
     Vec3 normal = Vec3::UnitZ();
     double angle = 0;
     double advance = 0;
+    Cubic cubic;
     Aux aux_start{};
     Aux aux_end{};
     double feed = 0;

@@ -20,6 +20,9 @@ TEST_P(BadInputFile, IsRefused) {
     const std::string file = bad.at("file");
     std::vector<std::string> arguments{"plan", file, "-o", "out"};
     std::string expected = with_path(bad.at("stderr"), "FILE", file);
+    if (bad.contains("fit")) {
+        arguments.insert(arguments.end(), {"--fit", bad["fit"].get<std::string>()});
+    }
     if (bad.contains("machine")) {
         write_bad_input(program.folder(), bad["machine"]);
         const std::string machine = bad["machine"].at("file");

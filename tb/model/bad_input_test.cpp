@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "ref/plan/machine.hpp"
-#include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/program/program_reader.hpp"
 #include "tb/support/bad_input_case.hpp"
 
 namespace curvecore::tb {
@@ -16,6 +17,14 @@ namespace {
 using Json = nlohmann::json;
 
 const std::string kCases = std::string(DATA_DIR) + "/../cli/bad_input_cases.json";
+
+ref::PointsOptions points_options(const Json& bad) {
+    ref::PointsOptions options;
+    const auto name = std::find(ref::kFitNames.begin(), ref::kFitNames.end(),
+                                bad.value("fit", std::string("bessel")));
+    options.fit = static_cast<ref::Fit>(name - ref::kFitNames.begin());
+    return options;
+}
 
 class BadInput : public testing::TestWithParam<Json> {};
 
@@ -34,7 +43,7 @@ TEST_P(BadInput, IsRefusedWithFileLineAndReason) {
             expected = with_path(expected, "MACHINE", machine);
             ref::read_machine(machine);
         }
-        ref::read_gcode(file);
+        ref::read_program(file, points_options(bad));
     } catch (const ref::InputError& error) {
         message = error.what();
     }

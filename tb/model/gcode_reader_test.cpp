@@ -292,6 +292,10 @@ TEST_P(Part, IsAChainOfMovesThatEndWhereTheyShould) {
             EXPECT_GT(move.angle, 0);
             expect_near(at(move, 1), move.end, 1e-9);
         }
+        if (move.kind == Move::Kind::kCubic) {
+            expect_near(move.cubic.position(0), move.start, 1e-12);
+            expect_near(move.cubic.position(1), move.end, 1e-12);
+        }
         here = move.end;
         aux = move.aux_end;
     }

@@ -10,6 +10,7 @@
 #include "ref/plan/machine.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/program/points_reader.hpp"
 #include "ref/program/text_file.hpp"
 
 namespace curvecore::tb {
@@ -17,10 +18,25 @@ namespace {
 
 using ref::Move;
 
+const std::vector<std::string> kWords{
+    "X",    "Y-",     "Z1",     "I",      "J0",    "K5",    "R",      "R-1",  "P2",     "P0",
+    "F",    "F0",     "G2",     "G3 ",    "G2.4 ", "G3.4",  "G17",    "G18 ", "G19",    "G20 ",
+    "G91 ", "G90 ",   "G90.1",  "G93 ",   "G94 ",  "G92 ",  "G92.2",  "G53 ", "G10 L2", "G55 ",
+    "G61 ", "M0",     "M2",     "\n",     "%\n",   "(",     ")",      ";",    ".",      "-",
+    "9999", "1e9",    "000001", "A90 ",   "U-3 ",  "#1",    "[1]",    "\r",   "/",      "\t",
+    "=",    "[TRAJ]", "nan",    "inf",    "\xFF",  "G4 P1", "G43 H1", "G80 ", "X0 Y0 ", "O1",
+    "G5 ",  "G5.1 ",  "G5.2 ",  "G5.3\n", "Q3",    "L4 ",   "P.5 "};
+
+const std::vector<std::string> kCells{
+    "1",   "0",   "-",   ".", ",", "7",  "25",        "3.5",     "1e3", "1e-9", "1e9",
+    "nan", "inf", "0x1", "#", " ", "\n", "\n0,0,0\n", "x,y,z\n", "dx",  "\xFF", "\r"};
+
 /// Changes texts at random, always in the same way.
 class Mutator {
   public:
-    explicit Mutator(std::vector<std::string> samples) : samples_(std::move(samples)) {}
+    /// `pieces` are what it likes to insert.
+    Mutator(std::vector<std::string> samples, std::vector<std::string> pieces)
+        : samples_(std::move(samples)), pieces_(std::move(pieces)) {}
 
     std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
 
@@ -39,14 +55,6 @@ class Mutator {
     }
 
     void mutate(std::string& text) {
-        static const char* const kPieces[] = {
-            "X",    "Y-",     "Z1",     "I",    "J0",     "K5",    "R",      "R-1",  "P2",
-            "P0",   "F",      "F0",     "G2",   "G3 ",    "G2.4 ", "G3.4",   "G17",  "G18 ",
-            "G19",  "G20 ",   "G91 ",   "G90 ", "G90.1",  "G93 ",  "G94 ",   "G92 ", "G92.2",
-            "G53 ", "G10 L2", "G55 ",   "G61 ", "M0",     "M2",    "\n",     "%\n",  "(",
-            ")",    ";",      ".",      "-",    "9999",   "1e9",   "000001", "A90 ", "U-3 ",
-            "#1",   "[1]",    "\r",     "/",    "\t",     "=",     "[TRAJ]", "nan",  "inf",
-            "\xFF", "G4 P1",  "G43 H1", "G80 ", "X0 Y0 ", "O1"};
         const std::size_t at = below(text.size() + 1);
         const std::size_t length = 1 + below(below(4) == 0 ? 20 : 3);
         switch (below(7)) {
@@ -68,12 +76,13 @@ class Mutator {
                 text += excerpt();
                 break;
             default:
-                text.insert(at, kPieces[below(std::size(kPieces))]);
+                text.insert(at, pieces_[below(pieces_.size())]);
         }
     }
 
   private:
     std::vector<std::string> samples_;
+    std::vector<std::string> pieces_;
     std::mt19937_64 random_{20240607};
 };
 
@@ -105,6 +114,10 @@ std::string flaw(const Move& move) {
     if (move.rapid ? move.feed != 0 : !(move.feed > 0)) {
         return "the feed is wrong";
     }
+    if (move.kind == Move::Kind::kCubic && !((move.cubic.position(0) - move.start).norm() <= 1e-8 &&
+                                             (move.cubic.position(1) - move.end).norm() <= 1e-8)) {
+        return "the cubic misses an end";
+    }
     if (move.kind == Move::Kind::kArc) {
         const Eigen::Vector3d radius = move.start - move.centre;
         const Eigen::Vector3d end = move.centre +
@@ -119,7 +132,7 @@ std::string flaw(const Move& move) {
 }
 
 TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
-    Mutator mutator(samples(".ngc"));
+    Mutator mutator(samples(".ngc"), kWords);
     int read = 0;
     for (int i = 0; i < 100000; ++i) {
         std::string text = mutator.excerpt();
@@ -142,12 +155,56 @@ TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
         } catch (const ref::InputError&) {
         }
     }
-    EXPECT_GT(read, 20000) << "the mutations are too coarse to reach the moves";
+    EXPECT_GT(read, 15000) << "the mutations are too coarse to reach the moves";
     EXPECT_LT(read, 80000) << "the mutations are too fine to be refused";
 }
 
+TEST(ReaderFuzz, MutatedPointsAreRefusedOrSound) {
+    std::vector<std::string> texts = samples(".csv");
+    texts.emplace_back(
+        "x,y,z,dx,dy,dz\n0,0,0,1,0,0\n5,1,0,0,1,0\n7,9,1,0,0,0\n0,9,1,-1,0,0.5\n3,2,1,0,0,1\n");
+    texts.emplace_back(
+        "x,y,z,ddx,ddy,ddz\n0,0,0,.1,0,0\n5,1,0,0,.1,0\n7,9,1,0,0,0\n0,9,1,-.1,0,0.5\n");
+    texts.emplace_back(
+        "x,y,z,dx,dy,dz,ddx,ddy,ddz\n0,0,0,1,0,0,0,.1,0\n5,1,0,0,1,0,0,0,0\n7,9,1,0,0,0,1,0,0\n");
+    Mutator mutator(texts, kCells);
+    int read = 0;
+    for (int i = 0; i < 10000; ++i) {
+        std::string text = mutator.excerpt();
+        for (std::size_t n = 1 + mutator.below(2); n > 0; --n) {
+            mutator.mutate(text);
+        }
+        ref::PointsOptions options;
+        const auto has = [&text](const char* column) { return text.find(column) < text.size(); };
+        const int known = has("ddx") ? 2 : has("dx") ? 1 : 0;
+        const std::vector<ref::Fit> fits[] = {
+            {ref::Fit::kBessel, ref::Fit::kAkima, ref::Fit::kNatural},
+            {ref::Fit::kHermite, ref::Fit::kClamped},
+            {ref::Fit::kMoments, ref::Fit::kQuintic}};
+        options.fit = fits[known][mutator.below(fits[known].size())];
+        options.parameter = static_cast<ref::Parameter>(mutator.below(ref::kParameterNames.size()));
+        try {
+            const ref::Program program = ref::read_points_text(text, "points.csv", options);
+            ++read;
+            const Move* before = nullptr;
+            for (const Move& move : program.moves) {
+                ASSERT_EQ(flaw(move), "") << "line " << move.line << " of case " << i << ":\n"
+                                          << text;
+                ASSERT_TRUE(before == nullptr ||
+                            (before->end == move.start && before->aux_end == move.aux_start))
+                    << "case " << i << ":\n"
+                    << text;
+                before = &move;
+            }
+        } catch (const ref::InputError&) {
+        }
+    }
+    EXPECT_GT(read, 1000);
+    EXPECT_LT(read, 8000);
+}
+
 TEST(ReaderFuzz, MutatedMachinesAreRefusedOrSound) {
-    Mutator mutator(samples(".ini"));
+    Mutator mutator(samples(".ini"), kWords);
     int read = 0;
     for (int i = 0; i < 20000; ++i) {
         std::string text = mutator.excerpt();

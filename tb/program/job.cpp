@@ -2,28 +2,11 @@
 #include "tb/program/job.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <set>
 
-#include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/program/program_reader.hpp"
 
 namespace curvecore::tb {
-namespace {
-
-ref::Program read_program(const std::string& file) {
-    std::string kind = std::filesystem::path(file).extension().string();
-    std::transform(kind.begin(), kind.end(), kind.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap", ".csv"};
-    if (known.count(kind) == 0) {
-        throw ref::InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap are read");
-    }
-    return ref::read_gcode(file);
-}
-
-}  // namespace
 
 std::uint64_t Job::path_length() const {
     const ref::Segment& last = plan.segments.back();
@@ -39,7 +22,7 @@ double Job::bound() const {
 Job read_job(const Options& options) {
     Job job;
     job.options = options;
-    job.program = read_program(options.file);
+    job.program = ref::read_program(options.file, options.points);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
     return job;

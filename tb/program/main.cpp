@@ -16,12 +16,26 @@ namespace curvecore::tb {
 namespace {
 
 void add_common(CLI::App& command, RawOptions& raw, Options& options) {
-    command.add_option("FILE", options.file, "G-code: .ngc .nc .gcode .tap")
+    command.add_option("FILE", options.file, "G-code (.ngc .nc .gcode .tap) or points (.csv)")
         ->required()
         ->type_name("");
     command.add_option("-o,--output", options.folder, "folder for the results")
         ->required()
         ->type_name("DIR");
+    command
+        .add_option("--fit", raw.fit,
+                    fmt::format("spline through points: {}", fmt::join(ref::kFitNames, ", ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+    command
+        .add_option(
+            "--parameter", raw.parameter,
+            fmt::format("the spline's parameter: {}", fmt::join(ref::kParameterNames, ", ")))
+        ->type_name("NAME")
+        ->capture_default_str();
+    command.add_option("--feed", raw.feed, "feed along points, mm/min")
+        ->type_name("FEED")
+        ->capture_default_str();
     command.add_option("--unit", raw.unit, "length unit: 1nm, 10nm, 0.1um or 1um")
         ->type_name("LENGTH")
         ->capture_default_str();
@@ -65,7 +79,7 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
 }
 
 int dispatch(int argc, char** argv) {
-    CLI::App app{"Arcs, helices and lines through FPGA interpolator cores", "curvecore"};
+    CLI::App app{"Lines, arcs, helices and splines through FPGA interpolator cores", "curvecore"};
     app.set_version_flag("--version", "curvecore " CURVECORE_VERSION);
     app.require_subcommand(1);
     RawOptions raw;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <utility>
@@ -18,7 +20,7 @@ using Suffix = std::pair<std::string_view, int>;
 std::string names(const std::vector<Suffix>& suffixes) {
     std::string text;
     for (std::size_t i = 0; i < suffixes.size(); ++i) {
-        text += i == 0 ? "" : i + 1 == suffixes.size() ? " or " : ", ";
+        text += text.empty() ? "" : i + 1 == suffixes.size() ? " or " : ", ";
         text += suffixes[i].first;
     }
     return text;
@@ -51,6 +53,31 @@ std::uint64_t whole(const std::string& option, const std::string& text) {
         throw UsageError(fmt::format("{} '{}': not a whole number", option, text));
     }
     return value;
+}
+
+/// Index of a name. @throws UsageError
+template <std::size_t Count>
+int choice(const std::string& option, const std::string& text,
+           const std::array<std::string_view, Count>& known) {
+    const auto found = std::find(known.begin(), known.end(), text);
+    if (found == known.end()) {
+        throw UsageError(
+            fmt::format("{} '{}': must be one of {}", option, text, fmt::join(known, ", ")));
+    }
+    return static_cast<int>(found - known.begin());
+}
+
+ref::PointsOptions points_options(const RawOptions& raw) {
+    ref::PointsOptions points;
+    points.fit = static_cast<ref::Fit>(choice("--fit", raw.fit, ref::kFitNames));
+    points.parameter =
+        static_cast<ref::Parameter>(choice("--parameter", raw.parameter, ref::kParameterNames));
+    const double per_minute = quantity("--feed", raw.feed, {{"", 0}, {"mm/min", 0}});
+    if (!(per_minute >= 1e-3 && per_minute <= 1e9)) {
+        throw UsageError("--feed must be in [0.001, 1e9] mm/min");
+    }
+    points.feed = per_minute / 60;
+    return points;
 }
 
 double unit_of(const std::string& text) {
@@ -87,6 +114,7 @@ ref::PlanOptions Options::plan_options() const {
 
 void interpret(const RawOptions& raw, Options& options) {
     if (options.folder.empty()) throw UsageError("--output: a folder's name is expected");
+    options.points = points_options(raw);
     options.unit_mm = unit_of(raw.unit);
     options.sample_period_s = quantity("--sample-period", raw.sample_period,
                                        {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/plan/planner.hpp"
+#include "ref/program/points_reader.hpp"
 #include "tb/program/core_parameters.hpp"
 
 namespace curvecore::tb {
@@ -16,6 +17,7 @@ struct Options {
     std::string file;
     std::string folder;
     std::string machine;  // empty: the built-in one
+    ref::PointsOptions points;
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
@@ -38,6 +40,9 @@ struct Options {
 
 /// The command line as text, checked and turned into options.
 struct RawOptions {
+    std::string fit = "bessel";
+    std::string parameter = "chord";
+    std::string feed = "1000";  // mm/min
     std::string unit = "1nm";
     std::string sample_period = "100us";
     std::string samples_per_tick = "1";

@@ -2,8 +2,9 @@
 // The cases of tb/cli/bad_input_cases.json as files.
 //
 // A case is a program `file` (its `content`, or `base64` bytes, or a `folder`; none: the file is
-// missing), sometimes a `machine` file, and the `stderr` that `curvecore plan` must give with FILE
-// and MACHINE in place of their paths. Cases of the `stage` "plan" pass the readers.
+// missing), sometimes a `machine` file or the `fit` of points, and the `stderr` that `curvecore
+// plan` must give with FILE and MACHINE in place of their paths. Cases of the `stage` "plan" pass
+// the readers.
 #pragma once
 
 #include <filesystem>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// A NURBS with LinuxCNC's knots (G5.2) as rational curves and as cubics.
+#pragma once
+
+#include <vector>
+
+#include "ref/curve/fit/rational_bezier.hpp"
+
+namespace curvecore::ref {
+
+/// | field   | unit   | domain                                              |
+/// |---------|--------|-----------------------------------------------------|
+/// | order   | 1      | degree + 1; 2 .. number of points                   |
+/// | points  | length | as many as weights                                  |
+/// | weights | 1      | > 0                                                 |
+///
+/// The knots are uniform and clamped: 0 order times, 1, 2, .., and the last order times.
+struct Nurbs {
+    int order = 3;
+    std::vector<Vec3> points;
+    std::vector<double> weights;
+};
+
+/// Its spans from knot to knot, by the polar form (knot insertion, [Boehm]); exact up to roundings.
+std::vector<RationalBezier> spans(const Nurbs& nurbs);
+
+/// The curve as cubics in its order. Polynomials up to degree 3 are exact; of the rest no point is
+/// farther than `tolerance` from the curve (fit_cubics).
+std::vector<Cubic> cubics_of(const Nurbs& nurbs, double tolerance);
+
+}  // namespace curvecore::ref

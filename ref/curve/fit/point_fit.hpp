@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Splines through points: the choice of parameter and of slopes, as cubics.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "ref/curve/cubic.hpp"
+#include "ref/curve/fit/cubic_fit.hpp"
+
+namespace curvecore::ref {
+
+/// | fit      | wants at the points                    | joints   | source                        |
+/// |----------|----------------------------------------|----------|-------------------------------|
+/// | bessel   | nothing                                | C1       | [Obukhov] (2)                 |
+/// | akima    | nothing                                | C1       | Akima 1970                    |
+/// | natural  | nothing                                | C2       |                               |
+/// | clamped  | first derivative at both ends          | C2       |                               |
+/// | hermite  | first derivatives                      | C1       | [Petrakov] (2)                |
+/// | moments  | second derivatives                     | C0 (*)   | [Petrakov] (3)-(5), corrected |
+/// | quintic  | first and second derivatives           | G1, near C2 | [Petrakov], announced      |
+///
+/// (*) C2 if they are those of a C2 spline. The quintic is C2; what is drawn of it are cubics with
+/// its tangents, within the tolerance.
+enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic };
+constexpr std::array<std::string_view, 7> kFitNames = {"bessel",  "akima",   "natural", "clamped",
+                                                       "hermite", "moments", "quintic"};
+
+/// Step of the parameter from point to point: their distance, its square root, or 1. Derivatives
+/// are by this parameter: with kChord a first derivative of length 1 is a unit tangent.
+enum class Parameter { kChord, kCentripetal, kUniform };
+constexpr std::array<std::string_view, 3> kParameterNames = {"chord", "centripetal", "uniform"};
+
+struct FitPoint {
+    Vec3 position = Vec3::Zero();
+    std::optional<Vec3> d1;  // first derivative
+    std::optional<Vec3> d2;  // second derivative
+};
+
+bool wants_d1(Fit fit);
+bool wants_d2(Fit fit);
+
+/// Parameter of every point, the first one at 0.
+std::vector<double> parameters(const std::vector<FitPoint>& points, Parameter parameter);
+
+/// One chain of cubics for every two neighbours: a single cubic, for quintics as many as the
+/// tolerance wants. At least two points, no two neighbours the same, with the derivatives that the
+/// fit wants.
+std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
+                                           Parameter parameter, double tolerance = kFitTolerance);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slopes of splines through points, per axis or for the vector as a whole.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ref/curve/vec3.hpp"
+
+namespace curvecore::ref {
+
+/// | symbol | meaning                                  | unit       |
+/// |--------|------------------------------------------|------------|
+/// | y_i    | point i                                  | length     |
+/// | t_i    | its parameter, ascending                 | that of t  |
+/// | d_i    | t_{i+1} - t_i                            | that of t  |
+/// | s_i    | (y_{i+1} - y_i) / d_i                    | length / t |
+/// | m_i    | slope at point i, what is returned       | length / t |
+///
+/// Every function wants at least two points; two make a straight line.
+using Vectors = std::vector<Vec3>;
+
+/// The slope of the parabola through three neighbours (Bessel; [Obukhov] (2), who calls it Akima):
+///
+///     m_i = (s_{i-1} d_i + s_i d_{i-1}) / (d_{i-1} + d_i)
+///
+/// At the ends, which the paper leaves open, that of the first or last three points:
+///
+///     m_0 = ((2 d_0 + d_1) s_0 - d_0 s_1) / (d_0 + d_1)
+Vectors bessel_slopes(const Vectors& points, const std::vector<double>& t);
+
+/// Akima, J. ACM 17 (1970), with s continued in a straight line by two at either end:
+///
+///     m_i = (|s_{i+1} - s_i| s_{i-1} + |s_{i-1} - s_{i-2}| s_i) / (sum of both weights)
+///
+/// or the mean of s_{i-1} and s_i where both weights are 0. The weights are lengths of vectors, so
+/// the curve does not depend on the axes; along one axis they are Akima's.
+Vectors akima_slopes(const Vectors& points, const std::vector<double>& t);
+
+/// The C2 spline: with the given slope at an end, or with no second derivative there ("natural").
+Vectors smooth_slopes(const Vectors& points, const std::vector<double>& t,
+                      const std::optional<Vec3>& start, const std::optional<Vec3>& end);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// The interpreter's splines, as LinuxCNC means them: G5 (cubic), G5.1 (quadratic) and the NURBS of
+// G5.2 .. G5.3, all in the XY plane.
+//
+// I J and P Q are offsets also with G90.1. With G91 the control points of a NURBS count from its
+// start, where the machine still stands. Its weights (P) are 1 and its order (L) is 3 unless given.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "ref/program/interpreter.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr int kUsualOrder = 3;
+constexpr int kHighestOrder = 16;
+
+}  // namespace
+
+void Interpreter::check_spline(Block& block, const Place& place) const {
+    if (normal_axis_ != 2) {
+        place.refuse(fmt::format("{} wants the XY plane (G17)", g_name(motion_)));
+    }
+    if (block.has_any("ZABCUVW")) {
+        place.refuse(fmt::format("{} takes the axes X and Y only", g_name(motion_)));
+    }
+}
+
+void Interpreter::spline(Block& block, const Place& place) {
+    check_spline(block, place);
+    const Point target = coordinates_.target(block, false, place);
+    const Vec3 start = xyz(coordinates_.position());
+    const Vec3 end = xyz(target);
+    const Bezier points = motion_ == 50 ? cubic_legs(block, start, end, place)
+                                        : quadratic_legs(block, start, end, place);
+    for (const Vec3& point : points) {
+        if (!(point.cwiseAbs().maxCoeff() <= kFarthest)) {
+            place.refuse(
+                fmt::format("a control point is out of range: beyond {:.10g} mm", kFarthest));
+        }
+    }
+    add_curve({from_bezier(points)}, target, place);
+}
+
+Bezier Interpreter::cubic_legs(Block& block, const Vec3& start, const Vec3& end,
+                               const Place& place) {
+    const double unit = coordinates_.unit();
+    if (!block.has('P') || !block.has('Q')) {
+        place.refuse("G5 wants both P and Q, from the end to the second control point");
+    }
+    if (block.has('I') != block.has('J')) {
+        place.refuse("G5 with only one of I and J: give both, or neither behind another G5");
+    }
+    Vec3 out = Vec3::Zero();
+    if (block.has('I')) {
+        out.x() = block.use('I') * unit;
+        out.y() = block.use('J') * unit;
+    } else if (last_leg_) {
+        out = -*last_leg_;
+    } else {
+        place.refuse("the first G5 behind another motion wants I and J");
+    }
+    const double p = use_p(block, place) * unit;
+    last_leg_ = Vec3(p, block.use('Q') * unit, 0);
+    return {start, start + out, end + *last_leg_, end};
+}
+
+Bezier Interpreter::quadratic_legs(Block& block, const Vec3& start, const Vec3& end,
+                                   const Place& place) const {
+    Vec3 out = Vec3::Zero();
+    for (const int axis : {0, 1}) {
+        if (block.has("IJ"[axis])) {
+            out[axis] = block.use("IJ"[axis]) * coordinates_.unit();
+        }
+    }
+    if (out.isZero(0)) {
+        place.refuse("G5.1 wants I and J, from the start to the control point, not both 0");
+    }
+    const Vec3 middle = start + out;
+    return {start, start + 2 * out / 3, end + 2 * (middle - end) / 3, end};
+}
+
+void Interpreter::open_nurbs(Block& block, const Place& place) {
+    check_spline(block, place);
+    OpenNurbs open{};
+    open.last = coordinates_.position();
+    open.curve.points = {xyz(open.last)};
+    open.curve.weights = {1};
+    open.feed = feed_;
+    open.line = place.line;
+    nurbs_ = std::move(open);
+    control_point(block, place);
+}
+
+void Interpreter::nurbs_block(Block& block, const Codes& codes, const Place& place) {
+    const std::optional<int> code = codes.of(Group::kMotion);
+    if (block.g.size() > (code == 52 || code == 53 ? 1 : 0) || !block.m.empty()) {
+        check_nothing_waits(place);
+    }
+    if (block.has('F')) {
+        set_feed(block, codes, place);
+        nurbs_->feed = feed_;
+    }
+    if (code == 53) {
+        close_nurbs(place);
+    } else {
+        check_spline(block, place);
+        control_point(block, place);
+    }
+    if (const char letter = block.unused()) {
+        place.refuse(fmt::format("{} has no use in this block", letter));
+    }
+}
+
+void Interpreter::control_point(Block& block, const Place& place) {
+    Nurbs& curve = nurbs_->curve;
+    if (block.has('L')) {
+        const int order = whole_number('L', block.use('L'), 2, kHighestOrder, place);
+        if (nurbs_->order && *nurbs_->order != order) {
+            place.refuse(fmt::format("L{} where this NURBS has L{}", order, *nurbs_->order));
+        }
+        nurbs_->order = order;
+    }
+    if (block.has('X') != block.has('Y')) {
+        place.refuse("a control point wants both X and Y");
+    }
+    double weight = 1;
+    if (block.has('P')) {
+        weight = use_p(block, place);
+        if (!(weight > 0)) {
+            place.refuse(fmt::format("the weight P must be above 0, not {:g}", weight));
+        }
+    }
+    if (block.has('X')) {
+        nurbs_->last = coordinates_.target(block, false, place);
+        curve.points.push_back(xyz(nurbs_->last));
+        curve.weights.push_back(weight);
+    } else if (block.has('P')) {
+        if (curve.points.size() > 1) {
+            place.refuse("P without X and Y is the weight of the curve's start: it comes first");
+        }
+        curve.weights[0] = weight;
+    }
+}
+
+void Interpreter::close_nurbs(const Place& place) {
+    OpenNurbs open = std::move(*nurbs_);
+    nurbs_.reset();
+    const int count = static_cast<int>(open.curve.points.size());
+    open.curve.order = open.order.value_or(kUsualOrder);
+    if (count < open.curve.order) {
+        place.refuse(
+            fmt::format("the NURBS begun in line {} has too few control points: {}, L{} wants "
+                        "{}",
+                        open.line, count, open.curve.order, open.curve.order));
+    }
+    feed_ = open.feed;
+    add_curve(cubics_of(open.curve, fit_tolerance_), open.last, place);
+    motion_ = 800;
+}
+
+void Interpreter::add_curve(const std::vector<Cubic>& cubics, const Point& target,
+                            const Place& place) {
+    Move piece = move_to(target, place);
+    const Vec3 end = piece.end;
+    const bool exact_stop = piece.exact_stop;
+    piece.kind = Move::Kind::kCubic;
+    piece.exact_stop = false;
+    std::vector<Move> pieces;
+    double length = 0;
+    for (const Cubic& cubic : cubics) {
+        piece.cubic = cubic;
+        const double part = piece.length();
+        if (!(part > kStill)) {
+            warn("a piece of a spline without length is left out", place);
+            continue;
+        }
+        piece.end = cubic.position(1);
+        pieces.push_back(piece);
+        piece.start = piece.end;
+        length += part;
+    }
+    if (pieces.empty()) {
+        place.refuse("the curve collapses to a point");
+    }
+    pieces.back().end = end;
+    pieces.back().exact_stop = exact_stop;
+    const double feed = feed_of(piece, length, place);
+    for (Move& move : pieces) {
+        move.feed = feed;
+        append(move);
+    }
+    coordinates_.set_position(target);
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of points (.csv) to moves: a spline through the points.
+//
+//     # a comment, also behind numbers
+//     x, y, z, a                      the header may be missing: then x y z a b c u v w in this
+//     order 0, 0, 0, 0 10, 2.5, -1e-3, 45
+//
+// Columns: x y z (wanted), a b c u v w (auxiliary axes, linear in path length between the points),
+// dx dy dz and ddx ddy ddz (derivatives by the spline's parameter, for the fits that want them;
+// their cells may be empty where the fit does not). Lengths in mm, angles in degrees.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ref/curve/fit/point_fit.hpp"
+#include "ref/program/move.hpp"
+
+namespace curvecore::ref {
+
+struct PointsOptions {
+    Fit fit = Fit::kBessel;
+    Parameter parameter = Parameter::kChord;
+    double feed = 1000.0 / 60;             // mm/s
+    double fit_tolerance = kFitTolerance;  // mm, for quintics
+};
+
+/// A move's line is that of the point it leads to. The program begins at the first point.
+/// @throws InputError
+Program read_points(const std::string& file, const PointsOptions& options);
+
+/// @throws InputError, with `file_name` as its file
+Program read_points_text(std::string_view text, const std::string& file_name,
+                         const PointsOptions& options);
+
+}  // namespace curvecore::ref

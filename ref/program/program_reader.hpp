@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// A part's file, whatever its kind, to moves.
+#pragma once
+
+#include "ref/program/points_reader.hpp"
+
+namespace curvecore::ref {
+
+/// By the extension, in upper or lower case: .ngc .nc .gcode .tap as G-code, .csv as points with
+/// `points`. @throws InputError
+Program read_program(const std::string& file, const PointsOptions& points);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// NURBS as cubics: spans against the definition in high precision, fits against the exact curve.
+#include "ref/curve/fit/nurbs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <random>
+
+#include "ref/curve/fit/cubic_fit.hpp"
+#include "tb/support/curve_distance.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+namespace mp = boost::multiprecision;
+using Real = mp::number<mp::cpp_bin_float<50>, mp::et_off>;
+
+/// Basis function of Cox and de Boor by its definition, on LinuxCNC's knots.
+Real basis(int i, int degree, const Real& u, const std::vector<int>& knots) {
+    if (degree == 0) {
+        const bool last = knots[i + 1] == knots.back();
+        return knots[i] <= u && (u < knots[i + 1] || (last && u == knots[i + 1])) ? 1 : 0;
+    }
+    Real sum = 0;
+    if (knots[i + degree] > knots[i]) {
+        sum += (u - knots[i]) / (knots[i + degree] - knots[i]) * basis(i, degree - 1, u, knots);
+    }
+    if (knots[i + degree + 1] > knots[i + 1]) {
+        sum += (knots[i + degree + 1] - u) / (knots[i + degree + 1] - knots[i + 1]) *
+               basis(i + 1, degree - 1, u, knots);
+    }
+    return sum;
+}
+
+Vec3 definition(const Nurbs& nurbs, const Real& u) {
+    const int count = static_cast<int>(nurbs.points.size());
+    std::vector<int> knots;
+    for (int i = 0; i < count + nurbs.order; ++i) {
+        knots.push_back(std::clamp(i - nurbs.order + 1, 0, count - nurbs.order + 1));
+    }
+    std::array<Real, 4> sum{};
+    for (int i = 0; i < count; ++i) {
+        const Real part = basis(i, nurbs.order - 1, u, knots) * nurbs.weights[i];
+        for (int axis = 0; axis < 3; ++axis) sum[axis] += part * nurbs.points[i][axis];
+        sum[3] += part;
+    }
+    return {static_cast<double>(Real(sum[0] / sum[3])), static_cast<double>(Real(sum[1] / sum[3])),
+            static_cast<double>(Real(sum[2] / sum[3]))};
+}
+
+Nurbs random_nurbs(std::mt19937& random, int order, int count, bool weighted, bool flat = false) {
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 53>(random);
+    };
+    Nurbs nurbs;
+    nurbs.order = order;
+    for (int i = 0; i < count; ++i) {
+        nurbs.points.emplace_back(10 * i + uniform(-10, 10), uniform(-20, 20),
+                                  flat ? 0 : uniform(-20, 20));
+        nurbs.weights.push_back(weighted ? std::exp(uniform(-2, 2)) : 1);
+    }
+    return nurbs;
+}
+
+TEST(Nurbs, SpansAreTheCurveOfTheDefinition) {
+    std::mt19937 random(1);
+    for (int order = 2; order <= 8; ++order) {
+        for (const bool weighted : {false, true}) {
+            const Nurbs nurbs = random_nurbs(random, order, order + 4, weighted);
+            const std::vector<RationalBezier> found = spans(nurbs);
+            ASSERT_EQ(found.size(), 5U);
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                for (const double t : {0.0, 0.125, 0.5, 0.9375, 1.0}) {
+                    const double miss =
+                        (found[i].at(t).position - definition(nurbs, Real(i) + Real(t))).norm();
+                    EXPECT_LE(miss, 1e-13) << "order " << order << " span " << i << " t " << t;
+                }
+            }
+        }
+    }
+}
+
+TEST(Nurbs, DerivativeIsThatOfThePosition) {
+    std::mt19937 random(2);
+    const RationalBezier span = spans(random_nurbs(random, 5, 7, true))[1];
+    for (const double t : {0.1, 0.5, 0.8}) {
+        const double h = 1e-5;
+        const Vec3 difference = (span.at(t + h).position - span.at(t - h).position) / (2 * h);
+        EXPECT_LE((difference - span.at(t).derivative).norm(), 1e-6);
+    }
+}
+
+TEST(Nurbs, PolynomialsUpToDegreeThreeAreExact) {
+    std::mt19937 random(3);
+    for (int order = 2; order <= 4; ++order) {
+        Nurbs nurbs = random_nurbs(random, order, 9, false);
+        for (double& weight : nurbs.weights) weight = 2.5;
+        const std::vector<Cubic> cubics = cubics_of(nurbs, kFitTolerance);
+        ASSERT_EQ(cubics.size(), nurbs.points.size() - order + 1);
+        for (std::size_t i = 0; i < cubics.size(); ++i) {
+            for (const double u : {0.0, 0.25, 0.6875, 1.0}) {
+                EXPECT_LE((cubics[i].position(u) - definition(nurbs, Real(i) + Real(u))).norm(),
+                          1e-13)
+                    << "order " << order << " span " << i << " u " << u;
+            }
+        }
+    }
+}
+
+TEST(Nurbs, CubicSplineHasNoJumpInItsCurvature) {
+    std::mt19937 random(4);
+    const std::vector<Cubic> cubics = cubics_of(random_nurbs(random, 4, 9, false), kFitTolerance);
+    for (std::size_t i = 1; i + 1 < cubics.size(); ++i) {  // the first and last knots span alike
+        EXPECT_LE((cubics[i].velocity(0) - cubics[i - 1].velocity(1)).norm(), 1e-12);
+        EXPECT_LE((cubics[i].acceleration(0) - cubics[i - 1].acceleration(1)).norm(), 1e-12);
+    }
+}
+
+TEST(Nurbs, LineWithWeightsStaysAStraightLine) {
+    Nurbs nurbs{2, {Vec3(1, 2, 3), Vec3(5, -4, 3), Vec3(7, 7, 7)}, {1, 0.01, 5}};
+    const std::vector<Cubic> cubics = cubics_of(nurbs, kFitTolerance);
+    ASSERT_EQ(cubics.size(), 2U);
+    EXPECT_LE((cubics[0].position(0.5) - Vec3(3, -1, 3)).norm(), 1e-15);
+    EXPECT_LE((cubics[1].position(1) - Vec3(7, 7, 7)).norm(), 1e-14);
+}
+
+/// A quarter of the circle about 0.
+std::vector<Cubic> quarter_circle(double radius, double tolerance) {
+    return cubics_of({3,
+                      {Vec3(radius, 0, 0), Vec3(radius, radius, 0), Vec3(0, radius, 0)},
+                      {1, std::sqrt(0.5), 1}},
+                     tolerance);
+}
+
+TEST(CubicFit, CircleStaysWithinItsTolerance) {
+    for (const double radius : {0.01, 1.0, 10.0, 25.0, 1000.0}) {
+        const std::vector<Cubic> cubics = quarter_circle(radius, kFitTolerance);
+        double worst = 0;
+        for (const Cubic& cubic : cubics) {
+            for (int i = 0; i <= 1000; ++i) {
+                worst = std::max(worst, std::abs(cubic.position(i / 1000.0).norm() - radius));
+            }
+        }
+        EXPECT_LE(worst, kFitTolerance) << radius;
+        EXPECT_GE(worst, kFitTolerance / 100) << radius << ": cut finer than needed";
+        EXPECT_LE(cubics.size(), 16U) << radius;
+        RecordProperty("pieces of a quarter", static_cast<int>(cubics.size()));
+    }
+}
+
+TEST(CubicFit, ErrorFallsWithTheSixthPower) {
+    const std::size_t coarse = quarter_circle(10, 1e-4).size();
+    const std::size_t fine = quarter_circle(10, 1e-4 / 4096).size();
+    EXPECT_EQ(fine, 4 * coarse);  // 4^6 = 4096
+}
+
+TEST(CubicFit, DistanceSeesTheErrorOfTheCommonQuarterCircle) {
+    const double k = 4.0 / 3 * (std::sqrt(2.0) - 1);
+    const Cubic cubic = from_bezier({Vec3(1, 0, 0), Vec3(1, k, 0), Vec3(k, 1, 0), Vec3(0, 1, 0)});
+    RationalBezier circle;
+    for (const auto& [x, y, w] :
+         {std::array{1., 0., 1.}, std::array{1., 1., std::sqrt(0.5)}, std::array{0., 1., 1.}}) {
+        circle.points.emplace_back(w * x, w * y, 0, w);
+    }
+    EXPECT_NEAR(distance(cubic, circle, 0, 1, 99), 2.725e-4, 1e-6);
+}
+
+TEST(CubicFit, RandomCurvesStayWithinTheirToleranceAndKeepTheirTangents) {
+    std::mt19937 random(5);
+    for (int n = 0; n < 12; ++n) {
+        const int order = 3 + n % 5;
+        const Nurbs nurbs = random_nurbs(random, order, order + 2, true, n % 2 == 0);
+        for (const RationalBezier& span : spans(nurbs)) {
+            const std::vector<Cubic> cubics = fit_cubics(span, kFitTolerance);
+            const tb::CurveDistance exact(span);
+            EXPECT_EQ(cubics.front().position(0), span.at(0).position);
+            EXPECT_LE((cubics.back().position(1) - span.at(1).position).norm(), 1e-13);
+            EXPECT_LE(cubics.size(), 200U);
+            for (std::size_t i = 0; i < cubics.size(); ++i) {
+                EXPECT_LE(exact.of(cubics[i]), kFitTolerance) << n;
+                if (i == 0) continue;
+                EXPECT_LE((cubics[i].position(0) - cubics[i - 1].position(1)).norm(), 1e-13);
+                const Vec3 before = cubics[i - 1].velocity(1).normalized();
+                EXPECT_LE(before.cross(cubics[i].velocity(0).normalized()).norm(), 1e-11) << n;
+                EXPECT_GT(before.dot(cubics[i].velocity(0)), 0);
+            }
+        }
+    }
+}
+
+TEST(CubicFit, CuspsAndFarApartWeightsEndWithinTheTolerance) {
+    const Cubic whole =
+        from_bezier({Vec3(0, 0, 0), Vec3(10, 10, 0), Vec3(0, 10, 0), Vec3(10, 0, 0)});
+    EXPECT_TRUE(has_cusp(whole));
+    const Bezier part = to_bezier(sub_cubic(whole, 0, 0.8));  // the cusp is at t = 5/8 of it
+    RationalBezier cusp;
+    for (const Vec3& point : part) cusp.points.emplace_back(point.x(), point.y(), point.z(), 1);
+    EXPECT_EQ(fit_cubics(cusp, kFitTolerance).size(), 1U) << "it is a cubic";
+    RationalBezier moebius = cusp;  // the same points at t / (1.7 - 0.7 t)
+    for (int i = 0; i < 4; ++i) moebius.points[i] *= std::pow(1.7, i);
+    const std::vector<Cubic> pieces = fit_cubics(moebius, kFitTolerance);
+    const tb::CurveDistance exact(cusp);
+    for (const Cubic& piece : pieces) EXPECT_LE(exact.of(piece), kFitTolerance);
+    EXPECT_GE(pieces.size(), 4U);
+    EXPECT_LE(pieces.size(), 200U);
+    const Nurbs steep{4,
+                      {Vec3(0, 0, 0), Vec3(10, 40, 0), Vec3(20, -30, 0), Vec3(30, 5, 0)},
+                      {1e-9, 1e9, 1, 1e-3}};
+    EXPECT_LE(cubics_of(steep, kFitTolerance).size(), 2000U);
+}
+
+}  // namespace
+}  // namespace curvecore::ref

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of points: columns, comments, and the moves that a fit makes of them.
+#include "ref/program/points_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "ref/program/program_reader.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using ref::Fit;
+using ref::Move;
+using ref::Program;
+using ref::Vec3;
+
+Program read(const std::string& text, Fit fit = Fit::kBessel) {
+    ref::PointsOptions options;
+    options.fit = fit;
+    return ref::read_points_text(text, "points.csv", options);
+}
+
+TEST(PointsReader, MovesLeadFromPointToPoint) {
+    const Program program = read("0,0,0\n10,5,1\n20,0,-2.5e0\n");
+    ASSERT_EQ(program.moves.size(), 2U);
+    EXPECT_EQ(program.moves[0].start, Vec3(0, 0, 0));
+    EXPECT_EQ(program.moves[0].end, Vec3(10, 5, 1));
+    EXPECT_EQ(program.moves[1].start, Vec3(10, 5, 1));
+    EXPECT_EQ(program.moves[1].end, Vec3(20, 0, -2.5));
+    EXPECT_EQ(program.file, "points.csv");
+    EXPECT_EQ(program.aux_axes, 0);
+    for (const Move& move : program.moves) {
+        EXPECT_EQ(move.kind, Move::Kind::kCubic);
+        EXPECT_DOUBLE_EQ(move.feed, 1000.0 / 60);
+        EXPECT_FALSE(move.rapid);
+        EXPECT_LE((move.cubic.position(0) - move.start).norm(), 1e-14);
+        EXPECT_LE((move.cubic.position(1) - move.end).norm(), 1e-14);
+    }
+    EXPECT_FALSE(program.moves[0].exact_stop);
+    EXPECT_TRUE(program.moves[1].exact_stop);
+    EXPECT_EQ(program.moves[1].line, 3);
+}
+
+TEST(PointsReader, HeaderNamesColumnsInAnyOrderAndCase) {
+    const Program program = read(
+        "\xEF\xBB\xBF# a curve\r\n\r\n  Z , y,X, C # turned\r\n1,2,3,+45\r\n\t4 ,5, 6,90\r\n"
+        "#end\r\n7,8,10,0");
+    EXPECT_EQ(program.moves[0].start, Vec3(3, 2, 1));
+    EXPECT_EQ(program.moves[0].end, Vec3(6, 5, 4));
+    EXPECT_EQ(program.moves[0].aux_start[2], 45);
+    EXPECT_EQ(program.moves[0].aux_end[2], 90);
+    EXPECT_EQ(program.moves[1].aux_end[2], 0);
+    EXPECT_EQ(program.moves[1].line, 7);
+    EXPECT_EQ(program.aux_axes, 3);
+}
+
+TEST(PointsReader, FitAndParameterChangeTheCurveAndNotThePoints) {
+    const std::string text = "0,0,0\n10,5,1\n20,0,-2\n21,1,0\n40,0,0\n";
+    const Program bessel = read(text);
+    ref::PointsOptions options;
+    options.feed = 7;
+    for (const Fit fit : {Fit::kAkima, Fit::kNatural}) {
+        options.fit = fit;
+        const Program other = ref::read_points_text(text, "points.csv", options);
+        EXPECT_GT((other.moves[2].cubic.c - bessel.moves[2].cubic.c).norm(), 0.05);
+        EXPECT_EQ(other.moves[2].start, bessel.moves[2].start);
+        EXPECT_EQ(other.moves[2].feed, 7);
+    }
+    options.fit = Fit::kBessel;
+    for (const ref::Parameter parameter :
+         {ref::Parameter::kCentripetal, ref::Parameter::kUniform}) {
+        options.parameter = parameter;
+        const Program other = ref::read_points_text(text, "points.csv", options);
+        EXPECT_GT((other.moves[2].cubic.c - bessel.moves[2].cubic.c).norm(), 0.05);
+    }
+}
+
+TEST(PointsReader, TangentsOfTheFileAreThoseOfTheCurve) {
+    const Program program =
+        read("x,y,z,dx,dy,dz\n0,0,0,1,0,0\n3,4,0,0,2,0\n3,4,12,0,0,0\n", Fit::kHermite);
+    EXPECT_LE((program.moves[0].cubic.velocity(0) - 5 * Vec3(1, 0, 0)).norm(), 1e-14);
+    EXPECT_LE((program.moves[0].cubic.velocity(1) - 5 * Vec3(0, 2, 0)).norm(), 1e-14);
+    EXPECT_LE((program.moves[1].cubic.velocity(0) - 12 * Vec3(0, 2, 0)).norm(), 1e-13);
+    EXPECT_TRUE(ref::has_cusp(program.moves[1].cubic)) << "a zero tangent is a stop";
+    const Program clamped =
+        read("x,y,z,dx,dy,dz\n0,0,0,1,0,0\n3,4,0,,,\n3,4,12,0,1,0\n", Fit::kClamped);
+    EXPECT_LE((clamped.moves[0].cubic.velocity(0) - 5 * Vec3(1, 0, 0)).norm(), 1e-14);
+    EXPECT_LE((clamped.moves[1].cubic.velocity(1) - 12 * Vec3(0, 1, 0)).norm(), 1e-13);
+}
+
+TEST(PointsReader, SecondDerivativesOfTheFileAreThoseOfTheCurve) {
+    const Program program =
+        read("x,y,z,ddx,ddy,ddz\n0,0,0,0,0,0.5\n3,4,0,0,0.1,0\n", Fit::kMoments);
+    EXPECT_LE((program.moves[0].cubic.acceleration(0) / 25 - Vec3(0, 0, 0.5)).norm(), 1e-14);
+    EXPECT_LE((program.moves[0].cubic.acceleration(1) / 25 - Vec3(0, 0.1, 0)).norm(), 1e-14);
+}
+
+TEST(PointsReader, AuxiliaryAxesOfAQuinticGoWithItsPathLength) {
+    const Program program =
+        read("x,y,z,dx,dy,dz,ddx,ddy,ddz,A\n0,0,0,1,0,0,0,.1,0,10\n10,5,3,0,1,0,0,0,0,50\n",
+             Fit::kQuintic);
+    ASSERT_GT(program.moves.size(), 2U);
+    double length = 0;
+    for (const Move& move : program.moves) length += move.length();
+    double reached = 0;
+    ref::Aux aux{10};
+    for (const Move& move : program.moves) {
+        reached += move.length();
+        EXPECT_EQ(move.aux_start, aux);
+        EXPECT_NEAR(move.aux_end[0], 10 + 40 * reached / length, 1e-12);
+        aux = move.aux_end;
+    }
+    EXPECT_EQ(aux[0], 50);
+    EXPECT_EQ(program.aux_axes, 1);
+    EXPECT_EQ(program.moves.back().end, Vec3(10, 5, 3));
+}
+
+TEST(PointsReader, FilesOfTheExamplesAreRead) {
+    const std::string folder = std::string(DATA_DIR) + "/";
+    ref::PointsOptions options;
+    for (const Fit fit : {Fit::kBessel, Fit::kAkima, Fit::kNatural}) {
+        options.fit = fit;
+        EXPECT_GE(ref::read_program(folder + "points.csv", options).moves.size(), 8U);
+    }
+    EXPECT_EQ(ref::read_program(folder + "points.csv", options).aux_axes, 1);
+    EXPECT_GE(ref::read_program(folder + "demo.ngc", options).moves.size(), 8U);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
