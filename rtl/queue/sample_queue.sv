@@ -68,7 +68,8 @@ module sample_queue #(
     end
   end
 
-  logic [Bits-1:0] memory[Depth];
+  // Not in block RAM: its output is there late in the clock, and samples leave from here.
+  (* ram_style = "distributed" *) logic [Bits-1:0] memory[Depth];
   always_ff @(posedge clk_i) begin
     if (push_i) memory[write_q] <= data_i;
     if (fetch) data_o <= memory[read_q];
