@@ -90,7 +90,7 @@ class SplineFollower {
     State rates(const State& at) const {
         namespace node = spline_node;
         State rate{};
-        const Real du = at[node::kPhi];
+        const Real& du = at[node::kPhi];
         rate[node::kU] = du;
         for (std::size_t k = 0; k < 3; ++k) {
             rate[node::kW + k] = six_a_[k] * du;
