@@ -12,7 +12,7 @@
 namespace curvecore::ref {
 
 /// | method        | integrates, step by step                        | by |
-/// |---------------|-------------------------------------------------|-----------------------------|
+/// |---------------|-------------------------------------------------|---------------------------|
 /// | kRungeKutta   | all sixteen variables of Fig. 10                | Runge-Kutta of order 4 | |
 /// kPropagated   | all sixteen variables                           | Taylor's series of `order`  |
 /// | kRenormalised | u; all others recomputed from it after a step   | the same, a 1 / |V| a step |
