@@ -11,14 +11,14 @@
 
 namespace curvecore::ref {
 
-/// | method        | integrates, step by step                        | by |
-/// |---------------|-------------------------------------------------|---------------------------|
-/// | kRungeKutta   | all sixteen variables of Fig. 10                | Runge-Kutta of order 4 | |
-/// kPropagated   | all sixteen variables                           | Taylor's series of `order`  |
-/// | kRenormalised | u; all others recomputed from it after a step   | the same, a 1 / |V| a step |
-/// | kNewton       | u and phi; all others recomputed from them      | the same, one Newton step |
-/// |               |                                                 | for phi = 1 / |V| per step |
-/// | kScalar       | u alone, du/ds = 1 / |V(u)|                     | Runge-Kutta of order 4 |
+/// | method        | integrates, step by step                      | by                         |
+/// |---------------|-----------------------------------------------|----------------------------|
+/// | kRungeKutta   | all sixteen variables of Fig. 10              | Runge-Kutta of order 4     |
+/// | kPropagated   | all sixteen variables                         | Taylor's series of `order` |
+/// | kRenormalised | u; all others recomputed from it after a step | the same, a 1 / |V| a step |
+/// | kNewton       | u and phi; all others recomputed from them    | the same, one Newton step  |
+/// |               |                                               | for phi = 1 / |V| per step |
+/// | kScalar       | u alone, du/ds = 1 / |V(u)|                   | Runge-Kutta of order 4     |
 ///
 /// Source: [Chikurov] (30); the last three are what the paper's way is measured against.
 enum class SplineMethod { kRungeKutta, kPropagated, kRenormalised, kNewton, kScalar };
