@@ -11,14 +11,14 @@
 
 namespace curvecore::ref {
 
-/// | method        | integrates, step by step                        | by |
-/// |---------------|-------------------------------------------------|-----------------------------|
-/// | kRungeKutta   | all sixteen variables of Fig. 10                | Runge-Kutta of order 4 | |
-/// kPropagated   | all sixteen variables                           | Taylor's series of `order`  |
-/// | kRenormalised | u; all others recomputed from it after a step   | the same, a 1 / |V| a step |
-/// | kNewton       | u and phi; all others recomputed from them      | the same, one Newton step |
-/// |               |                                                 | for phi = 1 / |V| per step |
-/// | kScalar       | u alone, du/ds = 1 / |V(u)|                     | Runge-Kutta of order 4 |
+/// | method        | integrates, step by step                      | by                         |
+/// |---------------|-----------------------------------------------|----------------------------|
+/// | kRungeKutta   | all sixteen variables of Fig. 10              | Runge-Kutta of order 4     |
+/// | kPropagated   | all sixteen variables                         | Taylor's series of `order` |
+/// | kRenormalised | u; all others recomputed from it after a step | the same, a 1 / |V| a step |
+/// | kNewton       | u and phi; all others recomputed from them    | the same, one Newton step  |
+/// |               |                                               | for phi = 1 / |V| per step |
+/// | kScalar       | u alone, du/ds = 1 / |V(u)|                   | Runge-Kutta of order 4     |
 ///
 /// Source: [Chikurov] (30); the last three are what the paper's way is measured against.
 enum class SplineMethod { kRungeKutta, kPropagated, kRenormalised, kNewton, kScalar };
@@ -90,7 +90,7 @@ class SplineFollower {
     State rates(const State& at) const {
         namespace node = spline_node;
         State rate{};
-        const Real du = at[node::kPhi];
+        const Real& du = at[node::kPhi];
         rate[node::kU] = du;
         for (std::size_t k = 0; k < 3; ++k) {
             rate[node::kW + k] = six_a_[k] * du;

@@ -16,8 +16,9 @@ namespace mp = boost::multiprecision;
 using Precise = mp::number<mp::cpp_bin_float<40>, mp::et_off>;
 
 constexpr int kPhases = 5;
-constexpr double kLost = 1000;         // mm
-constexpr double kDoubleShows = 1e-9;  // mm
+constexpr double kLost = 1000;          // mm
+constexpr double kDoubleShows = 1e-9;   // mm
+constexpr double kShortestStep = 1e-4;  // mm
 
 // Distance of the follower's point from r(u), and its phi |V| - 1 at its own u.
 template <class Real>
@@ -102,7 +103,7 @@ Cubic hairpin(double radius, double depth) {
 }
 
 std::vector<TestSpline> test_splines() {
-    const auto bezier = [](Vec3 p1, Vec3 p2, Vec3 p3) {
+    const auto bezier = [](const Vec3& p1, const Vec3& p2, const Vec3& p3) {
         return from_bezier({Vec3::Zero(), p1, p2, p3});
     };
     return {
@@ -130,6 +131,9 @@ double largest_step(const Cubic& cubic, SplineMethod method, int order) {
     double good = 8;
     while (!within_tolerance(cubic, method, order, good)) {
         good /= 1.1;
+        if (good < kShortestStep) {
+            return 0;
+        }
     }
     double bad = 1.1 * good;
     while (bad > 1.001 * good) {

@@ -50,8 +50,8 @@ struct Deviation {
 Deviation follow(const Cubic& cubic, SplineMethod method, int order, double step);
 
 /// The largest step in mm that keeps every position within kSplineToleranceMm: the first that does
-/// on a falling scale of factors 1.1, then bisected to 0.1 %. The largest period of an interrupt is
-/// that over the feed.
+/// on a falling scale of factors 1.1, then bisected to 0.1 %; 0 if none does down to 1e-4 mm. The
+/// largest period of an interrupt is that over the feed.
 double largest_step(const Cubic& cubic, SplineMethod method, int order);
 
 /// The local error in mm of one step from the vertex of hairpin(radius), in 40 digits; the step is

@@ -151,12 +151,13 @@ Table vertex_table() {
 }
 
 Table drift_table() {
-    Table table{"spline_drift",
-                "Long runs, order 8: position error in mm and phi V - 1 at the end; double at steps "
-                "of 5e-5 mm, float at 5e-3 mm",
-                {"spline", "steps", "double, propagated", "double, a Newton step",
-                 "float, propagated", "float, a Newton step"},
-                {}};
+    Table table{
+        "spline_drift",
+        "Long runs, order 8: position error in mm and phi V - 1 at the end; double at steps "
+        "of 5e-5 mm, float at 5e-3 mm",
+        {"spline", "steps", "double, propagated", "double, a Newton step", "float, propagated",
+         "float, a Newton step"},
+        {}};
     std::vector<TestSpline> splines = test_splines();
     splines.push_back({"hairpin 0.01", hairpin(0.01)});
     for (const TestSpline& spline : splines) {
