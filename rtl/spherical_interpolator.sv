@@ -17,6 +17,7 @@
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
+// Reset: two clocks or more.
 // Formats: hls/words.hpp.
 `default_nettype none
 module spherical_interpolator #(
