@@ -193,6 +193,10 @@ TEST(Hermite, SlopesUseTheCardinalFunctionsOfPetrakov) {
         const Vec3 expected = piece.start * v * v * (1 + 2 * u) + piece.end * u * u * (3 - 2 * u) +
                               piece.h * (piece.start_d1 * u * v * v - piece.end_d1 * u * u * v);
         EXPECT_LE((cubic.position(u) - expected).norm(), 1e-14);
+        const Vec3 printed = expected + piece.start * ((1 - u * u) - v * v) * (1 + 2 * u);
+        if (u > 0 && u < 1) {
+            EXPECT_GT((cubic.position(u) - printed).norm(), 0.1) << "1 - U^2 as printed";
+        }
     }
 }
 
