@@ -56,6 +56,7 @@ struct Joints {
 Joints joints(const std::vector<HermitePiece>& pieces, bool moments) {
     Joints found;
     std::vector<Cubic> cubics;
+    cubics.reserve(pieces.size());
     for (const HermitePiece& piece : pieces) {
         cubics.push_back(moments ? cubic_of_moments(piece) : cubic_of_slopes(piece));
     }

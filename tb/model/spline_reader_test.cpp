@@ -11,7 +11,6 @@
 namespace curvecore::tb {
 namespace {
 
-using ref::Cubic;
 using ref::Move;
 using ref::Program;
 using ref::Vec3;
