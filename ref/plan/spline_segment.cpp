@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/error_bound.hpp"
 #include "ref/spline_bound.hpp"
 
 namespace curvecore::ref {
@@ -16,6 +17,29 @@ constexpr int kMaxHalvings = 40;
 
 /// Room for the roundings of V, m and v below 1.
 double hair(const WordFormat& format) { return std::ldexp(1.0, 4 - format.coef_bits); }
+
+/// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
+constexpr double kLongestLine = 4;
+
+/// A short piece as a line. With m = chord / length, the mean tangent, the curve leaves the line by
+///
+///     |r(s) - line(s)| <= length / 2 sqrt(1 - m^2)
+///
+/// for the part before s has a mean tangent A, the rest B, both at most 1 long: with p = s /
+/// length, p A^2 + (1-p) B^2 = m^2 + p (1-p) |A - B|^2 <= 1, and the distance is length p (1-p) |A
+/// - B|.
+Segment short_line(const Cubic& piece, double length, const WordFormat& format, double& aside) {
+    Segment line;
+    line.start = piece.d;
+    line.end = piece.position(1);
+    line.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
+    if (length > 0) line.advance = (line.end - line.start) / length;
+    line.step_exponent = 2;
+    const double straight = std::min(1.0, line.advance.norm());
+    aside = length / 2 * std::sqrt(1 - straight * straight);
+    line.bound = aside + segment_bound(format, line);
+    return line;
+}
 
 struct Splitter {
     const Cubic& cubic;
@@ -32,6 +56,16 @@ struct Splitter {
             if (fits_words(piece, format) && choose_step(format, limit, piece)) {
                 lengths.push_back(arc_length(part, 0, 1));
                 pieces.push_back(piece);
+                return;
+            }
+        }
+        const double length = arc_length(part, 0, 1);
+        if (length <= kLongestLine) {
+            double aside = 0;  // of the curve: half the limit, the other half is for the words
+            const Segment line = short_line(part, length, format, aside);
+            if (aside <= limit / 2 && line.bound <= limit) {
+                lengths.push_back(length);
+                pieces.push_back(line);
                 return;
             }
         }
