@@ -22,7 +22,7 @@ namespace curvecore::ref {
 ///
 /// A spline is a piece of a cubic in a parameter v of its own, drawn at constant path speed:
 ///
-///     r(v) = start + 2^lambda (((a v + b) v) + c) v       0 <= v <= beta,  v(s) by path length
+///     r(v) = start + 2^lambda ((a v + b) v + c) v       0 <= v <= beta,  v(s) by path length
 ///
 /// with 1/2 < |dr/dv| / 2^lambda < 1 (ref/plan/spline_segment.hpp); tangent, normal, cos_pitch,
 /// radius and advance are zero.

@@ -98,13 +98,17 @@ Segment spline_segment(const Cubic& piece, const WordFormat& format) {
     return segment;
 }
 
+Cubic to_cubic(const Segment& segment) {
+    const double beta = segment.beta;
+    const double unit = std::ldexp(1.0, segment.lambda);
+    return {segment.a * (unit * beta * beta * beta), segment.b * (unit * beta * beta),
+            segment.c * (unit * beta), segment.start};
+}
+
 bool fits_words(const Segment& segment, const WordFormat& format) {
-    Cubic own;
-    own.a = segment.a * std::pow(segment.beta, 3);
-    own.b = segment.b * std::pow(segment.beta, 2);
-    own.c = segment.c * segment.beta;
     const double rounding = hair(format);
-    const double slowest = speed_range(own).min / segment.beta;
+    const double slowest =
+        speed_range(to_cubic(segment)).min / std::ldexp(segment.beta, segment.lambda);
     const Vec3 last = segment.b + 3 * segment.beta * segment.a;
     const double bend = std::max(segment.b.cwiseAbs().maxCoeff(), last.cwiseAbs().maxCoeff());
     return slowest > 0.5 + rounding && bend < 2 - rounding &&

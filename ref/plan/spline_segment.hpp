@@ -27,6 +27,9 @@ namespace curvecore::ref {
 /// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
 Segment spline_segment(const Cubic& piece, const WordFormat& format);
 
+/// Back: the segment's curve of 0 <= u <= 1 in length units, v = beta u.
+Cubic to_cubic(const Segment& segment);
+
 /// Whether the piece keeps to the words' ranges at every v: 1/2 < |V| < 1, |3a v + b| < 2 and
 /// |a| < 2/3 for each axis, lambda <= 27.
 bool fits_words(const Segment& segment, const WordFormat& format);
