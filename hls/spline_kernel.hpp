@@ -51,6 +51,7 @@ class SplineKernel {
     static constexpr int kBits = C::kCoefBits;
     using Coef = Word<kBits>;
     using Fine = Word<C::kFineBits>;
+    using Network = SplineNetwork<C>;
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -76,9 +77,9 @@ class SplineKernel {
 
     /// Goes on to the next integration step.
     void step() {
-        const Coef moved = SplineNetwork<C>::sum(net_.q, 1);
+        const Coef moved = Network::sum(net_.q, 1, C::kOrder);
         v_ = Coef(v_ + scaled_down<kBits, 1>(moved, lambda_ - k_));
-        net_.phi[0] = SplineNetwork<C>::sum(net_.phi, 0);
+        net_.phi[0] = Network::sum(net_.phi, 0, Network::kTop);
         for (int axis = 3; axis < C::kAxes; ++axis) {
             position_[axis] = Fine(position_[axis] + to_fine<C>(advance_[axis], k_));
         }
@@ -93,7 +94,7 @@ class SplineKernel {
     /// Fine position at an offset of sigma quanta into the present step.
     void sample(const Word<kLengthBits + 1>& sigma, Fine* out) const {
         const Coef tau = to_tau<C>(sigma, k_);
-        sample_xyz(tau, out, std::integral_constant<bool, SplineNetwork<C>::kSeries>());
+        sample_xyz(tau, out, std::integral_constant<bool, Network::kSeries>());
         for (int axis = 3; axis < C::kAxes; ++axis) {
             const Coef d = rounded_product<kBits, C::kUnitFrac>(advance_[axis], tau);
             out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
@@ -133,17 +134,17 @@ class SplineKernel {
     }
 
     void propagate() {
-        net_.Q[0] = SplineNetwork<C>::sum(net_.Q, 0);
-        net_.R[0] = SplineNetwork<C>::sum(net_.R, 0);
+        net_.Q[0] = Network::sum(net_.Q, 0, C::kOrder);
+        net_.R[0] = Network::sum(net_.R, 0, C::kOrder);
         for (int axis = 0; axis < 3; ++axis) {
-            net_.V[axis][0] = SplineNetwork<C>::sum(net_.V[axis], 0);
-            net_.W[axis][0] = SplineNetwork<C>::sum(net_.W[axis], 0);
-            if (SplineNetwork<C>::kSeries) {
-                const Coef d = SplineNetwork<C>::sum(net_.x[axis], 1);
+            net_.V[axis][0] = Network::sum(net_.V[axis], 0, C::kOrder);
+            net_.W[axis][0] = Network::sum(net_.W[axis], 0, C::kOrder);
+            if (Network::kSeries) {
+                const Coef d = Network::sum(net_.x[axis], 1, C::kOrder);
                 position_[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
             }
         }
-        if (!SplineNetwork<C>::kSeries) {
+        if (!Network::kSeries) {
             place_origin();
         }
         share_with_sampler();
@@ -201,7 +202,7 @@ class SplineKernel {
     Coef step_b_[3] = {};          // B'
     Fine start_[C::kAxes] = {};
     Fine position_[C::kAxes] = {};
-    SplineNetwork<C> net_;
+    Network net_;
 };
 
 }  // namespace hls

@@ -88,10 +88,10 @@ struct SplineNetwork {
         }
     }
 
-    /// The state a step farther on: the sum of a series.
-    static Coef sum(const Coef* series, int first) {
+    /// The state a step farther on: the sum of a series' orders first .. last.
+    static Coef sum(const Coef* series, int first, int last) {
         Coef total = 0;
-        for (int i = first; i <= C::kOrder; ++i) {
+        for (int i = first; i <= last; ++i) {
             total = Coef(total + series[i]);
         }
         return total;
