@@ -21,11 +21,17 @@
 //   |  8 | m = N phi (U);  z = 1 - m phi (CoefBits+3);  phi <- phi + z phi / 2 (A)    Newton     |
 //   |  9 | S = phi^2 (CoefBits-3);  Q = -S phi (CoefBits-4);  R = -3 S (CoefBits-5)              |
 //   | 10 | the network's orders                                                                  |
-//   | 11 | next: v <- v + q(1) / 2^s (U), phi <- phi(1) (A): the words' sums, exact but for the  |
-//   |    | shift of q(1)                                                                         |
+//   | 11 | next: v <- v + q(1) / 2^s (U), phi <- phi(1): sums of words, only the shift rounds    |
 //
-// Steps 1..9 are 23 products, all but 1 to be seen by the next in the chain 2 4 7 8 8 8 9 9. The
-// series' orders need 157 more at Order 6 (polynomial mode, Anchor = 1).
+// Products of a step in polynomial mode with Anchor = 1: lines 2..9 are 23, the network makes it
+//
+//     Order           4    6    8   12      S as its full sum; every weight 1/i, i > 1, counted
+//     products       85  180  311  681      series mode: + 3 P (P + 1) / 2 + 3 P
+//
+// In the longest chain: 2 4 7 8 8 8 9 9 of the table, then for each order the last products of DV,
+// DP and Dphi, and phi's weight unless the order is a power of two; at last q_P's weight. Order 6:
+// 8 + 17 + 1 products, one after the other. Line 6 is off the chain.
+//
 // With Anchor = 0 lines 2..4 and 7..9 work at load only; V W phi Q R (and the position in series
 // mode) go on by the sums of their words.
 //

@@ -118,6 +118,8 @@ class Walk {
         const double along = std::max(0.0, h_ * 2 * fine - kQuantum) + kQuantum + shift_rounding_ +
                              words +
                              (format_.polynomial ? roundings_.words * half * speed * h_ : 0);
+        result_.along_rounding = std::max(result_.along_rounding, along);
+        result_.along = std::max(result_.along, along + shift_truncation_ + cut);
         const Vec3 tangent = velocity.normalized();
         const Vec3 tangent_end = velocity_end.normalized();
         const double sagitta = (tangent_end - tangent).squaredNorm() / 4;
@@ -186,7 +188,10 @@ class Walk {
         const bool exact = segment_.step_exponent >= format_.coef_bits - 2 - format_.guard_bits;
         const double error = h_ * (steps * word + word) + g_ + (exact ? 0 : (m + 1) * g_) +
                              std::max(0.0, h_ * word - kQuantum) + kQuantum;
-        if (error > result_.total()) result_ = {0, error, true};
+        if (error > result_.total()) {
+            result_.truncation = 0;
+            result_.rounding = error;
+        }
     }
 
     /// Words below their limits (hls/spline_network.hpp), and at most half the way to where the

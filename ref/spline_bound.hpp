@@ -12,14 +12,18 @@ namespace curvecore::ref {
 /// Errors per axis, in length units, before the final rounding, at any path length of the segment,
 /// for Anchor = 1. (Anchor = 0 has no bound: its equations do not pull errors back.)
 ///
-/// | field      | meaning                                                                     |
-/// |------------|-----------------------------------------------------------------------------|
-/// | truncation | series cut after Order                                                      |
-/// | rounding   | every rounding of words, weights, tau, lengths and positions                |
-/// | in_range   | every word of the network keeps its range, every step converges             |
+/// | field          | meaning                                                                 |
+/// |----------------|-------------------------------------------------------------------------|
+/// | truncation     | series cut after Order                                                  |
+/// | rounding       | every rounding of words, weights, tau, lengths and positions            |
+/// | along          | Euclidean part along the path: a sample is so far ahead or behind       |
+/// | along_rounding | of which rounding                                                       |
+/// | in_range       | every word of the network keeps its range, every step converges         |
 struct SplineError {
     double truncation = 0;
     double rounding = 0;
+    double along = 0;
+    double along_rounding = 0;
     bool in_range = true;
 
     double total() const { return truncation + rounding; }

@@ -61,9 +61,9 @@ struct Splitter {
         }
         const double length = arc_length(part, 0, 1);
         if (length <= kLongestLine) {
-            double aside = 0;  // of the curve: half the limit, the other half is for the words
+            double aside = 0;  // of the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aside);
-            if (aside <= limit / 2 && line.bound <= limit) {
+            if (aside <= 0.4 * limit && line.bound <= limit) {
                 lengths.push_back(length);
                 pieces.push_back(line);
                 return;
@@ -123,12 +123,12 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
     for (int k = std::clamp(exponent, 0, segment.lambda); k >= 0; --k) {
         trial.step_exponent = k;
         const SplineError error = spline_error(format, trial, limit);
-        if (error.in_range && error.total() <= limit) {
+        if (error.in_range && error.total() <= limit && error.along <= limit / 2) {
             segment.step_exponent = k;
             segment.bound = error.total();
             return true;
         }
-        if (error.rounding > limit) return false;
+        if (error.rounding > limit || error.along_rounding > limit / 2) return false;
     }
     return false;
 }

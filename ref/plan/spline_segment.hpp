@@ -34,8 +34,9 @@ Cubic to_cubic(const Segment& segment);
 /// |a| < 2/3 for each axis, lambda <= 27.
 bool fits_words(const Segment& segment, const WordFormat& format);
 
-/// Longest step exponent with which the derived bound stays within the limit, into step_exponent
-/// and bound. False, and the segment unchanged, when there is none.
+/// Longest step exponent with which the derived bound stays within the limit, and within half of it
+/// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and
+/// the segment unchanged, when there is none.
 bool choose_step(const WordFormat& format, double limit, Segment& segment);
 
 /// The pieces of a cubic, cut in halves of u until each fits and keeps the limit; their lengths

@@ -3,6 +3,7 @@
 // default configuration, 1 nm. Prints and writes the worst errors, and fails unless
 //   - every sample is within 0.6 unit after rounding and within the derived bound before it,
 //   - every sample is within 0.05 unit of the curve itself before rounding, 0.92 after,
+//   - the path between consecutive samples is the commanded one to 1e-6 of it and 0.1 unit,
 //   - every end is exact, and no family's bound is idle: bound / worst seen <= 8.
 // The truth is the whole cubic and its own path length, not the pieces that the core is given.
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ struct Seen {
     double bound = 0;
     double contour = 0;
     double contour_rounded = 0;
+    double speed = 0;  // path between samples less the commanded path, beyond 1e-6 of it
     std::int64_t landing = 0;
     bool within_bound = true;
 };
@@ -56,6 +58,7 @@ void draw(const ref::Cubic& cubic, int samples, tb::SplineMaker& random, Seen& s
     hls::MotionKernel<C> kernel;
     std::size_t next = 0;
     std::int64_t walked = 0;
+    double ahead = 0;  // of the sample before, along the path
     for (int n = 0; n <= samples; ++n) {
         // Irregular steps, so that steps and segments are met at any place; the end exactly.
         const double place = (n + random.uniform(0, 0.999)) / samples;
@@ -63,6 +66,7 @@ void draw(const ref::Cubic& cubic, int samples, tb::SplineMaker& random, Seen& s
         hls::Word<C::kFineBits> fine[C::kAxes];
         kernel.sample(
             s - walked, [&] { return hls::to_words<C>(segments.at(next++)); }, fine);
+        const double ds = std::ldexp(static_cast<double>(s - walked), -hls::kPathFrac);
         walked = s;
         const double u = truth.parameter(std::ldexp(static_cast<double>(s), -hls::kPathFrac));
         const ref::Vec3 exact = cubic.position(u);
@@ -75,6 +79,9 @@ void draw(const ref::Cubic& cubic, int samples, tb::SplineMaker& random, Seen& s
         seen.unrounded = std::max(seen.unrounded, error);
         seen.rounded = std::max(seen.rounded, (whole - exact).cwiseAbs().maxCoeff());
         seen.within_bound = seen.within_bound && error <= segments[next - 1].bound;
+        const double before = ahead;
+        ahead = tangent(cubic, u).dot(point - exact);
+        seen.speed = std::max(seen.speed, std::abs(ahead - before) - 1e-6 * ds);
         seen.contour = std::max(seen.contour, distance(cubic, u, point));
         seen.contour_rounded = std::max(seen.contour_rounded, distance(cubic, u, whole));
         if (n == samples) {
@@ -117,14 +124,14 @@ int main(int argc, char** argv) {
         }
         const double ratio = seen.bound / seen.unrounded;
         const bool held = seen.rounded <= 0.6 && seen.within_bound && seen.landing == 0 &&
-                          ratio <= 8 && seen.contour <= 0.05 && seen.contour_rounded <= 0.92;
+                          ratio <= 8 && seen.contour <= 0.05 && seen.speed <= 0.1 &&
+                          seen.contour_rounded <= 0.92;
         good = good && held;
         fmt::print(
             "{:29s} rounded {:.4f} unrounded {:.4f} bound {:.4f} ratio {:.2f} contour {:.4f} "
-            "{:.4f} "
-            "segments {:.1f} steps {:.1f} {}\n",
+            "{:.4f} speed {:.4f} segments {:.1f} steps {:.1f} {}\n",
             family.name, seen.rounded, seen.unrounded, seen.bound, ratio, seen.contour,
-            seen.contour_rounded, double(seen.segments) / double(seen.curves),
+            seen.contour_rounded, seen.speed, double(seen.segments) / double(seen.curves),
             double(seen.steps) / double(seen.curves), held ? "ok" : "FAILED");
         rows.push_back({{"family", family.name},
                         {"curves", seen.curves},
@@ -136,6 +143,7 @@ int main(int argc, char** argv) {
                         {"bound", seen.bound},
                         {"worst_contour", seen.contour},
                         {"worst_contour_rounded", seen.contour_rounded},
+                        {"worst_speed", seen.speed},
                         {"worst_landing", seen.landing}});
     }
     if (!output.empty()) {
