@@ -135,6 +135,9 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
 
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
                                   std::uint64_t s_start) {
+    if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
+        throw std::domain_error("a limit below the roundings of a position");
+    }
     Splitter splitter{cubic, format, limit, {}, {}};
     splitter.cut(0, 1, 0);
     double walked = 0;

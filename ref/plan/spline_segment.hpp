@@ -42,7 +42,7 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment);
 /// The pieces of a cubic, cut in halves of u until each fits and keeps the limit; their lengths
 /// are differences of rounded sums, from s_start (quanta) on. Tips of a few units' radius, and
 /// cusps, are drawn by lines of a few units (kind kArc).
-/// @throws std::domain_error when halving does not help: a limit below what the words can do
+/// @throws std::domain_error when halving does not help, or the limit is below four half guard bits
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
                                   std::uint64_t s_start = 0);
 
