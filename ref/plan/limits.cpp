@@ -9,8 +9,8 @@ namespace {
 
 // Shares of an arc's limits that may go across the path at top speed; the rest remains along it.
 constexpr double kCentripetalShare = 0.866;    // hypot(0.866, 0.5) = 1
-constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2
-constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R
+constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2, of a spline v^3 |r'''|
+constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R + v^3 swerve
 
 /// One constraint: the path itself, or an axis, with its limits.
 struct Load {
@@ -56,9 +56,9 @@ double top_speed(const PathShape& shape, const Machine& machine) {
     each_load(shape, machine, [&](const Load& load) {
         v = std::min(v, load.velocity / (load.swing * turn + load.advance));
         const double across = load.swing * shape.curvature;
-        if (across == 0) return;
-        v = std::min({v, std::sqrt(kCentripetalShare * load.acceleration / across),
-                      std::cbrt(kCentripetalJerkShare * load.jerk / (across * shape.twist))});
+        const double change = load.swing * std::hypot(shape.curvature * shape.twist, shape.swerve);
+        if (across > 0) v = std::min(v, std::sqrt(kCentripetalShare * load.acceleration / across));
+        if (change > 0) v = std::min(v, std::cbrt(kCentripetalJerkShare * load.jerk / change));
     });
     return v;
 }
@@ -66,6 +66,7 @@ double top_speed(const PathShape& shape, const Machine& machine) {
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v) {
     const double turn = circular_rate(shape);
     PathLimits limits{v, 1e12, 1e15};
+    const double swerve = v * v * v * shape.swerve;
     each_load(shape, machine, [&](const Load& load) {
         double a = 0;
         if (load.swing > 0) {
@@ -73,14 +74,15 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v) 
             a = largest(load.swing, v * v * shape.curvature, load.advance / turn,
                         load.acceleration) /
                 turn;
-            a = std::min(a, kCrossJerkShare * load.jerk / (3 * load.swing * v * shape.curvature));
+            const double room = kCrossJerkShare * load.jerk / load.swing - swerve;
+            a = std::min(a, std::max(0.0, room) / (3 * v * shape.curvature));
         } else {
             a = load.acceleration / load.advance;
         }
         limits.acceleration = std::min(limits.acceleration, a);
     });
 
-    const double cross = 3 * v * limits.acceleration * shape.curvature;
+    const double cross = 3 * v * limits.acceleration * shape.curvature + swerve;
     const double around = v * v * v * shape.curvature * shape.twist;
     each_load(shape, machine, [&](const Load& load) {
         double j = 0;
@@ -127,6 +129,7 @@ LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double 
                          double j) {
     LimitRatios worst;
     const double turn = circular_rate(shape);
+    const double swerve = v * v * v * shape.swerve;
     a = std::abs(a);
     j = std::abs(j);
     each_load(shape, machine, [&](const Load& load) {
@@ -135,7 +138,7 @@ LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double 
             load.swing * std::hypot(turn * a, v * v * shape.curvature) + load.advance * a;
         const double along = turn * j + v * v * v * shape.curvature * shape.twist;
         const double jerk =
-            load.swing * std::hypot(along, 3 * v * a * shape.curvature) + load.advance * j;
+            load.swing * std::hypot(along, 3 * v * a * shape.curvature + swerve) + load.advance * j;
         worst.velocity = std::max(worst.velocity, velocity / load.velocity);
         worst.acceleration = std::max(worst.acceleration, acceleration / load.acceleration);
         worst.jerk = std::max(worst.jerk, jerk / load.jerk);
