@@ -43,6 +43,13 @@ int CoreParameters::network_latency() const {
     return build == Build::kParallel ? order * (digits + 3) + 7 : order * 18 + 60;
 }
 
+int CoreParameters::spline_latency() const {
+    // Parallel: two products of the network, one after the other, per order, and the anchor's six
+    // before; serial: about 30 products an order on one multiplier.
+    const int digits = (coef_bits + 1) / 2;
+    return build == Build::kParallel ? (2 * order + 6) * (digits + 3) : order * 12 * 36;
+}
+
 std::string CoreParameters::text() const {
     std::string text;
     for (const Parameter& parameter : kParameters) {

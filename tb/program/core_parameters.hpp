@@ -27,6 +27,7 @@ struct CoreParameters {
     ref::WordFormat format() const;
     /// Clocks of an integration step: what the planner keeps time for.
     int network_latency() const;
+    int spline_latency() const;
     /// "Order=6 CoefBits=36 ..."
     std::string text() const;
     nlohmann::ordered_json json() const;

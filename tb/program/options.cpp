@@ -116,6 +116,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.aux_axes = core.aux_axes;
     plan.clock_hz = clock_hz;
     plan.network_latency_clocks = core.network_latency();
+    plan.spline_latency_clocks = core.spline_latency();
     return plan;
 }
 

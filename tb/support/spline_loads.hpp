@@ -52,8 +52,7 @@ class SplineLoadMeter {
             }
             move_ = &program_.moves[move];
             cubic_ = move_->kind == ref::Move::Kind::kCubic;
-            arc_ = std::make_unique<ref::ArcLength>(cubic_ ? move_->cubic
-                                                           : ref::from_bezier({}));
+            arc_ = std::make_unique<ref::ArcLength>(cubic_ ? move_->cubic : ref::from_bezier({}));
         }
     }
 
