@@ -9,8 +9,11 @@ namespace {
 
 // Shares of an arc's limits that may go across the path at top speed; the rest remains along it.
 constexpr double kCentripetalShare = 0.866;    // hypot(0.866, 0.5) = 1
-constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2, of a spline v^3 |r'''|
-constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R + v^3 swerve
+constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2
+constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R
+// Splines: what takes the speed through a bend must be gained before it.
+constexpr double kSwerveShare = 0.3;       // of v^3 swerve
+constexpr double kCrossSwerveShare = 0.7;  // of 3 v a curvature + v^3 swerve
 
 /// One constraint: the path itself, or an axis, with its limits.
 struct Load {
@@ -56,9 +59,12 @@ double top_speed(const PathShape& shape, const Machine& machine) {
     each_load(shape, machine, [&](const Load& load) {
         v = std::min(v, load.velocity / (load.swing * turn + load.advance));
         const double across = load.swing * shape.curvature;
-        const double change = load.swing * std::hypot(shape.curvature * shape.twist, shape.swerve);
-        if (across > 0) v = std::min(v, std::sqrt(kCentripetalShare * load.acceleration / across));
-        if (change > 0) v = std::min(v, std::cbrt(kCentripetalJerkShare * load.jerk / change));
+        const double swerve = load.swing * shape.swerve;
+        if (across > 0) {
+            v = std::min({v, std::sqrt(kCentripetalShare * load.acceleration / across),
+                          std::cbrt(kCentripetalJerkShare * load.jerk / (across * shape.twist))});
+        }
+        if (swerve > 0) v = std::min(v, std::cbrt(kSwerveShare * load.jerk / swerve));
     });
     return v;
 }
@@ -74,7 +80,8 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v) 
             a = largest(load.swing, v * v * shape.curvature, load.advance / turn,
                         load.acceleration) /
                 turn;
-            const double room = kCrossJerkShare * load.jerk / load.swing - swerve;
+            const double share = swerve > 0 ? kCrossSwerveShare : kCrossJerkShare;
+            const double room = share * load.jerk / load.swing - swerve;
             a = std::min(a, std::max(0.0, room) / (3 * v * shape.curvature));
         } else {
             a = load.acceleration / load.advance;

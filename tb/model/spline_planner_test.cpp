@@ -78,7 +78,7 @@ TEST(SplinePlanner, SegmentsJoinAndFollowTheirMoves) {
 
 // The path of n moves is the rounded sum of their lengths, whatever their pieces are.
 TEST(SplinePlanner, PathLengthsDoNotDrift) {
-    const Program program = random_splines(7, 400);
+    const Program program = random_splines(7, 150);
     const PlanOptions options;
     const Plan plan = make_plan(program, Machine(), options);
     long double sum = 0;
