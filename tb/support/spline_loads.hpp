@@ -14,8 +14,9 @@ namespace curvecore::tb {
 
 /// Worst ratios to the limits, of the path and of X Y Z, over all ticks on cubic moves. Speed,
 /// acceleration and jerk along the path are the profile words' own; r', r'' and r''' are the
-/// cubic's. Left out: speeds below `rest` mm/s, and the first tick behind a move's start and the
-/// last before its end, which belong to the joint.
+/// cubic's. Left out: rests (words round: a stop ends a little above zero), curvatures of more than
+/// a hundredth per path quantum, which only cusps have, and the first tick behind a move's start
+/// and the last before its end, which belong to the joint.
 struct SplineLoads {
     ref::LimitRatios worst;
     double at_jerk = 0;  // mm of the path where the jerk is worst
@@ -67,6 +68,7 @@ class SplineLoadMeter {
         const double u = arc_->parameter((s - move_begin_) * plan_.unit_mm / 65536);
         const ref::Vec3 t = ref::tangent(move_->cubic, u);
         const ref::Vec3 n = ref::curvature_vector(move_->cubic, u);
+        if (n.norm() * plan_.unit_mm / 65536 > 0.01) return;
         const ref::Vec3 velocity = v * t;
         const ref::Vec3 acceleration = a * t + v * v * n;
         const ref::Vec3 jerk =
