@@ -9,9 +9,11 @@ PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)"
 mkdir -p build/bench build/figures
-build/release/tb/bench/kernel_bench --benchmark_repetitions=3 \
-  --benchmark_report_aggregates_only=true \
-  --benchmark_out=build/bench/kernel.json --benchmark_out_format=json
+for bench in kernel spline; do
+  "build/release/tb/bench/${bench}_bench" --benchmark_repetitions=3 \
+    --benchmark_report_aggregates_only=true \
+    --benchmark_out="build/bench/$bench.json" --benchmark_out_format=json
+done
 build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
 for build in parallel serial; do

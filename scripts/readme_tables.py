@@ -69,6 +69,43 @@ def accuracy():
     )
 
 
+def splines():
+    data = load("figures/splines.json")
+    if data is None:
+        return None
+    rows = [
+        (
+            r["family"],
+            f"{r['curves']:,}",
+            f"{r['worst_rounded']:.3f}",
+            f"{r['worst_unrounded']:.4f}",
+            f"{r['bound']:.4f}",
+            f"{r['bound'] / r['worst_unrounded']:.1f}",
+            f"{r['worst_contour']:.4f}",
+            f"{r['worst_speed']:.4f}",
+            r["worst_landing"],
+        )
+        for r in data["families"]
+    ]
+    head = [
+        "cubics",
+        "number",
+        "worst error, rounded",
+        "before rounding",
+        "derived bound",
+        "bound / worst",
+        "off the curve",
+        "path between samples",
+        "end points",
+    ]
+    return (
+        "Spline kernel against the exact curve at the same path length, in length units (1 nm),"
+        " before rounding where not said otherwise; the path between two samples is off by at most"
+        " so much beyond 1e-6 of it:\n\n"
+        + table(head, rows)
+    )
+
+
 def throughput():
     bench = load("bench.json")
     if bench is None:
@@ -156,6 +193,7 @@ def demo():
 
 TABLES = {
     "accuracy": accuracy,
+    "splines": splines,
     "throughput": throughput,
     "synthesis": synthesis,
     "paper_table": paper_table,

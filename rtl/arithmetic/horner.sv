@@ -120,7 +120,7 @@ module horner #(
 
     logic [Bits-1:0] x;
     delay_line #(
-        .Bits(Bits),
+        .Bits  (Bits),
         .Clocks((Interval > 2) ? 3 : 2)
     ) u_x (
         .clk_i,
