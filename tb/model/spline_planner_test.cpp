@@ -272,6 +272,33 @@ TEST(SplinePlanner, LimitsHoldAlongTheExactCurve) {
     EXPECT_GT(acceleration, 0.3) << "the limits are idle";
 }
 
+// Against a motion that has at every point the speed allowed there, without ramps.
+TEST(SplinePlanner, HairpinsLoseLittleTime) {
+    for (const double radius : {0.003, 0.1, 1.0}) {
+        ProgramBuilder builder;
+        const ref::Cubic hairpin = RandomCubics::hairpin(radius);
+        const ref::Bezier points = to_bezier(hairpin);
+        const Vec3 shift = points[0];
+        builder.cubic(points[1] - shift, points[2] - shift, points[3] - shift, 100);
+        const Machine machine;
+        const Plan plan = make_plan(builder.program(), machine, PlanOptions());
+        double least = 0;
+        const ref::ArcLength arc(hairpin);
+        constexpr int kParts = 20000;
+        for (int i = 0; i < kParts; ++i) {
+            const double u = (i + 0.5) / kParts;
+            const double k = ref::curvature(hairpin, u);
+            const double rate = ref::curvature_rate(hairpin, u).norm();
+            const double v = std::min(
+                {100.0, std::sqrt(machine.acceleration / k), std::cbrt(machine.jerk / rate)});
+            least += hairpin.speed(u) / kParts / v;
+        }
+        EXPECT_GT(plan.duration_s, least);
+        EXPECT_LT(plan.duration_s, 2.2 * least) << radius;
+        RecordProperty(std::to_string(radius), std::to_string(plan.duration_s / least));
+    }
+}
+
 // Control: the meter sees a plan that was made for a stronger machine.
 TEST(SplinePlanner, LoadsSeeAWeakerMachine) {
     const Program program = random_splines(21, 40);
