@@ -14,7 +14,10 @@ enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 /// | PositionBits | 16 .. 32 | positions in whole length units                                |
 /// | GuardBits    | 2 .. 12  | fraction bits below the length unit inside the core            |
 /// | AuxAxes      | 0 .. 6   | auxiliary linear axes                                          |
-template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode>
+/// | Anchor       | 0, 1     | splines: V W P from the polynomial at every step (1), or every  |
+/// |              |          | variable propagated by its series as the paper does (0)         |
+template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode,
+          bool Anchor = true>
 struct Configuration {
     static_assert(Order >= 2 && Order <= 12, "Order must be in [2, 12]");
     static_assert(CoefBits >= 18 && CoefBits <= 36, "CoefBits must be in [18, 36]");
@@ -28,6 +31,7 @@ struct Configuration {
     static constexpr int kGuardBits = GuardBits;
     static constexpr int kAuxAxes = AuxAxes;
     static constexpr SamplerMode kMode = Mode;
+    static constexpr bool kAnchor = Anchor;
 
     static constexpr int kAxes = 3 + AuxAxes;
     static constexpr int kFineBits = PositionBits + GuardBits;
@@ -36,6 +40,7 @@ struct Configuration {
 };
 
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;
+using DefaultSplineConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
 
 /// Formats that no parameter changes.
 constexpr int kPathFrac = 16;         // a path quantum is 2^-16 length unit

@@ -12,7 +12,8 @@
 namespace curvecore {
 namespace hls {
 
-template <class C>
+/// Kernel: load(words), step(), sample(sigma, out), as SphericalKernel has them.
+template <class C, class Kernel = SphericalKernel<C>>
 class InterpolatorKernel {
   public:
     using Length = Word<kLengthBits + 1>;
@@ -71,7 +72,7 @@ class InterpolatorKernel {
         step_length_ = rest_ < full ? rest_ : full;
     }
 
-    SphericalKernel<C> kernel_;
+    Kernel kernel_;
     SegmentWords<C> segment_;
     Length sigma_ = 0;        // offset into the present step
     Length rest_ = 0;         // from the present step's start to the segment's end

@@ -22,6 +22,19 @@ inline std::int64_t quantise(double value, int frac, int bits) {
     return static_cast<std::int64_t>(scaled);
 }
 
+/// What only a spline has.
+template <class C>
+inline void spline_words(const ref::Segment& segment, SegmentWords<C>& words) {
+    words.kind = SegmentKind::kSpline;
+    words.lambda = segment.lambda;
+    words.theta = quantise(1 / segment.c.norm(), C::kCoefFrac, C::kCoefBits);
+    for (int axis = 0; axis < 3; ++axis) {
+        words.tangent[axis] = quantise(segment.a[axis], C::kCoefFrac, C::kCoefBits);
+        words.normal[axis] = quantise(segment.b[axis], C::kCoefFrac, C::kCoefBits);
+        words.advance[axis] = quantise(segment.c[axis], C::kCoefFrac, C::kCoefBits);
+    }
+}
+
 template <class C>
 inline SegmentWords<C> to_words(const ref::Segment& segment) {
     SegmentWords<C> words;
@@ -46,6 +59,9 @@ inline SegmentWords<C> to_words(const ref::Segment& segment) {
             words.normal[axis] =
                 quantise(segment.normal[axis] * segment.cos_pitch, C::kCoefFrac, C::kCoefBits);
         }
+    }
+    if (segment.kind == ref::Segment::Kind::kSpline) {
+        spline_words(segment, words);
     }
     return words;
 }

@@ -19,6 +19,15 @@
 // theta is the angle of one integration step of 2^k length units: theta = 2^k cos(pitch) / R.
 // A line has theta = tangent = normal = 0: it is all advance.
 //
+// A spline has the same words in the same places, with another meaning:
+//
+//   | word  | field         | format                                                          |
+//   |-------|---------------|-----------------------------------------------------------------|
+//   | 1     | phi, k,       | phi [CoefBits-1:0] 2^lambda / |V(0)|, CoefBits-2 fraction bits;  |
+//   |       | lambda, kind  | k [40:36]; lambda [46:41]; kind [47] = 1                        |
+//   | 2 ..  | a, b, c       | in the places of tangent, normal, advance, CoefBits-2 fraction  |
+//   |       |               | bits: r(v) = start + 2^lambda ((a v + b) v + c) v               |
+//
 // Profile piece (constant jerk), five bus words:
 //
 //   | word | field                                                                            |
@@ -34,16 +43,20 @@
 namespace curvecore {
 namespace hls {
 
+enum class SegmentKind { kArc = 0, kSpline = 1 };  // a line is an arc without a circle
+
 template <class C>
 struct SegmentWords {
+    SegmentKind kind = SegmentKind::kArc;
     Word<kLengthBits + 1> length = 0;
-    Word<C::kCoefBits> theta = 0;
+    Word<C::kCoefBits> theta = 0;  // of a spline: phi
     int step_exponent = 0;
+    int lambda = 0;  // 0 for arcs
     Word<C::kFineBits> start[C::kAxes] = {};
     Word<C::kFineBits> end[C::kAxes] = {};
-    Word<C::kCoefBits> tangent[3] = {};
-    Word<C::kCoefBits> normal[3] = {};
-    Word<C::kCoefBits> advance[C::kAxes] = {};
+    Word<C::kCoefBits> tangent[3] = {};         // of a spline: a
+    Word<C::kCoefBits> normal[3] = {};          // of a spline: b
+    Word<C::kCoefBits> advance[C::kAxes] = {};  // of a spline's X Y Z: c
 };
 
 constexpr int kProfileBits = 36;                // coefficients of a profile piece
@@ -75,7 +88,9 @@ inline void pack(const SegmentWords<C>& segment, std::uint64_t* out) {
     const std::uint64_t theta_mask = (std::uint64_t(1) << C::kCoefBits) - 1;
     *out++ = static_cast<std::uint64_t>(to_int<kLengthBits + 1>(segment.length)) & kBusMask;
     *out++ = (static_cast<std::uint64_t>(to_int<C::kCoefBits>(segment.theta)) & theta_mask) |
-             (static_cast<std::uint64_t>(segment.step_exponent) << 36);
+             (static_cast<std::uint64_t>(segment.step_exponent) << 36) |
+             (static_cast<std::uint64_t>(segment.lambda) << 41) |
+             (static_cast<std::uint64_t>(segment.kind) << 47);
     for (int axis = 0; axis < C::kAxes; ++axis) {
         *out++ = static_cast<std::uint64_t>(to_int<C::kFineBits>(segment.start[axis])) & kBusMask;
         *out++ = static_cast<std::uint64_t>(to_int<C::kFineBits>(segment.end[axis])) & kBusMask;

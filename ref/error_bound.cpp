@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/spline_bound.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -149,6 +151,7 @@ double rounding_bound(const WordFormat& format, const Segment& segment) {
 }
 
 double segment_bound(const WordFormat& format, const Segment& segment) {
+    if (segment.kind == Segment::Kind::kSpline) return spline_error(format, segment).total();
     return truncation_bound(format, segment) + rounding_bound(format, segment);
 }
 

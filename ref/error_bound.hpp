@@ -25,12 +25,13 @@ struct WordFormat {
 
 constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
 
-/// Errors per axis, in length units, before the final rounding, at any path length of the segment.
-/// Read from the segment: radius, cos_pitch, advance, aux_advance, length, step_exponent.
+/// Errors of arcs and lines per axis, in length units, before the final rounding, at any path
+/// length of the segment. Read from the segment: radius, cos_pitch, advance, aux_advance, length,
+/// step_exponent.
 double truncation_bound(const WordFormat& format, const Segment& segment);
 double rounding_bound(const WordFormat& format, const Segment& segment);
 
-/// Their sum: what the planner keeps below PlanOptions::error_limit.
+/// Their sum, or spline_error() of a spline: what the planner keeps below PlanOptions::error_limit.
 double segment_bound(const WordFormat& format, const Segment& segment);
 
 }  // namespace curvecore::ref

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ref/curve/arc_length.hpp"
 #include "ref/plan/segment.hpp"
+#include "ref/plan/spline_segment.hpp"
 
 namespace curvecore::ref {
 
@@ -24,7 +26,14 @@ namespace curvecore::ref {
 /// The chord form has no centre: a large radius costs nothing. Error per axis: the roundings of
 /// about eight operations, measured below 0.6 2^-50 max(|start|, s): below 1e-6 units for |start|,
 /// s <= 2.1e9 units and any radius.
+///
+/// A spline is its cubic at the parameter of s, by quadrature: slow. Who asks at every sample keeps
+/// an ArcLength of to_cubic(segment). Error: 1e-13 of the length.
 inline Vec3 exact_position(const Segment& segment, double s) {
+    if (segment.kind == Segment::Kind::kSpline) {
+        const Cubic cubic = to_cubic(segment);
+        return cubic.position(parameter_at(cubic, s));
+    }
     Vec3 linear = segment.start + segment.advance * s;
     if (segment.radius == 0) {
         return linear;

@@ -19,7 +19,17 @@ namespace curvecore::ref {
 ///
 /// with unit vectors t (tangent of the circle), n (outward normal) and phi = cos_pitch / radius.
 /// A line has radius 0: r(s) = start + advance s.
+///
+/// A spline is a piece of a cubic in a parameter v of its own, drawn at constant path speed:
+///
+///     r(v) = start + 2^lambda ((a v + b) v + c) v       0 <= v <= beta,  v(s) by path length
+///
+/// with 1/2 < |dr/dv| / 2^lambda < 1 (ref/plan/spline_segment.hpp); tangent, normal, cos_pitch,
+/// radius and advance are zero.
 struct Segment {
+    enum class Kind { kArc, kSpline };
+
+    Kind kind = Kind::kArc;
     std::size_t move = 0;       // index into Program::moves
     std::uint64_t s_start = 0;  // path quanta (2^-16 unit), program-wide
     std::uint64_t length = 0;   // path quanta
@@ -30,6 +40,11 @@ struct Segment {
     double cos_pitch = 0;         // 0 for lines
     double radius = 0;            // 0 for lines
     Vec3 advance = Vec3::Zero();  // per unit of path
+    Vec3 a = Vec3::Zero();  // of a spline, with the next four
+    Vec3 b = Vec3::Zero();
+    Vec3 c = Vec3::Zero();
+    int lambda = 0;
+    double beta = 0;
     Aux aux_start{};
     Aux aux_end{};
     Aux aux_advance{};      // per unit of path

@@ -86,6 +86,18 @@ TEST(Words, SegmentFieldsKeepTheirPlacesOnTheBus) {
     EXPECT_EQ(bus[19], 403U);
 }
 
+TEST(Words, ASplineHasItsScaleAndKindBesideTheStepExponent) {
+    using C = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
+    SegmentWords<C> segment;
+    segment.kind = SegmentKind::kSpline;
+    segment.theta = std::int64_t(3) << 33;
+    segment.step_exponent = 21;
+    segment.lambda = 25;
+    std::uint64_t bus[segment_bus_words<C>()];
+    pack(segment, bus);
+    EXPECT_EQ(bus[1], (3ULL << 33) | (21ULL << 36) | (25ULL << 41) | (1ULL << 47));
+}
+
 TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
     ProfileWords piece;
     piece.ticks = 1 << 19;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hls/interpolator_kernel.hpp"
+#include "hls/curve_kernel.hpp"
 #include "hls/path_kernel.hpp"
 
 namespace {
@@ -50,15 +50,53 @@ SegmentWords<C> random_segment(Random& random) {
     return segment;
 }
 
+/// V runs over a parabola through three points of a circle, at 0.6 .. 0.9 of 2^lambda: it turns by
+/// up to 1.2 rad, out of the plane too. Steps are short enough for every word's range.
 template <class C>
-void print_samples() {
+SegmentWords<C> random_spline(Random& random) {
+    SegmentWords<C> segment = random_segment<C>(random);
+    segment.kind = SegmentKind::kSpline;
+    segment.lambda = int(random.uniform(4, 24));
+    segment.step_exponent = segment.lambda - 4 + int(random.uniform(0, 3.99)) % 3;
+    if (segment.step_exponent > segment.lambda - 3) segment.step_exponent = segment.lambda - 3;
+    const double part = random.uniform(0.01, 0.9);
+    segment.length = std::int64_t(std::ldexp(0.6 * part, segment.lambda + kPathFrac)) + 1;
+    const double turn = random.uniform(-1.2, 1.2);
+    const double from = random.uniform(0, 6.28);
+    const double speed = random.uniform(0.65, 0.85);
+    const double lift = random.uniform(-0.05, 0.05);
+    double norm = 0;
+    const double one = std::ldexp(1.0, C::kCoefFrac);
+    for (int axis = 0; axis < 3; ++axis) {
+        double point[3];
+        for (int i = 0; i < 3; ++i) {
+            const double angle = from + turn * i / 2;
+            point[i] = axis == 0 ? std::cos(angle) : axis == 1 ? std::sin(angle) : lift * i;
+        }
+        const double c = speed * point[0];
+        const double b = speed * (4 * point[1] - 3 * point[0] - point[2]) / 2;
+        const double a = speed * (2 * point[0] - 4 * point[1] + 2 * point[2]) / 3;
+        norm += c * c;
+        segment.tangent[axis] = std::int64_t(a * one);
+        segment.normal[axis] = std::int64_t(b * one);
+        segment.advance[axis] = std::int64_t(c * one);
+    }
+    segment.theta = std::int64_t(one / std::sqrt(norm));
+    return segment;
+}
+
+template <class C>
+void print_samples(bool splines) {
     Random random;
-    InterpolatorKernel<C> kernel;
+    MotionKernel<C> kernel;
     for (int n = 0; n < 20000; ++n) {
         Word<C::kFineBits> fine[C::kAxes];
         const std::int64_t ds = std::int64_t(std::exp(random.uniform(0, 23)));
-        kernel.sample(
-            Word<kLengthBits + 1>(ds), [&] { return random_segment<C>(random); }, fine);
+        const auto next_segment = [&] {
+            return splines && random.uniform(0, 1) < 0.8 ? random_spline<C>(random)
+                                                         : random_segment<C>(random);
+        };
+        kernel.sample(Word<kLengthBits + 1>(ds), next_segment, fine);
         for (const auto& word : fine) {
             std::printf("%lld ", static_cast<long long>(to_int<C::kFineBits>(word)));
         }
@@ -86,9 +124,14 @@ void print_path() {
 }  // namespace
 
 int main() {
-    print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>>();
-    print_samples<Configuration<6, 36, 32, 10, 1, SamplerMode::kPolynomial>>();
-    print_samples<Configuration<2, 18, 24, 2, 0, SamplerMode::kSeries>>();
-    print_samples<Configuration<11, 29, 32, 12, 6, SamplerMode::kPolynomial>>();
+    for (int kind = 0; kind < 2; ++kind) {
+        const bool splines = kind == 1;
+        print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>>(splines);
+        print_samples<Configuration<6, 36, 32, 10, 1, SamplerMode::kPolynomial>>(splines);
+        print_samples<Configuration<2, 18, 24, 2, 0, SamplerMode::kSeries>>(splines);
+        print_samples<Configuration<11, 29, 32, 12, 6, SamplerMode::kPolynomial>>(splines);
+    }
+    print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries, false>>(true);
+    print_samples<Configuration<5, 33, 32, 8, 0, SamplerMode::kPolynomial, false>>(true);
     print_path();
 }

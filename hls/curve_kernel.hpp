@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Both curves from one stream of segments: the kernel of a core that draws lines, arcs and splines.
+// Twin: rtl/curve_interpolator.sv.
+#pragma once
+
+#include "hls/interpolator_kernel.hpp"
+#include "hls/spline_kernel.hpp"
+
+namespace curvecore {
+namespace hls {
+
+template <class C>
+class CurveKernel {
+  public:
+    void load(const SegmentWords<C>& segment) {
+        spline_now_ = segment.kind == SegmentKind::kSpline;
+        spline_now_ ? spline_.load(segment) : spherical_.load(segment);
+    }
+
+    void step() { spline_now_ ? spline_.step() : spherical_.step(); }
+
+    void sample(const Word<kLengthBits + 1>& sigma, Word<C::kFineBits>* out) const {
+        spline_now_ ? spline_.sample(sigma, out) : spherical_.sample(sigma, out);
+    }
+
+  private:
+    bool spline_now_ = false;
+    SphericalKernel<C> spherical_;
+    SplineKernel<C> spline_;
+};
+
+/// A stream of segments of both kinds.
+template <class C>
+using MotionKernel = InterpolatorKernel<C, CurveKernel<C>>;
+
+}  // namespace hls
+}  // namespace curvecore

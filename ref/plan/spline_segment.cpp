@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/plan/spline_segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "ref/curve/arc_length.hpp"
+#include "ref/error_bound.hpp"
+#include "ref/spline_bound.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kQuanta = 65536;
+constexpr int kMaxHalvings = 40;
+
+/// Room for the roundings of V, m and v below 1.
+double hair(const WordFormat& format) { return std::ldexp(1.0, 4 - format.coef_bits); }
+
+/// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
+constexpr double kLongestLine = 4;
+
+/// A short piece as a line. With m = chord / length, the mean tangent, the curve leaves the line by
+///
+///     |r(s) - line(s)| <= length / 2 sqrt(1 - m^2)
+///
+/// for the part before s has a mean tangent A, the rest B, both at most 1 long: with p = s /
+/// length, p A^2 + (1-p) B^2 = m^2 + p (1-p) |A - B|^2 <= 1, and the distance is length p (1-p) |A
+/// - B|.
+Segment short_line(const Cubic& piece, double length, const WordFormat& format, double& aside) {
+    Segment line;
+    line.start = piece.d;
+    line.end = piece.position(1);
+    line.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
+    if (length > 0) line.advance = (line.end - line.start) / length;
+    line.step_exponent = 2;
+    const double straight = std::min(1.0, line.advance.norm());
+    aside = length / 2 * std::sqrt(1 - straight * straight);
+    line.bound = aside + segment_bound(format, line);
+    return line;
+}
+
+struct Splitter {
+    const Cubic& cubic;
+    const WordFormat& format;
+    double limit;
+    std::vector<Segment> pieces;
+    std::vector<double> lengths;
+
+    void cut(double from, double to, int depth) {
+        const Cubic part = sub_cubic(cubic, from, to);
+        const SpeedRange speed = speed_range(part);
+        if (speed.max > 0 && speed.max < 2.1 * speed.min) {
+            Segment piece = spline_segment(part, format);
+            if (fits_words(piece, format) && choose_step(format, limit, piece)) {
+                lengths.push_back(arc_length(part, 0, 1));
+                pieces.push_back(piece);
+                return;
+            }
+        }
+        const double length = arc_length(part, 0, 1);
+        if (length <= kLongestLine) {
+            double aside = 0;  // of the curve; the rest is for the words
+            const Segment line = short_line(part, length, format, aside);
+            if (aside <= 0.4 * limit && line.bound <= limit) {
+                lengths.push_back(length);
+                pieces.push_back(line);
+                return;
+            }
+        }
+        if (depth == kMaxHalvings) {
+            throw std::domain_error("a cubic that no splitting makes drawable");
+        }
+        const double middle = (from + to) / 2;
+        cut(from, middle, depth + 1);
+        cut(middle, to, depth + 1);
+    }
+};
+
+}  // namespace
+
+Segment spline_segment(const Cubic& piece, const WordFormat& format) {
+    const double fastest = speed_range(piece).max * (1 + hair(format));
+    Segment segment;
+    segment.kind = Segment::Kind::kSpline;
+    segment.start = piece.d;
+    segment.end = piece.position(1);
+    int exponent = 0;
+    std::frexp(fastest / (1 - hair(format)), &exponent);
+    segment.lambda = std::max(0, exponent);
+    segment.beta = std::ldexp(fastest, -segment.lambda);
+    const double unit = std::ldexp(1.0, segment.lambda);
+    segment.c = piece.c / (unit * segment.beta);
+    segment.b = piece.b / (unit * segment.beta * segment.beta);
+    segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
+    segment.length = static_cast<std::uint64_t>(std::llround(arc_length(piece, 0, 1) * kQuanta));
+    return segment;
+}
+
+Cubic to_cubic(const Segment& segment) {
+    const double beta = segment.beta;
+    const double unit = std::ldexp(1.0, segment.lambda);
+    return {segment.a * (unit * beta * beta * beta), segment.b * (unit * beta * beta),
+            segment.c * (unit * beta), segment.start};
+}
+
+bool fits_words(const Segment& segment, const WordFormat& format) {
+    const double rounding = hair(format);
+    const double slowest =
+        speed_range(to_cubic(segment)).min / std::ldexp(segment.beta, segment.lambda);
+    const Vec3 last = segment.b + 3 * segment.beta * segment.a;
+    const double bend = std::max(segment.b.cwiseAbs().maxCoeff(), last.cwiseAbs().maxCoeff());
+    return slowest > 0.5 + rounding && bend < 2 - rounding &&
+           segment.a.cwiseAbs().maxCoeff() < 2.0 / 3 - rounding &&
+           segment.lambda <= kMaxStepExponent && segment.lambda < format.position_bits;
+}
+
+bool choose_step(const WordFormat& format, double limit, Segment& segment) {
+    int exponent = 0;  // 2^exponent covers the length
+    std::frexp(static_cast<double>(segment.length) / kQuanta, &exponent);
+    Segment trial = segment;
+    for (int k = std::clamp(exponent, 0, segment.lambda); k >= 0; --k) {
+        trial.step_exponent = k;
+        const SplineError error = spline_error(format, trial, limit);
+        if (error.in_range && error.total() <= limit && error.along <= limit / 2) {
+            segment.step_exponent = k;
+            segment.bound = error.total();
+            return true;
+        }
+        if (error.rounding > limit || error.along_rounding > limit / 2) return false;
+    }
+    return false;
+}
+
+std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+                                  std::uint64_t s_start) {
+    Splitter splitter{cubic, format, limit, {}, {}};
+    splitter.cut(0, 1, 0);
+    double walked = 0;
+    std::uint64_t before = s_start;
+    for (std::size_t i = 0; i < splitter.pieces.size(); ++i) {
+        walked += splitter.lengths[i];
+        const std::uint64_t after =
+            s_start + static_cast<std::uint64_t>(std::llround(walked * kQuanta));
+        splitter.pieces[i].s_start = before;
+        splitter.pieces[i].length = after - before;
+        before = after;
+    }
+    return splitter.pieces;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a cubic to the pieces that a core can draw.
+#pragma once
+
+#include <vector>
+
+#include "ref/curve/cubic.hpp"
+#include "ref/error_bound.hpp"
+#include "ref/plan/segment.hpp"
+
+namespace curvecore::ref {
+
+/// A cubic of 0 <= u <= 1, in length units, in a core's scale: v = beta u, lengths over 2^lambda.
+///
+///     beta = max |dr/du| / 2^lambda (a hair more, so that |V| < 1)       lambda >= 0, least
+///
+/// | field    | set here                                                  |
+/// |----------|-----------------------------------------------------------|
+/// | kind     | kSpline                                                   |
+/// | start    | r(0), units                                               |
+/// | end      | r(1), units                                               |
+/// | a b c    | r(v) = start + 2^lambda ((a v + b) v + c) v               |
+/// | lambda   |                                                           |
+/// | beta     | v of the end, below 1                                     |
+/// | length   | path quanta, rounded; a chain of pieces corrects its sums |
+///
+/// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
+Segment spline_segment(const Cubic& piece, const WordFormat& format);
+
+/// Back: the segment's curve of 0 <= u <= 1 in length units, v = beta u.
+Cubic to_cubic(const Segment& segment);
+
+/// Whether the piece keeps to the words' ranges at every v: 1/2 < |V| < 1, |3a v + b| < 2 and
+/// |a| < 2/3 for each axis, lambda <= 27.
+bool fits_words(const Segment& segment, const WordFormat& format);
+
+/// Longest step exponent with which the derived bound stays within the limit, and within half of it
+/// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and
+/// the segment unchanged, when there is none.
+bool choose_step(const WordFormat& format, double limit, Segment& segment);
+
+/// The pieces of a cubic, cut in halves of u until each fits and keeps the limit; their lengths
+/// are differences of rounded sums, from s_start (quanta) on. Tips of a few units' radius, and
+/// cusps, are drawn by lines of a few units (kind kArc).
+/// @throws std::domain_error when halving does not help: a limit below what the words can do
+std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+                                  std::uint64_t s_start = 0);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+// The bound, term by term, in the order in which hls/spline_kernel.hpp makes the errors.
+//
+// Letters: W coefficient width, P order, G guard bits; L = 2^lambda units; h = 2^k units per step;
+// f, the fraction of a step that the segment uses; T = V / |V|.
+//
+// Errors are of two kinds. An error of v is one along the path, and the equation dv/ds = 1/|V(v)|
+// does not contain s: a shift along the path stays as long as it is, however fast the curve goes
+// on. So the shifts of all steps add up, and an axis sees |T_axis| of them. All other errors belong
+// to one sample: the anchor makes each step's curve afresh from the polynomial.
+#include "ref/spline_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/series/spline_roundings.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kQuantum = 1.0 / 65536;
+constexpr int kTail = 6;  // orders above P that are summed one by one
+
+/// The real number that a coefficient's word stands for, less what it should be.
+Vec3 word_error(const Vec3& exact, int frac) {
+    Vec3 error;
+    for (int k = 0; k < 3; ++k) {
+        error[k] = std::ldexp(std::floor(std::ldexp(exact[k], frac) + 0.5), -frac) - exact[k];
+    }
+    return error;
+}
+
+class Walk {
+  public:
+    Walk(const WordFormat& format, const Segment& segment)
+        : format_(format),
+          segment_(segment),
+          unit_(std::ldexp(1.0, segment.lambda)),
+          h_(std::ldexp(1.0, segment.step_exponent)),
+          g_(half_bit(format.guard_bits)),
+          a_(word_error(segment.a, format.coef_bits - 2)),
+          b_(word_error(segment.b, format.coef_bits - 2)),
+          c_(word_error(segment.c, format.coef_bits - 2)) {}
+
+    SplineError run(double give_up) {
+        const double steps = static_cast<double>(segment_.length) * kQuantum / h_;
+        for (double done = 0; done < steps; ++done) {
+            const double fraction = std::min(1.0, steps - done);
+            if (!step(fraction)) {
+                result_.in_range = false;
+                return result_;
+            }
+            if (result_.total() > give_up) return result_;
+        }
+        for (const double advance : segment_.aux_advance) {
+            auxiliary(advance, steps);
+        }
+        return result_;
+    }
+
+  private:
+    /// One integration step: its sample's errors into the result, its shifts into the sums.
+    bool step(double f) {
+        const int order = format_.order;
+        const int top = order + kTail;
+        const double g = h_ / unit_;
+        series_.expand(segment_, v_, g, top);
+        if (!in_range()) return false;
+        roundings_.set_anchor(format_, segment_, series_, v_, prediction_);
+        roundings_.expand(format_, series_);
+
+        const double q_end = powers(series_.q, 1, top, f);
+        const double next = v_ + g * q_end;
+        const Vec3 velocity = V(v_);
+        const Vec3 velocity_end = V(next);
+        const double turn = (velocity_end - velocity).squaredNorm();
+        const double speed =
+            std::min(1.0, std::max(velocity.norm(), velocity_end.norm()) + turn / 2);
+
+        // The cubic's words: another curve at the same v, and another path length up to it.
+        const double moved = next - v_;
+        const double along = std::max(std::abs(velocity.normalized().dot(V_error(v_))),
+                                      std::abs(velocity_end.normalized().dot(V_error(next))));
+        shift_rounding_ += unit_ * along * moved;
+
+        // Series cut after P; the words q_i.
+        const double cut = tail(series_.q, f) * speed * h_;
+        double words = 0;
+        for (int i = 1; i <= order; ++i) {
+            words += roundings_.q[static_cast<std::size_t>(i)] * std::pow(f, i);
+        }
+        sample(f, q_end, cut, words * speed * h_, speed, velocity, velocity_end);
+
+        // On to the next step: the same at f = 1, and v rounded once unless the shift is exact.
+        shift_truncation_ += cut;
+        shift_rounding_ += words * speed * h_;
+        if (segment_.lambda > segment_.step_exponent + 1) {
+            shift_rounding_ += unit_ * half_bit(format_.coef_bits - 1) * velocity_end.norm();
+        }
+        prediction_ = 0;
+        for (int i = 0; i < order; ++i) {
+            prediction_ += roundings_.phi[static_cast<std::size_t>(i)];
+        }
+        for (int i = order; i <= top; ++i) {
+            prediction_ += std::abs(series_.phi[static_cast<std::size_t>(i)]);
+        }
+        prediction_ *= velocity_end.norm();
+        v_ = next;
+        return true;
+    }
+
+    void sample(double f, double q, double cut, double words, double speed, const Vec3& velocity,
+                const Vec3& velocity_end) {
+        const int width = format_.coef_bits;
+        const double half = half_bit(width - 2);
+        const double fine = half_bit(width - 1);
+        // tau is cut to W-1 bits, of whole quanta; the length is a difference of rounded lengths.
+        const double along = std::max(0.0, h_ * 2 * fine - kQuantum) + kQuantum + shift_rounding_ +
+                             words +
+                             (format_.polynomial ? roundings_.words * half * speed * h_ : 0);
+        result_.along_rounding = std::max(result_.along_rounding, along);
+        result_.along = std::max(result_.along, along + shift_truncation_ + cut);
+        const Vec3 tangent = velocity.normalized();
+        const Vec3 tangent_end = velocity_end.normalized();
+        const double sagitta = (tangent_end - tangent).squaredNorm() / 4;
+        const double shown = v_ + q * h_ / unit_;
+        SplineError worst;
+        for (int k = 0; k < 3; ++k) {
+            const double share =
+                std::min(1.0, std::max(std::abs(tangent[k]), std::abs(tangent_end[k])) + sagitta);
+            const std::size_t axis = static_cast<std::size_t>(k);
+            const double aside = format_.polynomial ? polynomial(k, q) : series(axis, f);
+            const double curve =
+                unit_ * std::abs(((a_[k] * shown + b_[k]) * shown + c_[k]) * shown);
+            SplineError error;
+            error.rounding = share * along + curve + h_ * aside + origin(k);
+            error.truncation = share * shift_truncation_ +
+                               (format_.polynomial ? share * cut : h_ * tail(series_.x[axis], f));
+            if (error.total() > worst.total()) worst = error;
+        }
+        if (worst.total() > result_.total()) {
+            result_.truncation = worst.truncation;
+            result_.rounding = worst.rounding;
+        }
+    }
+
+    /// e = B' + a' q, f = V + e q, d = f q: words' errors and one rounding each.
+    double polynomial(int k, double q) const {
+        const int width = format_.coef_bits;
+        const AnchorErrors& anchor = roundings_.anchor;
+        const bool bent = segment_.a[k] != 0;
+        const bool turned = bent || segment_.b[k] != 0;
+        const double e = anchor.half_W[k] + anchor.a[k] * q + (bent ? half_bit(width - 1) : 0);
+        const double f = anchor.V[k] + e * q + (turned ? half_bit(width - 1) : 0);
+        return f * q + half_bit(width - 2);
+    }
+
+    /// The axis' own series: its words and a Horner stage for each that is not 0.
+    double series(std::size_t axis, double f) const {
+        double sum = 0;
+        int stages = 1;
+        for (std::size_t i = 1; i <= static_cast<std::size_t>(format_.order); ++i) {
+            const double error = roundings_.x[axis][i];
+            sum += error * std::pow(f, static_cast<double>(i));
+            if (std::abs(series_.x[axis][i]) + error > half_bit(format_.coef_bits - 2)) {
+                stages = static_cast<int>(i);
+            }
+        }
+        return sum + stages * half_bit(format_.coef_bits - 2);
+    }
+
+    /// Start word, three products of the origin, two shifts to fine positions (none that is exact).
+    double origin(int k) const {
+        const double half = half_bit(format_.coef_bits - 2);
+        const int exact = format_.coef_bits - 2 - format_.guard_bits;
+        double error = g_ + (segment_.step_exponent < exact ? g_ : 0);
+        if (v_ == 0) return error;
+        const bool bent = segment_.a[k] != 0;
+        const bool turned = bent || segment_.b[k] != 0;
+        error += segment_.lambda < exact ? g_ : 0;
+        return error + unit_ * half * (1 + (turned ? v_ : 0) + (bent ? v_ * v_ : 0));
+    }
+
+    void auxiliary(double advance, double steps) {
+        if (advance == 0) return;
+        const double word = half_bit(format_.coef_bits - 2);
+        const double m = std::max(0.0, std::ceil(steps) - 1);
+        const bool exact = segment_.step_exponent >= format_.coef_bits - 2 - format_.guard_bits;
+        const double error = h_ * (steps * word + word) + g_ + (exact ? 0 : (m + 1) * g_) +
+                             std::max(0.0, h_ * word - kQuantum) + kQuantum;
+        if (error > result_.total()) {
+            result_.truncation = 0;
+            result_.rounding = error;
+        }
+    }
+
+    /// Words below their limits (hls/spline_network.hpp), and at most half the way to where the
+    /// series may cease to converge: |W| d + 3 |a| d^2 = (sqrt 2 - 1) |V| for some d in q.
+    bool in_range() const {
+        const auto norm = [](const auto& terms) {
+            return std::sqrt(terms[0][0] * terms[0][0] + terms[1][0] * terms[1][0] +
+                             terms[2][0] * terms[2][0]);
+        };
+        const double speed = norm(series_.V);
+        const double d = 2 / speed;  // h = |V| d / 2
+        if (norm(series_.W) * d + series_.six_a.norm() / 2 * d * d > (std::sqrt(2.0) - 1) * speed) {
+            return false;
+        }
+        const double slack = 0.98;
+        double sum = 0;
+        for (std::size_t i = 0; i <= static_cast<std::size_t>(format_.order); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                sum = std::max({sum, std::abs(series_.W[k][i]), std::abs(series_.DV[k][i])});
+            }
+            sum = std::max({sum, std::abs(series_.DP[i]), std::abs(series_.Dphi[i]) / 2});
+        }
+        return sum < slack / 4 && prediction_ < 1.0 / 40 &&
+               series_.six_a.cwiseAbs().maxCoeff() < slack / 4;
+    }
+
+    /// Sum of the orders above P at tau = f, and of a geometric rest.
+    double tail(const SplineSeries::Terms& terms, double f) const {
+        const std::size_t first = static_cast<std::size_t>(format_.order) + 1;
+        const std::size_t last = first + kTail - 1;
+        double sum = 0;
+        for (std::size_t i = first; i <= last; ++i) {
+            sum += std::abs(terms[i]) * std::pow(f, static_cast<double>(i));
+        }
+        // The singularity is at least two steps away: the rest is at most the last term again.
+        return sum + std::abs(terms[last]) * std::pow(f, static_cast<double>(last));
+    }
+
+    static double powers(const SplineSeries::Terms& terms, int from, int to, double f) {
+        double sum = 0;
+        for (int i = to; i >= from; --i) sum = (sum + terms[static_cast<std::size_t>(i)]) * f;
+        return sum;
+    }
+
+    Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
+    Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }
+
+    const WordFormat& format_;
+    const Segment& segment_;
+    double unit_, h_, g_;
+    Vec3 a_, b_, c_;
+    double v_ = 0;
+    double prediction_ = 0;
+    double shift_truncation_ = 0;
+    double shift_rounding_ = 0;
+    SplineSeries series_;
+    SplineRoundings roundings_;
+    SplineError result_;
+};
+
+}  // namespace
+
+SplineError spline_error(const WordFormat& format, const Segment& segment, double give_up) {
+    return Walk(format, segment).run(give_up);
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// The spline kernel against the exact curve: within the derived bound, and the bound is not idle.
+#include "ref/spline_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hls/quantise.hpp"
+#include "hls/spline_kernel.hpp"
+#include "ref/curve/arc_length.hpp"
+#include "ref/plan/spline_segment.hpp"
+#include "tb/support/spline_families.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using hls::SamplerMode;
+
+template <class C>
+ref::WordFormat format_of() {
+    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
+            C::kMode == SamplerMode::kPolynomial};
+}
+
+/// Worst error per axis in a segment, before the final rounding, in units.
+template <class C>
+double worst_error(const ref::Segment& segment, const hls::SegmentWords<C>& words,
+                   SplineMaker& random) {
+    hls::SplineKernel<C> kernel;
+    kernel.load(words);
+    const ref::Cubic cubic = ref::to_cubic(segment);
+    const ref::ArcLength truth(cubic);
+    const std::uint64_t step = std::uint64_t{1} << (segment.step_exponent + hls::kPathFrac);
+    double worst = 0;
+    for (std::uint64_t begin = 0; begin < segment.length; begin += step) {
+        if (begin > 0) kernel.step();
+        const std::uint64_t span = std::min(step, segment.length - begin);
+        for (int i = 0; i < 6; ++i) {
+            const double place = i == 0 ? 1 : random.uniform(0, 1);
+            const auto sigma = static_cast<std::uint64_t>(place * static_cast<double>(span - 1));
+            hls::Word<C::kFineBits> out[C::kAxes];
+            kernel.sample(static_cast<std::int64_t>(sigma), out);
+            const double s = std::ldexp(static_cast<double>(begin + sigma), -hls::kPathFrac);
+            const ref::Vec3 exact = cubic.position(truth.parameter(s));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double got = std::ldexp(static_cast<double>(out[axis]), -C::kGuardBits);
+                worst = std::max(worst, std::abs(got - exact[axis]));
+            }
+        }
+    }
+    return worst;
+}
+
+struct Worst {
+    double error = 0;
+    double bound = 0;
+    int beyond = 0;
+};
+
+/// Cubics of a family, those that the words of the configuration can hold.
+template <class C, class Spoil>
+Worst measure(const SplineFamily& family, int curves, double limit, Spoil spoil) {
+    SplineMaker random(5);
+    Worst worst;
+    for (int n = 0; n < curves; ++n) {
+        const ref::Cubic cubic = random.next(family);
+        for (const ref::Segment& segment : ref::split_spline(cubic, format_of<C>(), limit)) {
+            if (segment.kind == ref::Segment::Kind::kArc) continue;
+            hls::SegmentWords<C> words = hls::to_words<C>(segment);
+            spoil(words);
+            const double error = worst_error<C>(segment, words, random);
+            EXPECT_LE(segment.bound, limit);
+            worst.error = std::max(worst.error, error);
+            worst.bound = std::max(worst.bound, segment.bound);
+            if (error > segment.bound) ++worst.beyond;
+        }
+    }
+    return worst;
+}
+
+template <class C>
+void expect_tight(double limit, int curves, double largest = 1e9, double factor = 8) {
+    for (const SplineFamily& family : spline_families()) {
+        if (family.size > largest || (family.size == 0 && largest < 1e9)) continue;
+        const Worst worst = measure<C>(family, curves, limit, [](auto&) {});
+        EXPECT_EQ(worst.beyond, 0) << family.name;
+        EXPECT_LE(worst.bound, factor * worst.error) << family.name;
+    }
+}
+
+template <int P, int W, int G, SamplerMode Mode, int Position = 32>
+using Core = hls::Configuration<P, W, Position, G, 0, Mode>;
+constexpr SamplerMode kSeries = SamplerMode::kSeries;
+constexpr SamplerMode kPolynomial = SamplerMode::kPolynomial;
+
+TEST(SplineBound, CoversAndIsTightAtTheDefault) {
+    expect_tight<hls::DefaultSplineConfiguration>(0.1, 20);
+}
+TEST(SplineBound, CoversAndIsTightInSeriesMode) { expect_tight<Core<6, 36, 10, kSeries>>(0.1, 10); }
+TEST(SplineBound, CoversAndIsTightAtOrder2) {
+    expect_tight<Core<2, 36, 10, kPolynomial>>(0.1, 1, 300e3);
+}
+TEST(SplineBound, CoversAndIsTightAtOrder3Series) {
+    expect_tight<Core<3, 36, 10, kSeries>>(0.1, 3, 3e6);
+}
+TEST(SplineBound, CoversAndIsTightAtOrder4) { expect_tight<Core<4, 36, 10, kPolynomial>>(0.1, 6); }
+TEST(SplineBound, CoversAndIsTightAtOrder8) { expect_tight<Core<8, 36, 10, kPolynomial>>(0.1, 6); }
+// Some hundred independent roundings: their worst case is far from what they do.
+TEST(SplineBound, CoversAtOrder12) { expect_tight<Core<12, 36, 12, kSeries>>(0.1, 6, 1e9, 16); }
+TEST(SplineBound, CoversAndIsTightAt28Bits) {
+    expect_tight<Core<6, 28, 10, kPolynomial>>(0.1, 6, 3e6);
+}
+TEST(SplineBound, CoversAndIsTightAt18Bits) {
+    expect_tight<Core<4, 18, 4, kPolynomial>>(0.5, 6, 50e3);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
