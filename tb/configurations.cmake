@@ -30,6 +30,15 @@ illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
 illegal_parameter_test(multiplier Shift=36 "Shift must be in .0, 35.")
 illegal_parameter_test(multiplier Form=3 "Form must be 0, 1 or 2")
 
+# Sums of products on one 18 x 18 multiplier: word, two shifts, form.
+foreach(size 36,34,35,0 36,33,40,1 29,30,26,1 18,15,22,0)
+  read_row(${size} bits narrow wide form)
+  core_test(folded_multiplier ${form_${form}}_w${bits}_${narrow}_${wide} TOP folded_multiplier
+            PARAMS Bits=${bits} NarrowShift=${narrow} WideShift=${wide} Form=${form})
+endforeach()
+illegal_parameter_test(folded_multiplier Bits=37 "Bits must be in .18, 36.")
+illegal_parameter_test(folded_multiplier WideShift=41 "WideShift must be in .1, 40.")
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
