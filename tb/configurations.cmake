@@ -39,6 +39,14 @@ endforeach()
 illegal_parameter_test(folded_multiplier Bits=37 "Bits must be in .18, 36.")
 illegal_parameter_test(folded_multiplier WideShift=41 "WideShift must be in .1, 40.")
 
+# Stieltjes integrators: word, shift of the sum, fraction bits dropped, first order, form.
+foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
+  read_row(${size} bits shift drop first form)
+  core_test(stieltjes_integrator ${form_${form}}_w${bits}_${shift}_${drop}_${first}
+            TOP stieltjes_integrator
+            PARAMS Bits=${bits} Shift=${shift} Drop=${drop} First=${first} Form=${form})
+endforeach()
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
