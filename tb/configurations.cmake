@@ -47,6 +47,18 @@ foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
             PARAMS Bits=${bits} Shift=${shift} Drop=${drop} First=${first} Form=${form})
 endforeach()
 
+# The sixteen integrators of the spline: order, word, mode, anchor, form.
+foreach(size 6,36,1,1,0 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 2,36,1,1,0 2,29,0,0,0 3,30,1,1,0 5,18,1,1,0
+        12,36,0,1,1 12,36,0,0,0)
+  read_row(${size} order coef mode anchor form)
+  core_test(spline_network p${order}_w${coef}_m${mode}_n${anchor}_${form_${form}}
+            TOP spline_network
+            PARAMS Order=${order} CoefBits=${coef} Mode=${mode} Anchor=${anchor} Form=${form})
+endforeach()
+illegal_parameter_test(spline_network Order=13 "Order must be in .2, 12.")
+illegal_parameter_test(spline_network Mode=2 "Mode must be 0 or 1")
+illegal_parameter_test(spline_network Anchor=2 "Anchor must be 0 or 1")
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
