@@ -3,20 +3,8 @@
 //
 //     sum = floor((a[1] b[1] + .. + a[n] b[n]) / 2^Shift + 1/2)      n <= 13
 //
-// with Shift = NarrowShift, or WideShift where wide_i was 1.  The operands pass by four times, part
-// after part of the products: low x low, low x high, high x low, high x high halves.  So the sum
-// needs no more than 42 bits: between the parts it moves down by 18.
-//
-//   cycle         0      n-1    n     2n     3n    4n-1          4n+4
-//   valid_i       1  ..  1  ..  1  .. 1  ..  1  .. 1
-//   part_i        0      0      1     2      3     3
-//   first_i       1                                                      wide_i is taken
-//   drop_i                      1            1
-//   a_i, b_i      a[1]   a[n]   a[1]  a[1]   a[1]  a[n]
-//   sum_o                                                        sum     until the next one's 4
-//
-// Clocks without valid_i may lie between.  unsigned_i: b has no sign.  No reset: a sum follows its
-// operands only.  Form: 0 portable, 1 ECP5 (registered MULT18X18D); equal bit for bit.
+// with Shift = NarrowShift, or WideShift where wide_i was 1.
+// folded_sum has the cycles; sum_o comes in its cycle 4n+4.
 `default_nettype none
 module folded_multiplier #(
     parameter int Bits        = 36,  // [18, 36]
@@ -42,107 +30,34 @@ module folded_multiplier #(
   initial if (Form < 0 || Form > 1) $fatal(1, "Form must be 0 or 1");
   localparam int W = (Bits < 18 || Bits > 36) ? 36 : Bits;
 
-  localparam int SumBits = 42;
-  localparam logic [SumBits-1:0] NarrowHalf = 42'd1 << (NarrowShift - 1);
-  localparam logic [SumBits-1:0] WideHalf = 42'd1 << (WideShift - 1);
+  localparam logic [41:0] NarrowHalf = 42'd1 << (NarrowShift - 1);
+  localparam logic [41:0] WideHalf = 42'd1 << (WideShift - 1);
 
-  // Halves: the high one signed, the low one not.
-  logic signed [36:0] a;
-  logic signed [36:0] b;
-  logic        [17:0] a_q;
-  logic        [17:0] b_q;
-  logic               a_signed_q;
-  logic               b_signed_q;
-  assign a = 37'(a_i);
-  assign b = {{(37 - W) {b_i[W-1] && !unsigned_i}}, b_i};
-  always_ff @(posedge clk_i) begin
-    a_q        <= part_i[1] ? a[35:18] : a[17:0];
-    b_q        <= part_i[0] ? b[35:18] : b[17:0];
-    a_signed_q <= part_i[1];
-    b_signed_q <= part_i[0] && !unsigned_i;
-  end
-
-  logic [35:0] product;
-  if (Form == 1) begin : g_ecp5
-    dsp_ecp5 u_dsp (
-        .clk_i,
-        .en_i(1'b1),
-        .a_signed_i(a_signed_q),
-        .b_signed_i(b_signed_q),
-        .a_i(a_q),
-        .b_i(b_q),
-        .product_o(product)
-    );
-  end else begin : g_portable
-    logic signed [18:0] a_input_q;
-    logic signed [18:0] b_input_q;
-    logic signed [37:0] a_wide;
-    logic signed [37:0] b_wide;
-    logic signed [37:0] pipeline_q;
-    assign a_wide = 38'(a_input_q);
-    assign b_wide = 38'(b_input_q);
-    always_ff @(posedge clk_i) begin
-      a_input_q  <= {a_signed_q && a_q[17], a_q};
-      b_input_q  <= {b_signed_q && b_q[17], b_q};
-      pipeline_q <= a_wide * b_wide;
-      product    <= pipeline_q[35:0];
-    end
-  end
-
-  // What travels beside the product.
-  localparam int Clocks = 4;
-  logic valid_q   [Clocks];
-  logic first_q   [Clocks];
-  logic drop_q    [Clocks];
-  logic wide_q    [Clocks];
-  logic negative_q[Clocks];  // the product may be: its sign counts
-  always_ff @(posedge clk_i) begin
-    valid_q[0]    <= valid_i;
-    first_q[0]    <= first_i;
-    drop_q[0]     <= drop_i;
-    wide_q[0]     <= wide_i;
-    negative_q[0] <= part_i[1] || (part_i[0] && !unsigned_i);
-    for (int n = 1; n < Clocks; n = n + 1) begin
-      valid_q[n]    <= valid_q[n-1];
-      first_q[n]    <= first_q[n-1];
-      drop_q[n]     <= drop_q[n-1];
-      wide_q[n]     <= wide_q[n-1];
-      negative_q[n] <= negative_q[n-1];
-    end
-  end
-
-  logic                      wide_total_q;
-  logic signed [SumBits-1:0] total_q;
-  logic        [       35:0] dropped_q;
-  logic signed [SumBits-1:0] lowered;
-  logic signed [SumBits-1:0] base;
-  logic signed [SumBits-1:0] term;
-  logic                      valid;
-  logic                      first;
-  logic                      drop;
-  logic                      sum_wide;
-  assign valid    = valid_q[Clocks-1];
-  assign first    = first_q[Clocks-1];
-  assign drop     = drop_q[Clocks-1];
-  assign sum_wide = wide_q[Clocks-1];
-  assign lowered  = {{18{total_q[SumBits-1]}}, total_q[SumBits-1:18]};
-  assign term     = {{(SumBits - 36) {product[35] && negative_q[Clocks-1]}}, product};
-  always_comb begin
-    base = total_q;
-    if (drop) base = lowered;
-    if (first) base = sum_wide ? WideHalf : NarrowHalf;
-  end
-  always_ff @(posedge clk_i) begin
-    if (valid) begin
-      total_q <= base + term;
-      if (first) wide_total_q <= sum_wide;
-      if (drop) dropped_q <= {total_q[17:0], dropped_q[35:18]};
-    end
-  end
-
-  logic [SumBits+35:0] total;
-  assign total = {total_q, dropped_q};
-  assign sum_o = wide_total_q ? total[WideShift+:W] : total[NarrowShift+:W];
+  logic wide;
+  logic opening_wide;
+  logic [41:0] half;
+  logic [77:0] total;
+  folded_sum #(
+      .Bits(W),
+      .TagBits(1),
+      .Form(Form)
+  ) u_sum (
+      .clk_i,
+      .valid_i,
+      .part_i,
+      .first_i,
+      .drop_i,
+      .tag_i(wide_i),
+      .unsigned_i,
+      .a_i,
+      .b_i,
+      .opening_o(opening_wide),
+      .half_i(half),
+      .tag_o(wide),
+      .total_o(total)
+  );
+  assign half  = opening_wide ? WideHalf : NarrowHalf;
+  assign sum_o = wide ? total[WideShift+:W] : total[NarrowShift+:W];
 
 endmodule
 `default_nettype wire
