@@ -40,7 +40,7 @@ module spline_sequencer #(
 
   localparam int Top = (Anchor != 0) ? Order - 1 : Order;
   localparam int Digits = curvecore_pkg::weight_digits(Bits);
-  localparam int Late = 2 * Digits - 33;
+  localparam int Late = 2 * Digits - 32;
   localparam int Pause = (Late > 0) ? Late : 0;
 
   // From the start of V (of phi with Anchor 0) of the last order.

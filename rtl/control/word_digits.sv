@@ -2,7 +2,7 @@
 // The terms of a series, {there, order, coefficient}, for scalers: the digits of twice the
 // coefficient's magnitude and its sign.  Nobody needs the orders above Last.
 //
-//   cycle      0      1                         2 .. Digits + 4
+//   cycle      0      2                         3 .. Digits + 5
 //   q_i        q[i]
 //   take              1, negative, order        triple, step, last, digit, done as digit_source
 //   digits_o   {take, triple, step, last, digit, done, negative, order}; the last two are kept
@@ -17,13 +17,14 @@ module word_digits #(
     output logic      [    11:0] digits_o
 );
 
+  logic        [Bits+4:0] q_q;
   logic                   there;
   logic                   start;
   logic        [     3:0] order;
   logic signed [Bits-1:0] q;
   logic signed [Bits-1:0] minus_q;
   logic signed [Bits-1:0] magnitude;
-  assign {there, order, q} = q_i;
+  assign {there, order, q} = q_q;
   assign start             = there && order <= 4'(Last);
   assign minus_q           = -q;
   assign magnitude         = q[Bits-1] ? minus_q : q;
@@ -53,6 +54,7 @@ module word_digits #(
   logic [3:0] order_q;
   assign digits_o = {take, triple, step, last, digit, done, negative_q, order_q};
   always_ff @(posedge clk_i) begin
+    q_q <= q_i;
     if (start) begin
       negative_q <= q[Bits-1];
       order_q    <= order;

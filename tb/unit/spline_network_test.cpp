@@ -30,7 +30,7 @@ using Coef = hls::Word<kBits>;
 // As stated in the header of the sequencer.
 constexpr int kTop = Network::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 33) : 0;
+constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 32) : 0;
 constexpr int kRestQ = kOrder + kDigits + 4;
 constexpr int kRest = !kAnchor  ? 8 * kOrder + 28
                       : kSeries ? std::max(kRestQ, 4 * kOrder + 14)
