@@ -59,6 +59,13 @@ illegal_parameter_test(spline_network Order=13 "Order must be in .2, 12.")
 illegal_parameter_test(spline_network Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_network Anchor=2 "Anchor must be 0 or 1")
 
+# The start of a spline's step: word, anchor, form.
+foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
+  read_row(${size} coef anchor form)
+  core_test(spline_anchor w${coef}_n${anchor}_${form_${form}} TOP spline_anchor
+            PARAMS CoefBits=${coef} Anchor=${anchor} Form=${form})
+endforeach()
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
