@@ -107,7 +107,7 @@ class SplineKernel {
         }
     }
 
-  private:
+  protected:  // the words of a step, for the RTL's tests
     /// Everything that the polynomial gives at v, and phi pulled onto 1 / |V|.
     void anchor() {
         Word<2 * kBits + 2> norm = 0;

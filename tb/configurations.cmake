@@ -30,6 +30,53 @@ illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
 illegal_parameter_test(multiplier Shift=36 "Shift must be in .0, 35.")
 illegal_parameter_test(multiplier Form=3 "Form must be 0, 1 or 2")
 
+# Sums of products on one 18 x 18 multiplier: word, two shifts, form.
+foreach(size 36,34,35,0 36,33,40,1 29,30,26,1 18,15,22,0)
+  read_row(${size} bits narrow wide form)
+  core_test(folded_multiplier ${form_${form}}_w${bits}_${narrow}_${wide} TOP folded_multiplier
+            PARAMS Bits=${bits} NarrowShift=${narrow} WideShift=${wide} Form=${form})
+endforeach()
+illegal_parameter_test(folded_multiplier Bits=37 "Bits must be in .18, 36.")
+illegal_parameter_test(folded_multiplier WideShift=41 "WideShift must be in .1, 40.")
+
+# Stieltjes integrators: word, shift of the sum, fraction bits dropped, first order, form.
+foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
+  read_row(${size} bits shift drop first form)
+  core_test(stieltjes_integrator ${form_${form}}_w${bits}_${shift}_${drop}_${first}
+            TOP stieltjes_integrator
+            PARAMS Bits=${bits} Shift=${shift} Drop=${drop} First=${first} Form=${form})
+endforeach()
+
+# The sixteen integrators of the spline: order, word, mode, anchor, form.
+foreach(size 6,36,1,1,0 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 2,36,1,1,0 2,29,0,0,0 3,30,1,1,0 5,18,1,1,0
+        12,36,0,1,1 12,36,0,0,0)
+  read_row(${size} order coef mode anchor form)
+  core_test(spline_network p${order}_w${coef}_m${mode}_n${anchor}_${form_${form}}
+            TOP spline_network
+            PARAMS Order=${order} CoefBits=${coef} Mode=${mode} Anchor=${anchor} Form=${form})
+endforeach()
+illegal_parameter_test(spline_network Order=13 "Order must be in .2, 12.")
+illegal_parameter_test(spline_network Mode=2 "Mode must be 0 or 1")
+illegal_parameter_test(spline_network Anchor=2 "Anchor must be 0 or 1")
+
+# The start of a spline's step: word, anchor, form.
+foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
+  read_row(${size} coef anchor form)
+  core_test(spline_anchor w${coef}_n${anchor}_${form_${form}} TOP spline_anchor
+            PARAMS CoefBits=${coef} Anchor=${anchor} Form=${form})
+endforeach()
+
+# Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
+foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
+        2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
+        12,36,42,10,1,0,1,0)
+  read_row(${size} order coef fine guard aux mode anchor form)
+  core_test(spline_steps p${order}_w${coef}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
+            TOP spline_steps LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} FineBits=${fine} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
+endforeach()
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})

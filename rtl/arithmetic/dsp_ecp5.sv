@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // One ECP5 DSP multiplier, 18 x 18 bits, with its input, pipeline and output registers: the product
-// follows its operands three clocks later.
+// follows its operands three clocks later.  The signs travel with the operands.
 `default_nettype none
-module dsp_ecp5 #(
-    parameter int ASigned = 1,  // 0, 1
-    parameter int BSigned = 1   // 0, 1
-) (
+module dsp_ecp5 (
     input  wire logic        clk_i,
     input  wire logic        en_i,
+    input  wire logic        a_signed_i,
+    input  wire logic        b_signed_i,
     input  wire logic [17:0] a_i,
     input  wire logic [17:0] b_i,
     output logic      [35:0] product_o
@@ -22,8 +21,8 @@ module dsp_ecp5 #(
       .CLK0(clk_i),
       .CE0(en_i),
       .RST0(1'b0),
-      .SIGNEDA(ASigned != 0),
-      .SIGNEDB(BSigned != 0),
+      .SIGNEDA(a_signed_i),
+      .SIGNEDB(b_signed_i),
       .SOURCEA(1'b0),
       .SOURCEB(1'b0),
       .A0(a_i[0]),

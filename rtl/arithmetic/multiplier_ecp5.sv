@@ -27,24 +27,22 @@ module multiplier_ecp5 #(
   logic [35:0] low_high;
   logic [35:0] low_low;
 
-  dsp_ecp5 #(
-      .ASigned(1),
-      .BSigned(1)
-  ) u_high_high (
+  dsp_ecp5 u_high_high (
       .clk_i,
       .en_i,
+      .a_signed_i(1'b1),
+      .b_signed_i(1'b1),
       .a_i(a[35:18]),
       .b_i(b[35:18]),
       .product_o(high_high)
   );
 
   if (BBits > 18) begin : g_high_low
-    dsp_ecp5 #(
-        .ASigned(1),
-        .BSigned(0)
-    ) u_high_low (
+    dsp_ecp5 u_high_low (
         .clk_i,
         .en_i,
+        .a_signed_i(1'b1),
+        .b_signed_i(1'b0),
         .a_i(a[35:18]),
         .b_i(b[17:0]),
         .product_o(high_low)
@@ -54,12 +52,11 @@ module multiplier_ecp5 #(
   end
 
   if (ABits > 18) begin : g_low_high
-    dsp_ecp5 #(
-        .ASigned(0),
-        .BSigned(1)
-    ) u_low_high (
+    dsp_ecp5 u_low_high (
         .clk_i,
         .en_i,
+        .a_signed_i(1'b0),
+        .b_signed_i(1'b1),
         .a_i(a[17:0]),
         .b_i(b[35:18]),
         .product_o(low_high)
@@ -69,12 +66,11 @@ module multiplier_ecp5 #(
   end
 
   if (ABits > 18 && BBits > 18) begin : g_low_low
-    dsp_ecp5 #(
-        .ASigned(0),
-        .BSigned(0)
-    ) u_low_low (
+    dsp_ecp5 u_low_low (
         .clk_i,
         .en_i,
+        .a_signed_i(1'b0),
+        .b_signed_i(1'b0),
         .a_i(a[17:0]),
         .b_i(b[17:0]),
         .product_o(low_low)

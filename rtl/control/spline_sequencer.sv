@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The orders of the spline network, one chain of integrators after the other:
+//
+//     DV[i] -> DP[i] -> adder -> Dphi[i] -> phi[i] -> DV[i+1] ...       i = 1 .. Top
+//
+//   cycle          0   1   3i + 7      6i + 14        9i + 28 + Pause (i+1's cycle 1)
+//   start_i        1
+//   start_v_o          1                              1
+//   start_x_o          1                              1        of order Order too: nothing follows
+//   start_p_o              1
+//   start_phi_o                        1
+//   order_o            i                              i + 1
+//
+// Each start comes as early as the newest word permits, which a node reads in its i-th clock.
+// Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause: W[2] has
+// two products of weight_digits before it and would come too late by a few clocks.
+//
+// done_o comes with the last word of the step, q[Order] or with Mode 0 perhaps x[Order]; from start_i
+//
+//     Anchor 1   9 Top (Top + 1) / 2 + 27 Top + Pause + Rest + 1 clocks     Top = Order - 1
+//     Anchor 0   3 Order + 14 less: when every node has its state           Top = Order
+`default_nettype none
+module spline_sequencer #(
+    parameter int Order  = 6,   // [2, 12]
+    parameter int Bits   = 36,  // [18, 36]
+    parameter int Mode   = 1,   // 0 series, 1 polynomial
+    parameter int Anchor = 1    // 0, 1
+) (
+    input  wire logic       clk_i,
+    input  wire logic       rst_ni,
+    input  wire logic       start_i,
+    output logic            ready_o,
+    output logic            start_v_o,
+    output logic            start_x_o,
+    output logic            start_p_o,
+    output logic            start_phi_o,
+    output logic      [3:0] order_o,
+    output logic            done_o
+);
+
+  localparam int Top = (Anchor != 0) ? Order - 1 : Order;
+  localparam int Digits = curvecore_pkg::weight_digits(Bits);
+  localparam int Late = 2 * Digits - 32;
+  localparam int Pause = (Late > 0) ? Late : 0;
+
+  // From the start of V (of phi with Anchor 0) of the last order.
+  localparam int RestQ = Order + Digits + 4;
+  localparam int RestX = 4 * Order + 14;
+  localparam int RestSeries = (RestX > RestQ) ? RestX : RestQ;
+  localparam int RestAnchored = (Mode == 0) ? RestSeries : RestQ;
+  localparam int Rest = (Anchor != 0) ? RestAnchored : 8 * Order + 28;
+
+  typedef enum logic [2:0] {
+    Idle,
+    V,
+    P,
+    Phi,
+    Last
+  } state_t;
+
+  // Clocks of a state, less one, by order.
+  logic [6:0] v_clocks  [16];
+  logic [6:0] p_clocks  [16];
+  logic [6:0] phi_clocks[16];
+  for (genvar i = 0; i < 16; i++) begin : g_clocks
+    assign v_clocks[i]   = 7'(3 * i + 5);
+    assign p_clocks[i]   = 7'(3 * i + 6);
+    assign phi_clocks[i] = (i == 2) ? 7'(3 * i + 13 + Pause) : 7'(3 * i + 13);
+  end
+
+  state_t state_q, state_d;
+  logic [6:0] count_q;
+  logic [6:0] clocks;
+  logic [3:0] order_d;
+  logic       turn;
+  assign turn    = count_q == 7'd0;
+  assign ready_o = state_q == Idle;
+  always_comb begin
+    state_d = state_q;
+    order_d = order_o;
+    clocks  = v_clocks[order_o];
+    case (state_q)
+      Idle: begin
+        state_d = V;
+        order_d = 4'd1;
+        clocks  = v_clocks[1];
+      end
+      V: begin
+        state_d = P;
+        clocks  = p_clocks[order_o];
+      end
+      P: begin
+        state_d = Phi;
+        clocks  = phi_clocks[order_o];
+        if (Anchor == 0 && order_o == 4'(Order)) begin
+          state_d = Last;
+          clocks  = 7'(Rest - 1);
+        end
+      end
+      Phi: begin
+        state_d = V;
+        order_d = order_o + 4'd1;
+        clocks  = v_clocks[order_d];
+        if (Anchor != 0 && order_o == 4'(Top)) begin
+          state_d = Last;
+          clocks  = 7'(Rest - 1);
+        end
+      end
+      default: state_d = Idle;
+    endcase
+  end
+
+  logic go;
+  assign go = (state_q == Idle) ? start_i : turn;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      state_q     <= Idle;
+      start_v_o   <= 1'b0;
+      start_x_o   <= 1'b0;
+      start_p_o   <= 1'b0;
+      start_phi_o <= 1'b0;
+      done_o      <= 1'b0;
+    end else begin
+      if (go) state_q <= state_d;
+      start_v_o   <= go && state_d == V;
+      start_x_o   <= go && (state_d == V || (state_d == Last && Anchor != 0));
+      start_p_o   <= go && state_d == P;
+      start_phi_o <= go && (state_d == Phi || (state_d == Last && Anchor == 0));
+      done_o      <= go && state_q == Last;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    count_q <= go ? clocks : count_q - 7'd1;
+    if (go && state_d != Idle) order_o <= order_d;
+  end
+
+endmodule
+`default_nettype wire

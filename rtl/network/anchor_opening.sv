@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and go
+// into its memories; then v and phi.
+//
+//   time_i    1 .. 9            2 .. 10                          6      11
+//   axis_o    0 0 0 1 1 1 ..
+//   writes                      2c | 3a, b | a, c of an axis     v      phi
+//
+//   memory   places
+//   a        3a: axis, a: 4 + axis, phi: 15
+//   b        v: 3, phi: 7
+//   c        b: axis, c: 4 + axis, 2c: 8 + axis, phi: 12
+`default_nettype none
+module anchor_opening #(
+    parameter int Bits = 36  // [18, 36]
+) (
+    input wire logic clk_i,
+
+    input wire logic                   begin_i,
+    input wire logic        [     7:0] time_i,
+    input wire logic                   fresh_i,    // v = 0, phi = theta
+    input wire logic signed [Bits-1:0] theta_i,
+    input wire logic signed [Bits-1:0] phi_end_i,
+    input wire logic signed [Bits-1:0] moved_i,    // in time 5: what v grows by
+
+    output logic             [     1:0] axis_o,
+    input  wire logic signed [Bits-1:0] a_i,
+    input  wire logic signed [Bits-1:0] b_i,
+    input  wire logic signed [Bits-1:0] c_i,
+
+    output logic                   three_a_there_o,
+    output logic                   a_there_o,
+    output logic        [     1:0] there_axis_o,
+    output logic signed [Bits-1:0] three_a_o,
+    output logic signed [Bits-1:0] a_o,
+
+    output logic                   a_write_o,
+    output logic        [     3:0] a_place_o,
+    output logic signed [Bits-1:0] a_word_o,
+    output logic                   b_write_o,
+    output logic        [     2:0] b_place_o,
+    output logic signed [Bits-1:0] b_word_o,
+    output logic                   c_write_o,
+    output logic        [     3:0] c_place_o,
+    output logic signed [Bits-1:0] c_word_o
+);
+
+  logic        [     1:0] turn_q;
+  logic        [     1:0] before_turn_q;
+  logic                   there_q;
+  logic        [     1:0] row;
+  logic signed [Bits-1:0] b_q;
+  logic signed [Bits-1:0] c_q;
+  logic signed [Bits-1:0] twice_a;
+  logic signed [Bits-1:0] twice_c;
+  logic signed [Bits-1:0] v_q;
+  logic signed [Bits-1:0] v_moved;
+  logic signed [Bits-1:0] phi;
+  assign twice_a         = {a_o[Bits-2:0], 1'b0};
+  assign twice_c         = {c_q[Bits-2:0], 1'b0};
+  assign v_moved         = v_q + moved_i;
+  assign phi             = fresh_i ? theta_i : phi_end_i;
+  assign three_a_there_o = there_q && before_turn_q == 2'd1;
+  assign a_there_o       = there_q && before_turn_q == 2'd2;
+  always_ff @(posedge clk_i) begin
+    if (begin_i) begin
+      axis_o <= 2'd0;
+      turn_q <= 2'd0;
+    end else begin
+      turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
+      if (turn_q == 2'd2) axis_o <= axis_o + 2'd1;
+    end
+    there_q       <= time_i >= 8'd1 && time_i <= 8'd9;
+    there_axis_o  <= axis_o;
+    before_turn_q <= turn_q;
+    a_o           <= a_i;
+    b_q           <= b_i;
+    c_q           <= c_i;
+    three_a_o     <= a_o + twice_a;
+    if (time_i == 8'd5) v_q <= fresh_i ? '0 : v_moved;
+  end
+
+  assign row = before_turn_q - 2'd1;
+  always_comb begin
+    a_write_o = three_a_there_o || a_there_o;
+    a_place_o = {row, there_axis_o};
+    a_word_o  = a_there_o ? a_o : three_a_o;
+    b_write_o = time_i == 8'd6;
+    b_place_o = 3'd3;
+    b_word_o  = v_q;
+    c_write_o = there_q;
+    c_place_o = {row, there_axis_o};
+    c_word_o  = a_there_o ? c_q : b_q;
+    if (before_turn_q == 2'd0) begin
+      c_place_o = {2'd2, there_axis_o};
+      c_word_o  = twice_c;
+    end
+    if (time_i == 8'd11) begin
+      a_write_o = 1'b1;
+      a_place_o = 4'd15;
+      a_word_o  = phi;
+      b_write_o = 1'b1;
+      b_place_o = 3'd7;
+      b_word_o  = phi;
+      c_write_o = 1'b1;
+      c_place_o = 4'd12;
+      c_word_o  = phi;
+    end
+  end
+
+endmodule
+`default_nettype wire

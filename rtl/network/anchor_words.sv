@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The words that spline_anchor makes, brought to the network's scale and loaded into it:
+//
+//     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
+//
+//   cycle                                 0    1    2       4        5
+//   v, phi, q_there_i with result_i       1    load, word_o
+//   square_there_i with result_i          1         load_r, word_o
+//   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
+//   slope_there_i with result_i           1                          load_w, word_o
+//
+// scaled_o: moved_i / 2^s in cycle 5 of time_i.  start_o in cycle 89; with quiet_i in cycle 2.
+`default_nettype none
+module anchor_words #(
+    parameter int CoefBits = 36  // [18, 36]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input wire logic        [         7:0] time_i,
+    input wire logic                       quiet_i,
+    input wire logic        [         4:0] s_i,
+    input wire logic signed [CoefBits-1:0] moved_i,
+
+    input  wire logic                       three_a_there_i,
+    input  wire logic                       a_there_i,
+    input  wire logic        [         1:0] open_axis_i,
+    input  wire logic signed [CoefBits-1:0] three_a_i,
+    input  wire logic signed [CoefBits-1:0] a_i,
+    output logic signed      [CoefBits-1:0] scaled_o,
+
+    input wire logic                       v_there_i,
+    input wire logic                       slope_there_i,
+    input wire logic                       phi_there_i,
+    input wire logic                       square_there_i,
+    input wire logic                       q_there_i,
+    input wire logic        [         1:0] result_axis_i,
+    input wire logic signed [CoefBits-1:0] result_i,
+
+    output logic        [         2:0] load_six_a_o,
+    output logic        [         2:0] load_v_o,
+    output logic        [         2:0] load_w_o,
+    output logic                       load_phi_o,
+    output logic                       load_q_o,
+    output logic                       load_r_o,
+    output logic                       again_o,
+    output logic                       start_o,
+    output logic        [         2:0] step_a_there_o,
+    output logic signed [CoefBits-1:0] word_o
+);
+
+  localparam int Bits = CoefBits;
+
+  logic signed [Bits-1:0] result_q;
+  logic        [     1:0] result_axis_q;
+  logic                   slope_q;
+  logic                   square_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      slope_q  <= 1'b0;
+      square_q <= 1'b0;
+    end else begin
+      slope_q  <= slope_there_i;
+      square_q <= square_there_i;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    result_q      <= result_i;
+    result_axis_q <= result_axis_i;
+  end
+
+  // One scale for all.
+  logic signed [Bits-1:0] x;
+  logic        [     5:0] shift;
+  logic                   wide;
+  always_comb begin
+    x     = moved_i;
+    shift = {1'b0, s_i};
+    wide  = slope_q || three_a_there_i;
+    if (slope_q) x = result_q;
+    if (three_a_there_i) x = three_a_i;
+    if (a_there_i) x = a_i;
+    if (three_a_there_i || a_there_i) shift = {s_i, 1'b0};
+  end
+  step_scale #(
+      .Bits(Bits)
+  ) u_scale (
+      .clk_i,
+      .x_i(x),
+      .wide_i(wide),
+      .shift_i(shift),
+      .y_o(scaled_o)
+  );
+
+  logic [2:0] slope_scaled_q;
+  logic [2:0] three_a_scaled_q;
+  logic [2:0] a_scaled_q;
+  logic [1:0] axis_q[3];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      slope_scaled_q   <= 3'd0;
+      three_a_scaled_q <= 3'd0;
+      a_scaled_q       <= 3'd0;
+    end else begin
+      slope_scaled_q   <= {slope_scaled_q[1:0], slope_q};
+      three_a_scaled_q <= {three_a_scaled_q[1:0], three_a_there_i};
+      a_scaled_q       <= {a_scaled_q[1:0], a_there_i};
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    axis_q[0] <= slope_q ? result_axis_q : open_axis_i;
+    axis_q[1] <= axis_q[0];
+    axis_q[2] <= axis_q[1];
+  end
+
+  // floor(-3 S / 4 + 1/2)
+  logic signed [Bits+1:0] square_wide;
+  logic signed [Bits+1:0] square_twice;
+  logic signed [Bits+1:0] two;
+  logic signed [Bits+1:0] three_q;
+  logic signed [Bits+1:0] minus_three;
+  assign square_wide  = (Bits + 2)'(result_i);
+  assign square_twice = {result_i[Bits-1], result_i, 1'b0};
+  assign two          = (Bits + 2)'(3'sd2);
+  assign minus_three  = two - three_q;
+  always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
+
+  logic       from_scale;
+  logic [2:0] scaled_axis;
+  logic [2:0] result_axis;
+  assign from_scale  = slope_scaled_q[2] || three_a_scaled_q[2] || a_scaled_q[2];
+  assign scaled_axis = 3'b001 << axis_q[2];
+  assign result_axis = 3'b001 << result_axis_i;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      load_six_a_o   <= 3'd0;
+      load_v_o       <= 3'd0;
+      load_w_o       <= 3'd0;
+      load_phi_o     <= 1'b0;
+      load_q_o       <= 1'b0;
+      load_r_o       <= 1'b0;
+      again_o        <= 1'b0;
+      start_o        <= 1'b0;
+      step_a_there_o <= 3'd0;
+    end else begin
+      load_six_a_o   <= three_a_scaled_q[2] ? scaled_axis : 3'd0;
+      step_a_there_o <= a_scaled_q[2] ? scaled_axis : 3'd0;
+      load_v_o       <= (v_there_i && !quiet_i) ? result_axis : 3'd0;
+      load_w_o       <= (slope_scaled_q[2] && !quiet_i) ? scaled_axis : 3'd0;
+      load_phi_o     <= phi_there_i && !quiet_i;
+      load_q_o       <= q_there_i && !quiet_i;
+      load_r_o       <= square_q && !quiet_i;
+      again_o        <= quiet_i && time_i == 8'd1;
+      start_o        <= time_i == (quiet_i ? 8'd1 : 8'd88);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    word_o <= result_i;
+    if (from_scale) word_o <= scaled_o;
+    if (square_q) word_o <= minus_three[Bits+1:2];
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// One order of a Stieltjes integral: the series of its integrand and of its integrating variable,
+// kept as their orders come, multiplied on one 18 x 18 multiplier, rounded once; then the quotient
+// by the order, rounded once more.
+//
+//     D = floor(sum of u[j] s[First + n-1 - j], j = 0 .. n-1, / 2^Shift + 1/2),   n = order + Extra
+//     X = floor(D (2^(Bits-1) / order) / 2^QuotientShift + 1/2)
+//
+//   cycle              0      1 .. 4n       4n+5           4n+13
+//   start_i, order_i   1
+//                             u, s read
+//   d_there_o                               1
+//   x_there_o                                              1 (Quotient = 1)
+//   sum_o                                   D, 5 clocks    X, until the next one's 4n+4
+//
+// Of n clocks each there are four passes.  u[n-1] and s[First] are read at first, u[0] and
+// s[First+n-1] last: what is written in cycle c may be read in c+1, the newest s by then in cycle n.
+// Twin: hls/series_node.hpp.
+`default_nettype none
+module series_product #(
+    parameter int Bits          = 36,  // [18, 36]
+    parameter int Shift         = 35,  // [1, 40]
+    parameter int QuotientShift = 35,  // [1, 40]
+    parameter int Quotient      = 1,   // 0: D only
+    parameter int First         = 1,   // 0, 1
+    parameter int Extra         = 0,   // 0, 1
+    parameter int Form          = 0    // 0 portable, 1 ECP5
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input wire logic                   u_write_i,
+    input wire logic        [     3:0] u_index_i,
+    input wire logic signed [Bits-1:0] u_i,
+    input wire logic                   s_write_i,
+    input wire logic        [     3:0] s_index_i,
+    input wire logic signed [Bits-1:0] s_i,
+
+    input  wire logic              start_i,
+    input  wire logic   [     3:0] order_i,
+    output logic                   d_there_o,
+    output logic                   x_there_o,
+    output logic        [     3:0] order_o,
+    output logic signed [Bits-1:0] sum_o
+);
+
+  logic signed [Bits-1:0] u_memory[16];
+  logic signed [Bits-1:0] s_memory[16];
+  always_ff @(posedge clk_i) begin
+    if (u_write_i) u_memory[u_index_i] <= u_i;
+    if (s_write_i) s_memory[s_index_i] <= s_i;
+  end
+
+  // Passes: j falls, k rises.  The quotient is a sum of one product.
+  logic       run_q;
+  logic       divide_q;
+  logic [1:0] part_q;
+  logic       begin_q;  // a pass begins
+  logic [3:0] top_q;
+  logic [3:0] j_q;
+  logic [3:0] k_q;
+  logic       pass_end;
+  logic       run_end;
+  logic       divide;
+  logic [3:0] top;
+  assign pass_end = j_q == 4'd0;
+  assign run_end  = run_q && pass_end && part_q == 2'd3;
+  assign top      = (Extra != 0) ? order_i : order_i - 4'd1;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) run_q <= 1'b0;
+    else if (start_i || divide) run_q <= 1'b1;
+    else if (run_end) run_q <= 1'b0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_i || divide) begin
+      divide_q <= divide;
+      part_q   <= 2'd0;
+      begin_q  <= 1'b1;
+      top_q    <= start_i ? top : 4'd0;
+      j_q      <= start_i ? top : 4'd0;
+      k_q      <= 4'(First);
+    end else begin
+      begin_q <= pass_end;
+      j_q     <= pass_end ? top_q : j_q - 4'd1;
+      k_q     <= pass_end ? 4'(First) : k_q + 4'd1;
+      if (pass_end) part_q <= part_q + 2'd1;
+    end
+    if (start_i) order_o <= order_i;
+  end
+
+  // Clocks since the last product of a sum entered.
+  logic [4:0] d_q;
+  logic [4:0] x_q;
+  assign divide    = (Quotient != 0) && d_q[3];
+  assign d_there_o = d_q[4];
+  assign x_there_o = x_q[4];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      d_q <= 5'd0;
+      x_q <= 5'd0;
+    end else begin
+      d_q <= {d_q[3:0], run_end && !divide_q};
+      x_q <= {x_q[3:0], run_end && divide_q};
+    end
+  end
+
+  logic [35:0] reciprocal[16];
+  for (genvar i = 0; i < 16; i++) begin : g_reciprocal
+    if (i >= 1 && i <= 12) begin : g_used
+      assign reciprocal[i] = curvecore_pkg::reciprocal(Bits - 1, i);
+    end else begin : g_unused
+      assign reciprocal[i] = '0;
+    end
+  end
+  logic [    35:0] reciprocal_now;
+  logic [Bits-1:0] reciprocal_q;
+  assign reciprocal_now = reciprocal[order_o];
+  always_ff @(posedge clk_i) reciprocal_q <= reciprocal_now[Bits-1:0];
+
+  logic signed [Bits-1:0] a;
+  logic signed [Bits-1:0] b;
+  logic                   first;
+  logic                   drop;
+  assign a     = divide_q ? sum_o : u_memory[j_q];
+  assign b     = divide_q ? reciprocal_q : s_memory[k_q];
+  assign first = begin_q && part_q == 2'd0;
+  assign drop  = begin_q && part_q[0];
+  folded_multiplier #(
+      .Bits(Bits),
+      .NarrowShift(Shift),
+      .WideShift(QuotientShift),
+      .Form(Form)
+  ) u_multiplier (
+      .clk_i,
+      .valid_i(run_q),
+      .part_i(part_q),
+      .first_i(first),
+      .drop_i(drop),
+      .wide_i(divide_q),
+      .unsigned_i(divide_q),
+      .a_i(a),
+      .b_i(b),
+      .sum_o
+  );
+
+endmodule
+`default_nettype wire

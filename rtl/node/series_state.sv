@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The terms of a node's series, {there, order, coefficient}, and their sum, the node's state at the
+// end of the step.
+//
+//   cycle      0                       1
+//   x_i        x[i], there             x_o = x[i], kept until the next
+//   load_i     1, initial_i = x[0]     x_o = x[0]
+//   again_i    1                       x_o = x[0] = state_o
+`default_nettype none
+module series_state #(
+    parameter int Bits = 36  // [18, 36]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic                   load_i,
+    input  wire logic                   again_i,
+    input  wire logic signed [Bits-1:0] initial_i,
+    input  wire logic        [Bits+4:0] x_i,
+    output logic             [Bits+4:0] x_o,
+    output logic signed      [Bits-1:0] state_o     // x[0] + .. + x[i], a clock after x_o
+);
+
+  logic                   there_q;
+  logic        [     3:0] order_q;
+  logic signed [Bits-1:0] x_q;
+  logic                   zeroth;
+  logic signed [Bits-1:0] start;
+  assign zeroth = load_i || again_i;
+  assign start  = again_i ? state_o : initial_i;
+  assign x_o    = {there_q, order_q, x_q};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) there_q <= 1'b0;
+    else there_q <= x_i[Bits+4] || zeroth;
+  end
+  always_ff @(posedge clk_i) begin
+    if (x_i[Bits+4] || zeroth) begin
+      order_q <= zeroth ? 4'd0 : x_i[Bits+3:Bits];
+      x_q     <= zeroth ? start : x_i[Bits-1:0];
+    end
+    if (there_q) state_o <= (order_q == 4'd0) ? x_q : state_o + x_q;
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The node  R = -3 phi^2  of the spline network: the integral of -6 phi dphi, whose sum of products
+// is that of the square, [Chikurov] (30) with the factor 6 that its print lacks:
+//
+//     S[i] = sum of phi[j] phi[i-j], j = 0 .. i        R[i] = -3 S[i]
+//
+// Terms are {there, order, coefficient}.
+//
+//   cycle     0         4(i+1)+8
+//   phi_i     phi[i]
+//   r_o                 R[i], kept
+//   load_i, again_i                   a clock later R[0] = initial_i, or state_o
+//
+// Order 0 of phi starts nothing.  S has Bits - 3 fraction bits, R two less; phi Bits - 2.
+`default_nettype none
+module square_integrator #(
+    parameter int Bits = 36,  // [18, 36]
+    parameter int Form = 0    // 0 portable, 1 ECP5
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input wire logic                   load_i,
+    input wire logic                   again_i,
+    input wire logic signed [Bits-1:0] initial_i,
+
+    input  wire logic   [Bits+4:0] phi_i,
+    output logic        [Bits+4:0] r_o,
+    output logic signed [Bits-1:0] state_o  // R[0] + .. + R[i], a clock after r_o
+);
+
+  logic                   phi_there;
+  logic        [     3:0] phi_order;
+  logic signed [Bits-1:0] phi;
+  logic                   start;
+  logic                   square_there;
+  logic                   unused_quotient;
+  logic        [     3:0] order;
+  logic signed [Bits-1:0] square;
+  assign {phi_there, phi_order, phi} = phi_i;
+  assign start = phi_there && phi_order != 4'd0;
+  series_product #(
+      .Bits(Bits),
+      .Shift(Bits - 1),
+      .Quotient(0),
+      .First(0),
+      .Extra(1),
+      .Form(Form)
+  ) u_product (
+      .clk_i,
+      .rst_ni,
+      .u_write_i(phi_there),
+      .u_index_i(phi_order),
+      .u_i(phi),
+      .s_write_i(phi_there),
+      .s_index_i(phi_order),
+      .s_i(phi),
+      .start_i(start),
+      .order_i(phi_order),
+      .d_there_o(square_there),
+      .x_there_o(unused_quotient),
+      .order_o(order),
+      .sum_o(square)
+  );
+
+  // floor(-3 S / 4 + 1/2) in two clocks.
+  logic signed [Bits+1:0] square_wide;
+  logic signed [Bits+1:0] square_twice;
+  logic signed [Bits+1:0] three_q;
+  logic signed [Bits+1:0] two;
+  logic signed [Bits+1:0] minus_three;
+  logic                   three_there_q;
+  assign square_wide  = (Bits + 2)'(square);
+  assign square_twice = {square[Bits-1], square, 1'b0};
+  assign two          = (Bits + 2)'(3'sd2);
+  assign minus_three  = two - three_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) three_there_q <= 1'b0;
+    else three_there_q <= square_there;
+  end
+  always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
+
+  series_state #(
+      .Bits(Bits)
+  ) u_state (
+      .clk_i,
+      .rst_ni,
+      .load_i,
+      .again_i,
+      .initial_i,
+      .x_i({three_there_q, order, minus_three[Bits+1:2]}),
+      .x_o(r_o),
+      .state_o
+  );
+
+endmodule
+`default_nettype wire
