@@ -59,12 +59,12 @@ struct Splitter {
             Segment piece = spline_segment(part, format);
             piece.aux_advance = aux_advance;
             if (fits_words(piece, format) && choose_step(format, limit, piece)) {
-                lengths.push_back(arc_length(part, 0, 1));
+                lengths.push_back(ArcLength(part).length());
                 pieces.push_back(piece);
                 return;
             }
         }
-        const double length = arc_length(part, 0, 1);
+        const double length = ArcLength(part).length();
         if (length <= kLongestLine) {
             double aside = 0;  // of the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aux_advance, aside);
@@ -99,7 +99,7 @@ Segment spline_segment(const Cubic& piece, const WordFormat& format) {
     segment.c = piece.c / (unit * segment.beta);
     segment.b = piece.b / (unit * segment.beta * segment.beta);
     segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
-    segment.length = static_cast<std::uint64_t>(std::llround(arc_length(piece, 0, 1) * kQuanta));
+    segment.length = static_cast<std::uint64_t>(std::llround(ArcLength(piece).length() * kQuanta));
     return segment;
 }
 
