@@ -27,7 +27,7 @@ struct PlanOptions {
     double error_limit = 0.1;
     double clock_hz = 100e6;
     double network_latency_clocks = 200;
-    double spline_latency_clocks = 600;
+    double spline_latency_clocks = 400;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };

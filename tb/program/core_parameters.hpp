@@ -25,7 +25,8 @@ struct CoreParameters {
 
     int axes() const { return 3 + aux_axes; }
     ref::WordFormat format() const;
-    /// Clocks of an integration step: what the planner keeps time for.
+    /// Clocks of an integration step, of arcs and lines, and of splines: what the planner keeps
+    /// time for.
     int network_latency() const;
     int spline_latency() const;
     /// "Order=6 CoefBits=36 ..."
