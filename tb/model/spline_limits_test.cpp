@@ -98,7 +98,7 @@ TEST(SplineLimits, HairpinsLoseLittleTime) {
         ProgramBuilder builder;
         const ref::Cubic hairpin = RandomCubics::hairpin(radius);
         const ref::Bezier points = to_bezier(hairpin);
-        const Vec3 shift = points[0];
+        const Vec3& shift = points[0];
         builder.cubic(points[1] - shift, points[2] - shift, points[3] - shift, 100);
         const Machine machine;
         const Plan plan = make_plan(builder.program(), machine, PlanOptions());
