@@ -66,6 +66,17 @@ foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
             PARAMS CoefBits=${coef} Anchor=${anchor} Form=${form})
 endforeach()
 
+# Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
+foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
+        2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
+        12,36,42,10,1,0,1,0)
+  read_row(${size} order coef fine guard aux mode anchor form)
+  core_test(spline_steps p${order}_w${coef}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
+            TOP spline_steps LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} FineBits=${fine} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
+endforeach()
+
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})

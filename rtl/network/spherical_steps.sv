@@ -60,6 +60,8 @@ module spherical_steps #(
   logic        [        47:0] segment_length;
   logic        [CoefBits-1:0] segment_theta;
   logic        [         4:0] segment_k;
+  logic        [         5:0] unused_lambda;
+  logic                       unused_kind;
   logic signed [CoefBits-1:0] tangent;
   logic signed [CoefBits-1:0] normal;
   logic signed [CoefBits-1:0] segment_advance;
@@ -113,6 +115,8 @@ module spherical_steps #(
       .length_o(segment_length),
       .theta_o(segment_theta),
       .k_o(segment_k),
+      .lambda_o(unused_lambda),
+      .kind_o(unused_kind),
       .empty_segments_o,
       .rate_axis_i(rate_axis),
       .tangent_o(tangent),

@@ -8,14 +8,14 @@
 //     S = phi^2    Q = -S phi    R = -3 S    d = ((a v + b) v + c) v
 //
 //   cycle       0    1 .. 9       7 .. 14   34 .. 88    89    99   108   124 128 132
-//   begin_i     1                                                                    fresh_i, s_i
+//   begin_i     1                                                                    fresh_i
 //   axis_o           0 0 0 1 ..                                                      a_i, b_i, c_i
 //   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
 //   step_a_there_o                a'                                                 with word_o
 //   start_o                                             1
 //   d_there_o                                                            1   1   1   d_o of d_axis_o
 //
-// phi_end_i and moved_i are read up to cycle 11.  With Anchor = 0 only a segment's first step has
+// phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With Anchor = 0 only a segment's first step has
 // the loads from V on; else again_o and start_o come in cycle 2.
 // Every operation is a sum of products (folded_sum), rounded once, and an addition.
 `default_nettype none
@@ -74,8 +74,8 @@ module spline_anchor #(
     if (begin_i) begin
       fresh_q <= fresh_i;
       quiet_q <= !fresh_i && Anchor == 0;
-      s_q     <= s_i;
     end
+    s_q <= s_i;
   end
 
   logic [3:0] op;

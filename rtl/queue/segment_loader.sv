@@ -2,7 +2,8 @@
 // Segment words from the bus into two banks: the network reads one while the other is filled.
 // Word order: hls/words.hpp.
 //
-//   segment_valid_o   the next segment is complete; length_o, theta_o, k_o are its words
+//   segment_valid_o   the next segment is complete; length_o, theta_o (phi of a spline),
+//                     k_o, lambda_o, kind_o are its words
 //   take_i            it becomes the present one: from the next clock the reads below show it, and
 //                     the other bank takes words
 //
@@ -25,6 +26,8 @@ module segment_loader #(
     output logic      [        47:0] length_o,
     output logic      [CoefBits-1:0] theta_o,
     output logic      [         4:0] k_o,
+    output logic      [         5:0] lambda_o,
+    output logic                     kind_o,
     output logic      [        15:0] empty_segments_o,
 
     // The present segment
@@ -124,8 +127,10 @@ module segment_loader #(
     if (write_q && write_field_q == Length) length_o <= data_q;
     empty_q <= length_o == 48'd0;
     if (write_q && write_field_q == Theta) begin
-      theta_o <= data_q[CoefBits-1:0];
-      k_o     <= data_q[40:36];
+      theta_o  <= data_q[CoefBits-1:0];
+      k_o      <= data_q[40:36];
+      lambda_o <= data_q[46:41];
+      kind_o   <= data_q[47];
     end
   end
 

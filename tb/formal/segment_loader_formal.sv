@@ -40,6 +40,8 @@ module segment_loader_formal (
   logic [47:0] length;
   logic [17:0] theta;
   logic [4:0] k;
+  logic [5:0] unused_lambda;
+  logic unused_kind;
   logic [15:0] empty_segments;
   logic [3:0] axis;
   logic [17:0] tangent;
@@ -62,6 +64,8 @@ module segment_loader_formal (
       .length_o(length),
       .theta_o(theta),
       .k_o(k),
+      .lambda_o(unused_lambda),
+      .kind_o(unused_kind),
       .empty_segments_o(empty_segments),
       .rate_axis_i(axis),
       .tangent_o(tangent),

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+// Spline segments in, integration steps out: loader, anchor, network, lengths and origins.
+// Twin: SplineKernel::load and ::step in hls/spline_kernel.hpp.  Segments of another kind are not
+// for this module: they would be drawn as splines.
+//
+// A step starts when there is room for it.  Cycles from begin (start_q) on:
+//
+//   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
+//   a_write_o                   8, 11, 14            a_o = a' of the axis
+//   v_write_o, b_write_o        35 .. 77             v_o = V, b_o = B' = W / 8 of the axes; Anchor 0:
+//                                                    3, all axes
+//   origin_o of point_axis_o    15 .. 14 + AuxAxes   point_write_o, with end_o: auxiliary axes,
+//                               127, 131, 135        X, Y, Z
+//   q_o                         93 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
+//   done_o                      89 + the network's   last_o, k_o, offset_o, stride_o are the step's
+//
+// The network's clocks: rtl/control/spline_sequencer.sv.  Order 6, CoefBits 36, polynomial: 303; with Anchor 0 2 + its clocks but for a
+// segment's first step.
+`default_nettype none
+module spline_steps #(
+    parameter int Order     = 6,   // [2, 12]
+    parameter int CoefBits  = 36,  // [18, 36]
+    parameter int FineBits  = 42,  // [18, 44]
+    parameter int GuardBits = 10,  // [2, 12]
+    parameter int AuxAxes   = 0,   // [0, 6]
+    parameter int Mode      = 1,   // 0 series, 1 polynomial
+    parameter int Anchor    = 1,   // 0, 1; 0 with Mode 1 only
+    parameter int Form      = 0    // 0 portable, 1 ECP5
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+    output logic      [15:0] empty_segments_o,
+
+    input  wire logic                               room_i,
+    output logic                                    done_o,
+    output logic                                    last_o,
+    output logic      [                        4:0] k_o,
+    output logic      [curvecore_pkg::StepBits-1:0] offset_o,
+    output logic      [  curvecore_pkg::StepBits:0] stride_o,
+
+    output logic                       rate_valid_o,
+    output logic        [         3:0] rate_axis_o,
+    output logic signed [CoefBits-1:0] advance_o,
+    output logic                       point_write_o,
+    output logic        [         3:0] point_axis_o,
+    output logic signed [FineBits-1:0] origin_o,
+    output logic signed [FineBits-1:0] end_o,
+
+    // The cubic in the step's own parameter q; X in the low bits
+    output logic [           2:0] a_write_o,
+    output logic [  CoefBits-1:0] a_o,
+    output logic [           2:0] v_write_o,
+    output logic [3*CoefBits-1:0] v_o,
+    output logic [           2:0] b_write_o,
+    output logic [3*CoefBits-1:0] b_o,
+
+    // Terms {there, order, coefficient}
+    output logic [CoefBits+4:0] q_o,
+    output logic [CoefBits+4:0] x_o,
+    output logic [CoefBits+4:0] y_o,
+    output logic [CoefBits+4:0] z_o
+);
+
+  initial if (Anchor == 0 && Mode == 0) $fatal(1, "Anchor 0 works with Mode 1 only");
+
+  logic                       segment_there;
+  logic        [        47:0] segment_length;
+  logic        [CoefBits-1:0] segment_theta;
+  logic        [         4:0] segment_k;
+  logic        [         5:0] segment_lambda;
+  logic                       unused_kind;
+  logic signed [CoefBits-1:0] a;
+  logic signed [CoefBits-1:0] b;
+  logic signed [CoefBits-1:0] c;
+  logic signed [FineBits-1:0] segment_start;
+  logic signed [FineBits-1:0] segment_end;
+  logic        [         3:0] rate_axis;
+  logic        [         3:0] read_axis;
+
+  // A step of the present segment, or the first of the next.
+  logic                       start_q;
+  logic                       busy_q;
+  logic                       fresh_q;  // the next step is the first of its segment
+  logic                       load_q;  // the present step is
+  logic                       take_segment_q;
+  logic                       go;
+  logic        [CoefBits-1:0] theta_q;
+  logic        [         5:0] lambda_q;
+  assign go = !busy_q && room_i && (segment_there || !fresh_q);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      fresh_q        <= 1'b1;
+      busy_q         <= 1'b0;
+      start_q        <= 1'b0;
+      take_segment_q <= 1'b0;
+    end else begin
+      if (done_o) fresh_q <= last_o;
+      if (go) busy_q <= 1'b1;
+      else if (done_o) busy_q <= 1'b0;
+      start_q        <= go;
+      take_segment_q <= go && fresh_q;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (start_q) load_q <= fresh_q;
+    if (take_segment_q) begin
+      theta_q  <= segment_theta;
+      k_o      <= segment_k;
+      lambda_q <= segment_lambda;
+    end
+  end
+
+  segment_loader #(
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .AuxAxes (AuxAxes)
+  ) u_loader (
+      .clk_i,
+      .rst_ni,
+      .valid_i(segment_valid_i),
+      .ready_o(segment_ready_o),
+      .data_i(segment_data_i),
+      .segment_valid_o(segment_there),
+      .take_i(take_segment_q),
+      .length_o(segment_length),
+      .theta_o(segment_theta),
+      .k_o(segment_k),
+      .lambda_o(segment_lambda),
+      .kind_o(unused_kind),
+      .empty_segments_o,
+      .rate_axis_i(rate_axis),
+      .tangent_o(a),
+      .normal_o(b),
+      .advance_o(c),
+      .point_axis_i(read_axis),
+      .start_o(segment_start),
+      .end_o(segment_end)
+  );
+
+  step_meter u_meter (
+      .clk_i,
+      .rst_ni,
+      .load_i(take_segment_q),
+      .length_i(segment_length),
+      .k_i(segment_k),
+      .next_i(start_q),
+      .last_o,
+      .offset_o,
+      .stride_o
+  );
+
+  logic        [         2:0] load_six_a;
+  logic        [         2:0] load_v;
+  logic        [         2:0] load_w;
+  logic                       load_phi;
+  logic                       load_q3;
+  logic                       load_r;
+  logic                       again;
+  logic                       start_network;
+  logic signed [CoefBits-1:0] word;
+  logic signed [CoefBits-1:0] phi_end;
+  logic signed [CoefBits-1:0] moved;
+  logic        [         4:0] difference;
+  logic        [         1:0] anchor_axis;
+  logic                       d_there;
+  logic        [         1:0] d_axis;
+  logic signed [CoefBits-1:0] d;
+  assign difference = lambda_q[4:0] - k_o;
+  spline_anchor #(
+      .CoefBits(CoefBits),
+      .Anchor(Anchor),
+      .Form(Form)
+  ) u_anchor (
+      .clk_i,
+      .rst_ni,
+      .begin_i(start_q),
+      .fresh_i(fresh_q),
+      .s_i(difference),
+      .theta_i(theta_q),
+      .phi_end_i(phi_end),
+      .moved_i(moved),
+      .axis_o(anchor_axis),
+      .a_i(a),
+      .b_i(b),
+      .c_i(c),
+      .load_six_a_o(load_six_a),
+      .load_v_o(load_v),
+      .load_w_o(load_w),
+      .load_phi_o(load_phi),
+      .load_q_o(load_q3),
+      .load_r_o(load_r),
+      .again_o(again),
+      .start_o(start_network),
+      .word_o(word),
+      .step_a_there_o(a_write_o),
+      .d_there_o(d_there),
+      .d_axis_o(d_axis),
+      .d_o(d)
+  );
+  assign a_o = word;
+
+  logic                unused_ready;
+  logic [CoefBits+4:0] vx;
+  logic [CoefBits+4:0] vy;
+  logic [CoefBits+4:0] vz;
+  logic [CoefBits+4:0] wx;
+  logic [CoefBits+4:0] wy;
+  logic [CoefBits+4:0] wz;
+  spline_network #(
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .Mode(Mode),
+      .Anchor(Anchor),
+      .Form(Form)
+  ) u_network (
+      .clk_i,
+      .rst_ni,
+      .load_six_a_i(load_six_a),
+      .load_v_i(load_v),
+      .load_w_i(load_w),
+      .load_phi_i(load_phi),
+      .load_q_i(load_q3),
+      .load_r_i(load_r),
+      .again_i(again),
+      .initial_i(word),
+      .start_i(start_network),
+      .ready_o(unused_ready),
+      .done_o,
+      .q_o,
+      .x_o,
+      .y_o,
+      .z_o,
+      .vx_o(vx),
+      .vy_o(vy),
+      .vz_o(vz),
+      .wx_o(wx),
+      .wy_o(wy),
+      .wz_o(wz),
+      .moved_o(moved),
+      .phi_end_o(phi_end)
+  );
+
+  // Order 0 of V and W is the sampler's.
+  cubic_words #(
+      .CoefBits(CoefBits)
+  ) u_cubic (
+      .clk_i,
+      .rst_ni,
+      .v_i({vz, vy, vx}),
+      .w_i({wz, wy, wx}),
+      .v_write_o,
+      .v_o,
+      .b_write_o,
+      .b_o
+  );
+
+  // Auxiliary axes pass by after the anchor has read the others.
+  logic [4:0] time_q;
+  logic       aux;
+  logic [3:0] aux_axis;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) time_q <= 5'd31;
+    else if (start_q) time_q <= 5'd1;
+    else if (time_q != 5'd31) time_q <= time_q + 5'd1;
+  end
+  assign aux       = time_q >= 5'd11 && time_q < 5'(11 + AuxAxes);
+  assign aux_axis  = time_q[3:0] - 4'd8;
+  assign rate_axis = aux ? aux_axis : {2'b00, anchor_axis};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) rate_valid_o <= 1'b0;
+    else rate_valid_o <= aux;
+  end
+  always_ff @(posedge clk_i) begin
+    rate_axis_o <= aux_axis;
+    advance_o   <= c;
+  end
+
+  logic                       origin_there;
+  logic        [         3:0] origin_axis;
+  logic signed [CoefBits-1:0] origin_d;
+  assign origin_there = rate_valid_o || d_there;
+  assign origin_axis  = d_there ? {2'b00, d_axis} : rate_axis_o;
+  assign origin_d     = d_there ? d : advance_o;
+  spline_origin #(
+      .CoefBits (CoefBits),
+      .FineBits (FineBits),
+      .GuardBits(GuardBits)
+  ) u_origin (
+      .clk_i,
+      .rst_ni,
+      .fresh_i(load_q),
+      .k_i(k_o),
+      .lambda_i(lambda_q[4:0]),
+      .there_i(origin_there),
+      .axis_i(origin_axis),
+      .d_i(origin_d),
+      .read_axis_o(read_axis),
+      .write_o(point_write_o),
+      .point_axis_o,
+      .segment_start_i(segment_start),
+      .origin_o
+  );
+  always_ff @(posedge clk_i) end_o <= segment_end;
+
+endmodule
+`default_nettype wire

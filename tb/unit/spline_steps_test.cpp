@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/network/spline_steps.sv equals hls::SplineKernel on every word of every integration step, for
+// the pieces of splines that the planner makes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "Vspline_steps.h"
+#include "hls/quantise.hpp"
+#include "hls/spline_kernel.hpp"
+#include "ref/plan/spline_segment.hpp"
+#include "tb/support/clocked_dut.hpp"
+#include "tb/support/port_word.hpp"
+#include "tb/support/spline_families.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+constexpr int kOrder = CFG_Order;
+constexpr int kBits = CFG_CoefBits;
+constexpr int kFine = CFG_FineBits;
+constexpr int kGuard = CFG_GuardBits;
+constexpr bool kSeries = CFG_Mode == 0;
+constexpr bool kAnchor = CFG_Anchor != 0;
+using Config =
+    hls::Configuration<kOrder, kBits, kFine - kGuard, kGuard, CFG_AuxAxes,
+                       kSeries ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial,
+                       kAnchor>;
+constexpr int kAxes = Config::kAxes;
+using Coef = hls::Word<kBits>;
+using Segment = hls::SegmentWords<Config>;
+
+/// The kernel with its words laid open.
+struct Kernel : hls::SplineKernel<Config> {
+    using Base = hls::SplineKernel<Config>;
+    using Base::advance_;
+    using Base::net_;
+    using Base::position_;
+    using Base::step_a_;
+    using Base::step_b_;
+};
+
+// As stated in the headers of the RTL.
+constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
+constexpr int kDigits = (kBits + 1) / 2;
+constexpr int kPause = kTop >= 2 ? std::max(0, 2 * kDigits - 32) : 0;
+constexpr int kRestQ = kOrder + kDigits + 4;
+constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 14) : kRestQ;
+constexpr int kNetwork = 9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause +
+                         (kAnchor ? kRest + 1 : 8 * kOrder + 29 - 3 * kOrder - 14);
+// Of the planner's error bound: coarse words and low orders would take very many pieces.
+const double kLimit = std::ldexp(0.1, std::max(0, 36 - kBits) + (kOrder < 4 ? 10 : 0));
+constexpr int kBegin = 2;  // after the step before
+
+class SplineSteps : public testing::Test {
+  protected:
+    SplineSteps() {
+        dut_->segment_valid_i = 0;
+        dut_->room_i = 1;
+        dut_.reset();
+        make_segments();
+    }
+
+    void make_segments() {
+        ref::WordFormat format;
+        format.order = kOrder;
+        format.coef_bits = kBits;
+        format.position_bits = kFine - kGuard;
+        format.guard_bits = kGuard;
+        SplineMaker maker(5);
+        std::mt19937_64 random(6);
+        for (const SplineFamily& family : spline_families()) {
+            const auto pieces = ref::split_spline(maker.next(family), format, kLimit);
+            int taken = 0;
+            for (const ref::Segment& piece : pieces) {
+                const double reach =
+                    std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
+                if (reach > std::ldexp(0.9, kFine - kGuard - 1)) continue;
+                if (piece.kind != ref::Segment::Kind::kSpline || ++taken > 12) continue;
+                Segment words = hls::to_words<Config>(piece);
+                // Steps beyond the first dozen show nothing new.
+                words.length = std::min<std::int64_t>(
+                    words.length, std::int64_t{12} << (words.step_exponent + 16));
+                for (int axis = 3; axis < kAxes; ++axis) {
+                    words.start[axis] = from_port(random(), kFine) / 4;
+                    words.end[axis] = from_port(random(), kFine) / 4;
+                    words.advance[axis] = from_port(random(), kBits) / 2;
+                }
+                segments_.push_back(words);
+            }
+        }
+    }
+
+    /// Bus words of the segments, as long as the RTL takes them.
+    void feed() {
+        if (bus_.empty() && fed_ < segments_.size()) {
+            std::uint64_t words[hls::segment_bus_words<Config>()];
+            hls::pack(segments_[fed_++], words);
+            bus_.assign(std::begin(words), std::end(words));
+        }
+        dut_->segment_valid_i = !bus_.empty();
+        if (!bus_.empty()) dut_->segment_data_i = bus_.front();
+        dut_.settle();
+        if (dut_->segment_valid_i && dut_->segment_ready_o) bus_.pop_front();
+    }
+
+    void check_term(std::uint64_t term, const Coef* series, int& last) {
+        if (term >> (kBits + 4) == 0) return;
+        ASSERT_EQ(static_cast<int>(term >> kBits & 15), last + 1);
+        ++last;
+        ASSERT_EQ(from_port(term, kBits), series[last]) << "order " << last;
+    }
+
+    /// All words between two done_o.
+    void follow(const Segment& segment, int clocks) {
+        int q = 0, x[3] = {}, a = 0, v = 0, b = 0, points = 0, rates = 0;
+        for (int cycle = 1;; ++cycle) {
+            feed();
+            dut_.tick();
+            dut_.settle();
+            check_term(dut_->q_o, kernel_.net_.q, q);
+            check_term(dut_->x_o, kernel_.net_.x[0], x[0]);
+            check_term(dut_->y_o, kernel_.net_.x[1], x[1]);
+            check_term(dut_->z_o, kernel_.net_.x[2], x[2]);
+            for (int k = 0; k < 3; ++k) {
+                if (dut_->a_write_o >> k & 1) {
+                    ASSERT_EQ(from_port(dut_->a_o, kBits), kernel_.step_a_[k]);
+                    ++a;
+                }
+                if (dut_->v_write_o >> k & 1) {
+                    ASSERT_EQ(signed_field(dut_->v_o, k * kBits, kBits), kernel_.net_.V[k][0]);
+                    ++v;
+                }
+                if (dut_->b_write_o >> k & 1) {
+                    ASSERT_EQ(signed_field(dut_->b_o, k * kBits, kBits), kernel_.step_b_[k]);
+                    ++b;
+                }
+            }
+            if (dut_->rate_valid_o) {
+                ASSERT_EQ(from_port(dut_->advance_o, kBits), kernel_.advance_[dut_->rate_axis_o]);
+                ++rates;
+            }
+            if (dut_->point_write_o) {
+                const int axis = dut_->point_axis_o;
+                ASSERT_EQ(from_port(dut_->origin_o, kFine), kernel_.position_[axis]) << axis;
+                ASSERT_EQ(from_port(dut_->end_o, kFine), segment.end[axis]) << axis;
+                ++points;
+            }
+            if (HasFatalFailure()) FAIL() << "cycle " << cycle;
+            ASSERT_LT(cycle, 3000);
+            if (!dut_->done_o) continue;
+            ASSERT_TRUE(clocks == 0 || cycle == clocks) << cycle;
+            break;
+        }
+        ASSERT_EQ(q, kOrder);
+        for (int order : x) ASSERT_EQ(order, kSeries ? kOrder : 0);
+        ASSERT_TRUE(a == 3 && v == 3 && b == 3) << a << v << b;
+        ASSERT_EQ(points, kAxes);
+        ASSERT_EQ(rates, kAxes - 3);
+        ASSERT_EQ(dut_->k_o, segment.step_exponent);
+    }
+
+    ClockedDut<Vspline_steps> dut_;
+    Kernel kernel_;
+    std::vector<Segment> segments_;
+    std::deque<std::uint64_t> bus_;
+    std::size_t fed_ = 0;
+};
+
+TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
+    ASSERT_GT(segments_.size(), 20U);
+    int steps = 0;
+    for (std::size_t n = 0; n < segments_.size(); ++n) {
+        const Segment& segment = segments_[n];
+        const std::int64_t full = std::int64_t{1} << (segment.step_exponent + 16);
+        std::int64_t rest = segment.length;
+        for (bool first = true; rest > 0; first = false, rest -= full) {
+            first ? kernel_.load(segment) : kernel_.step();
+            const int begin = kBegin + (kAnchor || first ? 89 : 2);
+            follow(segment, n == 0 && first ? 0 : begin + kNetwork);
+            ASSERT_FALSE(HasFatalFailure()) << "segment " << n << " rest " << rest;
+            const bool last = rest <= full;
+            ASSERT_EQ(dut_->last_o, last);
+            ASSERT_EQ(static_cast<std::int64_t>(dut_->offset_o), last ? rest : full - 1);
+            ++steps;
+        }
+    }
+    EXPECT_GT(steps, 100);
+}
+
+TEST_F(SplineSteps, WaitsForRoom) {
+    dut_->room_i = 0;
+    for (int cycle = 0; cycle < 1000; ++cycle) {
+        feed();
+        dut_.tick();
+        ASSERT_FALSE(dut_->done_o || dut_->rate_valid_o || dut_->a_write_o);
+    }
+    dut_->room_i = 1;
+    kernel_.load(segments_[0]);
+    follow(segments_[0], 0);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
