@@ -138,9 +138,12 @@ endforeach()
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)
   core_test(horner interval_${interval} TOP horner
-            PARAMS Passes=6 Lanes=3 Bits=36 Interval=${interval})
+            PARAMS Passes=6 Lanes=3 Bits=36 Shift=35 LastShift=35 Interval=${interval})
+  core_test(horner cubic_${interval} TOP horner
+            PARAMS Passes=3 Lanes=3 Bits=36 Shift=34 LastShift=35 Interval=${interval})
 endforeach()
-core_test(horner narrow TOP horner PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 Interval=4)
+core_test(horner narrow TOP horner
+          PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 LastShift=17 Interval=4)
 illegal_parameter_test(horner Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(horner Passes=13 "Passes must be in .1, 12.")
 
