@@ -176,6 +176,17 @@ foreach(core spherical_interpolator spherical_interpolator_serial)
   illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
 endforeach()
 
+# The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval.
+foreach(size 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
+        3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+  read_row(${size} order coef position guard aux mode anchor interval)
+  core_test(spline_interpolator
+            p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval}
+            TOP spline_interpolator LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+endforeach()
+
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)
   core_test(word_queue d${depth} TOP word_queue PARAMS Bits=48 Depth=${depth})
