@@ -138,9 +138,12 @@ endforeach()
 # Horner's rule, folded and not.
 foreach(interval 1 2 4 8)
   core_test(horner interval_${interval} TOP horner
-            PARAMS Passes=6 Lanes=3 Bits=36 Interval=${interval})
+            PARAMS Passes=6 Lanes=3 Bits=36 Shift=35 LastShift=35 Interval=${interval})
+  core_test(horner cubic_${interval} TOP horner
+            PARAMS Passes=3 Lanes=3 Bits=36 Shift=34 LastShift=35 Interval=${interval})
 endforeach()
-core_test(horner narrow TOP horner PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 Interval=4)
+core_test(horner narrow TOP horner
+          PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 LastShift=17 Interval=4)
 illegal_parameter_test(horner Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(horner Passes=13 "Passes must be in .1, 12.")
 
@@ -171,6 +174,17 @@ foreach(core spherical_interpolator spherical_interpolator_serial)
   illegal_parameter_test(${core} Mode=2 "Mode must be 0 or 1")
   illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
   illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
+endforeach()
+
+# The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval.
+foreach(size 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
+        3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+  read_row(${size} order coef position guard aux mode anchor interval)
+  core_test(spline_interpolator
+            p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval}
+            TOP spline_interpolator LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
 endforeach()
 
 # The path side: queue depth, interval between ticks.

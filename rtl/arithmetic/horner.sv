@@ -3,7 +3,7 @@
 //
 //     a = 0;  for p = 0 .. Passes-1:  a = floor((coefficient[p] + a) x / 2^Shift + 1/2);  d_o = a
 //
-// coefficient[0] is that of the highest power.  The coefficients live here, in banks: write a bank
+// with LastShift for the last pass.  coefficient[0] is that of the highest power.  The coefficients live here, in banks: write a bank
 // while no evaluation uses it, then name it in the low bits of an evaluation's tag.
 //
 // A multiplier per lane does Interval passes; there are ceil(Passes / Interval) of them.  `phase_i`
@@ -20,21 +20,23 @@
 // No overflow as long as every a and every sum fits Bits: see to it when writing coefficients.
 `default_nettype none
 module horner #(
-    parameter int Passes   = 6,   // [1, 12]
-    parameter int Lanes    = 1,   // [1, 6]
-    parameter int Bits     = 36,  // [18, 36]
-    parameter int Shift    = 35,  // [17, 35]
-    parameter int Interval = 1,   // 1, 2, 4, 8
-    parameter int BankBits = 2,   // [1, 5]
-    parameter int TagBits  = 2,   // [BankBits, 28]
-    parameter int Form     = 0    // 0 portable, 1 ECP5, 2 UP5K
+    parameter int Passes    = 6,      // [1, 12]
+    parameter int Lanes     = 1,      // [1, 6]
+    parameter int Bits      = 36,     // [18, 36]
+    parameter int Shift     = 35,     // [17, 35]
+    parameter int LastShift = Shift,  // [17, 35]
+    parameter int Interval  = 1,      // 1, 2, 4, 8
+    parameter int BankBits  = 2,      // [1, 5]
+    parameter int TagBits   = 2,      // [BankBits, 28]
+    parameter int Form      = 0       // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
     input wire logic en_i,
 
-    // Coefficients of one pass, all lanes, lane 0 in the low bits
+    // Coefficients of one pass, of the lanes named, lane 0 in the low bits
     input wire logic                  write_i,
+    input wire logic [     Lanes-1:0] write_lanes_i,
     input wire logic [  BankBits-1:0] write_bank_i,
     input wire logic [           3:0] write_pass_i,
     input wire logic [Lanes*Bits-1:0] write_coef_i,
@@ -53,6 +55,9 @@ module horner #(
   initial if (Lanes < 1 || Lanes > 6) $fatal(1, "Lanes must be in [1, 6]");
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
   initial if (Shift < 17 || Shift >= Bits) $fatal(1, "Shift must be in [17, Bits - 1]");
+  initial
+    if (LastShift != Shift && Interval == 2 && Passes % 2 == 0)
+      $fatal(1, "LastShift needs the last pass alone in its stage");
   initial if (BankBits < 1 || BankBits > 5) $fatal(1, "BankBits must be in [1, 5]");
   initial if (TagBits < BankBits || TagBits > 28) $fatal(1, "TagBits must be in [BankBits, 28]");
   initial
@@ -143,10 +148,16 @@ module horner #(
       assign address       = slot_word[Bits+:BankBits];
     end
 
+    // The last pass is alone in its stage up to Interval = 2, else it has its phase.
+    localparam int Own = (s == Stages - 1 && Interval <= 2) ? LastShift : Shift;
+    localparam int Other = (s == Stages - 1) ? LastShift : Shift;
+    logic last;
+    assign last = phase == 3'((Passes - 1) % Interval);
     for (genvar l = 0; l < Lanes; l++) begin : g_lane
       horner_stage #(
           .Bits(Bits),
-          .Shift(Shift),
+          .Shift(Own),
+          .LastShift(Other),
           .Address(Address),
           .Interval(Interval),
           .First(s == 0 ? 1 : 0),
@@ -154,11 +165,12 @@ module horner #(
       ) u_stage (
           .clk_i,
           .en_i,
-          .write_i(write),
+          .write_i(write && write_lanes_i[l]),
           .write_address_i(write_address),
           .write_coef_i(write_coef_i[l*Bits+:Bits]),
           .address_i(address),
           .first_i(first),
+          .last_i(last),
           .x_i(x),
           .previous_i(late[s*Lanes+l]),
           .late_o(late[(s+1)*Lanes+l])

@@ -16,12 +16,13 @@
 // the address, which comes from a wide choice.
 `default_nettype none
 module horner_stage #(
-    parameter int Bits     = 36,  // [18, 36]
-    parameter int Shift    = 35,  // [0, 35]
-    parameter int Address  = 2,   // [1, 8] coefficients: Interval passes of every bank
-    parameter int Interval = 1,   // 1, 2, 4, 8 passes
-    parameter int First    = 1,   // 1: no stage before
-    parameter int Form     = 0    // of the multiplier
+    parameter int Bits      = 36,     // [18, 36]
+    parameter int Shift     = 35,     // [0, 35]
+    parameter int LastShift = Shift,  // [1, 35] where last_i says so; Interval > 2
+    parameter int Address   = 2,      // [1, 8] coefficients: Interval passes of every bank
+    parameter int Interval  = 1,      // 1, 2, 4, 8 passes
+    parameter int First     = 1,      // 1: no stage before
+    parameter int Form      = 0       // of the multiplier
 ) (
     input wire logic clk_i,
     input wire logic en_i,
@@ -34,6 +35,7 @@ module horner_stage #(
     // Passes
     input  wire logic        [Address-1:0] address_i,
     input  wire logic                      first_i,
+    input  wire logic                      last_i,      // Loop - 1 clocks after its address
     input  wire logic signed [   Bits-1:0] x_i,
     input  wire logic signed [   Bits-1:0] previous_i,
     output logic signed      [   Bits-1:0] late_o
@@ -91,11 +93,13 @@ module horner_stage #(
     if (en_i) accumulator_q <= coef_q + sum;
   end
 
-  logic signed [2*Bits-Shift-1:0] product;
+  localparam int Mixed = (Interval > 2 && LastShift != Shift) ? 1 : 0;
+  localparam int ProductShift = (Mixed != 0) ? 0 : Shift;
+  logic signed [2*Bits-ProductShift-1:0] product;
   multiplier #(
       .ABits(Bits),
       .BBits(Bits),
-      .Shift(Shift),
+      .Shift(ProductShift),
       .Form (Form)
   ) u_multiplier (
       .clk_i,
@@ -104,15 +108,34 @@ module horner_stage #(
       .b_i(x_i),
       .product_o(product)
   );
-  logic signed [Bits-1:0] pass;
-  assign pass = product[Bits-1:0];
 
-  if (Interval > 2) begin : g_late
+  if (Mixed != 0) begin : g_mixed
+    // Of two shifts: the exact product from the bit of one half upwards, rounded here.
+    logic signed [Bits:0] plain;
+    logic signed [Bits:0] last;
+    logic signed [Bits:0] halves;
+    logic signed [Bits:0] one;
+    logic signed [Bits:0] rounded;
+    assign plain   = product[Shift-1+:Bits+1];
+    assign last    = product[LastShift-1+:Bits+1];
+    assign halves  = last_i ? last : plain;
+    assign one     = (Bits + 1)'(2'sd1);
+    assign rounded = halves + one;
     always_ff @(posedge clk_i) begin
-      if (en_i) late_o <= pass;
+      if (en_i) late_o <= rounded[Bits:1];
     end
-  end else begin : g_direct
-    assign late_o = pass;
+  end else begin : g_rounded
+    logic unused_last;
+    logic signed [Bits-1:0] pass;
+    assign unused_last = last_i;
+    assign pass = product[Bits-1:0];
+    if (Interval > 2) begin : g_late
+      always_ff @(posedge clk_i) begin
+        if (en_i) late_o <= pass;
+      end
+    end else begin : g_direct
+      assign late_o = pass;
+    end
   end
 
 endmodule

@@ -166,6 +166,7 @@ module path_generator #(
       .rst_ni,
       .en_i(1'b1),
       .write_i(coef_write),
+      .write_lanes_i({1{1'b1}}),
       .write_bank_i(next_bank),
       .write_pass_i(coef_pass),
       .write_coef_i(coef),

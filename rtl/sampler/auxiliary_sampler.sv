@@ -64,6 +64,7 @@ module auxiliary_sampler #(
         .rst_ni,
         .en_i(1'b1),
         .write_i(write),
+        .write_lanes_i({1{1'b1}}),
         .write_bank_i(bank_i),
         .write_pass_i(4'd0),
         .write_coef_i(advance_i),

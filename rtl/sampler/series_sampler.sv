@@ -112,6 +112,7 @@ module series_sampler #(
       .rst_ni,
       .en_i(1'b1),
       .write_i(write_q),
+      .write_lanes_i({3{1'b1}}),
       .write_bank_i(write_bank_q),
       .write_pass_i(write_pass_q),
       .write_coef_i({write_z_q, write_y_q, write_x_q}),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench for either build of the arc core against hls::InterpolatorKernel: segments and requests
-// go in, samples are compared bit for bit.
+// A bench for a core that draws one kind of curve against hls::InterpolatorKernel: segments and
+// requests go in, samples are compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,10 @@ namespace curvecore::tb {
 
 using Fine = std::array<int64_t, kAxes>;
 
-template <class Model>
+/// Kernel: of the curve; Shapes: its segments, `next()` and `whole(k, steps)`.
+/// Rounds: of 500 samples.
+template <class Model, class Kernel = hls::SphericalKernel<Config>,
+          class Shapes = LegalSegments<Config>, int Rounds = 60>
 class ArcCoreBench : public testing::Test {
   protected:
     ArcCoreBench() {
@@ -42,7 +45,7 @@ class ArcCoreBench : public testing::Test {
     /// What the kernel says of a request; `more()` adds segments when the path needs them.
     template <class More>
     Fine predict(int64_t ds, More&& more) {
-        std::array<typename hls::InterpolatorKernel<Config>::Fine, kAxes> fine;
+        std::array<typename hls::InterpolatorKernel<Config, Kernel>::Fine, kAxes> fine;
         kernel_.sample(
             ds,
             [&] {
@@ -155,9 +158,9 @@ class ArcCoreBench : public testing::Test {
 
     /// Random requests over random segments, at full speed and with stalls on all three ports.
     void equals_kernel_with_random_stalls() {
-        LegalSegments<Config> shapes(11);
+        Shapes shapes(11);
         const auto more = [&] { add(shapes.next()); };
-        constexpr int kRounds = kPortable ? 60 : 8;
+        constexpr int kRounds = kPortable ? Rounds : 8;
         for (int round = 0; round < kRounds; ++round) {
             const int part = round % 4;  // 0: full speed
             const auto chance = [&] {
@@ -178,7 +181,7 @@ class ArcCoreBench : public testing::Test {
 
     /// Nothing is lost while nobody takes samples.
     void holds_its_sample_while_stalled() {
-        LegalSegments<Config> shapes(5);
+        Shapes shapes(5);
         add(shapes.whole(6, 2));
         for (int n = 0; n < 400; ++n) {
             requests_.push_back(10 * n);
@@ -206,7 +209,7 @@ class ArcCoreBench : public testing::Test {
     /// After two clocks of reset, whatever was under way, it is a fresh core: every output in every
     /// clock.
     void starts_afresh_after_a_reset() {
-        LegalSegments<Config> shapes(3);
+        Shapes shapes(3);
         const auto run = [&](uint64_t clocks) {
             for (; clocks > 0 && !this->HasFatalFailure(); --clocks) {
                 if (requests_.empty()) {
@@ -230,7 +233,7 @@ class ArcCoreBench : public testing::Test {
 
     ClockedDut<Model> dut_;
     std::unique_ptr<ClockedDut<Model>> fresh_;  // gets the same inputs, must give the same outputs
-    hls::InterpolatorKernel<Config> kernel_;
+    hls::InterpolatorKernel<Config, Kernel> kernel_;
     std::mt19937_64 random_{7};
     std::vector<hls::SegmentWords<Config>> segments_;
     size_t drawn_ = 0;      // segments that the kernel has taken

@@ -17,7 +17,8 @@ constexpr int kPasses = CFG_Passes;
 constexpr int kLanes = CFG_Lanes;
 constexpr int kInterval = CFG_Interval;
 constexpr int kBits = CFG_Bits;
-constexpr int kShift = kBits - 1;
+constexpr int kShift = CFG_Shift;
+constexpr int kLastShift = CFG_LastShift;
 constexpr int kBanks = 4;
 constexpr int kLoop = kInterval == 1 ? 6 : kInterval == 2 ? 7 : 9;
 constexpr int kLatency = kPasses * kLoop + (kInterval == 1 ? 1 : 0);
@@ -40,6 +41,7 @@ class Horner : public testing::Test {
                 set_field(dut_->write_coef_i, lane * kBits, kBits, coef_[bank][pass][lane]);
             }
             dut_->write_i = 1;
+            dut_->write_lanes_i = (1 << CFG_Lanes) - 1;
             dut_->write_bank_i = bank;
             dut_->write_pass_i = pass;
             clock(false);
@@ -50,7 +52,9 @@ class Horner : public testing::Test {
     int64_t expected(int bank, int lane, int64_t x) const {
         int64_t d = 0;
         for (int pass = 0; pass < kPasses; ++pass) {
-            d = hls::rounded_product<kBits, kShift>(d + coef_[bank][pass][lane], x);
+            const int64_t sum = d + coef_[bank][pass][lane];
+            d = pass < kPasses - 1 ? hls::rounded_product<kBits, kShift>(sum, x)
+                                   : hls::rounded_product<kBits, kLastShift>(sum, x);
         }
         return d;
     }
