@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the sampler needs of V and W: their terms of order 0, and B' = floor(W / 8 + 1/2).
 //
-<<<<<<< HEAD
-//   cycle          0                          1
-//   v_i, w_i       terms of X, Y, Z
-//   v_write_o      the axes whose V it is     v_o
-//   b_write_o                                 b_o: likewise a clock after w_i
-=======
 //   cycle          0                    1                            2
 //   v_i, w_i       terms of X, Y, Z
 //   v_write_o                           the axes of v_o
 //   b_write_o                                                        the axes of b_o
->>>>>>> 84f53adab3a5d9310f75c884aa29f7313237a44b
 `default_nettype none
 module cubic_words #(
     parameter int CoefBits = 36  // [18, 36]
@@ -35,28 +28,12 @@ module cubic_words #(
     logic signed [CoefBits:0] quarters;  // of W: floor(W / 4)
     logic signed [CoefBits:0] one;
     logic signed [CoefBits:0] rounded;
-<<<<<<< HEAD
-=======
     logic signed [CoefBits:0] quarters_q;
     logic there_q;
->>>>>>> 84f53adab3a5d9310f75c884aa29f7313237a44b
     assign v        = v_i[k*TermBits+:TermBits];
     assign w        = w_i[k*TermBits+:TermBits];
     assign quarters = {{3{w[CoefBits-1]}}, w[CoefBits-1:2]};
     assign one      = (CoefBits + 1)'(2'sd1);
-<<<<<<< HEAD
-    assign rounded  = quarters + one;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        v_write_o[k] <= 1'b0;
-        b_write_o[k] <= 1'b0;
-      end else begin
-        v_write_o[k] <= v[TermBits-1] && v[TermBits-2:CoefBits] == 4'd0;
-        b_write_o[k] <= w[TermBits-1] && w[TermBits-2:CoefBits] == 4'd0;
-      end
-    end
-    always_ff @(posedge clk_i) begin
-=======
     assign rounded  = quarters_q + one;
     always_ff @(posedge clk_i) begin
       if (!rst_ni) begin
@@ -71,7 +48,6 @@ module cubic_words #(
     end
     always_ff @(posedge clk_i) begin
       quarters_q <= quarters;
->>>>>>> 84f53adab3a5d9310f75c884aa29f7313237a44b
       v_o[k*CoefBits+:CoefBits] <= v[CoefBits-1:0];
       b_o[k*CoefBits+:CoefBits] <= rounded[CoefBits:1];
     end
