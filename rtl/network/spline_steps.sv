@@ -14,8 +14,8 @@
 //   q_o                         93 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
 //   done_o                      89 + the network's   last_o, k_o, offset_o, stride_o are the step's
 //
-// The network's clocks: rtl/control/spline_sequencer.sv.  Order 6, CoefBits 36, polynomial: 303.  With
-// Anchor 0 2 + its clocks but for a segment's first step.
+// The network's clocks: rtl/control/spline_sequencer.sv.  Order 6, CoefBits 36, polynomial: 303.
+// With Anchor 0 2 + its clocks but for a segment's first step.
 `default_nettype none
 module spline_steps #(
     parameter int Order     = 6,   // [2, 12]
