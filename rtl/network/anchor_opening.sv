@@ -47,7 +47,7 @@ module anchor_opening #(
 
   logic        [     1:0] turn_q;
   logic        [     1:0] before_turn_q;
-  logic                   there_q;
+  logic                   there;
   logic        [     1:0] row;
   logic signed [Bits-1:0] b_q;
   logic signed [Bits-1:0] c_q;
@@ -56,12 +56,21 @@ module anchor_opening #(
   logic signed [Bits-1:0] v_q;
   logic signed [Bits-1:0] v_moved;
   logic signed [Bits-1:0] phi;
+  logic        [     7:0] time_copy;  // a clock late
+  local_copy #(
+      .Bits(8)
+  ) u_time (
+      .clk_i,
+      .data_i(time_i),
+      .data_o(time_copy)
+  );
+  assign there           = time_copy >= 8'd1 && time_copy <= 8'd9;
   assign twice_a         = {a_o[Bits-2:0], 1'b0};
   assign twice_c         = {c_q[Bits-2:0], 1'b0};
   assign v_moved         = v_q + moved_i;
   assign phi             = fresh_i ? theta_i : phi_end_i;
-  assign three_a_there_o = there_q && before_turn_q == 2'd1;
-  assign a_there_o       = there_q && before_turn_q == 2'd2;
+  assign three_a_there_o = there && before_turn_q == 2'd1;
+  assign a_there_o       = there && before_turn_q == 2'd2;
   always_ff @(posedge clk_i) begin
     if (begin_i) begin
       axis_o <= 2'd0;
@@ -70,14 +79,13 @@ module anchor_opening #(
       turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
       if (turn_q == 2'd2) axis_o <= axis_o + 2'd1;
     end
-    there_q       <= time_i >= 8'd1 && time_i <= 8'd9;
     there_axis_o  <= axis_o;
     before_turn_q <= turn_q;
     a_o           <= a_i;
     b_q           <= b_i;
     c_q           <= c_i;
     three_a_o     <= a_o + twice_a;
-    if (time_i == 8'd5) v_q <= fresh_i ? '0 : v_moved;
+    if (time_copy == 8'd4) v_q <= fresh_i ? '0 : v_moved;
   end
 
   assign row = before_turn_q - 2'd1;
@@ -85,17 +93,17 @@ module anchor_opening #(
     a_write_o = three_a_there_o || a_there_o;
     a_place_o = {row, there_axis_o};
     a_word_o  = a_there_o ? a_o : three_a_o;
-    b_write_o = time_i == 8'd6;
+    b_write_o = time_copy == 8'd5;
     b_place_o = 3'd3;
     b_word_o  = v_q;
-    c_write_o = there_q;
+    c_write_o = there;
     c_place_o = {row, there_axis_o};
     c_word_o  = a_there_o ? c_q : b_q;
     if (before_turn_q == 2'd0) begin
       c_place_o = {2'd2, there_axis_o};
       c_word_o  = twice_c;
     end
-    if (time_i == 8'd11) begin
+    if (time_copy == 8'd10) begin
       a_write_o = 1'b1;
       a_place_o = 4'd15;
       a_word_o  = phi;

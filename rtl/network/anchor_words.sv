@@ -9,7 +9,7 @@
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
 //   slope_there_i with result_i           1                          load_w, word_o
 //
-// scaled_o: moved_i / 2^s in cycle 5 of time_i.  start_o in cycle 89; with quiet_i in cycle 2.
+// scaled_o: moved_i / 2^s in cycle 5 of time_i.  start_o in cycle 89; with quiet_i in cycle 3.
 `default_nettype none
 module anchor_words #(
     parameter int CoefBits = 36  // [18, 36]
@@ -125,6 +125,15 @@ module anchor_words #(
   assign minus_three  = two - three_q;
   always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
 
+  logic [7:0] time_copy;  // a clock late
+  local_copy #(
+      .Bits(8)
+  ) u_time (
+      .clk_i,
+      .data_i(time_i),
+      .data_o(time_copy)
+  );
+
   logic       from_scale;
   logic [2:0] scaled_axis;
   logic [2:0] result_axis;
@@ -150,8 +159,8 @@ module anchor_words #(
       load_phi_o     <= phi_there_i && !quiet_i;
       load_q_o       <= q_there_i && !quiet_i;
       load_r_o       <= square_q && !quiet_i;
-      again_o        <= quiet_i && time_i == 8'd1;
-      start_o        <= time_i == (quiet_i ? 8'd1 : 8'd88);
+      again_o        <= quiet_i && time_copy == 8'd1;
+      start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd87;
     end
   end
   always_ff @(posedge clk_i) begin

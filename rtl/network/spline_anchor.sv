@@ -16,7 +16,7 @@
 //   d_there_o                                                            1   1   1   d_o of d_axis_o
 //
 // phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With Anchor = 0 only a segment's first step has
-// the loads from V on; else again_o and start_o come in cycle 2.
+// the loads from V on; else again_o and start_o come in cycle 3.
 // Every operation is a sum of products (folded_sum), rounded once, and an addition.
 `default_nettype none
 module spline_anchor #(
