@@ -2,8 +2,8 @@
 // Positions along splines at constant path speed, one per request: [Chikurov] Fig. 10.
 // Twin: hls/interpolator_kernel.hpp with hls/spline_kernel.hpp, bit for bit.
 //
-//   segment words -> loader -> anchor -> network (steps ahead) -> banks -> sampler -> lander -> samples
-//   requests ----------------> step tracker -> offset ----------------------^
+//   segment words -> loader -> anchor -> network (steps ahead) -> banks -> sampler -> lander ->
+//   requests ------> step tracker -> offset ---------------------------------^         samples
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
 // order.  It waits until the step it leads to is there.
@@ -16,7 +16,8 @@
 //   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
-// Segments of other kinds are not for this core.  Reset: two clocks or more.  Formats: hls/words.hpp.
+// Segments of other kinds are not for this core.  Reset: two clocks or more.
+// Formats: hls/words.hpp.
 `default_nettype none
 module spline_interpolator #(
     parameter int Order          = 6,   // [2, 12]

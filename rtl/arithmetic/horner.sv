@@ -3,8 +3,9 @@
 //
 //     a = 0;  for p = 0 .. Passes-1:  a = floor((coefficient[p] + a) x / 2^Shift + 1/2);  d_o = a
 //
-// with LastShift for the last pass.  coefficient[0] is that of the highest power.  The coefficients live here, in banks: write a bank
-// while no evaluation uses it, then name it in the low bits of an evaluation's tag.
+// with LastShift for the last pass.  coefficient[0] is that of the highest power.  The coefficients
+// live here, in banks: write a bank while no evaluation uses it, then name it in the low bits of an
+// evaluation's tag.
 //
 // A multiplier per lane does Interval passes; there are ceil(Passes / Interval) of them.  `phase_i`
 // counts enabled clocks modulo Interval; an evaluation enters in phase 0.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word of one scale in another:  y = floor(x 2^Lift / 2^shift + 1/2),  Lift 4 with wide_i, else 1.
+// A word of one scale in another:
+//
+//     y = floor(x 2^Lift / 2^shift + 1/2)      Lift 4 with wide_i, else 1
 //
 //   cycle    0                   3
 //   x_i, wide_i, shift_i         y_o        shift in [0, 57]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and go
-// into its memories; then v and phi.
+// The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and
+// go into its memories; then v and phi.
 //
 //   time_i    1 .. 9            2 .. 10                          6      11
 //   axis_o    0 0 0 1 1 1 ..

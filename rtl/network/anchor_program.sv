@@ -5,7 +5,7 @@
 //   time_i          t       t+1 .. t+4              t: two more than the table below has
 //   op_o                    the operation, op_axis_o its axis
 //   run_o                   1
-//   part_o, pass_o          0 .. 3, 0               as folded_sum wants them; pass_o counts N's axes
+//   part_o, pass_o          0 .. 3, 0               for folded_sum; pass_o counts N's axes
 //   end_o                              1
 `default_nettype none
 module anchor_program (

@@ -13,10 +13,11 @@
 //   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
 //   step_a_there_o                a'                                                 with word_o
 //   start_o                                             1
-//   d_there_o                                                            1   1   1   d_o of d_axis_o
+//   d_there_o                                                            1   1   1   d_o, d_axis_o
 //
-// phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With Anchor = 0 only a segment's first step has
-// the loads from V on; else again_o and start_o come in cycle 3.
+// phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With
+// Anchor = 0 only a segment's first step has the loads from V on; else again_o and start_o
+// come in cycle 3.
 // Every operation is a sum of products (folded_sum), rounded once, and an addition.
 `default_nettype none
 module spline_anchor #(

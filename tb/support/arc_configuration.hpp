@@ -15,8 +15,9 @@
 
 namespace curvecore::tb {
 
-using Config = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits,
-                                  CFG_AuxAxes, static_cast<hls::SamplerMode>(CFG_Mode), CFG_Anchor != 0>;
+using Config =
+    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
+                       static_cast<hls::SamplerMode>(CFG_Mode), CFG_Anchor != 0>;
 constexpr bool kPortable = CFG_MultiplierForm == 0;  // models of DSP primitives simulate slowly
 constexpr int kAxes = Config::kAxes;
 constexpr int kFineBits = Config::kFineBits;
