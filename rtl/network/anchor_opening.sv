@@ -2,7 +2,7 @@
 // The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and
 // go into its memories; then v and phi.
 //
-//   time_i    1 .. 9            2 .. 10                          6      11
+//   time_i    1 .. 9            2 .. 10                          7      11
 //   axis_o    0 0 0 1 1 1 ..
 //   writes                      2c | 3a, b | a, c of an axis     v      phi
 //
@@ -21,7 +21,7 @@ module anchor_opening #(
     input wire logic                   fresh_i,    // v = 0, phi = theta
     input wire logic signed [Bits-1:0] theta_i,
     input wire logic signed [Bits-1:0] phi_end_i,
-    input wire logic signed [Bits-1:0] moved_i,    // in time 5: what v grows by
+    input wire logic signed [Bits-1:0] moved_i,    // in time 6: what v grows by
 
     output logic             [     1:0] axis_o,
     input  wire logic signed [Bits-1:0] a_i,
@@ -85,7 +85,7 @@ module anchor_opening #(
     b_q           <= b_i;
     c_q           <= c_i;
     three_a_o     <= a_o + twice_a;
-    if (time_copy == 8'd4) v_q <= fresh_i ? '0 : v_moved;
+    if (time_copy == 8'd5) v_q <= fresh_i ? '0 : v_moved;
   end
 
   assign row = before_turn_q - 2'd1;
@@ -93,7 +93,7 @@ module anchor_opening #(
     a_write_o = three_a_there_o || a_there_o;
     a_place_o = {row, there_axis_o};
     a_word_o  = a_there_o ? a_o : three_a_o;
-    b_write_o = time_copy == 8'd5;
+    b_write_o = time_copy == 8'd6;
     b_place_o = 3'd3;
     b_word_o  = v_q;
     c_write_o = there;

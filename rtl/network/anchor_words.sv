@@ -3,13 +3,13 @@
 //
 //     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
 //
-//   cycle                                 0    1    2       4        5
+//   cycle                                 0    1    2       5        6
 //   v, phi, q_there_i with result_i       1    load, word_o
 //   square_there_i with result_i          1         load_r, word_o
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
 //   slope_there_i with result_i           1                          load_w, word_o
 //
-// scaled_o: moved_i / 2^s in cycle 5 of time_i.  start_o in cycle 89; with quiet_i in cycle 3.
+// scaled_o: moved_i / 2^s in cycle 6 of time_i.  start_o in cycle 89; with quiet_i in cycle 3.
 `default_nettype none
 module anchor_words #(
     parameter int CoefBits = 36  // [18, 36]
@@ -92,25 +92,26 @@ module anchor_words #(
       .y_o(scaled_o)
   );
 
-  logic [2:0] slope_scaled_q;
-  logic [2:0] three_a_scaled_q;
-  logic [2:0] a_scaled_q;
-  logic [1:0] axis_q[3];
+  logic [3:0] slope_scaled_q;
+  logic [3:0] three_a_scaled_q;
+  logic [3:0] a_scaled_q;
+  logic [1:0] axis_q[4];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_scaled_q   <= 3'd0;
-      three_a_scaled_q <= 3'd0;
-      a_scaled_q       <= 3'd0;
+      slope_scaled_q   <= 4'd0;
+      three_a_scaled_q <= 4'd0;
+      a_scaled_q       <= 4'd0;
     end else begin
-      slope_scaled_q   <= {slope_scaled_q[1:0], slope_q};
-      three_a_scaled_q <= {three_a_scaled_q[1:0], three_a_there_i};
-      a_scaled_q       <= {a_scaled_q[1:0], a_there_i};
+      slope_scaled_q   <= {slope_scaled_q[2:0], slope_q};
+      three_a_scaled_q <= {three_a_scaled_q[2:0], three_a_there_i};
+      a_scaled_q       <= {a_scaled_q[2:0], a_there_i};
     end
   end
   always_ff @(posedge clk_i) begin
     axis_q[0] <= slope_q ? result_axis_q : open_axis_i;
     axis_q[1] <= axis_q[0];
     axis_q[2] <= axis_q[1];
+    axis_q[3] <= axis_q[2];
   end
 
   // floor(-3 S / 4 + 1/2)
@@ -137,8 +138,8 @@ module anchor_words #(
   logic       from_scale;
   logic [2:0] scaled_axis;
   logic [2:0] result_axis;
-  assign from_scale  = slope_scaled_q[2] || three_a_scaled_q[2] || a_scaled_q[2];
-  assign scaled_axis = 3'b001 << axis_q[2];
+  assign from_scale  = slope_scaled_q[3] || three_a_scaled_q[3] || a_scaled_q[3];
+  assign scaled_axis = 3'b001 << axis_q[3];
   assign result_axis = 3'b001 << result_axis_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -152,10 +153,10 @@ module anchor_words #(
       start_o        <= 1'b0;
       step_a_there_o <= 3'd0;
     end else begin
-      load_six_a_o   <= three_a_scaled_q[2] ? scaled_axis : 3'd0;
-      step_a_there_o <= a_scaled_q[2] ? scaled_axis : 3'd0;
+      load_six_a_o   <= three_a_scaled_q[3] ? scaled_axis : 3'd0;
+      step_a_there_o <= a_scaled_q[3] ? scaled_axis : 3'd0;
       load_v_o       <= (v_there_i && !quiet_i) ? result_axis : 3'd0;
-      load_w_o       <= (slope_scaled_q[2] && !quiet_i) ? scaled_axis : 3'd0;
+      load_w_o       <= (slope_scaled_q[3] && !quiet_i) ? scaled_axis : 3'd0;
       load_phi_o     <= phi_there_i && !quiet_i;
       load_q_o       <= q_there_i && !quiet_i;
       load_r_o       <= square_q && !quiet_i;

@@ -6,8 +6,8 @@
 // A step starts when there is room for it.  Cycles from begin (start_q) on:
 //
 //   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
-//   a_write_o                   8, 11, 14            a_o = a' of the axis
-//   v_write_o, b_write_o        36 .. 79             v_o = V, b_o = B' = W / 8 of the axes;
+//   a_write_o                   9, 12, 15            a_o = a' of the axis
+//   v_write_o, b_write_o        36 .. 80             v_o = V, b_o = B' = W / 8 of the axes;
 //                                                    Anchor 0: 5, 6 in all but the first step
 //   origin_o of point_axis_o    15 .. 14 + AuxAxes   point_write_o, with end_o: auxiliary axes,
 //                               127, 131, 135        X, Y, Z
