@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The benchmarks, one run: the kernel beside the same loop by hand, the demo part through the RTL at
-# 100,000 samples a second, the paper's table. Prints rows and writes build/bench.json.
+# 100,000 samples a second, the papers' tables. Prints rows and writes build/bench.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
@@ -9,10 +9,13 @@ PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)"
 mkdir -p build/bench build/figures
-build/release/tb/bench/kernel_bench --benchmark_repetitions=3 \
-  --benchmark_report_aggregates_only=true \
-  --benchmark_out=build/bench/kernel.json --benchmark_out_format=json
+for bench in kernel spline; do
+  "build/release/tb/bench/${bench}_bench" --benchmark_repetitions=3 \
+    --benchmark_report_aggregates_only=true \
+    --benchmark_out="build/bench/$bench.json" --benchmark_out_format=json
+done
 build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
+build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
 for build in parallel serial; do
   rm -rf "build/bench/$build"
   build/curvecore run tb/data/demo.ngc -o "build/bench/$build" --build "$build" \

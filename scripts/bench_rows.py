@@ -10,7 +10,11 @@ BENCH = pathlib.Path(__file__).resolve().parent.parent / "build" / "bench"
 
 def kernel_rates():
     """Median samples per second of each loop."""
-    runs = json.loads((BENCH / "kernel.json").read_text())["benchmarks"]
+    runs = [
+        run
+        for bench in ("kernel", "spline")
+        for run in json.loads((BENCH / f"{bench}.json").read_text())["benchmarks"]
+    ]
     return {
         run["run_name"]: run["items_per_second"]
         for run in runs
@@ -20,12 +24,22 @@ def kernel_rates():
 
 def main():
     rate = kernel_rates()
-    dense, sparse = rate["kernel/samples_per_step/64"], rate["kernel/samples_per_step/1"]
-    rows = [
-        ("kernel, one core, 64 samples per step", f"{dense / 1e6:.1f} M samples/s"),
-        ("kernel / the same loop by hand", f"{dense / rate['by_hand/samples_per_step/64']:.2f}"),
-        ("kernel, one core, 1 sample per step", f"{sparse / 1e6:.1f} M samples/s"),
-    ]
+    ratio = rate["kernel/samples_per_step/64"] / rate["by_hand/samples_per_step/64"]
+    rows = [("kernel, arcs / the same loop by hand, 64 samples per step", f"{ratio:.2f}")]
+    loops = (
+        ("arcs", "kernel"),
+        ("splines, polynomial mode", "spline_polynomial"),
+        ("splines, series mode", "spline_series"),
+    )
+    for curves, loop in loops:
+        for samples in (64, 1):
+            measured = rate[f"{loop}/samples_per_step/{samples}"] / 1e6
+            rows.append(
+                (
+                    f"kernel, {curves}, one core, samples per step: {samples}",
+                    f"{measured:.1f} M samples/s",
+                )
+            )
     for build in ("parallel", "serial"):
         report = json.loads((BENCH / build / "report.json").read_text())
         clocks = report["simulation_clocks_per_second"]

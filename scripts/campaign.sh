@@ -22,6 +22,7 @@ printf '%s\n' "${benches[@]}" | xargs -P "$(nproc)" -I{} sh -c \
    {} >$log 2>&1 || echo "FAILED: {}"
    grep -H "words differ" $log'
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
+build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
 
 python3 - <<'PYTHON'

@@ -10,6 +10,7 @@ measured keeps the text it has.
 """
 
 import argparse
+import functools
 import json
 import pathlib
 import re
@@ -68,6 +69,43 @@ def accuracy():
     )
 
 
+def splines():
+    data = load("figures/splines.json")
+    if data is None:
+        return None
+    rows = [
+        (
+            r["family"],
+            f"{r['curves']:,}",
+            f"{r['worst_rounded']:.3f}",
+            f"{r['worst_unrounded']:.4f}",
+            f"{r['bound']:.4f}",
+            f"{r['bound'] / r['worst_unrounded']:.1f}",
+            f"{r['worst_contour']:.4f}",
+            f"{r['worst_speed']:.4f}",
+            r["worst_landing"],
+        )
+        for r in data["families"]
+    ]
+    head = [
+        "cubics",
+        "number",
+        "worst error, rounded",
+        "before rounding",
+        "derived bound",
+        "bound / worst",
+        "off the curve",
+        "path between samples",
+        "end points",
+    ]
+    return (
+        "Spline kernel against the exact curve at the same path length, in length units (1 nm),"
+        " before rounding where not said otherwise; the path between two samples is off by at most"
+        " so much beyond 1e-6 of it:\n\n"
+        + table(head, rows)
+    )
+
+
 def throughput():
     bench = load("bench.json")
     if bench is None:
@@ -79,13 +117,41 @@ def synthesis():
     rows = []
     for file in sorted((BUILD / "synth").glob("spherical-*.json")):
         r = json.loads(file.read_text())
-        name = file.stem + "".join(f" {k}={v}" for k, v in r.get("set", {}).items())
+        interval = r["parameters"]["SampleInterval"] if "parallel" in file.stem else "20 to 50"
         rows.append(
-            (name, f"{r['fmax_mhz']:.0f}", r["lut4"], r["ff"], r["dsp"], r["bram"], r["seeds"])
+            (
+                file.stem,
+                interval,
+                f"{r['fmax_mhz']:.0f}",
+                r["lut4"],
+                r["ff"],
+                r["dsp"],
+                r["bram"],
+                r["seeds"],
+            )
         )
     if not rows:
         return None
-    return table(["core-build-device", "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
+    head = ["core-build-device", "clocks per sample", "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"]
+    return table(head, rows)
+
+
+def equality():
+    data = load("figures/equality.json")
+    if data is None:
+        return None
+    return (
+        f"RTL against kernel in {data['configurations']} configurations of both builds, with"
+        f" random stalls: {data['samples']:,} samples, {data['differ']} words differ."
+    )
+
+
+def spline_table(name):
+    data = load("figures/spline_tables.json")
+    if data is None:
+        return None
+    one = data["tables"][name]
+    return one["claim"] + ":\n\n" + table(one["header"], one["rows"])
 
 
 def paper_table():
@@ -127,11 +193,15 @@ def demo():
 
 TABLES = {
     "accuracy": accuracy,
+    "splines": splines,
     "throughput": throughput,
     "synthesis": synthesis,
     "paper_table": paper_table,
     "demo": demo,
+    "equality": equality,
 }
+for name in ("tick", "period", "order", "vertex", "drift"):
+    TABLES[f"spline_{name}"] = functools.partial(spline_table, f"spline_{name}")
 
 
 def main():

@@ -18,31 +18,38 @@ constexpr double kJointShare = 0.99;     // the same at joints
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
 
-/// Speeds that the network's latency allows, mm/s, one per planned move. A sample may cross several
+/// Speeds that the networks' latency allows, mm/s, one per planned move. A sample may cross several
 /// steps as long as the clocks of its period suffice for them.
 std::vector<double> latency_speeds(const Geometry& geometry, const PlanOptions& options) {
-    const double latency = options.network_latency_clocks / options.clock_hz;
     const auto& moves = geometry.moves;
+    double slowest = 0;  // step, clocks
+    const auto latency = [&](const PlannedMove& move) {
+        return move.spline ? options.spline_latency_clocks : options.network_latency_clocks;
+    };
+    for (const PlannedMove& move : moves) slowest = std::max(slowest, latency(move));
     const auto units = [&](std::size_t i) {
         return std::ldexp(static_cast<double>(moves[i].length), -16);
     };
     std::vector<double> speed(moves.size(), 1e9);
     // Of the steps that a sample crosses, the first and the last are cut.
-    const double budget = std::floor(options.sample_period_s / latency) - 1;
+    const double budget =
+        (std::floor(options.sample_period_s * options.clock_hz / slowest) - 1) * slowest;
     for (std::size_t i = 0; i < moves.size(); ++i) {
-        if (budget < 1) {
-            speed[i] = units(i) / moves[i].steps * options.unit_mm / latency;
+        if (budget < slowest) {
+            speed[i] =
+                units(i) / moves[i].steps * options.unit_mm * options.clock_hz / latency(moves[i]);
             continue;
         }
-        double steps = 0;
+        double clocks = 0;
         double length = 0;
         std::size_t last = i;
-        for (; last < moves.size() && steps < budget; ++last) {
-            const double part = std::min(1.0, (budget - steps) / moves[last].steps);
-            steps += part * moves[last].steps;
+        for (; last < moves.size() && clocks < budget; ++last) {
+            const double all = moves[last].steps * latency(moves[last]);
+            const double part = std::min(1.0, (budget - clocks) / all);
+            clocks += part * all;
             length += part * units(last);
         }
-        if (steps < budget) length *= budget / steps;  // the program's end
+        if (clocks < budget) length *= budget / clocks;  // the program's end
         const double v = length * options.unit_mm / options.sample_period_s;
         for (std::size_t m = i; m < last; ++m) speed[m] = std::min(speed[m], v);
     }
@@ -96,7 +103,8 @@ class FeedPlanner {
     }
 
     void join(const PlannedMove& before, const PlannedMove& after, const Rest& rest) {
-        const double v = rest.stop ? 0 : joint_velocity(before.shape, after.shape, machine_);
+        const bool stop = rest.stop || before.stop_after || after.stop_before;
+        const double v = stop ? 0 : joint_velocity(before.shape, after.shape, machine_);
         if (v > 0) {
             zones_.push_back({0, kJointShare * v, 1e300, 1e300});
         } else {

@@ -6,7 +6,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string_view>
 
+#include "ref/plan/remedy.hpp"
+#include "ref/plan/spline_geometry.hpp"
 #include "ref/plan/travel.hpp"
 #include "ref/program/input_error.hpp"
 
@@ -18,6 +22,7 @@ constexpr double kMaxTheta = 0.5;    // rad in a step
 constexpr int kMaxPieces = 1 << 16;  // segments of one move
 constexpr int kMaxSteps = 1 << 12;   // steps of one segment
 constexpr double kClosing = 0.02;    // units by which a computed arc may miss its end
+constexpr std::string_view kNames = "XYZABCUVW";
 
 /// How a move is cut.
 struct Cut {
@@ -98,41 +103,6 @@ Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format,
     return best;
 }
 
-/// Which widths would carry the move.
-std::string remedy(const Move& move, const PathShape& shape, const PlanOptions& options) {
-    WordFormat format = options.format;
-    double unit = options.unit_mm;
-    const auto fits = [&] {
-        return cut_move(move, shape, format, unit, options.error_limit).pieces > 0;
-    };
-    for (int i = 0; i < 3; ++i) {  // an arc of a few units needs no wider words
-        unit /= 10;
-        if (fits()) return fmt::format("needs a unit of {:g} mm", unit);
-    }
-    unit = options.unit_mm;
-    while (format.coef_bits < 36) {
-        ++format.coef_bits;
-        if (fits()) return fmt::format("needs CoefBits {}", format.coef_bits);
-    }
-    while (format.guard_bits < 12) {
-        ++format.guard_bits;
-        if (fits()) {
-            format.coef_bits = options.format.coef_bits;
-            while (format.coef_bits < 36 && !fits()) ++format.coef_bits;
-            return format.coef_bits == options.format.coef_bits
-                       ? fmt::format("needs GuardBits {}", format.guard_bits)
-                       : fmt::format("needs GuardBits {} and CoefBits {}", format.guard_bits,
-                                     format.coef_bits);
-        }
-    }
-    while (format.order < 12) {
-        ++format.order;
-        if (fits())
-            return fmt::format("needs Order {}, CoefBits 36 and GuardBits 12", format.order);
-    }
-    return "is beyond the widest words";
-}
-
 class Cutter {
   public:
     Cutter(const Program& program, const Machine& machine, const PlanOptions& options)
@@ -153,10 +123,19 @@ class Cutter {
         throw InputError(program_.file, move.line, reason);
     }
 
+    template <class Fits>
+    [[noreturn]] void refuse_width(const Move& move, const char* kind, const Fits& fits) const {
+        refuse(move, fmt::format("this {} {} to stay within {} units of the exact curve", kind,
+                                 remedy(options_, fits), options_.error_limit));
+    }
+
     void add(std::size_t index) {
         const Move& move = program_.moves[index];
-        if (move.kind == Move::Kind::kCubic) refuse(move, "splines cannot be planned yet");
         check_travel(move);
+        if (move.kind == Move::Kind::kCubic) {
+            add_spline(index);
+            return;
+        }
         const PathShape shape = path_shape(move);
         const double unit = options_.unit_mm;
         if (shape.length / unit * kQuanta < 0.5) {
@@ -166,25 +145,51 @@ class Cutter {
         const Cut cut = cut_move(move, shape, options_.format, unit, options_.error_limit);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
-            refuse(move, fmt::format("this {} {} to stay within {} units of the exact curve", kind,
-                                     remedy(move, shape, options_), options_.error_limit));
+            refuse_width(move, kind, [&](const WordFormat& format, double finer) {
+                return cut_move(move, shape, format, finer, options_.error_limit).pieces > 0;
+            });
         }
         PlannedMove planned;
         planned.move = index;
         planned.shape = shape;
-        planned.first_segment = geometry_.segments.size();
+        const std::size_t first = geometry_.segments.size();
         const long double begin = path_;
         for (int i = 0; i < cut.pieces; ++i) {
             place(index, shape, cut, i,
                   begin + shape.length / static_cast<long double>(unit) * (i + 1) / cut.pieces);
         }
-        planned.segments = geometry_.segments.size() - planned.first_segment;
-        for (std::size_t i = planned.first_segment; i < geometry_.segments.size(); ++i) {
+        for (std::size_t i = first; i < geometry_.segments.size(); ++i) {
             const double length = static_cast<double>(geometry_.segments[i].length);
             planned.length += geometry_.segments[i].length;
             planned.steps += std::ceil(std::ldexp(length, -16 - cut.step_exponent));
         }
-        if (planned.segments > 0) geometry_.moves.push_back(planned);
+        if (planned.length > 0) geometry_.moves.push_back(planned);
+    }
+
+    void add_spline(std::size_t index) {
+        const Move& move = program_.moves[index];
+        const double length = move.length();
+        for (int i = 0; i < kAuxAxes; ++i) {
+            const double rate = std::abs(move.aux_end[i] - move.aux_start[i]) / length;
+            if (rate > kMaxAuxRate) {
+                refuse(move, fmt::format("{} goes {:.4g} times as far as this spline is long; {:g} "
+                                         "times is the most",
+                                         kNames[3 + i], rate, kMaxAuxRate));
+            }
+        }
+        std::vector<Segment> segments;
+        try {
+            segments = spline_segments(program_, index, options_, path_);
+        } catch (const std::domain_error&) {
+            refuse_width(move, "spline", [&](const WordFormat& format, double finer) {
+                return spline_fits(program_, index, options_, format, finer);
+            });
+        }
+        for (const PlannedMove& planned : planned_spline(program_, machine_, segments.data(),
+                                                         segments.size(), options_.unit_mm)) {
+            geometry_.moves.push_back(planned);
+        }
+        geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
     }
 
     /// Piece i of the move; the path reaches `end` with it.
@@ -237,7 +242,6 @@ class Cutter {
     }
 
     void check_travel(const Move& move) const {
-        static const char* const kNames = "XYZABCUVW";
         const AxisRange range = travel(move);
         for (int i = 0; i < kMachineAxes; ++i) {
             const AxisLimits& axis = machine_.axis[i];

@@ -7,14 +7,15 @@
 
 namespace curvecore::ref {
 
-/// A move that has a length, and its segments.
+/// A line or an arc that has a length, or a stretch of a spline.
 struct PlannedMove {
     std::size_t move = 0;  // index into Program::moves
     PathShape shape;
-    std::size_t first_segment = 0;
-    std::size_t segments = 0;
     std::uint64_t length = 0;  // quanta
     double steps = 0;          // integration steps in all
+    bool spline = false;       // these are of the spline network
+    bool stop_before = false;  // the curve stands still at the start
+    bool stop_after = false;   // or at the end
 };
 
 struct Geometry {
@@ -26,7 +27,8 @@ struct Geometry {
 /// so rounding does not add up. Moves shorter than a quantum make no segment.
 ///
 /// @throws InputError: beyond the machine's travel or the position words, more auxiliary axes than
-///         the core has, an arc that misses its end point, a bound that no cut can meet.
+///         the core has or faster along a spline than the words hold, an arc that misses its end
+///         point, a bound that no cut can meet.
 Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options);
 
 }  // namespace curvecore::ref

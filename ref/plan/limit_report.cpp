@@ -2,24 +2,32 @@
 #include "ref/plan/limit_report.hpp"
 
 #include "ref/plan/piece_walk.hpp"
+#include "ref/plan/spline_geometry.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 /// The planned moves of a plan, from its segments.
-Geometry moves_of(const Program& program, const Plan& plan) {
+Geometry moves_of(const Program& program, const Machine& machine, const Plan& plan) {
     Geometry geometry;
-    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-        const Segment& segment = plan.segments[i];
-        if (geometry.moves.empty() || geometry.moves.back().move != segment.move) {
-            PlannedMove planned;
-            planned.move = segment.move;
-            planned.shape = path_shape(program.moves[segment.move]);
-            planned.first_segment = i;
+    for (std::size_t i = 0; i < plan.segments.size();) {
+        const std::size_t index = plan.segments[i].move;
+        std::size_t next = i;
+        PlannedMove planned;
+        planned.move = index;
+        for (; next < plan.segments.size() && plan.segments[next].move == index; ++next) {
+            planned.length += plan.segments[next].length;
+        }
+        if (program.moves[index].kind == Move::Kind::kCubic) {
+            for (const PlannedMove& stretch :
+                 planned_spline(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
+                geometry.moves.push_back(stretch);
+            }
+        } else {
+            planned.shape = path_shape(program.moves[index]);
             geometry.moves.push_back(planned);
         }
-        geometry.moves.back().length += segment.length;
-        ++geometry.moves.back().segments;
+        i = next;
     }
     return geometry;
 }
@@ -33,7 +41,7 @@ void keep_worst(LimitRatios& worst, const LimitRatios& ratios) {
 }  // namespace
 
 LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan) {
-    const Geometry geometry = moves_of(program, plan);
+    const Geometry geometry = moves_of(program, machine, plan);
     LimitReport report;
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {

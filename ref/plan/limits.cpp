@@ -11,6 +11,9 @@ namespace {
 constexpr double kCentripetalShare = 0.866;    // hypot(0.866, 0.5) = 1
 constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2
 constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R
+// Splines: what takes the speed through a bend must be gained before it.
+constexpr double kSwerveShare = 0.3;       // of v^3 swerve
+constexpr double kCrossSwerveShare = 0.7;  // of 3 v a curvature + v^3 swerve
 
 /// One constraint: the path itself, or an axis, with its limits.
 struct Load {
@@ -56,9 +59,12 @@ double top_speed(const PathShape& shape, const Machine& machine) {
     each_load(shape, machine, [&](const Load& load) {
         v = std::min(v, load.velocity / (load.swing * turn + load.advance));
         const double across = load.swing * shape.curvature;
-        if (across == 0) return;
-        v = std::min({v, std::sqrt(kCentripetalShare * load.acceleration / across),
-                      std::cbrt(kCentripetalJerkShare * load.jerk / (across * shape.twist))});
+        const double swerve = load.swing * shape.swerve;
+        if (across > 0) {
+            v = std::min({v, std::sqrt(kCentripetalShare * load.acceleration / across),
+                          std::cbrt(kCentripetalJerkShare * load.jerk / (across * shape.twist))});
+        }
+        if (swerve > 0) v = std::min(v, std::cbrt(kSwerveShare * load.jerk / swerve));
     });
     return v;
 }
@@ -66,6 +72,7 @@ double top_speed(const PathShape& shape, const Machine& machine) {
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v) {
     const double turn = circular_rate(shape);
     PathLimits limits{v, 1e12, 1e15};
+    const double swerve = v * v * v * shape.swerve;
     each_load(shape, machine, [&](const Load& load) {
         double a = 0;
         if (load.swing > 0) {
@@ -73,14 +80,16 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v) 
             a = largest(load.swing, v * v * shape.curvature, load.advance / turn,
                         load.acceleration) /
                 turn;
-            a = std::min(a, kCrossJerkShare * load.jerk / (3 * load.swing * v * shape.curvature));
+            const double share = swerve > 0 ? kCrossSwerveShare : kCrossJerkShare;
+            const double room = share * load.jerk / load.swing - swerve;
+            a = std::min(a, std::max(0.0, room) / (3 * v * shape.curvature));
         } else {
             a = load.acceleration / load.advance;
         }
         limits.acceleration = std::min(limits.acceleration, a);
     });
 
-    const double cross = 3 * v * limits.acceleration * shape.curvature;
+    const double cross = 3 * v * limits.acceleration * shape.curvature + swerve;
     const double around = v * v * v * shape.curvature * shape.twist;
     each_load(shape, machine, [&](const Load& load) {
         double j = 0;
@@ -127,6 +136,7 @@ LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double 
                          double j) {
     LimitRatios worst;
     const double turn = circular_rate(shape);
+    const double swerve = v * v * v * shape.swerve;
     a = std::abs(a);
     j = std::abs(j);
     each_load(shape, machine, [&](const Load& load) {
@@ -135,7 +145,7 @@ LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double 
             load.swing * std::hypot(turn * a, v * v * shape.curvature) + load.advance * a;
         const double along = turn * j + v * v * v * shape.curvature * shape.twist;
         const double jerk =
-            load.swing * std::hypot(along, 3 * v * a * shape.curvature) + load.advance * j;
+            load.swing * std::hypot(along, 3 * v * a * shape.curvature + swerve) + load.advance * j;
         worst.velocity = std::max(worst.velocity, velocity / load.velocity);
         worst.acceleration = std::max(worst.acceleration, acceleration / load.acceleration);
         worst.jerk = std::max(worst.jerk, jerk / load.jerk);

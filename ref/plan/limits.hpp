@@ -22,7 +22,7 @@ struct PathLimits {
 };
 
 /// Speed that a move's path and axis velocities, centripetal acceleration v^2 / R and jerk v^3 /
-/// R^2 allow with some room left along the path.
+/// R^2 (of a spline also v^3 swerve) allow with some room left along the path.
 double top_speed(const PathShape& shape, const Machine& machine);
 
 /// What a speed of at most v leaves along the path.

@@ -13,7 +13,10 @@ using AxisVector = std::array<double, kMachineAxes>;
 
 /// With speed v, acceleration a and jerk j along the path,
 ///
-///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t
+///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
+///
+/// with unit vectors t, n and m, the latter two at right angles to t. Lines and arcs are exactly
+/// so; for a stretch of a spline (ref/plan/spline_shape.hpp) the figures are bounds.
 ///
 /// | field     | unit    | remark                                                            |
 /// |-----------|---------|-------------------------------------------------------------------|
@@ -22,7 +25,8 @@ using AxisVector = std::array<double, kMachineAxes>;
 /// | turn      | 1       | |circular part of r'|; 0 for lines                                |
 /// | twist     | rad/mm  | turn / radius                                                     |
 /// | curvature | 1/mm    | turn twist                                                        |
-/// | swing     | 1       | per axis: largest component of t and n around the circle          |
+/// | swerve    | 1/mm^2  | of r''' across the path: 0 for lines and arcs                     |
+/// | swing     | 1       | per axis: largest component of t, n and m along the move          |
 /// | advance   | 1       | per axis: constant part of r'                                     |
 struct PathShape {
     double length = 0;
@@ -30,6 +34,7 @@ struct PathShape {
     double turn = 0;
     double twist = 0;
     double curvature = 0;
+    double swerve = 0;
     bool linear = true;  // X Y Z or U V W move: the machine's own limits hold along the path
     AxisVector swing{};
     AxisVector advance{};
@@ -42,6 +47,7 @@ struct PathShape {
 /// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
 constexpr double kMaxAuxRate = 1.9;
 
+/// Of a line or an arc.
 PathShape path_shape(const Move& move);
 
 }  // namespace curvecore::ref

@@ -17,6 +17,7 @@ namespace curvecore::ref {
 /// | error_limit            | units  | every segment's derived bound stays below it               |
 /// | clock_hz               | Hz     | with the next: an integration step takes at least          |
 /// | network_latency_clocks | clocks | latency / clock seconds, so short steps bound the speed    |
+/// | spline_latency_clocks  | clocks | the same for steps of splines                              |
 struct PlanOptions {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -26,6 +27,7 @@ struct PlanOptions {
     double error_limit = 0.1;
     double clock_hz = 100e6;
     double network_latency_clocks = 200;
+    double spline_latency_clocks = 400;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };
@@ -33,12 +35,15 @@ struct PlanOptions {
 /// Segments and feed profile of a whole program.
 ///
 /// Moves follow each other: moves[i].end is moves[i+1].start. A move without length makes no
-/// segment; its exact_stop and dwell count. Where an auxiliary axis runs faster than 1.9 units per
+/// segment; its exact_stop and dwell count. Where a cubic stands still (a cusp, a doubled control
+/// point) the machine stops. Where an auxiliary axis runs faster than 1.9 units per
 /// unit of X Y Z, the path length of the whole move is stretched: then |dr/ds| =
-/// hypot(cos_pitch, |advance|) < 1 and the speed along s is larger than the feed in proportion.
+/// hypot(cos_pitch, |advance|) < 1 and the speed along s is larger than the feed in proportion; a
+/// spline's path cannot be stretched.
 ///
 /// @throws InputError with the move's line: beyond the travel or the position words, a segment
-///         that the configuration cannot carry (says which width would do), nothing moves.
+///         that the configuration cannot carry (says which width would do), an auxiliary axis too
+///         fast along a spline, nothing moves.
 Plan make_plan(const Program& program, const Machine& machine, const PlanOptions& options);
 
 }  // namespace curvecore::ref

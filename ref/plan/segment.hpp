@@ -40,7 +40,7 @@ struct Segment {
     double cos_pitch = 0;         // 0 for lines
     double radius = 0;            // 0 for lines
     Vec3 advance = Vec3::Zero();  // per unit of path
-    Vec3 a = Vec3::Zero();  // of a spline, with the next four
+    Vec3 a = Vec3::Zero();        // of a spline, with the next four
     Vec3 b = Vec3::Zero();
     Vec3 c = Vec3::Zero();
     int lambda = 0;

@@ -2,101 +2,11 @@
 #include "ref/plan/speed_plan.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "ref/plan/ramp.hpp"
+#include "ref/plan/ramp_pair.hpp"
 
 namespace curvecore::ref {
 namespace {
-
-constexpr double kSlack = 1 + 1e-9;  // a limit met is not a limit violated
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-
-/// Zones as an array of places, and minima over any range of them in logarithmic time.
-class Zones {
-  public:
-    explicit Zones(const std::vector<Zone>& zones) {
-        long double s = 0;
-        for (const Zone& zone : zones) {
-            // Equal neighbours are one zone: a bottleneck is as wide as it can be.
-            if (!zone_.empty() && same(zone_.back(), zone)) {
-                zone_.back().length += zone.length;
-            } else {
-                zone_.push_back(zone);
-                start_.push_back(s);
-            }
-            s += zone.length;
-        }
-        start_.push_back(s);
-        leaves_ = zone_.size();
-        slowest_.resize(2 * leaves_);
-        weakest_.resize(2 * leaves_);
-        for (std::size_t i = 0; i < leaves_; ++i) {
-            slowest_[leaves_ + i] = i;
-            weakest_[leaves_ + i] = zone_[i];
-        }
-        for (std::size_t i = leaves_; i-- > 1;) {
-            slowest_[i] = slower(slowest_[2 * i], slowest_[2 * i + 1]);
-            weakest_[i] = weaker(weakest_[2 * i], weakest_[2 * i + 1]);
-        }
-    }
-
-    std::size_t size() const { return zone_.size(); }
-    const Zone& operator[](std::size_t i) const { return zone_[i]; }
-    long double start(std::size_t i) const { return start_[i]; }
-    long double end(std::size_t i) const { return start_[i + 1]; }
-
-    /// Slowest zone of [first, last], kNone if empty.
-    std::size_t slowest(std::size_t first, std::size_t last) const {
-        std::size_t best = kNone;
-        each(first, last, [&](std::size_t node) { best = slower(best, slowest_[node]); });
-        return best;
-    }
-
-    /// Least acceleration and jerk, highest speed of [first, last].
-    Zone weakest(std::size_t first, std::size_t last) const {
-        Zone all{0, 0, 1e300, 1e300};
-        each(first, last, [&](std::size_t node) { all = weaker(all, weakest_[node]); });
-        return all;
-    }
-
-    /// First zone that reaches beyond s; last zone that begins before s.
-    std::size_t first_after(long double s) const {
-        return std::upper_bound(start_.begin() + 1, start_.end(), s) - start_.begin() - 1;
-    }
-    std::size_t last_before(long double s) const {
-        return std::lower_bound(start_.begin(), start_.end() - 1, s) - start_.begin() - 1;
-    }
-
-  private:
-    static bool same(const Zone& a, const Zone& b) {
-        return a.velocity == b.velocity && a.acceleration == b.acceleration && a.jerk == b.jerk;
-    }
-    std::size_t slower(std::size_t a, std::size_t b) const {
-        if (a == kNone || b == kNone) return a == kNone ? b : a;
-        return zone_[b].velocity < zone_[a].velocity ? b : a;
-    }
-    static Zone weaker(const Zone& a, const Zone& b) {
-        return {0, std::max(a.velocity, b.velocity), std::min(a.acceleration, b.acceleration),
-                std::min(a.jerk, b.jerk)};
-    }
-    template <class Visit>
-    void each(std::size_t first, std::size_t last, Visit visit) const {
-        if (last == kNone || first > last) return;
-        std::size_t a = first + leaves_;
-        std::size_t b = last + 1 + leaves_;
-        for (; a < b; a /= 2, b /= 2) {
-            if (a & 1) visit(a++);
-            if (b & 1) visit(--b);
-        }
-    }
-
-    std::vector<Zone> zone_;
-    std::vector<long double> start_;  // one more than zones
-    std::vector<std::size_t> slowest_;
-    std::vector<Zone> weakest_;  // velocity: the highest
-    std::size_t leaves_ = 0;
-};
 
 /// A stretch whose end speeds are settled, acceleration zero at both.
 ///
@@ -131,7 +41,7 @@ class Planner {
 
   private:
     struct Violation {
-        std::size_t zone = kNone;
+        std::size_t zone = kNoZone;
         double peak = 0;
     };
 
@@ -141,7 +51,7 @@ class Planner {
         // Zones without length at the ends are met by v0 and v1.
         const std::size_t first = zones_.first_after(in.s0);
         const std::size_t last = zones_.last_before(in.s1);
-        if (last == kNone || first > last) return {kNone, std::max(in.v0, in.v1)};
+        if (last == kNoZone || first > last) return {kNoZone, std::max(in.v0, in.v1)};
         const double top = std::max({zones_.weakest(first, last).velocity, in.v0, in.v1});
         const double peak = peak_speed(in.v0, in.v1, length, in.acceleration, in.jerk, top);
         const Ramp up(in.v0, peak, in.acceleration, in.jerk);
@@ -150,10 +60,10 @@ class Planner {
         const long double cruise1 =
             std::max(cruise0, in.s1 - static_cast<long double>(down.length()));
 
-        std::size_t worst = kNone;
+        std::size_t worst = kNoZone;
         const auto consider = [&](std::size_t i) {
-            if (zones_[i].velocity * kSlack >= peak) return;
-            if (worst == kNone || zones_[i].velocity < zones_[worst].velocity) worst = i;
+            if (zones_[i].velocity * kSpeedSlack >= peak) return;
+            if (worst == kNoZone || zones_[i].velocity < zones_[worst].velocity) worst = i;
         };
         // Everything that touches the cruise, however short that is.
         std::size_t a = first;
@@ -164,13 +74,13 @@ class Planner {
         // Ramps: fastest at the end nearer to the peak.
         for (std::size_t i = first; i < a; ++i) {
             const double v = zones_[i].velocity;
-            if (v * kSlack >= peak) continue;
-            if (v < in.v0 || in.s0 + up.length_to(v * kSlack) < zones_.end(i)) consider(i);
+            if (v * kSpeedSlack >= peak) continue;
+            if (v < in.v0 || in.s0 + up.length_to(v * kSpeedSlack) < zones_.end(i)) consider(i);
         }
         for (std::size_t i = last; i > b; --i) {
             const double v = zones_[i].velocity;
-            if (v * kSlack >= peak) continue;
-            if (v < in.v1 || in.s1 - down.length_to(v * kSlack) > zones_.start(i)) consider(i);
+            if (v * kSpeedSlack >= peak) continue;
+            if (v < in.v1 || in.s1 - down.length_to(v * kSpeedSlack) > zones_.start(i)) consider(i);
         }
         return {worst, peak};
     }
@@ -180,18 +90,18 @@ class Planner {
         Interval own = in;
         const std::size_t first = zones_.first_after(in.s0);
         const std::size_t last = zones_.last_before(in.s1);
-        if (last != kNone && first <= last) {
+        if (last != kNoZone && first <= last) {
             const Zone weakest = zones_.weakest(first, last);
             own.acceleration = weakest.acceleration;
             own.jerk = weakest.jerk;
         }
         Violation found = violation(own);
-        if (found.zone != kNone && zones_[found.zone].velocity < std::max(in.v0, in.v1)) {
+        if (found.zone != kNoZone && zones_[found.zone].velocity < std::max(in.v0, in.v1)) {
             found = violation(in);
         } else {
             in = own;
         }
-        if (found.zone == kNone) {
+        if (found.zone == kNoZone) {
             in.settled = true;
             in.cap = found.peak;
             todo_.push_back(in);
@@ -229,17 +139,13 @@ class Planner {
     }
 
     void draw(const Interval& in) {
-        const double length = static_cast<double>(in.s1 - in.s0);
-        const double peak = peak_speed(in.v0, in.v1, length, in.acceleration, in.jerk,
-                                       std::max({in.cap, in.v0, in.v1}));
-        const Ramp up(in.v0, peak, in.acceleration, in.jerk);
-        const Ramp down(peak, in.v1, in.acceleration, in.jerk);
-        const double rest = length - up.length() - down.length();
+        const RampPair pair =
+            best_pair(zones_, {in.s0, in.s1, in.v0, in.v1, in.acceleration, in.jerk, in.cap});
         s_ = in.s0;
-        ramp(up, in.v0, 1);
-        if (rest > 0) phase(rest / peak, peak, 0, 0);
-        s_ = std::max(s_, in.s1 - static_cast<long double>(down.length()));
-        ramp(down, peak, -1);
+        ramp(pair.up, in.v0, 1);
+        if (pair.rest > 0) phase(pair.rest / pair.peak, pair.peak, 0, 0);
+        s_ = std::max(s_, in.s1 - static_cast<long double>(pair.down.length()));
+        ramp(pair.down, pair.peak, -1);
     }
 
     void ramp(const Ramp& r, double v, int sign) {

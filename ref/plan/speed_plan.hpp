@@ -26,9 +26,9 @@ struct Phase {
 /// Motion from rest to rest over all zones.
 ///
 /// Acceleration is zero where a speed limit is met and wherever two ramps join; between such places
-/// the motion is the fastest one with the least acceleration and jerk of the zones that it crosses.
-/// A ramp runs over any number of zones whose limits it does not touch, so a chain of short moves
-/// costs nothing.
+/// the motion is at least as fast as the fastest one with the least acceleration and jerk of the
+/// zones that it crosses (ref/plan/ramp_pair.hpp). A ramp runs over any number of zones whose
+/// limits it does not touch, so a chain of short moves costs nothing.
 std::vector<Phase> plan_speed(const std::vector<Zone>& zones);
 
 }  // namespace curvecore::ref

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
+constexpr std::size_t kMaxPieces = 1 << 16;
 
 /// Room for the roundings of V, m and v below 1.
 double hair(const WordFormat& format) { return std::ldexp(1.0, 4 - format.coef_bits); }
@@ -28,8 +29,10 @@ constexpr double kLongestLine = 4;
 /// for the part before s has a mean tangent A, the rest B, both at most 1 long: with p = s /
 /// length, p A^2 + (1-p) B^2 = m^2 + p (1-p) |A - B|^2 <= 1, and the distance is length p (1-p) |A
 /// - B|.
-Segment short_line(const Cubic& piece, double length, const WordFormat& format, double& aside) {
+Segment short_line(const Cubic& piece, double length, const WordFormat& format,
+                   const Aux& aux_advance, double& aside) {
     Segment line;
+    line.aux_advance = aux_advance;
     line.start = piece.d;
     line.end = piece.position(1);
     line.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
@@ -45,6 +48,7 @@ struct Splitter {
     const Cubic& cubic;
     const WordFormat& format;
     double limit;
+    Aux aux_advance;
     std::vector<Segment> pieces;
     std::vector<double> lengths;
 
@@ -53,23 +57,24 @@ struct Splitter {
         const SpeedRange speed = speed_range(part);
         if (speed.max > 0 && speed.max < 2.1 * speed.min) {
             Segment piece = spline_segment(part, format);
+            piece.aux_advance = aux_advance;
             if (fits_words(piece, format) && choose_step(format, limit, piece)) {
-                lengths.push_back(arc_length(part, 0, 1));
+                lengths.push_back(ArcLength(part).length());
                 pieces.push_back(piece);
                 return;
             }
         }
-        const double length = arc_length(part, 0, 1);
+        const double length = ArcLength(part).length();
         if (length <= kLongestLine) {
             double aside = 0;  // of the curve; the rest is for the words
-            const Segment line = short_line(part, length, format, aside);
+            const Segment line = short_line(part, length, format, aux_advance, aside);
             if (aside <= 0.4 * limit && line.bound <= limit) {
                 lengths.push_back(length);
                 pieces.push_back(line);
                 return;
             }
         }
-        if (depth == kMaxHalvings) {
+        if (depth == kMaxHalvings || pieces.size() >= kMaxPieces) {
             throw std::domain_error("a cubic that no splitting makes drawable");
         }
         const double middle = (from + to) / 2;
@@ -94,7 +99,7 @@ Segment spline_segment(const Cubic& piece, const WordFormat& format) {
     segment.c = piece.c / (unit * segment.beta);
     segment.b = piece.b / (unit * segment.beta * segment.beta);
     segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
-    segment.length = static_cast<std::uint64_t>(std::llround(arc_length(piece, 0, 1) * kQuanta));
+    segment.length = static_cast<std::uint64_t>(std::llround(ArcLength(piece).length() * kQuanta));
     return segment;
 }
 
@@ -134,20 +139,27 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
 }
 
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
-                                  std::uint64_t s_start) {
-    Splitter splitter{cubic, format, limit, {}, {}};
-    splitter.cut(0, 1, 0);
-    double walked = 0;
-    std::uint64_t before = s_start;
-    for (std::size_t i = 0; i < splitter.pieces.size(); ++i) {
-        walked += splitter.lengths[i];
-        const std::uint64_t after =
-            s_start + static_cast<std::uint64_t>(std::llround(walked * kQuanta));
-        splitter.pieces[i].s_start = before;
-        splitter.pieces[i].length = after - before;
-        before = after;
+                                  long double& path, const Aux& aux_advance) {
+    if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
+        throw std::domain_error("a limit below the roundings of a position");
     }
-    return splitter.pieces;
+    Splitter splitter{cubic, format, limit, aux_advance, {}, {}};
+    splitter.cut(0, 1, 0);
+    const auto quanta = [&path] {
+        return static_cast<std::uint64_t>(std::llround(path * static_cast<long double>(kQuanta)));
+    };
+    for (std::size_t i = 0; i < splitter.pieces.size(); ++i) {
+        splitter.pieces[i].s_start = quanta();
+        path += splitter.lengths[i];
+        splitter.pieces[i].length = quanta() - splitter.pieces[i].s_start;
+    }
+    return std::move(splitter.pieces);
+}
+
+std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+                                  std::uint64_t s_start) {
+    long double path = static_cast<long double>(s_start) / static_cast<long double>(kQuanta);
+    return split_spline(cubic, format, limit, path);
 }
 
 }  // namespace curvecore::ref

@@ -39,10 +39,17 @@ bool fits_words(const Segment& segment, const WordFormat& format);
 /// the segment unchanged, when there is none.
 bool choose_step(const WordFormat& format, double limit, Segment& segment);
 
-/// The pieces of a cubic, cut in halves of u until each fits and keeps the limit; their lengths
-/// are differences of rounded sums, from s_start (quanta) on. Tips of a few units' radius, and
-/// cusps, are drawn by lines of a few units (kind kArc).
-/// @throws std::domain_error when halving does not help: a limit below what the words can do
+/// The pieces of a cubic, cut in halves of u until each fits and keeps the limit. Tips of a few
+/// units' radius, and cusps, are drawn by lines of a few units (kind kArc).
+///
+/// `path`, program-wide and in units, is where the cubic starts and then where it ends; a piece's
+/// length is the difference of two rounded sums. Auxiliary axes share the bound.
+/// @throws std::domain_error when halving does not help, the limit is below four half guard bits,
+///         or the pieces are more than 65536
+std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+                                  long double& path, const Aux& aux_advance = {});
+
+/// The same from s_start (quanta) on.
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
                                   std::uint64_t s_start = 0);
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 #include <cmath>
 
 #include "ref/plan/path_shape.hpp"
@@ -14,8 +15,22 @@ struct AxisRange {
     AxisVector low, high;  // mm
 };
 
-/// Smallest and largest position of every axis. An arc turns back where its tangent has no
-/// component along the axis: once or twice per turn.
+/// Where a component of dr/du = 3 a u^2 + 2 b u + c is zero.
+inline void include_turns(const Cubic& cubic, AxisRange& range) {
+    for (int i = 0; i < 3; ++i) {
+        const auto [low, high] =
+            boost::math::tools::quadratic_roots(3 * cubic.a[i], 2 * cubic.b[i], cubic.c[i]);
+        for (const double u : {low, high}) {
+            if (!(u > 0 && u < 1)) continue;  // also without a real zero, which is NaN
+            const auto axis = static_cast<std::size_t>(i);
+            range.low[axis] = std::min(range.low[axis], cubic.position(u)[i]);
+            range.high[axis] = std::max(range.high[axis], cubic.position(u)[i]);
+        }
+    }
+}
+
+/// Smallest and largest position of every axis. A cubic turns back at most twice per axis. An arc
+/// turns back where its tangent has no component along the axis: once or twice per turn.
 inline AxisRange travel(const Move& move) {
     AxisRange range;
     for (int i = 0; i < kMachineAxes; ++i) {
@@ -24,6 +39,7 @@ inline AxisRange travel(const Move& move) {
         range.low[i] = std::min(from, to);
         range.high[i] = std::max(from, to);
     }
+    if (move.kind == Move::Kind::kCubic) include_turns(move.cubic, range);
     if (move.kind != Move::Kind::kArc) return range;
     const Vec3 n = move.start - move.centre;
     const Vec3 t = move.normal.cross(n);

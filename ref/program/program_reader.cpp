@@ -11,15 +11,25 @@
 
 namespace curvecore::ref {
 
-Program read_program(const std::string& file, const PointsOptions& points) {
+namespace {
+
+std::string kind_of(const std::string& file) {
     std::string kind = std::filesystem::path(file).extension().string();
     std::transform(kind.begin(), kind.end(), kind.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (kind == ".csv") {
+    return kind;
+}
+
+}  // namespace
+
+bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
+
+Program read_program(const std::string& file, const PointsOptions& points) {
+    if (is_points_file(file)) {
         return read_points(file, points);
     }
     const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap"};
-    if (known.count(kind) == 0) {
+    if (known.count(kind_of(file)) == 0) {
         throw InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap .csv are read");
     }
     return read_gcode(file, points.fit_tolerance);

@@ -6,6 +6,9 @@
 
 namespace curvecore::ref {
 
+/// Whether the extension is .csv, in upper or lower case.
+bool is_points_file(const std::string& file);
+
 /// By the extension, in upper or lower case: .ngc .nc .gcode .tap as G-code, .csv as points with
 /// `points`. @throws InputError
 Program read_program(const std::string& file, const PointsOptions& points);

@@ -149,14 +149,14 @@ module taylor_sequencer #(
   always_ff @(posedge clk_i) begin
     take_o <= (state_q == Idle && start_i) || (order_done && !order_last_q) || copy
         || state_q == Advance;
-    close_o   <= state_q == Idle && start_i;
-    triple_o  <= state_q == Take || state_q == Zeroth;
-    step_o    <= digit_more || (state_q == Triple && !copy_q);
-    last_o    <= digit_more && digit_q == 5'(Digits - 1);
+    close_o <= state_q == Idle && start_i;
+    triple_o <= state_q == Take || state_q == Zeroth;
+    step_o <= digit_more || (state_q == Triple && !copy_q);
+    last_o <= digit_more && digit_q == 5'(Digits - 1);
     advance_o <= state_q == Settle && order_zero_q && !fresh_q;
-    zeroth_o  <= state_q == Advance;
+    zeroth_o <= state_q == Advance;
     collect_o <= order_done || copy;
-    first_o   <= copy;
+    first_o <= copy;
   end
   assign ready_o = state_q == Idle;
 

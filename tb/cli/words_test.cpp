@@ -27,7 +27,8 @@ class Words : public testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(Words, AreThoseOfThePlan) {
     const ProgramRun program;
-    program.write("part.ngc", "G21 G90 F900\nG1 X5 A3\nG3 X7 Y2 I0 J2 A1\nM2\n");
+    program.write("part.ngc",
+                  "G21 G90 F900\nG1 X5 A3\nG3 X7 Y2 I0 J2 A1\nG5 X9 Y6 I0 J3 P-2 Q0\nM2\n");
     for (const char* command : {"words", "plan"}) {
         std::vector<std::string> arguments{command, "part.ngc", "-q", "-o", command};
         arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());

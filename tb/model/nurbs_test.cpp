@@ -37,9 +37,9 @@ Real basis(int i, int degree, const Real& u, const std::vector<int>& knots) {
 
 Vec3 definition(const Nurbs& nurbs, const Real& u) {
     const int count = static_cast<int>(nurbs.points.size());
-    std::vector<int> knots;
+    std::vector<int> knots(count + nurbs.order);
     for (int i = 0; i < count + nurbs.order; ++i) {
-        knots.push_back(std::clamp(i - nurbs.order + 1, 0, count - nurbs.order + 1));
+        knots[i] = std::clamp(i - nurbs.order + 1, 0, count - nurbs.order + 1);
     }
     std::array<Real, 4> sum{};
     for (int i = 0; i < count; ++i) {

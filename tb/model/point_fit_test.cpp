@@ -56,6 +56,7 @@ struct Joints {
 Joints joints(const std::vector<HermitePiece>& pieces, bool moments) {
     Joints found;
     std::vector<Cubic> cubics;
+    cubics.reserve(pieces.size());
     for (const HermitePiece& piece : pieces) {
         cubics.push_back(moments ? cubic_of_moments(piece) : cubic_of_slopes(piece));
     }
@@ -193,6 +194,10 @@ TEST(Hermite, SlopesUseTheCardinalFunctionsOfPetrakov) {
         const Vec3 expected = piece.start * v * v * (1 + 2 * u) + piece.end * u * u * (3 - 2 * u) +
                               piece.h * (piece.start_d1 * u * v * v - piece.end_d1 * u * u * v);
         EXPECT_LE((cubic.position(u) - expected).norm(), 1e-14);
+        const Vec3 printed = expected + piece.start * ((1 - u * u) - v * v) * (1 + 2 * u);
+        if (u > 0 && u < 1) {
+            EXPECT_GT((cubic.position(u) - printed).norm(), 0.1) << "1 - U^2 as printed";
+        }
     }
 }
 

@@ -11,7 +11,6 @@
 namespace curvecore::tb {
 namespace {
 
-using ref::Cubic;
 using ref::Move;
 using ref::Program;
 using ref::Vec3;
@@ -93,8 +92,7 @@ TEST(SplineReader, NurbsOfOrderFourIsExactPieceByPiece) {
     const Program program =
         read("G61\nG5.2 L4 X0 Y6\nX6 Y6\nX6 Y0 F1200\nX12 Y0\nX12 Y6\nG5.3\nG1 X0");
     ASSERT_EQ(program.moves.size(), 4U);
-    expect_bezier(program.moves[0],
-                  {Vec3(0, 0, 0), Vec3(0, 6, 0), Vec3(3, 6, 0), Vec3(4.5, 5, 0)});
+    expect_bezier(program.moves[0], {Vec3(0, 0, 0), Vec3(0, 6, 0), Vec3(3, 6, 0), Vec3(4.5, 5, 0)});
     expect_bezier(program.moves[1],
                   {Vec3(4.5, 5, 0), Vec3(6, 4, 0), Vec3(6, 2, 0), Vec3(7.5, 1, 0)});
     expect_bezier(program.moves[2],

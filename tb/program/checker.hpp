@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "hls/interpolator_kernel.hpp"
-#include "ref/curve/segment_curve.hpp"
+#include "ref/curve/curve_follower.hpp"
 #include "tb/program/check_result.hpp"
 #include "tb/program/job.hpp"
 #include "tb/program/path_cursor.hpp"
@@ -50,7 +50,9 @@ class Checker {
         result_.increment =
             std::max(result_.increment, std::abs(static_cast<double>(rtl.ds) - share));
         cursor_.advance(static_cast<std::uint64_t>(rtl.ds));
-        if (tick) pictures_.tick(source_.tick_ds(), cursor_.segment());
+        if (tick) {
+            pictures_.tick(source_.tick_ds(), curve_.curvature(cursor_.segment(), cursor_.local()));
+        }
         compare_with_curve(rtl);
         if (cursor_.at_end() && stops(cursor_.index())) compare_landing(rtl);
         samples_.row(result_.samples, cursor_.index(), cursor_.s(), rtl.position);
@@ -106,7 +108,7 @@ class Checker {
     void compare_with_curve(const RtlSample<C>& rtl) {
         const ref::Segment& segment = cursor_.segment();
         const double s = cursor_.local();
-        const ref::Vec3 curve = ref::exact_position(segment, s);
+        const ref::Vec3 curve = curve_.position(segment, s);
         ref::Vec3 point;
         double worst = 0;
         for (int axis = 0; axis < C::kAxes && axis < axes_; ++axis) {
@@ -164,6 +166,7 @@ class Checker {
     PathSource source_;
     hls::InterpolatorKernel<C> kernel_;
     PathCursor cursor_;
+    ref::CurveFollower curve_;
     SamplesWriter& samples_;
     Pictures& pictures_;
     int axes_;                // in use; the others stand at 0

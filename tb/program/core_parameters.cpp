@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -41,6 +42,18 @@ int CoreParameters::network_latency() const {
     // one after the other through a pipeline of nine clocks, and the step before.
     const int digits = (coef_bits + 1) / 2;
     return build == Build::kParallel ? order * (digits + 3) + 7 : order * 18 + 60;
+}
+
+int CoreParameters::spline_latency() const {
+    // Serial: not built yet; some thirty products an order, one after the other.
+    if (build == Build::kSerial) return order * 12 * 36;
+    // As rtl/network/spline_steps.sv and rtl/control/spline_sequencer.sv state it, and two clocks
+    // from a step to the next.
+    const int digits = (coef_bits + 1) / 2;
+    const int top = order - 1;
+    const int series = mode == 0 ? 4 * order + 14 : 0;
+    const int rest = std::max(series, order + digits + 4);
+    return 89 + 9 * top * (top + 1) / 2 + 27 * top + std::max(0, 2 * digits - 32) + rest + 1 + 2;
 }
 
 std::string CoreParameters::text() const {

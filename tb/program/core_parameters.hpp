@@ -25,8 +25,10 @@ struct CoreParameters {
 
     int axes() const { return 3 + aux_axes; }
     ref::WordFormat format() const;
-    /// Clocks of an integration step: what the planner keeps time for.
+    /// Clocks of an integration step, of arcs and lines, and of splines: what the planner keeps
+    /// time for.
     int network_latency() const;
+    int spline_latency() const;
     /// "Order=6 CoefBits=36 ..."
     std::string text() const;
     nlohmann::ordered_json json() const;

@@ -13,6 +13,13 @@ std::uint64_t Job::path_length() const {
     return last.s_start + last.length;
 }
 
+bool Job::draws_splines() const {
+    return std::any_of(program.moves.begin(), program.moves.end(),
+                       [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
+}
+
+const char* Job::core_name() const { return draws_splines() ? "curve" : "spherical"; }
+
 double Job::bound() const {
     double bound = 0;
     for (const ref::Segment& segment : plan.segments) bound = std::max(bound, segment.bound);

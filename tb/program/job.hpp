@@ -16,6 +16,10 @@ struct Job {
 
     /// Length of the whole path, quanta.
     std::uint64_t path_length() const;
+    /// The program has cubic moves.
+    bool draws_splines() const;
+    /// "spherical", or "curve": the one that draws splines as well.
+    const char* core_name() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
 };

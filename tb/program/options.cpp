@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ref/program/program_reader.hpp"
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
@@ -67,7 +68,7 @@ int choice(const std::string& option, const std::string& text,
     return static_cast<int>(found - known.begin());
 }
 
-ref::PointsOptions points_options(const RawOptions& raw) {
+ref::PointsOptions points_options(const RawOptions& raw, const std::string& file) {
     ref::PointsOptions points;
     points.fit = static_cast<ref::Fit>(choice("--fit", raw.fit, ref::kFitNames));
     points.parameter =
@@ -77,6 +78,12 @@ ref::PointsOptions points_options(const RawOptions& raw) {
         throw UsageError("--feed must be in [0.001, 1e9] mm/min");
     }
     points.feed = per_minute / 60;
+    const RawOptions unset;
+    const bool asked =
+        raw.fit != unset.fit || raw.parameter != unset.parameter || raw.feed != unset.feed;
+    if (asked && !ref::is_points_file(file)) {
+        throw UsageError("--fit, --parameter and --feed are for points (.csv)");
+    }
     return points;
 }
 
@@ -109,12 +116,13 @@ ref::PlanOptions Options::plan_options() const {
     plan.aux_axes = core.aux_axes;
     plan.clock_hz = clock_hz;
     plan.network_latency_clocks = core.network_latency();
+    plan.spline_latency_clocks = core.spline_latency();
     return plan;
 }
 
 void interpret(const RawOptions& raw, Options& options) {
     if (options.folder.empty()) throw UsageError("--output: a folder's name is expected");
-    options.points = points_options(raw);
+    options.points = points_options(raw, options.file);
     options.unit_mm = unit_of(raw.unit);
     options.sample_period_s = quantity("--sample-period", raw.sample_period,
                                        {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});

@@ -29,22 +29,21 @@ std::size_t Pictures::path_bin(std::uint64_t s) const {
     return std::min(static_cast<std::size_t>(part * kBins), kBins - 1);
 }
 
-void Pictures::tick(std::int64_t ds, const ref::Segment& segment) {
+void Pictures::tick(std::int64_t ds, double curvature) {
     gathered_ += ds;
     if (++tick_ % span_ != 0) return;
     const double speed = static_cast<double>(gathered_) * quantum_mm_ / span_s_;
     gathered_ = 0;
     const double acceleration = (speed - speed_now_) / span_s_;
     const double jerk = (acceleration - acceleration_now_) / span_s_;
-    const double curvature =
-        segment.radius > 0 ? segment.cos_pitch * segment.cos_pitch / (segment.radius * unit_mm_)
-                           : 0.0;
     const auto bin =
         static_cast<std::size_t>(static_cast<double>(std::min(tick_ - 1, ticks_ - 1)) /
                                  static_cast<double>(ticks_) * static_cast<double>(speed_.size()));
     speed_[bin].add(speed);
     acceleration_[bin].add(acceleration);
-    total_[bin].add(std::hypot(acceleration, speed * speed * curvature));
+    // Where the curve stands still, the curvature is infinite and the speed is not yet that of it.
+    const double across = std::isfinite(curvature) ? speed * speed * curvature / unit_mm_ : 0;
+    total_[bin].add(std::hypot(acceleration, across));
     jerk_[bin].add(jerk);
     speed_now_ = speed;
     acceleration_now_ = acceleration;

@@ -37,8 +37,8 @@ class Pictures {
 
     Pictures(const Job& job, std::uint64_t ticks);
 
-    /// A tick's increment (quanta), ending on `segment`.
-    void tick(std::int64_t ds, const ref::Segment& segment);
+    /// A tick's increment (quanta), and the curvature where it ends, 1/unit.
+    void tick(std::int64_t ds, double curvature);
     /// Would this sample be drawn? Stops and other corners are, if there are not too many of them.
     bool wants(std::uint64_t s, std::size_t segment, bool at_end) const;
     void sample(std::uint64_t s, std::size_t segment, const ref::Vec3& point, bool at_end);

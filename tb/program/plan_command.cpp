@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore plan`: segments, feed profile, predicted error and time, without the RTL.
-#include "ref/curve/segment_curve.hpp"
+#include "ref/curve/curve_follower.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/output_folder.hpp"
 #include "tb/program/path_cursor.hpp"
@@ -15,15 +15,18 @@ namespace {
 void draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     PathSource source(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());
     PathCursor cursor(job.plan);
+    ref::CurveFollower curve;
     pictures.sample(0, cursor.index(), cursor.segment().start, true);
     for (std::uint64_t k = 0; k < samples; ++k) {
         const bool tick = source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
-        if (tick) pictures.tick(source.tick_ds(), cursor.segment());
+        if (tick) {
+            pictures.tick(source.tick_ds(), curve.curvature(cursor.segment(), cursor.local()));
+        }
         pictures.error(cursor.s(), 0, cursor.segment().bound);
         if (pictures.wants(cursor.s(), cursor.index(), cursor.at_end())) {
             pictures.sample(cursor.s(), cursor.index(),
-                            ref::exact_position(cursor.segment(), cursor.local()), cursor.at_end());
+                            curve.position(cursor.segment(), cursor.local()), cursor.at_end());
         }
     }
 }

@@ -143,7 +143,7 @@ nlohmann::ordered_json Report::json() const {
     json["sample_period_s"] = job.options.sample_period_s;
     json["samples_per_tick"] = job.options.samples_per_tick;
     json["clock_hz"] = job.options.clock_hz;
-    json["core"] = "spherical";
+    json["core"] = job.core_name();
     json["build"] = build_name(job.options.core.build);
     json["parameters"] = job.options.core.json();
     json["moves"] = job.program.moves.size();
@@ -195,7 +195,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     const auto row = [&rows](const char* name, std::string value) {
         rows.emplace_back(name, std::move(value));
     };
-    row("core", fmt::format("spherical {}, {}", build_name(job.options.core.build),
+    row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
                             job.options.core.text()));
     row("program",
         fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),

@@ -14,6 +14,7 @@ namespace {
 using Text = fmt::memory_buffer;
 
 const char* kind(const ref::Segment& segment) {
+    if (segment.kind == ref::Segment::Kind::kSpline) return "spline";
     if (segment.radius == 0) return "line";
     return segment.advance.isZero() ? "arc" : "helix";
 }
@@ -29,6 +30,18 @@ void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz,
                        aux[static_cast<std::size_t>(axis)] * unit);
     }
     text.push_back(']');
+}
+
+/// r(v) = start + 2^lambda ((a v + b) v + c) v in length units, up to v = beta.
+void spline(Text& text, const ref::Segment& segment) {
+    const auto out = std::back_inserter(text);
+    const auto vector = [&](const char* name, const ref::Vec3& v) {
+        fmt::format_to(out, ", \"{}\": [{:.15g}, {:.15g}, {:.15g}]", name, v.x(), v.y(), v.z());
+    };
+    vector("a", segment.a);
+    vector("b", segment.b);
+    vector("c", segment.c);
+    fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", segment.lambda, segment.beta);
 }
 
 }  // namespace
@@ -47,6 +60,7 @@ std::string segments_json(const Job& job) {
                        kind(segment));
         point(text, "start_mm", job, segment.start, segment.aux_start);
         point(text, "end_mm", job, segment.end, segment.aux_end);
+        if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);
         fmt::format_to(out,
                        ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
                        "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {:.6g}, "

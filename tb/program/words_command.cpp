@@ -44,6 +44,11 @@ std::string segments_hex(const Job& job) {
         "//   2..16   X, Y, Z: start, end ({} bits, {} fraction bits, units), then tangent,\n"
         "//           normal, advance ({} bits, {} fraction bits)\n",
         each, coef - 1, coef - 1, fine, job.options.core.guard_bits, coef, coef - 2);
+    if (job.draws_splines()) {
+        text +=
+            "// of a spline, bit 47 of word 1: 1/|c| for theta, lambda in [46:41], a, b and c for\n"
+            "// tangent, normal and advance\n";
+    }
     if (each > 17) text += "//   17..    each auxiliary axis: start, end, advance\n";
     for (std::size_t i = 0; i < plan.segments.size(); ++i) {
         const ref::Segment& segment = plan.segments[i];
@@ -76,7 +81,7 @@ std::string words_json(const Job& job, std::uint64_t samples) {
     json["input"] = job.options.file;
     json["unit_mm"] = job.plan.unit_mm;
     json["sample_period_s"] = job.options.sample_period_s;
-    json["core"] = "spherical";
+    json["core"] = job.core_name();
     json["parameters"] = job.options.core.json();
     json["segments"] = {{"file", "segments.hex"},
                         {"count", job.plan.segments.size()},

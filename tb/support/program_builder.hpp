@@ -20,6 +20,16 @@ class ProgramBuilder {
         return move;
     }
 
+    /// A cubic with these control points behind the last position; the last one is the end.
+    ref::Move& cubic(const ref::Vec3& leg, const ref::Vec3& second, const ref::Vec3& end,
+                     double feed) {
+        ref::Move& move = next(feed);
+        move.kind = ref::Move::Kind::kCubic;
+        move.cubic = ref::from_bezier({at_, leg, second, end});
+        move.end = at_ = end;
+        return move;
+    }
+
     /// Counter-clockwise about `normal` by `angle`, rising by `advance` along it.
     ref::Move& arc(const ref::Vec3& centre, const ref::Vec3& normal, double angle, double advance,
                    double feed) {
@@ -66,6 +76,7 @@ class ProgramBuilder {
 /// Unit tangent at the end of a move.
 inline ref::Vec3 end_tangent(const ref::Move& move) {
     if (move.kind == ref::Move::Kind::kLine) return (move.end - move.start).normalized();
+    if (move.kind == ref::Move::Kind::kCubic) return ref::tangent(move.cubic, 1);
     const ref::Vec3 arm =
         move.end - move.centre - move.normal * move.normal.dot(move.end - move.centre);
     return (move.normal.cross(arm) * move.angle + move.normal * move.advance).normalized();

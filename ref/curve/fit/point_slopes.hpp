@@ -20,7 +20,8 @@ namespace curvecore::ref {
 /// Every function wants at least two points; two make a straight line.
 using Vectors = std::vector<Vec3>;
 
-/// The slope of the parabola through three neighbours (Bessel; [Obukhov] (2), who calls it Akima):
+/// The slope of the parabola through three neighbours (Bessel; [Petrakov] (1); [Obukhov] (2), who
+/// calls it Akima):
 ///
 ///     m_i = (s_{i-1} d_i + s_i d_{i-1}) / (d_{i-1} + d_i)
 ///

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The exact curve of a plan for who asks at every sample, in the order of the path.
+#pragma once
+
+#include <optional>
+
+#include "ref/curve/segment_curve.hpp"
+
+namespace curvecore::ref {
+
+/// exact_position() and the curvature, with the table of a spline's path length kept as long as the
+/// segment stays the same.
+///
+/// | function  | unit    | error                                     |
+/// |-----------|---------|-------------------------------------------|
+/// | position  | units   | that of exact_position()                  |
+/// | curvature | 1/units | of |r''|; roundings. Infinite at a cusp   |
+class CurveFollower {
+  public:
+    /// s: units, local to the segment, which must outlive the calls that follow.
+    Vec3 position(const Segment& segment, double s) {
+        if (segment.kind != Segment::Kind::kSpline) return exact_position(segment, s);
+        const double u = parameter(segment, s);
+        return cubic_.position(u);
+    }
+
+    double curvature(const Segment& segment, double s) {
+        if (segment.kind == Segment::Kind::kSpline) {
+            const double u = parameter(segment, s);
+            return ref::curvature(cubic_, u);
+        }
+        return segment.radius > 0 ? segment.cos_pitch * segment.cos_pitch / segment.radius : 0;
+    }
+
+  private:
+    double parameter(const Segment& segment, double s) {
+        if (&segment != segment_) {
+            segment_ = &segment;
+            cubic_ = to_cubic(segment);
+            path_.emplace(cubic_);
+        }
+        return path_->parameter(s);
+    }
+
+    const Segment* segment_ = nullptr;
+    Cubic cubic_;
+    std::optional<ArcLength> path_;
+};
+
+}  // namespace curvecore::ref
