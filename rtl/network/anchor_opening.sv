@@ -15,6 +15,7 @@ module anchor_opening #(
     parameter int Bits = 36  // [18, 36]
 ) (
     input wire logic clk_i,
+    input wire logic rst_ni,
 
     input wire logic                   begin_i,
     input wire logic        [     7:0] time_i,
@@ -47,7 +48,8 @@ module anchor_opening #(
 
   logic        [     1:0] turn_q;
   logic        [     1:0] before_turn_q;
-  logic                   there;
+  logic                   open_q;  // axis_o is of use
+  logic                   there_q;
   logic        [     1:0] row;
   logic signed [Bits-1:0] b_q;
   logic signed [Bits-1:0] c_q;
@@ -64,13 +66,15 @@ module anchor_opening #(
       .data_i(time_i),
       .data_o(time_copy)
   );
-  assign there           = time_copy >= 8'd1 && time_copy <= 8'd9;
-  assign twice_a         = {a_o[Bits-2:0], 1'b0};
-  assign twice_c         = {c_q[Bits-2:0], 1'b0};
-  assign v_moved         = v_q + moved_i;
-  assign phi             = fresh_i ? theta_i : phi_end_i;
-  assign three_a_there_o = there && before_turn_q == 2'd1;
-  assign a_there_o       = there && before_turn_q == 2'd2;
+  assign twice_a = {a_o[Bits-2:0], 1'b0};
+  assign twice_c = {c_q[Bits-2:0], 1'b0};
+  assign v_moved = v_q + moved_i;
+  assign phi     = fresh_i ? theta_i : phi_end_i;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) open_q <= 1'b0;
+    else if (begin_i) open_q <= 1'b1;
+    else if (axis_o == 2'd2 && turn_q == 2'd2) open_q <= 1'b0;
+  end
   always_ff @(posedge clk_i) begin
     if (begin_i) begin
       axis_o <= 2'd0;
@@ -79,12 +83,15 @@ module anchor_opening #(
       turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
       if (turn_q == 2'd2) axis_o <= axis_o + 2'd1;
     end
-    there_axis_o  <= axis_o;
-    before_turn_q <= turn_q;
-    a_o           <= a_i;
-    b_q           <= b_i;
-    c_q           <= c_i;
-    three_a_o     <= a_o + twice_a;
+    there_q         <= open_q;
+    three_a_there_o <= open_q && turn_q == 2'd1;
+    a_there_o       <= open_q && turn_q == 2'd2;
+    there_axis_o    <= axis_o;
+    before_turn_q   <= turn_q;
+    a_o             <= a_i;
+    b_q             <= b_i;
+    c_q             <= c_i;
+    three_a_o       <= a_o + twice_a;
     if (time_copy == 8'd5) v_q <= fresh_i ? '0 : v_moved;
   end
 
@@ -96,7 +103,7 @@ module anchor_opening #(
     b_write_o = time_copy == 8'd6;
     b_place_o = 3'd3;
     b_word_o  = v_q;
-    c_write_o = there;
+    c_write_o = there_q;
     c_place_o = {row, there_axis_o};
     c_word_o  = a_there_o ? c_q : b_q;
     if (before_turn_q == 2'd0) begin

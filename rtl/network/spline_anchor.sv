@@ -233,6 +233,7 @@ module spline_anchor #(
       .Bits(Bits)
   ) u_opening (
       .clk_i,
+      .rst_ni,
       .begin_i,
       .time_i(time_q),
       .fresh_i(fresh_q),
