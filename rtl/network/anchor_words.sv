@@ -3,7 +3,7 @@
 //
 //     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
 //
-//   cycle                                 0    1    2       5        6
+//   cycle                                 0    1    3       5        6
 //   v, phi, q_there_i with result_i       1    load, word_o
 //   square_there_i with result_i          1         load_r, word_o
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
@@ -55,13 +55,16 @@ module anchor_words #(
   logic        [     1:0] result_axis_q;
   logic                   slope_q;
   logic                   square_q;
+  logic                   three_there_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_q  <= 1'b0;
+      slope_q <= 1'b0;
       square_q <= 1'b0;
+      three_there_q <= 1'b0;
     end else begin
-      slope_q  <= slope_there_i;
+      slope_q <= slope_there_i;
       square_q <= square_there_i;
+      three_there_q <= square_q;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -120,8 +123,8 @@ module anchor_words #(
   logic signed [Bits+1:0] two;
   logic signed [Bits+1:0] three_q;
   logic signed [Bits+1:0] minus_three;
-  assign square_wide  = (Bits + 2)'(result_i);
-  assign square_twice = {result_i[Bits-1], result_i, 1'b0};
+  assign square_wide  = (Bits + 2)'(result_q);
+  assign square_twice = {result_q[Bits-1], result_q, 1'b0};
   assign two          = (Bits + 2)'(3'sd2);
   assign minus_three  = two - three_q;
   always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
@@ -159,7 +162,7 @@ module anchor_words #(
       load_w_o       <= (slope_scaled_q[3] && !quiet_i) ? scaled_axis : 3'd0;
       load_phi_o     <= phi_there_i && !quiet_i;
       load_q_o       <= q_there_i && !quiet_i;
-      load_r_o       <= square_q && !quiet_i;
+      load_r_o       <= three_there_q && !quiet_i;
       again_o        <= quiet_i && time_copy == 8'd1;
       start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd87;
     end
@@ -167,7 +170,7 @@ module anchor_words #(
   always_ff @(posedge clk_i) begin
     word_o <= result_i;
     if (from_scale) word_o <= scaled_o;
-    if (square_q) word_o <= minus_three[Bits+1:2];
+    if (three_there_q) word_o <= minus_three[Bits+1:2];
   end
 
 endmodule

@@ -7,7 +7,7 @@
 //     m = N phi    z = 1 - m phi             phi <- phi + z phi / 2
 //     S = phi^2    Q = -S phi    R = -3 S    d = ((a v + b) v + c) v
 //
-//   cycle       0    1 .. 9       8 .. 15   34 .. 88    89    99   108   124 128 132
+//   cycle       0    1 .. 9       8 .. 15   34 .. 88    89   100   108   124 128 132
 //   begin_i     1                                                                    fresh_i
 //   axis_o           0 0 0 1 ..                                                      a_i, b_i, c_i
 //   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
