@@ -2,8 +2,8 @@
 // Positions along splines at constant path speed, one per request: [Chikurov] Fig. 10.
 // Twin: hls/interpolator_kernel.hpp with hls/spline_kernel.hpp, bit for bit.
 //
-//   segment words -> loader -> anchor -> network (steps ahead) -> banks -> sampler -> lander
-//   requests ----------------> step tracker -> offset ---------------------^       `-> samples
+//   segment words -> loader -> anchor -> network (steps ahead) -> banks -> sampler -> lander ->
+//   requests ------> step tracker -> offset ---------------------------------^         samples
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
 // order.  It waits until the step it leads to is there.

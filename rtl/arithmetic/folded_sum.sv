@@ -3,9 +3,9 @@
 //
 //     total = half + a[1] b[1] + .. + a[n] b[n]      n <= 13
 //
-// The operands pass by four times, part after part of the products: low x low, low x high,
-// high x low, high x high halves.  So the adder needs no more than 42 bits: between the parts the
-// sum moves down by 18.
+// The operands pass by four times, part after part of the products: low x low, low x high, high x
+// low, high x high halves.  So the adder needs no more than 42 bits: between the parts the sum
+// moves down by 18.
 //
 //   cycle         0      n-1    n     2n     3n    4n-1          4n+4
 //   valid_i       1  ..  1  ..  1  .. 1  ..  1  .. 1
@@ -13,7 +13,7 @@
 //   first_i       1                                              tag_i is taken
 //   drop_i                      1            1
 //   a_i, b_i      a[1]   a[n]   a[1]  a[1]   a[1]  a[n]
-//   total_o                                                      total, tag_o: to the next 4
+//   total_o                                                      total, tag_o until the next's 4
 //
 // Clocks without valid_i may lie between.  unsigned_i: b has no sign.  half_i belongs to opening_o,
 // in the same clock.  No reset: a sum follows its operands only.

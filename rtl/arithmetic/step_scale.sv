@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word of one scale in another:  y = floor(x 2^Lift / 2^shift + 1/2),  Lift 4 with wide_i,
-// else 1.
+// A word of one scale in another:
 //
-//   cycle    0                   3
+//     y = floor(x 2^Lift / 2^shift + 1/2)      Lift 4 with wide_i, else 1
+//
+//   cycle    0                   4
 //   x_i, wide_i, shift_i         y_o        shift in [0, 57]
 `default_nettype none
 module step_scale #(
@@ -16,23 +17,29 @@ module step_scale #(
 );
 
   // Doubled, as long as the longest shift needs.
-  logic signed [63:0] lifted;
-  logic        [ 5:0] coarse;
-  logic signed [63:0] coarse_q;
-  logic        [ 2:0] fine_q;
-  logic signed [63:0] doubled;
-  logic signed [63:0] doubled_q;
-  logic signed [63:0] one;
-  logic signed [63:0] rounded;
-  assign lifted  = wide_i ? {{(59 - Bits) {x_i[Bits-1]}}, x_i, 5'd0}
-                          : {{(62 - Bits) {x_i[Bits-1]}}, x_i, 2'd0};
-  assign coarse = {shift_i[5:3], 3'd0};
+  logic signed [Bits-1:0] x_q;
+  logic                   wide_q;
+  logic        [     5:0] shift_q;
+  logic signed [    63:0] lifted;
+  logic        [     5:0] coarse;
+  logic signed [    63:0] coarse_q;
+  logic        [     2:0] fine_q;
+  logic signed [    63:0] doubled;
+  logic signed [    63:0] doubled_q;
+  logic signed [    63:0] one;
+  logic signed [    63:0] rounded;
+  assign lifted  = wide_q ? {{(59 - Bits) {x_q[Bits-1]}}, x_q, 5'd0}
+                          : {{(62 - Bits) {x_q[Bits-1]}}, x_q, 2'd0};
+  assign coarse = {shift_q[5:3], 3'd0};
   assign doubled = coarse_q >>> fine_q;
   assign one = 64'sd1;
   assign rounded = doubled_q + one;
   always_ff @(posedge clk_i) begin
+    x_q       <= x_i;
+    wide_q    <= wide_i;
+    shift_q   <= shift_i;
     coarse_q  <= lifted >>> coarse;
-    fine_q    <= shift_i[2:0];
+    fine_q    <= shift_q[2:0];
     doubled_q <= doubled;
     y_o       <= rounded[Bits:1];
   end

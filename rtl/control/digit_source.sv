@@ -4,7 +4,7 @@
 //
 //   cycle      0       1      2        3  ..  Digits + 2     Digits + 4
 //   start_i    1
-//   weight_i   weight                                        < 2^Bits, Bits - 1 fraction
+//   weight_i   weight                                      0 <= weight < 2^Bits, Bits-1 fraction
 //   take_o             1
 //   triple_o                  1
 //   step_o                             1  ..  1

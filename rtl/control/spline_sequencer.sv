@@ -12,11 +12,12 @@
 //   order_o            i                              i + 1
 //
 // Each start comes as early as the newest word permits, which a node reads in its i-th clock.
-// Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause: W[2]
-// has two products of weight_digits before it and would come too late by a few clocks.
+// Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause, before
+// order 3: W[2] has two products by digits before it and comes max(0, 2 weight_digits - 32) clocks
+// late.
 //
 // done_o comes with the last word of the step, q[Order] or with Mode 0 perhaps x[Order]; from
-// start_i
+// start_i to it are
 //
 //     Anchor 1   9 Top (Top + 1) / 2 + 27 Top + Pause + Rest + 1 clocks     Top = Order - 1
 //     Anchor 0   3 Order + 14 less: when every node has its state           Top = Order

@@ -2,7 +2,7 @@
 // The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and
 // go into its memories; then v and phi.
 //
-//   time_i    1 .. 9            2 .. 10                          6      11
+//   time_i    1 .. 9            2 .. 10                          7      11
 //   axis_o    0 0 0 1 1 1 ..
 //   writes                      2c | 3a, b | a, c of an axis     v      phi
 //
@@ -15,13 +15,14 @@ module anchor_opening #(
     parameter int Bits = 36  // [18, 36]
 ) (
     input wire logic clk_i,
+    input wire logic rst_ni,
 
     input wire logic                   begin_i,
     input wire logic        [     7:0] time_i,
     input wire logic                   fresh_i,    // v = 0, phi = theta
     input wire logic signed [Bits-1:0] theta_i,
     input wire logic signed [Bits-1:0] phi_end_i,
-    input wire logic signed [Bits-1:0] moved_i,    // in time 5: what v grows by
+    input wire logic signed [Bits-1:0] moved_i,    // in time 6: what v grows by
 
     output logic             [     1:0] axis_o,
     input  wire logic signed [Bits-1:0] a_i,
@@ -47,6 +48,7 @@ module anchor_opening #(
 
   logic        [     1:0] turn_q;
   logic        [     1:0] before_turn_q;
+  logic                   open_q;  // axis_o is of use
   logic                   there_q;
   logic        [     1:0] row;
   logic signed [Bits-1:0] b_q;
@@ -56,12 +58,23 @@ module anchor_opening #(
   logic signed [Bits-1:0] v_q;
   logic signed [Bits-1:0] v_moved;
   logic signed [Bits-1:0] phi;
-  assign twice_a         = {a_o[Bits-2:0], 1'b0};
-  assign twice_c         = {c_q[Bits-2:0], 1'b0};
-  assign v_moved         = v_q + moved_i;
-  assign phi             = fresh_i ? theta_i : phi_end_i;
-  assign three_a_there_o = there_q && before_turn_q == 2'd1;
-  assign a_there_o       = there_q && before_turn_q == 2'd2;
+  logic        [     7:0] time_copy;  // a clock late
+  local_copy #(
+      .Bits(8)
+  ) u_time (
+      .clk_i,
+      .data_i(time_i),
+      .data_o(time_copy)
+  );
+  assign twice_a = {a_o[Bits-2:0], 1'b0};
+  assign twice_c = {c_q[Bits-2:0], 1'b0};
+  assign v_moved = v_q + moved_i;
+  assign phi     = fresh_i ? theta_i : phi_end_i;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) open_q <= 1'b0;
+    else if (begin_i) open_q <= 1'b1;
+    else if (axis_o == 2'd2 && turn_q == 2'd2) open_q <= 1'b0;
+  end
   always_ff @(posedge clk_i) begin
     if (begin_i) begin
       axis_o <= 2'd0;
@@ -70,14 +83,16 @@ module anchor_opening #(
       turn_q <= (turn_q == 2'd2) ? 2'd0 : turn_q + 2'd1;
       if (turn_q == 2'd2) axis_o <= axis_o + 2'd1;
     end
-    there_q       <= time_i >= 8'd1 && time_i <= 8'd9;
-    there_axis_o  <= axis_o;
-    before_turn_q <= turn_q;
-    a_o           <= a_i;
-    b_q           <= b_i;
-    c_q           <= c_i;
-    three_a_o     <= a_o + twice_a;
-    if (time_i == 8'd5) v_q <= fresh_i ? '0 : v_moved;
+    there_q         <= open_q;
+    three_a_there_o <= open_q && turn_q == 2'd1;
+    a_there_o       <= open_q && turn_q == 2'd2;
+    there_axis_o    <= axis_o;
+    before_turn_q   <= turn_q;
+    a_o             <= a_i;
+    b_q             <= b_i;
+    c_q             <= c_i;
+    three_a_o       <= a_o + twice_a;
+    if (time_copy == 8'd5) v_q <= fresh_i ? '0 : v_moved;
   end
 
   assign row = before_turn_q - 2'd1;
@@ -85,7 +100,7 @@ module anchor_opening #(
     a_write_o = three_a_there_o || a_there_o;
     a_place_o = {row, there_axis_o};
     a_word_o  = a_there_o ? a_o : three_a_o;
-    b_write_o = time_i == 8'd6;
+    b_write_o = time_copy == 8'd6;
     b_place_o = 3'd3;
     b_word_o  = v_q;
     c_write_o = there_q;
@@ -95,7 +110,7 @@ module anchor_opening #(
       c_place_o = {2'd2, there_axis_o};
       c_word_o  = twice_c;
     end
-    if (time_i == 8'd11) begin
+    if (time_copy == 8'd10) begin
       a_write_o = 1'b1;
       a_place_o = 4'd15;
       a_word_o  = phi;

@@ -2,10 +2,10 @@
 // The program of spline_anchor: which operation works when, in four passes of one clock, for N of
 // three, and where its operands are.
 //
-//   time_i          t       t+1 .. t+4              t: as the table below has it
+//   time_i          t       t+1 .. t+4              t: two more than the table below has
 //   op_o                    the operation, op_axis_o its axis
 //   run_o                   1
-//   part_o, pass_o          0 .. 3, 0               as folded_sum wants them; pass_o: N's axes
+//   part_o, pass_o          0 .. 3, 0               for folded_sum; pass_o counts N's axes
 //   end_o                              1
 `default_nettype none
 module anchor_program (
@@ -22,32 +22,47 @@ module anchor_program (
     output logic      [2:0] b_index_o
 );
 
-  // The program: an operation and its axis by the time before its first clock.
+  // The program: an operation and its axis, two clocks ahead, by a time of its own.
+  logic [7:0] time_copy;
+  logic [3:0] next;
+  logic [1:0] next_axis;
+  local_copy #(
+      .Bits(8)
+  ) u_time (
+      .clk_i,
+      .data_i(time_i),
+      .data_o(time_copy)
+  );
   logic [3:0] kind;
   logic [1:0] kind_axis;
   always_comb begin
-    kind      = anchor_pkg::Nothing;
-    kind_axis = 2'd0;
-    case (time_i)
-      8'd11, 8'd15, 8'd19:    kind = anchor_pkg::Mean;
-      8'd23, 8'd27, 8'd31:    kind = anchor_pkg::V;
-      8'd35, 8'd51, 8'd61:    kind = anchor_pkg::Slope;
-      8'd39:                  kind = anchor_pkg::N;
-      8'd57:                  kind = anchor_pkg::M;
-      8'd67:                  kind = anchor_pkg::Z;
-      8'd77:                  kind = anchor_pkg::Phi;
-      8'd87:                  kind = anchor_pkg::S;
-      8'd97:                  kind = anchor_pkg::Q;
-      8'd71, 8'd81, 8'd91:    kind = anchor_pkg::E;
-      8'd101, 8'd105, 8'd109: kind = anchor_pkg::F;
-      8'd113, 8'd117, 8'd121: kind = anchor_pkg::D;
+    next      = anchor_pkg::Nothing;
+    next_axis = 2'd0;
+    case (time_copy)
+      8'd9, 8'd13, 8'd17:     next = anchor_pkg::Mean;
+      8'd21, 8'd25, 8'd29:    next = anchor_pkg::V;
+      8'd33, 8'd49, 8'd59:    next = anchor_pkg::Slope;
+      8'd37:                  next = anchor_pkg::N;
+      8'd55:                  next = anchor_pkg::M;
+      8'd65:                  next = anchor_pkg::Z;
+      8'd75:                  next = anchor_pkg::Phi;
+      8'd85:                  next = anchor_pkg::S;
+      8'd95:                  next = anchor_pkg::Q;
+      8'd69, 8'd79, 8'd89:    next = anchor_pkg::E;
+      8'd99, 8'd103, 8'd107:  next = anchor_pkg::F;
+      8'd111, 8'd115, 8'd119: next = anchor_pkg::D;
       default:                ;
     endcase
-    case (time_i)
-      8'd15, 8'd27, 8'd51, 8'd81, 8'd105, 8'd117: kind_axis = 2'd1;
-      8'd19, 8'd31, 8'd61, 8'd91, 8'd109, 8'd121: kind_axis = 2'd2;
+    case (time_copy)
+      8'd13, 8'd25, 8'd49, 8'd79, 8'd103, 8'd115: next_axis = 2'd1;
+      8'd17, 8'd29, 8'd59, 8'd89, 8'd107, 8'd119: next_axis = 2'd2;
       default: ;
     endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    kind      <= rst_ni ? next : anchor_pkg::Nothing;
+    kind_axis <= next_axis;
   end
 
   // Its four passes, of three clocks for N.

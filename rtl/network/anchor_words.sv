@@ -3,13 +3,13 @@
 //
 //     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
 //
-//   cycle                                 0    1    2       4        5
+//   cycle                                 0    1    3       5        6
 //   v, phi, q_there_i with result_i       1    load, word_o
 //   square_there_i with result_i          1         load_r, word_o
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
 //   slope_there_i with result_i           1                          load_w, word_o
 //
-// scaled_o: moved_i / 2^s in cycle 5 of time_i.  start_o in cycle 89; with quiet_i in cycle 2.
+// scaled_o: moved_i / 2^s in cycle 6 of time_i.  start_o in cycle 89; with quiet_i in cycle 3.
 `default_nettype none
 module anchor_words #(
     parameter int CoefBits = 36  // [18, 36]
@@ -55,13 +55,16 @@ module anchor_words #(
   logic        [     1:0] result_axis_q;
   logic                   slope_q;
   logic                   square_q;
+  logic                   three_there_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_q  <= 1'b0;
+      slope_q <= 1'b0;
       square_q <= 1'b0;
+      three_there_q <= 1'b0;
     end else begin
-      slope_q  <= slope_there_i;
+      slope_q <= slope_there_i;
       square_q <= square_there_i;
+      three_there_q <= square_q;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -92,25 +95,26 @@ module anchor_words #(
       .y_o(scaled_o)
   );
 
-  logic [2:0] slope_scaled_q;
-  logic [2:0] three_a_scaled_q;
-  logic [2:0] a_scaled_q;
-  logic [1:0] axis_q[3];
+  logic [3:0] slope_scaled_q;
+  logic [3:0] three_a_scaled_q;
+  logic [3:0] a_scaled_q;
+  logic [1:0] axis_q[4];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      slope_scaled_q   <= 3'd0;
-      three_a_scaled_q <= 3'd0;
-      a_scaled_q       <= 3'd0;
+      slope_scaled_q   <= 4'd0;
+      three_a_scaled_q <= 4'd0;
+      a_scaled_q       <= 4'd0;
     end else begin
-      slope_scaled_q   <= {slope_scaled_q[1:0], slope_q};
-      three_a_scaled_q <= {three_a_scaled_q[1:0], three_a_there_i};
-      a_scaled_q       <= {a_scaled_q[1:0], a_there_i};
+      slope_scaled_q   <= {slope_scaled_q[2:0], slope_q};
+      three_a_scaled_q <= {three_a_scaled_q[2:0], three_a_there_i};
+      a_scaled_q       <= {a_scaled_q[2:0], a_there_i};
     end
   end
   always_ff @(posedge clk_i) begin
     axis_q[0] <= slope_q ? result_axis_q : open_axis_i;
     axis_q[1] <= axis_q[0];
     axis_q[2] <= axis_q[1];
+    axis_q[3] <= axis_q[2];
   end
 
   // floor(-3 S / 4 + 1/2)
@@ -119,17 +123,26 @@ module anchor_words #(
   logic signed [Bits+1:0] two;
   logic signed [Bits+1:0] three_q;
   logic signed [Bits+1:0] minus_three;
-  assign square_wide  = (Bits + 2)'(result_i);
-  assign square_twice = {result_i[Bits-1], result_i, 1'b0};
+  assign square_wide  = (Bits + 2)'(result_q);
+  assign square_twice = {result_q[Bits-1], result_q, 1'b0};
   assign two          = (Bits + 2)'(3'sd2);
   assign minus_three  = two - three_q;
   always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
 
+  logic [7:0] time_copy;  // a clock late
+  local_copy #(
+      .Bits(8)
+  ) u_time (
+      .clk_i,
+      .data_i(time_i),
+      .data_o(time_copy)
+  );
+
   logic       from_scale;
   logic [2:0] scaled_axis;
   logic [2:0] result_axis;
-  assign from_scale  = slope_scaled_q[2] || three_a_scaled_q[2] || a_scaled_q[2];
-  assign scaled_axis = 3'b001 << axis_q[2];
+  assign from_scale  = slope_scaled_q[3] || three_a_scaled_q[3] || a_scaled_q[3];
+  assign scaled_axis = 3'b001 << axis_q[3];
   assign result_axis = 3'b001 << result_axis_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -143,21 +156,21 @@ module anchor_words #(
       start_o        <= 1'b0;
       step_a_there_o <= 3'd0;
     end else begin
-      load_six_a_o   <= three_a_scaled_q[2] ? scaled_axis : 3'd0;
-      step_a_there_o <= a_scaled_q[2] ? scaled_axis : 3'd0;
+      load_six_a_o   <= three_a_scaled_q[3] ? scaled_axis : 3'd0;
+      step_a_there_o <= a_scaled_q[3] ? scaled_axis : 3'd0;
       load_v_o       <= (v_there_i && !quiet_i) ? result_axis : 3'd0;
-      load_w_o       <= (slope_scaled_q[2] && !quiet_i) ? scaled_axis : 3'd0;
+      load_w_o       <= (slope_scaled_q[3] && !quiet_i) ? scaled_axis : 3'd0;
       load_phi_o     <= phi_there_i && !quiet_i;
       load_q_o       <= q_there_i && !quiet_i;
-      load_r_o       <= square_q && !quiet_i;
-      again_o        <= quiet_i && time_i == 8'd1;
-      start_o        <= time_i == (quiet_i ? 8'd1 : 8'd88);
+      load_r_o       <= three_there_q && !quiet_i;
+      again_o        <= quiet_i && time_copy == 8'd1;
+      start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd87;
     end
   end
   always_ff @(posedge clk_i) begin
     word_o <= result_i;
     if (from_scale) word_o <= scaled_o;
-    if (square_q) word_o <= minus_three[Bits+1:2];
+    if (three_there_q) word_o <= minus_three[Bits+1:2];
   end
 
 endmodule

@@ -7,7 +7,7 @@
 //     m = N phi    z = 1 - m phi             phi <- phi + z phi / 2
 //     S = phi^2    Q = -S phi    R = -3 S    d = ((a v + b) v + c) v
 //
-//   cycle       0    1 .. 9       7 .. 14   34 .. 88    89    99   108   124 128 132
+//   cycle       0    1 .. 9       8 .. 15   34 .. 88    89   100   108   124 128 132
 //   begin_i     1                                                                    fresh_i
 //   axis_o           0 0 0 1 ..                                                      a_i, b_i, c_i
 //   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
@@ -15,9 +15,9 @@
 //   start_o                                             1
 //   d_there_o                                                            1   1   1   d_o, d_axis_o
 //
-// phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.
-// With Anchor = 0 only a segment's first step has the loads from V on; else again_o and start_o
-// come in cycle 2.
+// phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With
+// Anchor = 0 only a segment's first step has the loads from V on; else again_o and start_o
+// come in cycle 3.
 // Every operation is a sum of products (folded_sum), rounded once, and an addition.
 `default_nettype none
 module spline_anchor #(
@@ -233,6 +233,7 @@ module spline_anchor #(
       .Bits(Bits)
   ) u_opening (
       .clk_i,
+      .rst_ni,
       .begin_i,
       .time_i(time_q),
       .fresh_i(fresh_q),

@@ -6,8 +6,8 @@
 //     dq = phi dtau    dW = 6a' dq    dV = W dq    dP = V.dV    dphi = Q dP    dQ = R dphi
 //     R = -3 phi^2     [dx = V dq]
 //
-// Twin: hls/spline_network.hpp, which has the words' formats.  Between the nodes go terms of
-// series, {there, order, coefficient}; dV, dP, dphi are D = i times the coefficient.
+// Twin: hls/spline_network.hpp, which has the words' formats.  Between the nodes go series, term
+// after term, {there, order, coefficient}; dV, dP, dphi are D = i times the coefficient.
 //
 // A step: the words of order 0 (and 6a') by their load pulses from initial_i, or all but 6a' from
 // the step before by again_i; with the last of them or later start_i.  Then the outputs give every

@@ -6,16 +6,17 @@
 // A step starts when there is room for it.  Cycles from begin (start_q) on:
 //
 //   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
-//   a_write_o                   8, 11, 14            a_o = a' of the axis
-//   v_write_o, b_write_o        36 .. 79             V, B' = W / 8 of the axes; Anchor 0:
-//                                                    4, 5, all axes
+//   a_write_o                   9, 12, 15            a_o = a' of the axis
+//   v_write_o, b_write_o        36 .. 80             v_o = V, b_o = B' = W / 8 of the axes;
+//                                                    Anchor 0: 5, 6 in all but the first step
 //   origin_o of point_axis_o    15 .. 14 + AuxAxes   point_write_o, with end_o: auxiliary axes,
 //                               127, 131, 135        X, Y, Z
 //   q_o                         93 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
-//   done_o                      89 + the network's   last_o, k_o, offset_o, stride_o are the step's
+//   done_o                      89 + the network's   last_o, k_o, offset_o, stride_o as well;
+//                                                    Anchor 0: 3 in all but the first step
 //
-// The network's clocks: rtl/control/spline_sequencer.sv.  Order 6, CoefBits 36, polynomial: 303.
-// With Anchor 0 2 + its clocks but for a segment's first step.
+// The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
+// and Anchor 1 they are 303.  The next step begins 2 clocks after done_o.
 `default_nettype none
 module spline_steps #(
     parameter int Order     = 6,   // [2, 12]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adder of a Shannon network: the sum of three series, term after term, {there, order,
-// coefficient}, a clock later.  The terms come together.
+// Adder of a Shannon network: the sum of three series, term after term, a clock later.  A term is
+// {there, order, coefficient}; the three come together.
 `default_nettype none
 module adder #(
     parameter int Bits = 36  // [18, 36]

@@ -6,7 +6,7 @@
 // q comes digit after digit from word_digits, which several scalers share.
 //
 //   cycle      0        Digits + 5
-//   digits_i   q[i]'s first
+//   digits_i   take
 //   w_o                 W[i], {there, order, coefficient}, kept until the next
 //   load_i, again_i                      a clock later W[0] = initial_i, or state_o
 //   gain_i                               g <- initial_i

@@ -14,7 +14,7 @@
 //   sum_o                                   D, 5 clocks    X, until the next one's 4n+4
 //
 // Of n clocks each there are four passes.  u[n-1] and s[First] are read at first, u[0] and
-// s[First+n-1] last: what is written in cycle c may be read in c+1, the newest s then in cycle n.
+// s[First+n-1] last: what is written in cycle c may be read in c+1, so the newest s in cycle n.
 // Twin: hls/series_node.hpp.
 `default_nettype none
 module series_product #(

@@ -2,7 +2,7 @@
 // Stieltjes integrator: the node  x = x(0) + integral of u ds  of a Shannon network, [Chikurov]
 // (15), one order of its series after the other, from those of u and of Ds (Ds[i] = i s[i]):
 //
-//     D[i] = i x[i] = sum of u[j] Ds[i-j], j = 0 .. i-1       x[i] = D[i] / i       state' = sum x
+//     D[i] = i x[i] = sum of u[j] Ds[i-j], j = 0 .. i-1     x[i] = D[i] / i     state' = sum x
 //
 // With First = 0 Ds[i] is what the node is given as order i-1.  A term of a series is one word,
 // {there, order, coefficient}: `there` for a clock, the rest is kept.

@@ -101,8 +101,8 @@ class SplineAnchor : public testing::Test {
             dut_->c_i = to_port(segment_.advance[axis], kBits);
             if (cycle > 11) dut_->phi_end_i = dut_->moved_i = 0;
             dut_.settle();
-            ASSERT_EQ(dut_->start_o, cycle == (quiet ? 2 : kStart)) << cycle;
-            ASSERT_EQ(dut_->again_o, quiet && cycle == 2) << cycle;
+            ASSERT_EQ(dut_->start_o, cycle == (quiet ? 3 : kStart)) << cycle;
+            ASSERT_EQ(dut_->again_o, quiet && cycle == 3) << cycle;
             for (int k = 0; k < 3; ++k) {
                 expect(dut_->load_six_a_o >> k & 1, net.six_a[k], "6a'");
                 expect(dut_->step_a_there_o >> k & 1, kernel_.step_a_[k], "a'");

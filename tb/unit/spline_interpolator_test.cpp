@@ -22,7 +22,7 @@ constexpr int kSamplerClocks = horner_clocks(kOrder) + (CFG_Mode == 0 ? 0 : horn
 constexpr int kLatency = 12 + 3 * kInterval + kSamplerClocks;
 
 using SplineInterpolator =
-    ArcCoreBench<Vspline_interpolator, hls::SplineKernel<Config>, SplineSegments<Config>, 12>;
+    ArcCoreBench<Vspline_interpolator, hls::SplineKernel<Config>, SplineSegments<Config>, 6>;
 
 TEST_F(SplineInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

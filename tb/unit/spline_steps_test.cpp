@@ -180,7 +180,7 @@ TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
         std::int64_t rest = segment.length;
         for (bool first = true; rest > 0; first = false, rest -= full) {
             first ? kernel_.load(segment) : kernel_.step();
-            const int begin = kBegin + (kAnchor || first ? 89 : 2);
+            const int begin = kBegin + (kAnchor || first ? 89 : 3);
             follow(segment, n == 0 && first ? 0 : begin + kNetwork);
             ASSERT_FALSE(HasFatalFailure()) << "segment " << n << " rest " << rest;
             const bool last = rest <= full;
