@@ -69,14 +69,11 @@ module spherical_interpolator #(
   localparam int StepBits = curvecore_pkg::StepBits;
   localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
 
-  // Places for the samples under way at full rate.
   localparam int SamplerClocks = (Mode == 0) ? curvecore_pkg::horner_latency(
       Order, SampleInterval
   ) : curvecore_pkg::horner_latency(
       Order / 2, SampleInterval
   ) + 19;
-  localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 7;
-  localparam int QueueDepth = (UnderWay > 16) ? 2 ** $clog2(UnderWay) : 16;
 
   // Network side: steps into banks.
   logic                       room;
@@ -143,95 +140,12 @@ module spherical_interpolator #(
       .angle_o(angle)
   );
 
-  // Sample side: in slots of SampleInterval clocks.
-  localparam logic [2:0] PhaseMask = 3'(SampleInterval - 1);
-  logic [2:0] phase_q;
-  logic [2:0] tau_phase_q;  // tau is there five clocks after its slot
-  logic       slot;
-  assign slot = phase_q == 3'd0;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      phase_q     <= 3'd0;
-      tau_phase_q <= (3'd0 - 3'd5) & PhaseMask;
-    end else begin
-      phase_q     <= (phase_q + 3'd1) & PhaseMask;
-      tau_phase_q <= (tau_phase_q + 3'd1) & PhaseMask;
-    end
-  end
-
-  logic request_there;
-  logic request_take;
-  logic room_for_sample;
-  logic request_admitted;
-  assign request_admitted = request_there && room_for_sample;
-  logic [47:0] request_ds;
-  skid_buffer #(
-      .Bits(48)
-  ) u_request (
-      .clk_i,
-      .rst_ni,
-      .valid_i(request_valid_i),
-      .ready_o(request_ready_o),
-      .data_i (request_ds_i),
-      .valid_o(request_there),
-      .ready_i(request_take && room_for_sample),
-      .data_o (request_ds)
-  );
-
-  logic                next_valid;
-  logic [  StepBits:0] next_stride;
-  logic                token;
-  logic                tracked;
-  logic [         2:0] step;
-  logic [StepBits-1:0] left;
-  step_tracker u_tracker (
-      .clk_i,
-      .rst_ni,
-      .slot_i(slot),
-      .request_valid_i(request_admitted),
-      .request_ready_o(request_take),
-      .request_ds_i(request_ds),
-      .next_valid_i(next_valid),
-      .next_stride_i(next_stride),
-      .token_o(token),
-      .sample_o(tracked),
-      .step_o(step),
-      .left_o(left)
-  );
-
-  logic [         2:0] look_step;
-  logic                look_last;
-  logic [         4:0] look_k;
-  logic [StepBits-1:0] look_offset;
-  logic                tau_valid;
-  logic                tau_sample;
-  logic                tau_land;
-  logic [         2:0] tau_step;
-  logic [         4:0] tau_down;
-  logic [CoefBits-1:0] tau;
-  sample_offset #(
-      .CoefBits(CoefBits)
-  ) u_offset (
-      .clk_i,
-      .rst_ni,
-      .token_i(token),
-      .sample_i(tracked),
-      .step_i(step),
-      .left_i(left),
-      .look_step_o(look_step),
-      .look_last_i(look_last),
-      .look_k_i(look_k),
-      .look_offset_i(look_offset),
-      .valid_o(tau_valid),
-      .sample_o(tau_sample),
-      .land_o(tau_land),
-      .step_o(tau_step),
-      .down_o(tau_down),
-      .tau_o(tau)
-  );
-
+  logic [              2:0] tau_phase;
+  logic                     tau_valid;
+  logic [     CoefBits-1:0] tau;
+  logic [      TagBits-1:0] tau_tag;
   logic                     d_valid;
-  logic [              9:0] d_tag;
+  logic [      TagBits-1:0] d_tag;
   logic [Axes*CoefBits-1:0] d;
   if (Mode == 0) begin : g_series
     logic unused;
@@ -255,10 +169,10 @@ module spherical_interpolator #(
         .x_i(x),
         .y_i(y),
         .z_i(z),
-        .phase_i(tau_phase_q),
+        .phase_i(tau_phase),
         .valid_i(tau_valid),
         .tau_i(tau),
-        .tag_i({tau_down, tau_sample, tau_land, tau_step}),
+        .tag_i(tau_tag),
         .valid_o(d_valid),
         .d_o(d),
         .tag_o(d_tag)
@@ -288,97 +202,51 @@ module spherical_interpolator #(
         .g_i(g),
         .h_i(h),
         .angle_i(angle),
-        .phase_i(tau_phase_q),
+        .phase_i(tau_phase),
         .valid_i(tau_valid),
         .tau_i(tau),
-        .tag_i({tau_down, tau_sample, tau_land, tau_step}),
+        .tag_i(tau_tag),
         .valid_o(d_valid),
         .d_o(d),
         .tag_o(d_tag)
     );
   end
 
-  // A sample's way through the landers.
-  logic [4:0] land_valid_q;
-  logic [4:0] land_sample_q;
-  logic [2:0] land_q;
-  logic [2:0] land_step_q[4];
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      land_valid_q  <= '0;
-      land_sample_q <= '0;
-    end else begin
-      land_valid_q  <= {land_valid_q[3:0], d_valid};
-      land_sample_q <= {land_sample_q[3:0], d_valid && d_tag[4]};
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    land_q         <= {land_q[1:0], d_tag[3]};
-    land_step_q[0] <= d_tag[2:0];
-    land_step_q[1] <= land_step_q[0];
-    land_step_q[2] <= land_step_q[1];
-    land_step_q[3] <= land_step_q[2];
-  end
-
-  series_buffer u_buffer (
+  sample_side #(
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .SampleInterval(SampleInterval),
+      .SamplerClocks(SamplerClocks)
+  ) u_side (
       .clk_i,
       .rst_ni,
       .room_o(room),
       .write_step_o(write_step),
-      .write_i(step_done),
+      .step_done_i(step_done),
       .last_i(last),
       .k_i(k),
       .offset_i(offset),
       .stride_i(stride),
-      .current_step_i(step),
-      .next_valid_o(next_valid),
-      .next_stride_o(next_stride),
-      .look_step_i(look_step),
-      .look_last_o(look_last),
-      .look_k_o(look_k),
-      .look_offset_o(look_offset),
-      .leave_i(land_valid_q[3]),
-      .leave_step_i(land_step_q[3])
-  );
-
-  logic [    Axes*FineBits-1:0] fine;
-  logic [Axes*PositionBits-1:0] position;
-  for (genvar a = 0; a < Axes; a++) begin : g_axis
-    logic write;
-    assign write = point_write && point_axis == 4'(a);
-    lander #(
-        .CoefBits(CoefBits),
-        .PositionBits(PositionBits),
-        .GuardBits(GuardBits)
-    ) u_lander (
-        .clk_i,
-        .write_i(write),
-        .write_bank_i(write_step[1:0]),
-        .write_origin_i(origin),
-        .write_end_i(segment_end),
-        .d_i(d[a*CoefBits+:CoefBits]),
-        .down_i(d_tag[9:5]),
-        .origin_bank_i(land_step_q[0][1:0]),
-        .end_bank_i(land_step_q[2][1:0]),
-        .land_i(land_q[2]),
-        .fine_o(fine[a*FineBits+:FineBits]),
-        .position_o(position[a*PositionBits+:PositionBits])
-    );
-  end
-
-  sample_queue #(
-      .Bits (Axes * (FineBits + PositionBits)),
-      .Depth(QueueDepth)
-  ) u_sample (
-      .clk_i,
-      .rst_ni,
-      .admit_i(request_admitted && request_take),
-      .room_o (room_for_sample),
-      .push_i (land_sample_q[4]),
-      .data_i ({fine, position}),
-      .valid_o(sample_valid_o),
-      .ready_i(sample_ready_i),
-      .data_o ({sample_fine_o, sample_position_o})
+      .point_write_i(point_write),
+      .point_axis_i(point_axis),
+      .origin_i(origin),
+      .end_i(segment_end),
+      .request_valid_i,
+      .request_ready_o,
+      .request_ds_i,
+      .phase_o(tau_phase),
+      .tau_valid_o(tau_valid),
+      .tau_o(tau),
+      .tag_o(tau_tag),
+      .d_valid_i(d_valid),
+      .d_i(d),
+      .tag_i(d_tag),
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_position_o,
+      .sample_fine_o
   );
 
 endmodule

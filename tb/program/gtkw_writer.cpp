@@ -87,12 +87,12 @@ void parallel_core(Arrangement& view) {
                 {kBit, "last_o"},
                 {kUnsigned, "k_o"}});
     view.group("Sampler", core,
-               {{kBit, "u_tracker.sample_o"},
-                {kUnsigned, "u_tracker.step_o"},
-                {kUnsigned, "u_tracker.left_o"},
-                {kBit, "u_offset.sample_o"},
-                {kUnsigned, "u_offset.tau_o"},
-                {kBit, "u_offset.land_o"}});
+               {{kBit, "u_side.u_tracker.sample_o"},
+                {kUnsigned, "u_side.u_tracker.step_o"},
+                {kUnsigned, "u_side.u_tracker.left_o"},
+                {kBit, "u_side.u_offset.sample_o"},
+                {kUnsigned, "u_side.u_offset.tau_o"},
+                {kBit, "u_side.u_offset.land_o"}});
 }
 
 void serial_core(Arrangement& view) {
@@ -149,7 +149,7 @@ void path_side(Arrangement& view) {
 void positions(Arrangement& view, const CoreParameters& core) {
     Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
     const char* words = core.build == Build::kParallel
-                            ? "g_parallel.u_core.g_axis[{}].u_lander.position_o"
+                            ? "g_parallel.u_core.u_side.g_axis[{}].u_lander.position_o"
                             : "g_serial.u_core.u_lander.g_axis[{}].axis_position_q";
     for (int axis = 0; axis < core.axes(); ++axis) {
         signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample side of an interpolator, whatever the curve: all but the sampler, which stands between
+// tau and d.  Twin: hls/interpolator_kernel.hpp.
+//
+//   requests -> step tracker -> offset -> tau .. d -> landers -> samples
+//                    ^             ^                     ^
+//   steps -> banks --+-------------+---------------------+
+//
+// Everything up to tau moves in slots of SampleInterval clocks; phase_o counts clocks from a tau's
+// slot on.  tag_o goes through the sampler to tag_i: 2^-k, a sample, at its segment's end, step.
+// QueueDepth has places for all samples under way: SamplerClocks is the sampler's latency.
+`default_nettype none
+module sample_side #(
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int PositionBits   = 32,  // [16, 32]
+    parameter int GuardBits      = 10,  // [2, 12]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int SamplerClocks  = 37   // [1, 512]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Steps into banks
+    output logic                                           room_o,
+    output logic             [                        2:0] write_step_o,
+    input  wire logic                                      step_done_i,
+    input  wire logic                                      last_i,
+    input  wire logic        [                        4:0] k_i,
+    input  wire logic        [curvecore_pkg::StepBits-1:0] offset_i,
+    input  wire logic        [  curvecore_pkg::StepBits:0] stride_i,
+    input  wire logic                                      point_write_i,
+    input  wire logic        [                        3:0] point_axis_i,
+    input  wire logic signed [ PositionBits+GuardBits-1:0] origin_i,
+    input  wire logic signed [ PositionBits+GuardBits-1:0] end_i,
+
+    // Path increments
+    input  wire logic        request_valid_i,
+    output logic             request_ready_o,
+    input  wire logic [47:0] request_ds_i,
+
+    // To the sampler and back
+    output logic      [                     2:0] phase_o,
+    output logic                                 tau_valid_o,
+    output logic      [            CoefBits-1:0] tau_o,
+    output logic      [                     9:0] tag_o,
+    input  wire logic                            d_valid_i,
+    input  wire logic [(3+AuxAxes)*CoefBits-1:0] d_i,
+    input  wire logic [                     9:0] tag_i,
+
+    // Samples, axis 0 in the low bits
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o
+);
+
+  localparam int Axes = 3 + AuxAxes;
+  localparam int FineBits = PositionBits + GuardBits;
+  localparam int StepBits = curvecore_pkg::StepBits;
+
+  localparam int UnderWay = (SamplerClocks + 16) / SampleInterval + 7;
+  localparam int QueueDepth = (UnderWay > 16) ? 2 ** $clog2(UnderWay) : 16;
+
+  localparam logic [2:0] PhaseMask = 3'(SampleInterval - 1);
+  logic [2:0] phase_q;
+  logic       slot;
+  assign slot = phase_q == 3'd0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      phase_q <= 3'd0;
+      phase_o <= (3'd0 - 3'd5) & PhaseMask;  // tau is there five clocks after its slot
+    end else begin
+      phase_q <= (phase_q + 3'd1) & PhaseMask;
+      phase_o <= (phase_o + 3'd1) & PhaseMask;
+    end
+  end
+
+  logic request_there;
+  logic request_take;
+  logic room_for_sample;
+  logic request_admitted;
+  assign request_admitted = request_there && room_for_sample;
+  logic [47:0] request_ds;
+  skid_buffer #(
+      .Bits(48)
+  ) u_request (
+      .clk_i,
+      .rst_ni,
+      .valid_i(request_valid_i),
+      .ready_o(request_ready_o),
+      .data_i (request_ds_i),
+      .valid_o(request_there),
+      .ready_i(request_take && room_for_sample),
+      .data_o (request_ds)
+  );
+
+  logic                next_valid;
+  logic [  StepBits:0] next_stride;
+  logic                token;
+  logic                tracked;
+  logic [         2:0] step;
+  logic [StepBits-1:0] left;
+  step_tracker u_tracker (
+      .clk_i,
+      .rst_ni,
+      .slot_i(slot),
+      .request_valid_i(request_admitted),
+      .request_ready_o(request_take),
+      .request_ds_i(request_ds),
+      .next_valid_i(next_valid),
+      .next_stride_i(next_stride),
+      .token_o(token),
+      .sample_o(tracked),
+      .step_o(step),
+      .left_o(left)
+  );
+
+  logic [         2:0] look_step;
+  logic                look_last;
+  logic [         4:0] look_k;
+  logic [StepBits-1:0] look_offset;
+  logic                tau_sample;
+  logic                tau_land;
+  logic [         2:0] tau_step;
+  logic [         4:0] tau_down;
+  sample_offset #(
+      .CoefBits(CoefBits)
+  ) u_offset (
+      .clk_i,
+      .rst_ni,
+      .token_i(token),
+      .sample_i(tracked),
+      .step_i(step),
+      .left_i(left),
+      .look_step_o(look_step),
+      .look_last_i(look_last),
+      .look_k_i(look_k),
+      .look_offset_i(look_offset),
+      .valid_o(tau_valid_o),
+      .sample_o(tau_sample),
+      .land_o(tau_land),
+      .step_o(tau_step),
+      .down_o(tau_down),
+      .tau_o
+  );
+
+  assign tag_o = {tau_down, tau_sample, tau_land, tau_step};
+
+  // A sample's way through the landers.
+  logic [4:0] land_valid_i_q;
+  logic [4:0] land_sample_q;
+  logic [2:0] land_q;
+  logic [2:0] land_step_q[4];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      land_valid_i_q <= '0;
+      land_sample_q  <= '0;
+    end else begin
+      land_valid_i_q <= {land_valid_i_q[3:0], d_valid_i};
+      land_sample_q  <= {land_sample_q[3:0], d_valid_i && tag_i[4]};
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    land_q         <= {land_q[1:0], tag_i[3]};
+    land_step_q[0] <= tag_i[2:0];
+    land_step_q[1] <= land_step_q[0];
+    land_step_q[2] <= land_step_q[1];
+    land_step_q[3] <= land_step_q[2];
+  end
+
+  series_buffer u_buffer (
+      .clk_i,
+      .rst_ni,
+      .room_o,
+      .write_step_o,
+      .write_i(step_done_i),
+      .last_i,
+      .k_i,
+      .offset_i,
+      .stride_i,
+      .current_step_i(step),
+      .next_valid_o(next_valid),
+      .next_stride_o(next_stride),
+      .look_step_i(look_step),
+      .look_last_o(look_last),
+      .look_k_o(look_k),
+      .look_offset_o(look_offset),
+      .leave_i(land_valid_i_q[3]),
+      .leave_step_i(land_step_q[3])
+  );
+
+  logic [    Axes*FineBits-1:0] fine;
+  logic [Axes*PositionBits-1:0] position;
+  for (genvar n = 0; n < Axes; n++) begin : g_axis
+    logic write;
+    assign write = point_write_i && point_axis_i == 4'(n);
+    lander #(
+        .CoefBits(CoefBits),
+        .PositionBits(PositionBits),
+        .GuardBits(GuardBits)
+    ) u_lander (
+        .clk_i,
+        .write_i(write),
+        .write_bank_i(write_step_o[1:0]),
+        .write_origin_i(origin_i),
+        .write_end_i(end_i),
+        .d_i(d_i[n*CoefBits+:CoefBits]),
+        .down_i(tag_i[9:5]),
+        .origin_bank_i(land_step_q[0][1:0]),
+        .end_bank_i(land_step_q[2][1:0]),
+        .land_i(land_q[2]),
+        .fine_o(fine[n*FineBits+:FineBits]),
+        .position_o(position[n*PositionBits+:PositionBits])
+    );
+  end
+
+  sample_queue #(
+      .Bits (Axes * (FineBits + PositionBits)),
+      .Depth(QueueDepth)
+  ) u_sample (
+      .clk_i,
+      .rst_ni,
+      .admit_i(request_admitted && request_take),
+      .room_o (room_for_sample),
+      .push_i (land_sample_q[4]),
+      .data_i ({fine, position}),
+      .valid_o(sample_valid_o),
+      .ready_i(sample_ready_i),
+      .data_o ({sample_fine_o, sample_position_o})
+  );
+
+endmodule
+`default_nettype wire
