@@ -28,6 +28,16 @@ package curvecore_pkg;
     if (interval == 1) horner_latency = horner_latency + 1;
   endfunction
 
+  // Clocks from tau to a displacement (rtl/sampler/curve_sampler.sv).
+  function automatic int sampler_latency(input int curves, input int mode, input int order,
+                                         input int interval);
+    if (mode == 0) sampler_latency = horner_latency(order, interval);
+    else if (curves == 1)
+      sampler_latency = horner_latency(order / 2, interval) + ((interval == 2) ? 19 : 18);
+    else sampler_latency = horner_latency(order, interval) + horner_latency(3, interval);
+    if (mode == 1 && curves == 3) sampler_latency = sampler_latency + 1;
+  endfunction
+
   // round(2^frac / i), frac <= 35: the constants of Riemann's weights.
   function automatic logic [35:0] reciprocal(input int frac, input int i);
     logic [63:0] quotient;

@@ -2,7 +2,7 @@
 // Positions along lines, arcs and helices in space, one per request: [Chikurov] Fig. 8.
 // Twin: hls/interpolator_kernel.hpp, bit for bit.
 //
-//   segment words -> loader -> network (steps ahead) -> banks -> sampler -> lander -> samples
+//   segment words -> starter -> network (steps ahead) -> banks -> sampler -> lander -> samples
 //   requests ----------------> step tracker -> offset --------------^
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
@@ -52,201 +52,30 @@ module spherical_interpolator #(
     output logic [15:0] empty_segments_o
 );
 
-  initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
-  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
-  initial if (PositionBits < 16 || PositionBits > 32) $fatal(1, "PositionBits must be in [16, 32]");
-  initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
-  initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
-  initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
-  initial
-    if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
-  initial
-    if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
-      $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
-
-  localparam int Axes = 3 + AuxAxes;
-  localparam int FineBits = PositionBits + GuardBits;
-  localparam int StepBits = curvecore_pkg::StepBits;
-  localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
-
-  localparam int SamplerClocks = (Mode == 0) ? curvecore_pkg::horner_latency(
-      Order, SampleInterval
-  ) : curvecore_pkg::horner_latency(
-      Order / 2, SampleInterval
-  ) + 19;
-
-  // Network side: steps into banks.
-  logic                       room;
-  logic        [         2:0] write_step;
-  logic                       step_done;
-  logic                       last;
-  logic        [         4:0] k;
-  logic        [StepBits-1:0] offset;
-  logic        [  StepBits:0] stride;
-  logic                       rate_valid;
-  logic        [         3:0] rate_axis;
-  logic signed [CoefBits-1:0] advance;
-  logic                       point_write;
-  logic        [         3:0] point_axis;
-  logic signed [FineBits-1:0] origin;
-  logic signed [FineBits-1:0] segment_end;
-  logic                       zeroth;
-  logic                       collect;
-  logic        [         3:0] order;
-  logic signed [CoefBits-1:0] x;
-  logic signed [CoefBits-1:0] y;
-  logic signed [CoefBits-1:0] z;
-  logic signed [CoefBits-1:0] f;
-  logic signed [CoefBits-1:0] g;
-  logic signed [CoefBits-1:0] h;
-  logic signed [CoefBits-1:0] angle;
-
-  spherical_steps #(
+  curve_interpolator #(
+      .Curves(1),
       .Order(Order),
       .CoefBits(CoefBits),
-      .FineBits(FineBits),
+      .PositionBits(PositionBits),
       .GuardBits(GuardBits),
       .AuxAxes(AuxAxes),
-      .Mode(Mode)
-  ) u_steps (
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .MultiplierForm(MultiplierForm)
+  ) u_curves (
       .clk_i,
       .rst_ni,
       .segment_valid_i,
       .segment_ready_o,
       .segment_data_i,
-      .empty_segments_o,
-      .room_i(room),
-      .done_o(step_done),
-      .last_o(last),
-      .k_o(k),
-      .offset_o(offset),
-      .stride_o(stride),
-      .rate_valid_o(rate_valid),
-      .rate_axis_o(rate_axis),
-      .advance_o(advance),
-      .point_write_o(point_write),
-      .point_axis_o(point_axis),
-      .origin_o(origin),
-      .end_o(segment_end),
-      .zeroth_o(zeroth),
-      .collect_o(collect),
-      .order_o(order),
-      .x_o(x),
-      .y_o(y),
-      .z_o(z),
-      .f_o(f),
-      .g_o(g),
-      .h_o(h),
-      .angle_o(angle)
-  );
-
-  logic [              2:0] tau_phase;
-  logic                     tau_valid;
-  logic [     CoefBits-1:0] tau;
-  logic [      TagBits-1:0] tau_tag;
-  logic                     d_valid;
-  logic [      TagBits-1:0] d_tag;
-  logic [Axes*CoefBits-1:0] d;
-  if (Mode == 0) begin : g_series
-    logic unused;
-    assign unused = &{zeroth, f, g, h, angle};
-    series_sampler #(
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .AuxAxes(AuxAxes),
-        .SampleInterval(SampleInterval),
-        .TagBits(TagBits),
-        .MultiplierForm(MultiplierForm)
-    ) u_sampler (
-        .clk_i,
-        .rst_ni,
-        .bank_i(write_step[1:0]),
-        .rate_valid_i(rate_valid),
-        .rate_axis_i(rate_axis),
-        .advance_i(advance),
-        .collect_i(collect),
-        .order_i(order),
-        .x_i(x),
-        .y_i(y),
-        .z_i(z),
-        .phase_i(tau_phase),
-        .valid_i(tau_valid),
-        .tau_i(tau),
-        .tag_i(tau_tag),
-        .valid_o(d_valid),
-        .d_o(d),
-        .tag_o(d_tag)
-    );
-  end else begin : g_polynomial
-    polynomial_sampler #(
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .AuxAxes(AuxAxes),
-        .SampleInterval(SampleInterval),
-        .TagBits(TagBits),
-        .MultiplierForm(MultiplierForm)
-    ) u_sampler (
-        .clk_i,
-        .rst_ni,
-        .bank_i(write_step[1:0]),
-        .rate_valid_i(rate_valid),
-        .rate_axis_i(rate_axis),
-        .advance_i(advance),
-        .zeroth_i(zeroth),
-        .collect_i(collect),
-        .order_i(order),
-        .x_i(x),
-        .y_i(y),
-        .z_i(z),
-        .f_i(f),
-        .g_i(g),
-        .h_i(h),
-        .angle_i(angle),
-        .phase_i(tau_phase),
-        .valid_i(tau_valid),
-        .tau_i(tau),
-        .tag_i(tau_tag),
-        .valid_o(d_valid),
-        .d_o(d),
-        .tag_o(d_tag)
-    );
-  end
-
-  sample_side #(
-      .CoefBits(CoefBits),
-      .PositionBits(PositionBits),
-      .GuardBits(GuardBits),
-      .AuxAxes(AuxAxes),
-      .SampleInterval(SampleInterval),
-      .SamplerClocks(SamplerClocks)
-  ) u_side (
-      .clk_i,
-      .rst_ni,
-      .room_o(room),
-      .write_step_o(write_step),
-      .step_done_i(step_done),
-      .last_i(last),
-      .k_i(k),
-      .offset_i(offset),
-      .stride_i(stride),
-      .point_write_i(point_write),
-      .point_axis_i(point_axis),
-      .origin_i(origin),
-      .end_i(segment_end),
       .request_valid_i,
       .request_ready_o,
       .request_ds_i,
-      .phase_o(tau_phase),
-      .tau_valid_o(tau_valid),
-      .tau_o(tau),
-      .tag_o(tau_tag),
-      .d_valid_i(d_valid),
-      .d_i(d),
-      .tag_i(d_tag),
       .sample_valid_o,
       .sample_ready_i,
       .sample_position_o,
-      .sample_fine_o
+      .sample_fine_o,
+      .empty_segments_o
   );
 
 endmodule

@@ -187,6 +187,18 @@ foreach(size 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10
                    AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
 endforeach()
 
+# The core for both kinds: the same.
+foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
+        6,36,32,10,0,1,0,2 3,30,28,8,1,1,1,8 8,36,32,12,6,0,1,2)
+  read_row(${size} order coef position guard aux mode anchor interval)
+  core_test(curve_interpolator
+            both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval}
+            TOP curve_interpolator LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+endforeach()
+illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
+
 # The path side: queue depth, interval between ticks.
 foreach(depth 2 16 512)
   core_test(word_queue d${depth} TOP word_queue PARAMS Bits=48 Depth=${depth})

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segments in, integration steps out: loader, sequencer, network, lengths and origins.
+// Integration steps along lines, arcs and helices: sequencer, network and origins.
 // Twin: SphericalKernel::load and ::step in hls/spherical_kernel.hpp.
 //
-// A step starts when there is room for it, and lasts (rtl/control/taylor_sequencer.sv)
+// A step lasts (rtl/control/taylor_sequencer.sv)
 //
 //     Order (Digits + 3) + 7 clocks,  Digits = ceil(CoefBits / 2)
 //
@@ -11,7 +11,10 @@
 //   zeroth_o         one clock: x_o .. h_o are n and t at the step's start
 //   collect_o        Order clocks: x_o .. z_o are the coefficients of order_o; with Mode 1 angle_o
 //                    is that of the angle's sine (odd orders) or cosine (even orders)
-//   done_o           with the last collect_o: last_o, k_o, offset_o, stride_o are the step's
+//   done_o           with the last collect_o
+//
+// The segment's words follow segment_axis_o and segment_point_o in the same clock
+// (rtl/control/step_starter.sv), theta_i and k_i a clock after start_i.
 `default_nettype none
 module spherical_steps #(
     parameter int Order     = 6,   // [2, 12]
@@ -24,17 +27,21 @@ module spherical_steps #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input  wire logic        segment_valid_i,
-    output logic             segment_ready_o,
-    input  wire logic [47:0] segment_data_i,
-    output logic      [15:0] empty_segments_o,
+    input  wire logic start_i,
+    input  wire logic fresh_i,  // the step is the first of its segment
+    output logic      ready_o,  // none is under way
+    output logic      done_o,
 
-    input  wire logic                               room_i,
-    output logic                                    done_o,
-    output logic                                    last_o,
-    output logic      [                        4:0] k_o,
-    output logic      [curvecore_pkg::StepBits-1:0] offset_o,
-    output logic      [  curvecore_pkg::StepBits:0] stride_o,
+    // The segment
+    input  wire logic        [CoefBits-1:0] theta_i,
+    input  wire logic        [         4:0] k_i,
+    output logic             [         3:0] segment_axis_o,
+    input  wire logic signed [CoefBits-1:0] tangent_i,
+    input  wire logic signed [CoefBits-1:0] normal_i,
+    input  wire logic signed [CoefBits-1:0] advance_i,
+    output logic             [         3:0] segment_point_o,
+    input  wire logic signed [FineBits-1:0] start_point_i,
+    input  wire logic signed [FineBits-1:0] end_point_i,
 
     output logic                       rate_valid_o,
     output logic        [         3:0] rate_axis_o,
@@ -56,88 +63,10 @@ module spherical_steps #(
     output logic signed [CoefBits-1:0] angle_o
 );
 
-  logic                       segment_there;
-  logic        [        47:0] segment_length;
-  logic        [CoefBits-1:0] segment_theta;
-  logic        [         4:0] segment_k;
-  logic        [         5:0] unused_lambda;
-  logic                       unused_kind;
-  logic signed [CoefBits-1:0] tangent;
-  logic signed [CoefBits-1:0] normal;
-  logic signed [CoefBits-1:0] segment_advance;
-  logic signed [FineBits-1:0] segment_start;
-  logic signed [FineBits-1:0] segment_end;
-  logic                       rate_valid;
-  logic        [         3:0] rate_axis;
-  logic                       point_write;
-  logic        [         3:0] point_axis;
-  logic signed [FineBits-1:0] origin;
-
-  // A step of the present segment, or the first of the next.  The start is a register: it reaches
-  // far.
-  logic                       ready;
-  logic                       start;
-  logic                       fresh_q;  // the next step is the first of its segment
-  logic                       load_q;  // the present step is
-  logic                       take_segment;
-  logic        [CoefBits-1:0] theta_q;
+  logic load_q;  // the present step is the first of its segment
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      fresh_q      <= 1'b1;
-      start        <= 1'b0;
-      take_segment <= 1'b0;
-    end else begin
-      if (done_o) fresh_q <= last_o;
-      start        <= ready && !done_o && !start && room_i && (segment_there || !fresh_q);
-      take_segment <= ready && !done_o && !start && room_i && segment_there && fresh_q;
-    end
+    if (start_i) load_q <= fresh_i;
   end
-  always_ff @(posedge clk_i) begin
-    if (start) load_q <= fresh_q;
-    if (take_segment) begin
-      theta_q <= segment_theta;
-      k_o     <= segment_k;
-    end
-  end
-
-  segment_loader #(
-      .CoefBits(CoefBits),
-      .FineBits(FineBits),
-      .AuxAxes (AuxAxes)
-  ) u_loader (
-      .clk_i,
-      .rst_ni,
-      .valid_i(segment_valid_i),
-      .ready_o(segment_ready_o),
-      .data_i(segment_data_i),
-      .segment_valid_o(segment_there),
-      .take_i(take_segment),
-      .length_o(segment_length),
-      .theta_o(segment_theta),
-      .k_o(segment_k),
-      .lambda_o(unused_lambda),
-      .kind_o(unused_kind),
-      .empty_segments_o,
-      .rate_axis_i(rate_axis),
-      .tangent_o(tangent),
-      .normal_o(normal),
-      .advance_o(segment_advance),
-      .point_axis_i(point_axis),
-      .start_o(segment_start),
-      .end_o(segment_end)
-  );
-
-  step_meter u_meter (
-      .clk_i,
-      .rst_ni,
-      .load_i(take_segment),
-      .length_i(segment_length),
-      .k_i(segment_k),
-      .next_i(start),
-      .last_o,
-      .offset_o,
-      .stride_o
-  );
 
   logic       take;
   logic       close;
@@ -155,10 +84,10 @@ module spherical_steps #(
   ) u_sequencer (
       .clk_i,
       .rst_ni,
-      .start_i(start),
-      .fresh_i(fresh_q),
-      .theta_i(theta_q),
-      .ready_o(ready),
+      .start_i,
+      .fresh_i,
+      .theta_i,
+      .ready_o,
       .take_o(take),
       .close_o(close),
       .triple_o(triple),
@@ -175,6 +104,10 @@ module spherical_steps #(
       .done_o
   );
 
+  logic                       rate_valid;
+  logic                       point_write;
+  logic signed [FineBits-1:0] origin;
+
   // While the axes pass by, their unit vectors are loaded, a clock later.
   logic        [         2:0] axis;
   logic        [         2:0] initial_load_q;
@@ -187,7 +120,7 @@ module spherical_steps #(
   always_comb begin
     axis = 3'b000;
     sum  = '0;
-    case (rate_axis)
+    case (segment_axis_o)
       4'd0: begin
         axis = 3'b001;
         sum  = sum_x;
@@ -205,8 +138,8 @@ module spherical_steps #(
   end
   always_ff @(posedge clk_i) begin
     initial_load_q    <= (rate_valid && load_q) ? axis : 3'b000;
-    initial_normal_q  <= normal;
-    initial_tangent_q <= tangent;
+    initial_normal_q  <= normal_i;
+    initial_tangent_q <= tangent_i;
   end
 
   spherical_network #(
@@ -245,16 +178,16 @@ module spherical_steps #(
   ) u_origin (
       .clk_i,
       .rst_ni,
-      .start_i(start),
-      .fresh_i(fresh_q),
-      .k_i(k_o),
+      .start_i,
+      .fresh_i,
+      .k_i,
       .rate_valid_o(rate_valid),
-      .rate_axis_o(rate_axis),
+      .rate_axis_o(segment_axis_o),
       .sum_i(sum),
-      .advance_i(segment_advance),
+      .advance_i,
       .write_o(point_write),
-      .point_axis_o(point_axis),
-      .segment_start_i(segment_start),
+      .point_axis_o(segment_point_o),
+      .segment_start_i(start_point_i),
       .origin_o(origin)
   );
 
@@ -269,11 +202,11 @@ module spherical_steps #(
     end
   end
   always_ff @(posedge clk_i) begin
-    rate_axis_o  <= rate_axis;
-    advance_o    <= segment_advance;
-    point_axis_o <= point_axis;
+    rate_axis_o  <= segment_axis_o;
+    advance_o    <= advance_i;
+    point_axis_o <= segment_point_o;
     origin_o     <= origin;
-    end_o        <= segment_end;
+    end_o        <= end_point_i;
   end
 
   // The angle from the step's start: sine and cosine from 0 and 1.
@@ -284,7 +217,7 @@ module spherical_steps #(
         .CoefBits(CoefBits)
     ) u_angle (
         .clk_i,
-        .load_i(start),
+        .load_i(start_i),
         .sine_i({CoefBits{1'b0}}),
         .cosine_i({2'b01, {(CoefBits - 2) {1'b0}}}),
         .take_i(take),

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spline segments in, integration steps out: loader, anchor, network, lengths and origins.
-// Twin: SplineKernel::load and ::step in hls/spline_kernel.hpp.  Segments of another kind are not
-// for this module: they would be drawn as splines.
+// Integration steps along splines: anchor, network and origins.
+// Twin: SplineKernel::load and ::step in hls/spline_kernel.hpp.
 //
-// A step starts when there is room for it.  Cycles from begin (start_q) on:
+// Cycles from start_i on:
 //
 //   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
 //   a_write_o                   9, 12, 15            a_o = a' of the axis
@@ -12,11 +11,12 @@
 //   origin_o of point_axis_o    15 .. 14 + AuxAxes   point_write_o, with end_o: auxiliary axes,
 //                               127, 131, 135        X, Y, Z
 //   q_o                         93 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
-//   done_o                      89 + the network's   last_o, k_o, offset_o, stride_o as well;
-//                                                    Anchor 0: 3 in all but the first step
+//   done_o                      89 + the network's   Anchor 0: 3 in all but the first step
 //
 // The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
-// and Anchor 1 they are 303.  The next step begins 2 clocks after done_o.
+// and Anchor 1 they are 303.  The next step begins 2 clocks after done_o.  The segment's words
+// follow segment_axis_o and segment_point_o in the same clock (rtl/control/step_starter.sv),
+// theta_i, k_i and lambda_i a clock after start_i.
 `default_nettype none
 module spline_steps #(
     parameter int Order     = 6,   // [2, 12]
@@ -31,17 +31,22 @@ module spline_steps #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input  wire logic        segment_valid_i,
-    output logic             segment_ready_o,
-    input  wire logic [47:0] segment_data_i,
-    output logic      [15:0] empty_segments_o,
+    input  wire logic start_i,
+    input  wire logic fresh_i,  // the step is the first of its segment
+    output logic      ready_o,  // none is under way
+    output logic      done_o,
 
-    input  wire logic                               room_i,
-    output logic                                    done_o,
-    output logic                                    last_o,
-    output logic      [                        4:0] k_o,
-    output logic      [curvecore_pkg::StepBits-1:0] offset_o,
-    output logic      [  curvecore_pkg::StepBits:0] stride_o,
+    // The segment
+    input  wire logic        [CoefBits-1:0] theta_i,          // phi
+    input  wire logic        [         4:0] k_i,
+    input  wire logic        [         4:0] lambda_i,
+    output logic             [         3:0] segment_axis_o,
+    input  wire logic signed [CoefBits-1:0] a_i,
+    input  wire logic signed [CoefBits-1:0] b_i,
+    input  wire logic signed [CoefBits-1:0] c_i,              // of an auxiliary axis: advance
+    output logic             [         3:0] segment_point_o,
+    input  wire logic signed [FineBits-1:0] start_point_i,
+    input  wire logic signed [FineBits-1:0] end_point_i,
 
     output logic                       rate_valid_o,
     output logic        [         3:0] rate_axis_o,
@@ -68,91 +73,15 @@ module spline_steps #(
 
   initial if (Anchor == 0 && Mode == 0) $fatal(1, "Anchor 0 works with Mode 1 only");
 
-  logic                       segment_there;
-  logic        [        47:0] segment_length;
-  logic        [CoefBits-1:0] segment_theta;
-  logic        [         4:0] segment_k;
-  logic        [         5:0] segment_lambda;
-  logic                       unused_kind;
-  logic signed [CoefBits-1:0] a;
-  logic signed [CoefBits-1:0] b;
-  logic signed [CoefBits-1:0] c;
-  logic signed [FineBits-1:0] segment_start;
-  logic signed [FineBits-1:0] segment_end;
-  logic        [         3:0] rate_axis;
-  logic        [         3:0] read_axis;
-
-  // A step of the present segment, or the first of the next.
-  logic                       start_q;
-  logic                       busy_q;
-  logic                       fresh_q;  // the next step is the first of its segment
-  logic                       load_q;  // the present step is
-  logic                       take_segment_q;
-  logic                       go;
-  logic        [CoefBits-1:0] theta_q;
-  logic        [         5:0] lambda_q;
-  assign go = !busy_q && room_i && (segment_there || !fresh_q);
+  logic load_q;  // the present step is the first of its segment
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      fresh_q        <= 1'b1;
-      busy_q         <= 1'b0;
-      start_q        <= 1'b0;
-      take_segment_q <= 1'b0;
-    end else begin
-      if (done_o) fresh_q <= last_o;
-      if (go) busy_q <= 1'b1;
-      else if (done_o) busy_q <= 1'b0;
-      start_q        <= go;
-      take_segment_q <= go && fresh_q;
-    end
+    if (start_i) load_q <= fresh_i;
   end
   always_ff @(posedge clk_i) begin
-    if (start_q) load_q <= fresh_q;
-    if (take_segment_q) begin
-      theta_q  <= segment_theta;
-      k_o      <= segment_k;
-      lambda_q <= segment_lambda;
-    end
+    if (!rst_ni) ready_o <= 1'b1;
+    else if (start_i) ready_o <= 1'b0;
+    else if (done_o) ready_o <= 1'b1;
   end
-
-  segment_loader #(
-      .CoefBits(CoefBits),
-      .FineBits(FineBits),
-      .AuxAxes (AuxAxes)
-  ) u_loader (
-      .clk_i,
-      .rst_ni,
-      .valid_i(segment_valid_i),
-      .ready_o(segment_ready_o),
-      .data_i(segment_data_i),
-      .segment_valid_o(segment_there),
-      .take_i(take_segment_q),
-      .length_o(segment_length),
-      .theta_o(segment_theta),
-      .k_o(segment_k),
-      .lambda_o(segment_lambda),
-      .kind_o(unused_kind),
-      .empty_segments_o,
-      .rate_axis_i(rate_axis),
-      .tangent_o(a),
-      .normal_o(b),
-      .advance_o(c),
-      .point_axis_i(read_axis),
-      .start_o(segment_start),
-      .end_o(segment_end)
-  );
-
-  step_meter u_meter (
-      .clk_i,
-      .rst_ni,
-      .load_i(take_segment_q),
-      .length_i(segment_length),
-      .k_i(segment_k),
-      .next_i(start_q),
-      .last_o,
-      .offset_o,
-      .stride_o
-  );
 
   logic        [         2:0] load_six_a;
   logic        [         2:0] load_v;
@@ -170,7 +99,7 @@ module spline_steps #(
   logic                       d_there;
   logic        [         1:0] d_axis;
   logic signed [CoefBits-1:0] d;
-  assign difference = lambda_q[4:0] - k_o;
+  assign difference = lambda_i - k_i;
   spline_anchor #(
       .CoefBits(CoefBits),
       .Anchor(Anchor),
@@ -178,16 +107,16 @@ module spline_steps #(
   ) u_anchor (
       .clk_i,
       .rst_ni,
-      .begin_i(start_q),
-      .fresh_i(fresh_q),
+      .begin_i(start_i),
+      .fresh_i,
       .s_i(difference),
-      .theta_i(theta_q),
+      .theta_i,
       .phi_end_i(phi_end),
       .moved_i(moved),
       .axis_o(anchor_axis),
-      .a_i(a),
-      .b_i(b),
-      .c_i(c),
+      .a_i,
+      .b_i,
+      .c_i,
       .load_six_a_o(load_six_a),
       .load_v_o(load_v),
       .load_w_o(load_w),
@@ -265,19 +194,19 @@ module spline_steps #(
   logic [3:0] aux_axis;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) time_q <= 5'd31;
-    else if (start_q) time_q <= 5'd1;
+    else if (start_i) time_q <= 5'd1;
     else if (time_q != 5'd31) time_q <= time_q + 5'd1;
   end
-  assign aux       = time_q >= 5'd11 && time_q < 5'(11 + AuxAxes);
-  assign aux_axis  = time_q[3:0] - 4'd8;
-  assign rate_axis = aux ? aux_axis : {2'b00, anchor_axis};
+  assign aux            = time_q >= 5'd11 && time_q < 5'(11 + AuxAxes);
+  assign aux_axis       = time_q[3:0] - 4'd8;
+  assign segment_axis_o = aux ? aux_axis : {2'b00, anchor_axis};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) rate_valid_o <= 1'b0;
     else rate_valid_o <= aux;
   end
   always_ff @(posedge clk_i) begin
     rate_axis_o <= aux_axis;
-    advance_o   <= c;
+    advance_o   <= c_i;
   end
 
   logic                       origin_there;
@@ -294,18 +223,18 @@ module spline_steps #(
       .clk_i,
       .rst_ni,
       .fresh_i(load_q),
-      .k_i(k_o),
-      .lambda_i(lambda_q[4:0]),
+      .k_i,
+      .lambda_i,
       .there_i(origin_there),
       .axis_i(origin_axis),
       .d_i(origin_d),
-      .read_axis_o(read_axis),
+      .read_axis_o(segment_point_o),
       .write_o(point_write_o),
       .point_axis_o,
-      .segment_start_i(segment_start),
+      .segment_start_i(start_point_i),
       .origin_o
   );
-  always_ff @(posedge clk_i) end_o <= segment_end;
+  always_ff @(posedge clk_i) end_o <= end_point_i;
 
 endmodule
 `default_nettype wire

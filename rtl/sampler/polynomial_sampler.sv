@@ -4,7 +4,7 @@
 //     sine = y_1 + y_3 q + ..     versine = z_2 q + z_4 q^2 + ..     (y_1 = 1)
 //     d = (t sine + advance) tau + n versine
 //
-// and d = advance tau for an auxiliary axis.  Twin: hls/spherical_kernel.hpp, polynomial mode.
+// Twin: hls/spherical_kernel.hpp, polynomial mode.
 //
 //   clock           0        5    B = 5 + Lv      B+1      B+Offset    B+1+Offset    Latency
 //                   tau_i    q    versine, sine   t sine   n versine   rate tau      d_o, tag_o
@@ -15,7 +15,6 @@
 module polynomial_sampler #(
     parameter int Order          = 6,   // [2, 12]
     parameter int CoefBits       = 36,  // [18, 36]
-    parameter int AuxAxes        = 0,   // [0, 6]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
     parameter int TagBits        = 5,   // the low two are the bank
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
@@ -40,16 +39,15 @@ module polynomial_sampler #(
     input wire logic signed [CoefBits-1:0] angle_i,
 
     // Samples
-    input  wire logic [                     2:0] phase_i,
-    input  wire logic                            valid_i,
-    input  wire logic [            CoefBits-1:0] tau_i,
-    input  wire logic [             TagBits-1:0] tag_i,
-    output logic                                 valid_o,
-    output logic      [(3+AuxAxes)*CoefBits-1:0] d_o,
-    output logic      [             TagBits-1:0] tag_o
+    input  wire logic [           2:0] phase_i,
+    input  wire logic                  valid_i,
+    input  wire logic [  CoefBits-1:0] tau_i,
+    input  wire logic [   TagBits-1:0] tag_i,
+    output logic                       valid_o,
+    output logic      [3*CoefBits-1:0] d_o,
+    output logic      [   TagBits-1:0] tag_o
 );
 
-  localparam int Axes = 3 + AuxAxes;
   localparam int Square = curvecore_pkg::MultiplierLatency;
   localparam int SinePasses = (Order - 1) / 2;
   localparam int VersinePasses = Order / 2;
@@ -275,27 +273,6 @@ module polynomial_sampler #(
         .versine_i(versine_late),
         .tau_i(tau_late),
         .d_o(d_o[a*CoefBits+:CoefBits])
-    );
-  end
-
-  if (AuxAxes > 0) begin : g_auxiliary
-    auxiliary_sampler #(
-        .CoefBits(CoefBits),
-        .AuxAxes(AuxAxes),
-        .SampleInterval(SampleInterval),
-        .Latency(Base + Tail),
-        .MultiplierForm(MultiplierForm)
-    ) u_auxiliary (
-        .clk_i,
-        .rst_ni,
-        .bank_i,
-        .rate_valid_i,
-        .rate_axis_i,
-        .advance_i,
-        .phase_i,
-        .tau_i,
-        .tau_bank_i(tag_i[1:0]),
-        .d_o(d_o[Axes*CoefBits-1:3*CoefBits])
     );
   end
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample side of an interpolator, whatever the curve: all but the sampler, which stands between
-// tau and d.  Twin: hls/interpolator_kernel.hpp.
+// The sample side of an interpolator, whatever the curve: all but the sampler of x y z, which stands
+// between tau and d.  Twin: hls/interpolator_kernel.hpp.
 //
 //   requests -> step tracker -> offset -> tau .. d -> landers -> samples
 //                    ^             ^                     ^
@@ -8,7 +8,7 @@
 //
 // Everything up to tau moves in slots of SampleInterval clocks; phase_o counts clocks from a tau's
 // slot on.  tag_o goes through the sampler to tag_i: 2^-k, a sample, at its segment's end, step.
-// QueueDepth has places for all samples under way: SamplerClocks is the sampler's latency.
+// QueueDepth has places for all samples under way.
 `default_nettype none
 module sample_side #(
     parameter int CoefBits       = 36,  // [18, 36]
@@ -16,7 +16,8 @@ module sample_side #(
     parameter int GuardBits      = 10,  // [2, 12]
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
-    parameter int SamplerClocks  = 37   // [1, 512]
+    parameter int SamplerClocks  = 37,  // from tau to d
+    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -29,6 +30,9 @@ module sample_side #(
     input  wire logic        [                        4:0] k_i,
     input  wire logic        [curvecore_pkg::StepBits-1:0] offset_i,
     input  wire logic        [  curvecore_pkg::StepBits:0] stride_i,
+    input  wire logic                                      rate_valid_i,
+    input  wire logic        [                        3:0] rate_axis_i,
+    input  wire logic signed [               CoefBits-1:0] advance_i,
     input  wire logic                                      point_write_i,
     input  wire logic        [                        3:0] point_axis_i,
     input  wire logic signed [ PositionBits+GuardBits-1:0] origin_i,
@@ -40,13 +44,13 @@ module sample_side #(
     input  wire logic [47:0] request_ds_i,
 
     // To the sampler and back
-    output logic      [                     2:0] phase_o,
-    output logic                                 tau_valid_o,
-    output logic      [            CoefBits-1:0] tau_o,
-    output logic      [                     9:0] tag_o,
-    input  wire logic                            d_valid_i,
-    input  wire logic [(3+AuxAxes)*CoefBits-1:0] d_i,
-    input  wire logic [                     9:0] tag_i,
+    output logic      [           2:0] phase_o,
+    output logic                       tau_valid_o,
+    output logic      [  CoefBits-1:0] tau_o,
+    output logic      [           9:0] tag_o,
+    input  wire logic                  d_valid_i,
+    input  wire logic [3*CoefBits-1:0] d_i,
+    input  wire logic [           9:0] tag_i,
 
     // Samples, axis 0 in the low bits
     output logic                                                 sample_valid_o,
@@ -147,6 +151,32 @@ module sample_side #(
 
   assign tag_o = {tau_down, tau_sample, tau_land, tau_step};
 
+  logic [Axes*CoefBits-1:0] d;
+  assign d[3*CoefBits-1:0] = d_i;
+  if (AuxAxes > 0) begin : g_auxiliary
+    auxiliary_sampler #(
+        .CoefBits(CoefBits),
+        .AuxAxes(AuxAxes),
+        .SampleInterval(SampleInterval),
+        .Latency(SamplerClocks),
+        .MultiplierForm(MultiplierForm)
+    ) u_auxiliary (
+        .clk_i,
+        .rst_ni,
+        .bank_i(write_step_o[1:0]),
+        .rate_valid_i,
+        .rate_axis_i,
+        .advance_i,
+        .phase_i(phase_o),
+        .tau_i(tau_o),
+        .tau_bank_i(tag_o[1:0]),
+        .d_o(d[Axes*CoefBits-1:3*CoefBits])
+    );
+  end else begin : g_no_auxiliary
+    logic unused;
+    assign unused = &{rate_valid_i, rate_axis_i, advance_i};
+  end
+
   // A sample's way through the landers.
   logic [4:0] land_valid_i_q;
   logic [4:0] land_sample_q;
@@ -205,7 +235,7 @@ module sample_side #(
         .write_bank_i(write_step_o[1:0]),
         .write_origin_i(origin_i),
         .write_end_i(end_i),
-        .d_i(d_i[n*CoefBits+:CoefBits]),
+        .d_i(d[n*CoefBits+:CoefBits]),
         .down_i(tag_i[9:5]),
         .origin_bank_i(land_step_q[0][1:0]),
         .end_bank_i(land_step_q[2][1:0]),

@@ -3,7 +3,8 @@
 //
 //     d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau,   c_1 = x[1] + advance,  c_i = x[i]
 //
-// and d = advance tau for an auxiliary axis.  Twin: hls/spherical_kernel.hpp, series mode.
+// Splines have no advance (linear_i = 0).  Twins: hls/spherical_kernel.hpp and hls/spline_kernel.hpp,
+// series mode.
 //
 //   clock           0           Latency, that of `horner` with Passes = Order
 //   phase_i         0
@@ -12,7 +13,6 @@
 module series_sampler #(
     parameter int Order          = 6,   // [2, 12]
     parameter int CoefBits       = 36,  // [18, 36]
-    parameter int AuxAxes        = 0,   // [0, 6]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
     parameter int TagBits        = 5,   // the low two are the bank
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
@@ -25,6 +25,7 @@ module series_sampler #(
     input wire logic                       rate_valid_i,
     input wire logic        [         3:0] rate_axis_i,
     input wire logic signed [CoefBits-1:0] advance_i,
+    input wire logic                       linear_i,
     input wire logic                       collect_i,
     input wire logic        [         3:0] order_i,
     input wire logic signed [CoefBits-1:0] x_i,
@@ -32,20 +33,18 @@ module series_sampler #(
     input wire logic signed [CoefBits-1:0] z_i,
 
     // Samples
-    input  wire logic [                     2:0] phase_i,
-    input  wire logic                            valid_i,
-    input  wire logic [            CoefBits-1:0] tau_i,
-    input  wire logic [             TagBits-1:0] tag_i,
-    output logic                                 valid_o,
-    output logic      [(3+AuxAxes)*CoefBits-1:0] d_o,
-    output logic      [             TagBits-1:0] tag_o
+    input  wire logic [           2:0] phase_i,
+    input  wire logic                  valid_i,
+    input  wire logic [  CoefBits-1:0] tau_i,
+    input  wire logic [   TagBits-1:0] tag_i,
+    output logic                       valid_o,
+    output logic      [3*CoefBits-1:0] d_o,
+    output logic      [   TagBits-1:0] tag_o
 );
 
-  localparam int Axes = 3 + AuxAxes;
-
   // The segment's linear rates join the first order.
-  logic signed [CoefBits-1:0] advance_q[Axes];
-  for (genvar a = 0; a < Axes; a++) begin : g_advance
+  logic signed [CoefBits-1:0] advance_q[3];
+  for (genvar a = 0; a < 3; a++) begin : g_advance
     always_ff @(posedge clk_i) begin
       if (rate_valid_i && rate_axis_i == 4'(a)) advance_q[a] <= advance_i;
     end
@@ -68,7 +67,7 @@ module series_sampler #(
   logic signed [CoefBits-1:0] write_y_q;
   logic signed [CoefBits-1:0] write_z_q;
   logic                       first;
-  assign first = order_i == 4'd1;
+  assign first = linear_i && order_i == 4'd1;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       collect_q <= 1'b0;
@@ -121,30 +120,9 @@ module series_sampler #(
       .x_i(tau_i),
       .tag_i,
       .valid_o,
-      .d_o(d_o[3*CoefBits-1:0]),
+      .d_o,
       .tag_o
   );
-
-  if (AuxAxes > 0) begin : g_auxiliary
-    auxiliary_sampler #(
-        .CoefBits(CoefBits),
-        .AuxAxes(AuxAxes),
-        .SampleInterval(SampleInterval),
-        .Latency(curvecore_pkg::horner_latency(Order, SampleInterval)),
-        .MultiplierForm(MultiplierForm)
-    ) u_auxiliary (
-        .clk_i,
-        .rst_ni,
-        .bank_i,
-        .rate_valid_i,
-        .rate_axis_i,
-        .advance_i,
-        .phase_i,
-        .tau_i,
-        .tau_bank_i(tag_i[1:0]),
-        .d_o(d_o[Axes*CoefBits-1:3*CoefBits])
-    );
-  end
 
 endmodule
 `default_nettype wire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench for a core that draws one kind of curve against hls::InterpolatorKernel: segments and
-// requests go in, samples are compared bit for bit.
+// A bench for a core that draws curves against hls::InterpolatorKernel: segments and requests go
+// in, samples are compared bit for bit.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -177,6 +177,39 @@ class ArcCoreBench : public testing::Test {
         EXPECT_GT(kernel_.segments(), 100);
         EXPECT_GT(kernel_.empty_segments(), 10);
         EXPECT_EQ(dut_->empty_segments_o, kernel_.empty_segments());
+    }
+
+    /// One sample per interval, over all of these segments, while each step holds `step_samples`.
+    void gives_one_sample_per_interval(const std::vector<hls::SegmentWords<Config>>& segments,
+                                       int step_samples, int step_clocks) {
+        int64_t count = 0;
+        for (const hls::SegmentWords<Config>& segment : segments) {
+            add(segment);
+            const int64_t ds =
+                (int64_t{1} << (segment.step_exponent + hls::kPathFrac)) / step_samples;
+            for (int64_t left = segment.length; left > 0; left -= ds, ++count) {
+                requests_.push_back(std::min(ds, left));
+                expected_.push_back(predict(std::min(ds, left), [] { FAIL(); }));
+            }
+        }
+        for (int n = 0; n < 8 * step_clocks; ++n) clock(true, false, true);  // steps ahead
+        while (compared_ == 0) clock(true, true, true);
+        const uint64_t first = dut_.cycle();
+        while (!expected_.empty() && !this->HasFatalFailure()) clock(true, true, true);
+        EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>((count - 1) * CFG_SampleInterval));
+    }
+
+    /// Clocks from request to sample in [low, low + SampleInterval), in the first of two steps.
+    void has_latency(int low, int step_clocks) {
+        for (int n = 0; n < 8 * step_clocks; ++n) clock(true, false, true);
+        for (int n = 0; n < 20; ++n) {
+            requests_.push_back(10);
+            expected_.push_back(predict(10, [] { FAIL(); }));
+            while (!expected_.empty()) clock(true, true, true);
+            const auto latency = static_cast<int>(last_sample_ - last_request_);
+            EXPECT_GE(latency, low);
+            EXPECT_LT(latency, low + CFG_SampleInterval);
+        }
     }
 
     /// Nothing is lost while nobody takes samples.

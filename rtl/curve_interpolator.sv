@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions along lines, arcs, helices and splines, one per request: [Chikurov] Fig. 8 and Fig. 10
+// side by side.  Twin: hls/interpolator_kernel.hpp with hls/curve_kernel.hpp, bit for bit.
+//
+//   segment words -> starter -> steps (ahead) -> banks -> sampler -> lander -> samples
+//   requests ------------------> step tracker -> offset ----^
+//
+// A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
+// order.  It waits until the step it leads to is there.  Nothing is lost at a change of kind.
+//
+//   clocks                            value
+//   between samples                   SampleInterval
+//   request to sample                 12 + 3 SampleInterval + curvecore_pkg::sampler_latency, and
+//                                     up to SampleInterval - 1 more
+//   of an integration step            rtl/network/spherical_steps.sv; spline_steps.sv and 2 more
+//   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
+//
+// Samples come at full rate as long as every step holds the samples of the larger of the last two.
+// While the taker is not ready, requests stop when the samples under way have filled their queue.
+// Reset: two clocks or more.  Segments of a kind that is not in Curves are drawn as the other.
+// Formats: hls/words.hpp.
+`default_nettype none
+module curve_interpolator #(
+    parameter int Curves         = 3,   // 1 lines and arcs, 2 splines, 3 both
+    parameter int Order          = 6,   // [2, 12]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int PositionBits   = 32,  // [16, 32]
+    parameter int GuardBits      = 10,  // [2, 12]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int Mode           = 0,   // 0 series, 1 polynomial
+    parameter int Anchor         = 1,   // of splines: 0, 1; 0 with Mode 1 only
+    parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Segments, 17 + 3 AuxAxes words each
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+
+    // Path increments
+    input  wire logic        request_valid_i,
+    output logic             request_ready_o,
+    input  wire logic [47:0] request_ds_i,
+
+    // Samples, axis 0 in the low bits
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+
+    output logic [15:0] empty_segments_o
+);
+
+  initial if (Curves < 1 || Curves > 3) $fatal(1, "Curves must be 1, 2 or 3");
+  initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
+  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (PositionBits < 16 || PositionBits > 32) $fatal(1, "PositionBits must be in [16, 32]");
+  initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
+  initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
+  initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
+  initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial
+    if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
+  initial
+    if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
+      $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
+
+  localparam int FineBits = PositionBits + GuardBits;
+  localparam int StepBits = curvecore_pkg::StepBits;
+  localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
+
+  // The present segment's words.
+  logic                       room;
+  logic        [         1:0] ready;
+  logic        [         1:0] done;
+  logic        [         1:0] start;
+  logic                       fresh;
+  logic                       last;
+  logic        [StepBits-1:0] offset;
+  logic        [  StepBits:0] stride;
+  logic                       spline;
+  logic        [CoefBits-1:0] theta;
+  logic        [         4:0] k;
+  logic        [         5:0] lambda;
+  logic        [         3:0] arc_segment_axis;
+  logic        [         3:0] spline_segment_axis;
+  logic        [         3:0] arc_segment_point;
+  logic        [         3:0] spline_segment_point;
+  logic signed [CoefBits-1:0] tangent;
+  logic signed [CoefBits-1:0] normal;
+  logic signed [CoefBits-1:0] advance;
+  logic signed [FineBits-1:0] start_point;
+  logic signed [FineBits-1:0] end_point;
+
+  // What the steps of either kind say of the axes.
+  logic        [         1:0] rate_valid;
+  logic        [         3:0] arc_rate_axis;
+  logic        [         3:0] spline_rate_axis;
+  logic        [CoefBits-1:0] arc_rate;
+  logic        [CoefBits-1:0] spline_rate;
+  logic        [         1:0] point_write;
+  logic        [         3:0] arc_point_axis;
+  logic        [         3:0] spline_point_axis;
+  logic        [FineBits-1:0] arc_origin;
+  logic        [FineBits-1:0] spline_origin;
+  logic        [FineBits-1:0] arc_segment_end;
+  logic        [FineBits-1:0] spline_segment_end;
+
+  step_starter #(
+      .Curves  (Curves),
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .AuxAxes (AuxAxes)
+  ) u_starter (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i,
+      .segment_ready_o,
+      .segment_data_i,
+      .empty_segments_o,
+      .room_i(room),
+      .ready_i(ready == 2'b11),
+      .done_i(done != 2'b00),
+      .start_o(start),
+      .fresh_o(fresh),
+      .last_o(last),
+      .offset_o(offset),
+      .stride_o(stride),
+      .spline_o(spline),
+      .theta_o(theta),
+      .k_o(k),
+      .lambda_o(lambda),
+      .rate_axis_i(spline ? spline_segment_axis : arc_segment_axis),
+      .tangent_o(tangent),
+      .normal_o(normal),
+      .advance_o(advance),
+      .point_axis_i(spline ? spline_segment_point : arc_segment_point),
+      .point_o(start_point),
+      .end_o(end_point)
+  );
+
+  logic                       zeroth;
+  logic                       collect;
+  logic        [         3:0] order;
+  logic signed [CoefBits-1:0] x;
+  logic signed [CoefBits-1:0] y;
+  logic signed [CoefBits-1:0] z;
+  logic signed [CoefBits-1:0] f;
+  logic signed [CoefBits-1:0] g;
+  logic signed [CoefBits-1:0] h;
+  logic signed [CoefBits-1:0] angle;
+  if (Curves != 2) begin : g_arcs
+    spherical_steps #(
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .FineBits(FineBits),
+        .GuardBits(GuardBits),
+        .AuxAxes(AuxAxes),
+        .Mode(Mode)
+    ) u_steps (
+        .clk_i,
+        .rst_ni,
+        .start_i(start[0]),
+        .fresh_i(fresh),
+        .ready_o(ready[0]),
+        .done_o(done[0]),
+        .theta_i(theta),
+        .k_i(k),
+        .segment_axis_o(arc_segment_axis),
+        .tangent_i(tangent),
+        .normal_i(normal),
+        .advance_i(advance),
+        .segment_point_o(arc_segment_point),
+        .start_point_i(start_point),
+        .end_point_i(end_point),
+        .rate_valid_o(rate_valid[0]),
+        .rate_axis_o(arc_rate_axis),
+        .advance_o(arc_rate),
+        .point_write_o(point_write[0]),
+        .point_axis_o(arc_point_axis),
+        .origin_o(arc_origin),
+        .end_o(arc_segment_end),
+        .zeroth_o(zeroth),
+        .collect_o(collect),
+        .order_o(order),
+        .x_o(x),
+        .y_o(y),
+        .z_o(z),
+        .f_o(f),
+        .g_o(g),
+        .h_o(h),
+        .angle_o(angle)
+    );
+  end else begin : g_no_arcs
+    assign ready[0]                                          = 1'b1;
+    assign done[0]                                           = 1'b0;
+    assign arc_segment_axis                                  = '0;
+    assign arc_segment_point                                 = '0;
+    assign rate_valid[0]                                     = 1'b0;
+    assign arc_rate_axis                                     = '0;
+    assign arc_rate                                          = '0;
+    assign point_write[0]                                    = 1'b0;
+    assign arc_point_axis                                    = '0;
+    assign arc_origin                                        = '0;
+    assign arc_segment_end                                   = '0;
+    assign {zeroth, collect, order, x, y, z, f, g, h, angle} = '0;
+  end
+
+  logic [           2:0] a_write;
+  logic [  CoefBits-1:0] a;
+  logic [           2:0] v_write;
+  logic [3*CoefBits-1:0] v;
+  logic [           2:0] b_write;
+  logic [3*CoefBits-1:0] b;
+  logic [  CoefBits+4:0] q_term;
+  logic [  CoefBits+4:0] x_term;
+  logic [  CoefBits+4:0] y_term;
+  logic [  CoefBits+4:0] z_term;
+  if (Curves != 1) begin : g_splines
+    spline_steps #(
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .FineBits(FineBits),
+        .GuardBits(GuardBits),
+        .AuxAxes(AuxAxes),
+        .Mode(Mode),
+        .Anchor(Anchor),
+        .Form(MultiplierForm % 2)
+    ) u_steps (
+        .clk_i,
+        .rst_ni,
+        .start_i(start[1]),
+        .fresh_i(fresh),
+        .ready_o(ready[1]),
+        .done_o(done[1]),
+        .theta_i(theta),
+        .k_i(k),
+        .lambda_i(lambda[4:0]),
+        .segment_axis_o(spline_segment_axis),
+        .a_i(tangent),
+        .b_i(normal),
+        .c_i(advance),
+        .segment_point_o(spline_segment_point),
+        .start_point_i(start_point),
+        .end_point_i(end_point),
+        .rate_valid_o(rate_valid[1]),
+        .rate_axis_o(spline_rate_axis),
+        .advance_o(spline_rate),
+        .point_write_o(point_write[1]),
+        .point_axis_o(spline_point_axis),
+        .origin_o(spline_origin),
+        .end_o(spline_segment_end),
+        .a_write_o(a_write),
+        .a_o(a),
+        .v_write_o(v_write),
+        .v_o(v),
+        .b_write_o(b_write),
+        .b_o(b),
+        .q_o(q_term),
+        .x_o(x_term),
+        .y_o(y_term),
+        .z_o(z_term)
+    );
+  end else begin : g_no_splines
+    logic unused;
+    assign unused = &{start[1], lambda};
+    assign ready[1] = 1'b1;
+    assign done[1] = 1'b0;
+    assign spline_segment_axis = '0;
+    assign spline_segment_point = '0;
+    assign rate_valid[1] = 1'b0;
+    assign spline_rate_axis = '0;
+    assign spline_rate = '0;
+    assign point_write[1] = 1'b0;
+    assign spline_point_axis = '0;
+    assign spline_origin = '0;
+    assign spline_segment_end = '0;
+    assign {a_write, a, v_write, v, b_write, b, q_term, x_term, y_term, z_term} = '0;
+  end
+
+  logic [           2:0] write_step;
+  logic [           2:0] tau_phase;
+  logic                  tau_valid;
+  logic [  CoefBits-1:0] tau;
+  logic [   TagBits-1:0] tau_tag;
+  logic                  d_valid;
+  logic [   TagBits-1:0] d_tag;
+  logic [3*CoefBits-1:0] d;
+  curve_sampler #(
+      .Curves(Curves),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .TagBits(TagBits),
+      .MultiplierForm(MultiplierForm)
+  ) u_sampler (
+      .clk_i,
+      .rst_ni,
+      .bank_i(write_step[1:0]),
+      .spline_i(spline),
+      .step_done_i(done != 2'b00),
+      .rate_valid_i(rate_valid[0]),
+      .rate_axis_i(arc_rate_axis),
+      .advance_i(arc_rate),
+      .zeroth_i(zeroth),
+      .collect_i(collect),
+      .order_i(order),
+      .x_i(x),
+      .y_i(y),
+      .z_i(z),
+      .f_i(f),
+      .g_i(g),
+      .h_i(h),
+      .angle_i(angle),
+      .a_write_i(a_write),
+      .a_i(a),
+      .v_write_i(v_write),
+      .v_i(v),
+      .b_write_i(b_write),
+      .b_i(b),
+      .q_term_i(q_term),
+      .x_term_i(x_term),
+      .y_term_i(y_term),
+      .z_term_i(z_term),
+      .phase_i(tau_phase),
+      .valid_i(tau_valid),
+      .tau_i(tau),
+      .tag_i(tau_tag),
+      .valid_o(d_valid),
+      .d_o(d),
+      .tag_o(d_tag)
+  );
+
+  sample_side #(
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .SampleInterval(SampleInterval),
+      .SamplerClocks(curvecore_pkg::sampler_latency(Curves, Mode, Order, SampleInterval)),
+      .MultiplierForm(MultiplierForm)
+  ) u_side (
+      .clk_i,
+      .rst_ni,
+      .room_o(room),
+      .write_step_o(write_step),
+      .step_done_i(done != 2'b00),
+      .last_i(last),
+      .k_i(k),
+      .offset_i(offset),
+      .stride_i(stride),
+      .rate_valid_i(rate_valid != 2'b00),
+      .rate_axis_i(spline ? spline_rate_axis : arc_rate_axis),
+      .advance_i(spline ? spline_rate : arc_rate),
+      .point_write_i(point_write != 2'b00),
+      .point_axis_i(spline ? spline_point_axis : arc_point_axis),
+      .origin_i(spline ? spline_origin : arc_origin),
+      .end_i(spline ? spline_segment_end : arc_segment_end),
+      .request_valid_i,
+      .request_ready_o,
+      .request_ds_i,
+      .phase_o(tau_phase),
+      .tau_valid_o(tau_valid),
+      .tau_o(tau),
+      .tag_o(tau_tag),
+      .d_valid_i(d_valid),
+      .d_i(d),
+      .tag_i(d_tag),
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_position_o,
+      .sample_fine_o
+  );
+
+endmodule
+`default_nettype wire
