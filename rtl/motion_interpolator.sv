@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Motion along a program's path: segments and profile pieces in, a position per request out.
+// Segments are lines, arcs and helices, and with Splines = 1 splines between them, in one queue.
 //
 //   profile words -> queue -> path generator -> share -> path increments -> curve core -> samples
 //                       requests -> rate of time --^        segment words -> queue --^
@@ -23,7 +24,9 @@ module motion_interpolator #(
     parameter int PositionBits      = 32,   // [16, 32]
     parameter int GuardBits         = 10,   // [2, 12]
     parameter int AuxAxes           = 0,    // [0, 6]
+    parameter int Splines           = 0,    // 1: segments of splines too, Build 0 only
     parameter int Mode              = 0,    // 0 series, 1 polynomial
+    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Mode 1 only
     parameter int SampleInterval    = 1,    // 1, 2, 4, 8 clocks
     parameter int MultiplierForm    = 0,    // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 256,  // [2, 65536], a power of two
@@ -71,6 +74,8 @@ module motion_interpolator #(
 );
 
   initial if (Build < 0 || Build > 1) $fatal(1, "Build must be 0 or 1");
+  initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
+  initial if (Splines == 1 && Build == 1) $fatal(1, "Build 1 draws no splines");
 
   // A serial core takes its time: one multiplier does for its path.
   localparam int TickInterval = (Build == 1) ? 8 : SampleInterval;
@@ -314,13 +319,15 @@ module motion_interpolator #(
   );
 
   if (Build == 0) begin : g_parallel
-    spherical_interpolator #(
+    curve_interpolator #(
+        .Curves((Splines == 1) ? 3 : 1),
         .Order(Order),
         .CoefBits(CoefBits),
         .PositionBits(PositionBits),
         .GuardBits(GuardBits),
         .AuxAxes(AuxAxes),
         .Mode(Mode),
+        .Anchor(Anchor),
         .SampleInterval(SampleInterval),
         .MultiplierForm(MultiplierForm)
     ) u_core (

@@ -21,6 +21,8 @@ from synth_harness import harness
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOPS = {
     ("spherical", "parallel"): "spherical_interpolator",
+    ("spline", "parallel"): "spline_interpolator",
+    ("curve", "parallel"): "curve_interpolator",
     ("spherical", "serial"): "spherical_interpolator_serial",
 }
 
@@ -128,7 +130,8 @@ def count(cells, *prefixes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--core", choices=["spherical"], default="spherical")
+    parser.add_argument("--core", choices=["spherical", "spline", "curve"],
+                        default="spherical")
     parser.add_argument("--build", choices=["parallel", "serial"], default="parallel")
     parser.add_argument("--device", choices=DEVICES, default="ecp5-25")
     parser.add_argument("--set", action="append", default=[], metavar="Name=Value")
@@ -139,7 +142,9 @@ def main():
     arguments = parser.parse_args()
 
     device = DEVICES[arguments.device]
-    top = arguments.top or TOPS[arguments.core, arguments.build]
+    top = arguments.top or TOPS.get((arguments.core, arguments.build))
+    if top is None:
+        parser.error(f"there is no {arguments.build} build of the {arguments.core} core")
     row = top if arguments.top else f"{arguments.core}-{arguments.build}"
     name = f"{row}-{arguments.device}"
     os.chdir(ROOT)

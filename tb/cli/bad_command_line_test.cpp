@@ -72,7 +72,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: --build 'folded': must be parallel or serial"},
     {"SetUnknown", with({"--set", "Width=36"}),
      "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
-     "GuardBits, AuxAxes, Mode, SampleInterval"},
+     "GuardBits, AuxAxes, Splines, Mode, SampleInterval"},
     {"SetWithoutValue", with({"--set", "Order"}),
      "curvecore: error: --set Order: Name=Value is expected"},
     {"SetNotANumber", with({"--set", "Order=six"}),
@@ -86,6 +86,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: PositionBits must be in [16, 32]"},
     {"SetGuardBitsTooMany", with({"--set", "GuardBits=13"}),
      "curvecore: error: GuardBits must be in [2, 12]"},
+    {"SetSplinesTooMany", with({"--set", "Splines=2"}),
+     "curvecore: error: Splines must be in [0, 1]"},
     {"SetAuxAxesTooMany", with({"--set", "AuxAxes=7"}),
      "curvecore: error: AuxAxes must be in [0, 6]"},
     {"SetModeUnknown", with({"--set", "Mode=2"}), "curvecore: error: Mode must be in [0, 1]"},
@@ -96,7 +98,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"NotCompiled", run_with({"--set", "Order=11"}),
      "curvecore: error: no compiled core parallel Order=11 CoefBits=36 PositionBits=32 "
      "GuardBits=10 "
-     "AuxAxes=0 Mode=0 SampleInterval=1; tb/program/compiled_cores.cmake makes these:"},
+     "AuxAxes=0 Splines=0 Mode=0 SampleInterval=1; tb/program/compiled_cores.cmake makes these:"},
     {"OverrideZero", run_with({"--override", "0"}),
      "curvecore: error: --override must be in [1, 100] percent"},
     {"OverrideTooHigh", run_with({"--override", "101"}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs with splines: planned, written as words, and refused by `run` while no core draws them.
+// Programs with splines between lines and arcs: planned, and run through the RTL.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,12 +59,33 @@ TEST_F(SplineCommands, PlanSaysWhatEverySegmentIs) {
     EXPECT_TRUE(program_.exists("out/report.html"));
 }
 
-TEST_F(SplineCommands, RunIsRefusedByLine) {
-    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"});
+/// Worst figures of a run of the part with these options.
+class SplineRuns : public SplineCommands, public testing::WithParamInterface<const char*> {};
+
+TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
+    const ProgramResult result =
+        program_.run({"run", "part.ngc", "-q", "-o", "out", "--stall", "3", "--set", GetParam()});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["core"], "curve");
+    EXPECT_EQ(report["parameters"]["Splines"], 1);
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_EQ(report["landing_lsb"], 0);
+    for (const char* axis : {"x", "y", "z"}) {
+        EXPECT_LE(report["error"]["max_lsb"][axis], 0.6);
+        EXPECT_LE(report["unrounded"]["max_lsb"][axis], report["unrounded"]["bound_lsb"]);
+    }
+    EXPECT_GT(report["error"]["max_lsb"]["x"], 0.4);
+    EXPECT_LE(report["speed"]["max_error_lsb"], 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns, testing::Values("Mode=0", "Mode=1", "AuxAxes=3"));
+
+TEST_F(SplineCommands, NoSplinesAreForACoreWithout) {
+    const ProgramResult result =
+        program_.run({"run", "part.ngc", "-o", "out", "--set", "Splines=0"});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err,
-              "part.ngc:3: error: none of the compiled cores draws splines yet: plan and words "
-              "take this program, run does not\n");
+    EXPECT_EQ(result.err, "part.ngc:3: error: a spline, and --set Splines=0\n");
     EXPECT_FALSE(program_.exists("out"));
 }
 

@@ -35,12 +35,15 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
-const Counts kParallel{{"", 2},         {"Request", 5}, {"Queues", 8},   {"Path generator", 7},
-                       {"Network", 13}, {"Sampler", 6}, {"Positions", 7}};
+const Counts kParallel{{"", 2},      {"Request", 5},        {"Queues", 8},  {"Path generator", 7},
+                       {"Steps", 7}, {"Lines and arcs", 8}, {"Sampler", 6}, {"Positions", 7}};
 
 Counts with(const Counts& changed) {
     Counts counts = kParallel;
-    for (const auto& [group, signals] : changed) counts[group] = signals;
+    for (const auto& [group, signals] : changed) {
+        counts[group] = signals;
+        if (signals == 0) counts.erase(group);
+    }
     return counts;
 }
 
@@ -59,10 +62,14 @@ TEST_P(Waves, AreArrangedInFull) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cores, Waves,
-    testing::Values(Case{"Default", {}, kParallel},
-                    Case{"AuxAxes", {"--set", "AuxAxes=3"}, with({{"Positions", 10}})},
-                    Case{"Polynomial", {"--set", "Mode=1"}, kParallel},
-                    Case{"Serial", {"--build", "serial"}, with({{"Network", 11}, {"Sampler", 7}})}),
+    testing::Values(
+        Case{"Default", {}, kParallel},
+        Case{"AuxAxes", {"--set", "AuxAxes=3"}, with({{"Positions", 10}, {"Splines", 7}})},
+        Case{"Splines", {"--set", "Splines=1"}, with({{"Splines", 7}})},
+        Case{"Polynomial", {"--set", "Mode=1"}, kParallel},
+        Case{"Serial",
+             {"--build", "serial"},
+             with({{"Steps", 0}, {"Lines and arcs", 0}, {"Network", 11}, {"Sampler", 7}})}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

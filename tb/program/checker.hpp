@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "hls/interpolator_kernel.hpp"
+#include "hls/curve_kernel.hpp"
 #include "ref/curve/curve_follower.hpp"
 #include "tb/program/check_result.hpp"
 #include "tb/program/job.hpp"
@@ -164,7 +164,7 @@ class Checker {
     const Job& job_;
     const std::vector<hls::SegmentWords<C>>& segments_;
     PathSource source_;
-    hls::InterpolatorKernel<C> kernel_;
+    hls::MotionKernel<C> kernel_;
     PathCursor cursor_;
     ref::CurveFollower curve_;
     SamplesWriter& samples_;

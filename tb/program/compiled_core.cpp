@@ -58,6 +58,7 @@ CompiledCore CFG_FUNCTION() {
     parameters.position_bits = CFG_PositionBits;
     parameters.guard_bits = CFG_GuardBits;
     parameters.aux_axes = CFG_AuxAxes;
+    parameters.splines = CFG_Splines;
     parameters.mode = CFG_Mode;
     parameters.sample_interval = CFG_SampleInterval;
     return {parameters, &run};

@@ -19,12 +19,13 @@ struct Parameter {
     int high;
 };
 
-constexpr std::array<Parameter, 7> kParameters{{
+constexpr std::array<Parameter, 8> kParameters{{
     {"Order", &CoreParameters::order, 2, 12},
     {"CoefBits", &CoreParameters::coef_bits, 18, 36},
     {"PositionBits", &CoreParameters::position_bits, 16, 32},
     {"GuardBits", &CoreParameters::guard_bits, 2, 12},
     {"AuxAxes", &CoreParameters::aux_axes, 0, 6},
+    {"Splines", &CoreParameters::splines, 0, 1},
     {"Mode", &CoreParameters::mode, 0, 1},
     {"SampleInterval", &CoreParameters::sample_interval, 1, 8},
 }};

@@ -20,6 +20,7 @@ struct CoreParameters {
     int position_bits = 32;
     int guard_bits = 10;
     int aux_axes = 0;
+    int splines = 0;          // 1: draws splines besides lines and arcs
     int mode = 0;             // 0 series, 1 polynomial
     int sample_interval = 1;  // clocks per sample of the parallel build
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ enum Show : unsigned {
     kSigned = 0x420,
     kCurve = 0x8420
 };
+
+const std::string kTop = "dut.motion_interpolator.";
 
 struct Signal {
     Show show;
@@ -48,7 +51,12 @@ class Arrangement {
         for (const Signal& signal : signals) show(signal.show, at + signal.name);
     }
 
+    /// A group of which this core has nothing is left out.
     void group(const char* name, const std::string& at, const Signals& signals) {
+        const auto there = [&](const Signal& signal) {
+            return signals_.count(kTop + at + signal.name) != 0;
+        };
+        if (std::none_of(signals.begin(), signals.end(), there)) return;
         text_ += fmt::format("@800200\n-{}\n", name);
         show(at, signals);
         text_ += fmt::format("@1000200\n-{}\n", name);
@@ -59,7 +67,7 @@ class Arrangement {
   private:
     /// A signal that this core does not have is left out.
     void show(Show how, const std::string& name) {
-        const std::string full = "dut.motion_interpolator." + name;
+        const std::string full = kTop + name;
         const auto found = signals_.find(full);
         if (found == signals_.end()) return;
         text_ += fmt::format("@{:x}\n{}{}\n", static_cast<unsigned>(how), full, found->second);
@@ -72,20 +80,31 @@ class Arrangement {
 
 void parallel_core(Arrangement& view) {
     const std::string core = "g_parallel.u_core.";
-    view.group("Network", core + "u_steps.",
-               {{kBit, "segment_there"},
+    view.group("Steps", core + "u_starter.",
+               {{kBit, "there"},
                 {kBit, "room_i"},
-                {kUnsigned, "order_o"},
+                {kUnsigned, "start_o"},
+                {kBit, "spline_o"},
+                {kBit, "done_i"},
+                {kBit, "last_o"},
+                {kUnsigned, "k_o"}});
+    view.group("Lines and arcs", core + "g_arcs.u_steps.",
+               {{kUnsigned, "order_o"},
                 {kBit, "collect_o"},
                 {kSigned, "x_o"},
                 {kSigned, "y_o"},
                 {kSigned, "z_o"},
                 {kSigned, "f_o"},
                 {kSigned, "g_o"},
-                {kSigned, "h_o"},
-                {kBit, "done_o"},
-                {kBit, "last_o"},
-                {kUnsigned, "k_o"}});
+                {kSigned, "h_o"}});
+    view.group("Splines", core + "g_splines.u_steps.",
+               {{kSigned, "word"},
+                {kBit, "start_network"},
+                {kSigned, "phi_end"},
+                {kHex, "q_o"},
+                {kHex, "v_o"},
+                {kHex, "b_o"},
+                {kSigned, "moved"}});
     view.group("Sampler", core,
                {{kBit, "u_side.u_tracker.sample_o"},
                 {kUnsigned, "u_side.u_tracker.step_o"},

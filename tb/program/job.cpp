@@ -13,12 +13,7 @@ std::uint64_t Job::path_length() const {
     return last.s_start + last.length;
 }
 
-bool Job::draws_splines() const {
-    return std::any_of(program.moves.begin(), program.moves.end(),
-                       [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
-}
-
-const char* Job::core_name() const { return draws_splines() ? "curve" : "spherical"; }
+const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
 
 double Job::bound() const {
     double bound = 0;
@@ -26,10 +21,26 @@ double Job::bound() const {
     return bound;
 }
 
+namespace {
+
+void set_splines(Job& job) {
+    const auto first =
+        std::find_if(job.program.moves.begin(), job.program.moves.end(),
+                     [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
+    if (first == job.program.moves.end()) return;
+    if (job.options.splines_set && job.options.core.splines == 0) {
+        throw ref::InputError(job.options.file, first->line, "a spline, and --set Splines=0");
+    }
+    job.options.core.splines = 1;
+}
+
+}  // namespace
+
 Job read_job(const Options& options) {
     Job job;
     job.options = options;
     job.program = ref::read_program(options.file, options.points);
+    set_splines(job);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
     return job;

@@ -16,16 +16,15 @@ struct Job {
 
     /// Length of the whole path, quanta.
     std::uint64_t path_length() const;
-    /// The program has cubic moves.
-    bool draws_splines() const;
     /// "spherical", or "curve": the one that draws splines as well.
     const char* core_name() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
 };
 
-/// Reads program and machine; the core has the program's auxiliary axes unless --set says others.
-/// @throws ref::InputError
+/// Reads program and machine; the core has the program's auxiliary axes, and splines if the program
+/// does, unless --set says otherwise.
+/// @throws ref::InputError, also for splines where --set says that there are none
 Job read_job(const Options& options);
 
 /// Plans for the core in job.options.

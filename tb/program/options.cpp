@@ -145,6 +145,7 @@ void interpret(const RawOptions& raw, Options& options) {
     options.core.build = raw.build == "serial" ? Build::kSerial : Build::kParallel;
     for (const std::string& assignment : raw.set) {
         set_parameter(options.core, assignment);
+        options.splines_set |= assignment.rfind("Splines=", 0) == 0;
         options.aux_axes_set |= assignment.rfind("AuxAxes=", 0) == 0;
     }
     options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});

@@ -23,6 +23,7 @@ struct Options {
     int samples_per_tick = 1;
     double clock_hz = 100e6;
     CoreParameters core;
+    bool splines_set = false;   // by --set; otherwise if the program has splines
     bool aux_axes_set = false;  // by --set; otherwise as many as the program needs
     bool quiet = false;
 

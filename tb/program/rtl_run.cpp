@@ -3,21 +3,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 
-const CompiledCore& find_core(const CoreParameters& wanted, bool exact_aux_axes) {
+namespace {
+
+/// What --set leaves open, the simpler first.
+std::pair<int, int> open_parameters(const CompiledCore& core) {
+    return {core.parameters.splines, core.parameters.aux_axes};
+}
+
+bool serves(const CompiledCore& core, const Options& options) {
+    CoreParameters wanted = options.core;
+    if (!options.splines_set) wanted.splines = std::max(wanted.splines, core.parameters.splines);
+    if (!options.aux_axes_set) {
+        wanted.aux_axes = std::max(wanted.aux_axes, core.parameters.aux_axes);
+    }
+    return wanted == core.parameters;
+}
+
+}  // namespace
+
+const CompiledCore& find_core(const Options& options) {
+    const CoreParameters& wanted = options.core;
     const CompiledCore* best = nullptr;
     for (const CompiledCore& core : compiled_cores()) {
-        CoreParameters with_its_axes = wanted;
-        with_its_axes.aux_axes = core.parameters.aux_axes;
-        const bool fits = exact_aux_axes ? core.parameters.aux_axes == wanted.aux_axes
-                                         : core.parameters.aux_axes >= wanted.aux_axes;
-        if (with_its_axes == core.parameters && fits &&
-            (best == nullptr || core.parameters.aux_axes < best->parameters.aux_axes)) {
-            best = &core;
-        }
+        if (!serves(core, options)) continue;
+        if (best == nullptr || open_parameters(core) < open_parameters(*best)) best = &core;
     }
     if (best != nullptr) return *best;
     std::string list;

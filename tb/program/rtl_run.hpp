@@ -36,8 +36,9 @@ struct CompiledCore {
 /// tb/program/compiled_cores.cmake says which.
 const std::vector<CompiledCore>& compiled_cores();
 
-/// The core for these parameters. Unless `exact_aux_axes`, one with more auxiliary axes will do.
+/// The core for options.core. One that can do more will do for what --set did not ask for: more
+/// auxiliary axes, splines.
 /// @throws UsageError that lists what there is
-const CompiledCore& find_core(const CoreParameters& wanted, bool exact_aux_axes);
+const CompiledCore& find_core(const Options& options);
 
 }  // namespace curvecore::tb

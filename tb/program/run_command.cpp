@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore run`: plan, words, RTL, every sample checked, report.
-#include "ref/program/input_error.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/gtkw_writer.hpp"
 #include "tb/program/interrupt.hpp"
@@ -11,25 +10,10 @@
 
 namespace curvecore::tb {
 
-namespace {
-
-/// The compiled cores draw lines and arcs.
-void refuse_splines(const Job& job) {
-    for (const ref::Move& move : job.program.moves) {
-        if (move.kind != ref::Move::Kind::kCubic) continue;
-        throw ref::InputError(job.options.file, move.line,
-                              "none of the compiled cores draws splines yet: plan and words take "
-                              "this program, run does not");
-    }
-}
-
-}  // namespace
-
 int run_command(const Options& options) {
-    if (options.aux_axes_set) find_core(options.core, true);  // before the file is looked at
+    if (options.aux_axes_set) find_core(options);  // before the file is looked at
     Job job = read_job(options);
-    refuse_splines(job);
-    const CompiledCore& core = find_core(job.options.core, options.aux_axes_set);
+    const CompiledCore& core = find_core(job.options);
     job.options.core = core.parameters;
     plan_job(job);
 

@@ -44,7 +44,7 @@ std::string segments_hex(const Job& job) {
         "//   2..16   X, Y, Z: start, end ({} bits, {} fraction bits, units), then tangent,\n"
         "//           normal, advance ({} bits, {} fraction bits)\n",
         each, coef - 1, coef - 1, fine, job.options.core.guard_bits, coef, coef - 2);
-    if (job.draws_splines()) {
+    if (job.options.core.splines != 0) {
         text +=
             "// of a spline, bit 47 of word 1: 1/|c| for theta, lambda in [46:41], a, b and c for\n"
             "// tangent, normal and advance\n";

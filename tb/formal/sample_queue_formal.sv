@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/queue/sample_queue.sv: whatever the sampler has under way finds a place; samples come out as
+// they went in; nothing gets stuck.  Samples are numbered, modulo more than the queue holds.
+// control: OVERFLOWS s/(Depth - 3)/(Depth + 2)/
+// control: LOSES_SAMPLE s/if (push_i) write_q/if (push_i \&\& data_i != 6'd9) write_q/
+// control: DOUBLES_SAMPLE s/if (fetch) read_q/if (fetch \&\& ready_i) read_q/
+// control: NO_ROOM s/room_o <= admitted_q/room_o <= \&admitted_q \&\& admitted_q/
+// control: NO_RESET s/count_q    <= '0;/count_q <= count_q;/
+`default_nettype none
+module sample_queue_formal (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+    input wire logic request_i,
+    input wire logic push_i,
+    input wire logic ready_i
+);
+
+  localparam int Bits = 6;
+  localparam int Depth = 16;
+
+  logic [Bits-1:0] admitted_q;
+  logic [Bits-1:0] pushed_q;
+  logic [Bits-1:0] received_q;
+  logic room;
+  logic valid;
+  logic [Bits-1:0] data;
+
+  sample_queue #(
+      .Bits (Bits),
+      .Depth(Depth)
+  ) u_dut (
+      .clk_i,
+      .rst_ni,
+      .admit_i(request_i && room),
+      .room_o (room),
+      .push_i,
+      .data_i (pushed_q),
+      .valid_o(valid),
+      .ready_i,
+      .data_o (data)
+  );
+
+  logic [Bits-1:0] under_way;
+  logic [Bits-1:0] held;
+  logic [Bits-1:0] all;
+  assign under_way = admitted_q - pushed_q;
+  assign held      = pushed_q - received_q;
+  assign all       = admitted_q - received_q;
+
+  logic started_q = 1'b0;
+  logic kept_q;  // an offer that was not taken in the cycle before
+  logic [2:0] hidden_q;  // a sample is inside, but not offered
+  logic [3:0] empty_q;  // nothing is admitted, nor is there room
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    kept_q    <= rst_ni && valid && !ready_i;
+    hidden_q  <= {hidden_q[1:0], rst_ni && held != '0 && !valid};
+    empty_q   <= {empty_q[2:0], rst_ni && all == '0 && !room};
+    if (!rst_ni) begin
+      admitted_q <= '0;
+      pushed_q   <= '0;
+      received_q <= '0;
+    end else begin
+      if (request_i && room) admitted_q <= admitted_q + 1'b1;
+      if (push_i) pushed_q <= pushed_q + 1'b1;
+      if (valid && ready_i) received_q <= received_q + 1'b1;
+    end
+  end
+
+  always_comb begin
+    if (!started_q) begin
+      assume (!rst_ni);
+    end else if (rst_ni) begin
+      if (under_way == '0) assume (!push_i);
+
+      HoldsWhatFits : assert (held <= 6'(Depth + 1));
+      AdmitsWhatFits : assert (all <= 6'(Depth));
+      if (valid) InOrder : assert (data == received_q);
+      if (valid) NothingInvented : assert (held != '0);
+      if (kept_q) KeepsOffer : assert (valid);
+      if (hidden_q == '1) NeverStuck : assert (valid);
+      if (empty_q == '1) GivesRoom : assert (room);
+
+      Fills : cover (held == 6'(Depth) && !room);
+      Streams : cover (received_q == 6'd12 && valid && ready_i && push_i && room);
+    end
+  end
+
+endmodule
+`default_nettype wire
