@@ -54,6 +54,13 @@ struct Segment {
     double feed_end = 0;
 };
 
+/// "line", "arc", "helix" or "spline".
+inline const char* kind_name(const Segment& segment) {
+    if (segment.kind == Segment::Kind::kSpline) return "spline";
+    if (segment.radius == 0) return "line";
+    return segment.advance.isZero() ? "arc" : "helix";
+}
+
 /// Constant jerk over a whole number of ticks, in the hardware's own integers.
 ///
 ///     s(t) = s0 + 2^exponent (c1 tau + c2 tau^2 + c3 tau^3),  tau = t / 2^time_exponent

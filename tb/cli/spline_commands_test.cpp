@@ -76,7 +76,14 @@ TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
         EXPECT_LE(report["unrounded"]["max_lsb"][axis], report["unrounded"]["bound_lsb"]);
     }
     EXPECT_GT(report["error"]["max_lsb"]["x"], 0.4);
-    EXPECT_LE(report["speed"]["max_error_lsb"], 0.1);
+    for (const char* kind : {"line", "arc", "spline"}) {
+        const Json& worst = report["kinds"].at(kind);
+        EXPECT_GT(worst["samples"], 100) << kind;
+        EXPECT_GT(worst["unrounded_max_lsb"], 0.001) << kind;
+        EXPECT_LE(worst["unrounded_max_lsb"], worst["bound_lsb"]) << kind;
+        EXPECT_LE(worst["max_of_bound"], 1) << kind;
+        EXPECT_LE(worst["speed_max_error_lsb"], 0.1) << kind;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns, testing::Values("Mode=0", "Mode=1", "AuxAxes=3"));

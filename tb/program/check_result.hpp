@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "ref/plan/machine.hpp"
@@ -25,6 +26,15 @@ struct AxisError {
     }
 };
 
+/// Worst over the segments of one kind, length units before the final rounding.
+struct KindResult {
+    std::uint64_t samples = 0;
+    double error = 0;        // on any axis
+    double bound = 0;        // derived
+    double of_bound = 0;     // error / its segment's bound
+    double speed_error = 0;  // chord between samples - the exact curve's
+};
+
 /// Errors in length units.
 struct CheckResult {
     std::uint64_t samples = 0;
@@ -32,9 +42,10 @@ struct CheckResult {
     std::string first_difference;
     std::array<AxisError, ref::kMachineAxes> rounded;
     std::array<AxisError, ref::kMachineAxes> unrounded;
-    double of_bound = 0;          // worst error before rounding / its segment's bound
-    std::int64_t landing = 0;     // worst output word - commanded word at a stop
-    std::uint64_t stops = 0;      // exact stops that a sample fell on
+    std::map<std::string, KindResult> kinds;  // by ref::kind_name
+    double of_bound = 0;                      // worst error before rounding / its segment's bound
+    std::int64_t landing = 0;                 // worst output word - commanded word at a stop
+    std::uint64_t stops = 0;                  // exact stops that a sample fell on
     double increment = 0;         // worst sample's increment - its share of the tick, quanta
     double speed_error = 0;       // worst chord between samples - the exact curve's
     double speed_relative = 0;    // the same, relative, of chords of kSpeedChord units or more

@@ -121,9 +121,22 @@ class Checker {
             result_.rounded[a].add(static_cast<double>(rtl.position[axis]) - exact);
         }
         result_.of_bound = std::max(result_.of_bound, worst / segment.bound);
+        KindResult& kind = kind_of(segment);
+        ++kind.samples;
+        kind.error = std::max(kind.error, worst);
+        kind.bound = std::max(kind.bound, segment.bound);
+        kind.of_bound = std::max(kind.of_bound, worst / segment.bound);
         pictures_.error(cursor_.s(), worst, segment.bound);
         pictures_.sample(cursor_.s(), cursor_.index(), point, cursor_.at_end());
         compare_speed(point, curve);
+    }
+
+    KindResult& kind_of(const ref::Segment& segment) {
+        if (segment_of_kind_ != &segment) {
+            segment_of_kind_ = &segment;
+            kind_ = &result_.kinds[ref::kind_name(segment)];
+        }
+        return *kind_;
     }
 
     /// Chords between successive samples, before rounding, against those of the exact curve.
@@ -133,6 +146,8 @@ class Checker {
         if (length > 0) {
             const double error = std::abs((point - last_point_).norm() - length);
             result_.speed_error = std::max(result_.speed_error, error);
+            KindResult& kind = kind_of(cursor_.segment());
+            kind.speed_error = std::max(kind.speed_error, error);
             result_.speed_of_allowed =
                 std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
             if (length >= kSpeedChord) {
@@ -171,6 +186,8 @@ class Checker {
     Pictures& pictures_;
     int axes_;                // in use; the others stand at 0
     double chord_tolerance_;  // both ends off by the bound on every axis
+    const ref::Segment* segment_of_kind_ = nullptr;
+    KindResult* kind_ = nullptr;  // of that segment
     std::size_t next_segment_ = 0;
     std::size_t last_stop_ = static_cast<std::size_t>(-1);
     ref::Vec3 last_point_ = ref::Vec3::Zero();

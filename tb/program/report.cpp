@@ -162,6 +162,13 @@ nlohmann::ordered_json Report::json() const {
         json["unrounded"] = errors_json(job, check.unrounded, check.samples);
         json["unrounded"]["bound_lsb"] = job.bound();
         json["unrounded"]["max_of_bound"] = check.of_bound;
+        for (const auto& [name, kind] : check.kinds) {
+            json["kinds"][name] = {{"samples", kind.samples},
+                                   {"unrounded_max_lsb", kind.error},
+                                   {"bound_lsb", kind.bound},
+                                   {"max_of_bound", kind.of_bound},
+                                   {"speed_max_error_lsb", kind.speed_error}};
+        }
         json["landing_lsb"] = check.landing;
         json["stops"] = {{"planned", planned_stops(job.plan)}, {"sampled", check.stops}};
         json["path_increment"] = {{"max_error_quanta", check.increment}};

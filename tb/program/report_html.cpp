@@ -77,6 +77,12 @@ std::string data(const Report& report, const Pictures& pictures) {
                 {name, rounded.max, rounded.rms(n), unrounded.max, unrounded.rms(n)});
         }
     }
+    if (report.rtl != nullptr) {
+        for (const auto& [name, kind] : report.rtl->check.kinds) {
+            head["kinds"].push_back(
+                {name, kind.error, kind.bound, kind.of_bound, kind.speed_error, kind.samples});
+        }
+    }
     head["notes"] = job.machine.notes;
     head["warnings"] = job.program.warnings;
     if (head["warnings"].size() > 50)

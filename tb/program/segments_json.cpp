@@ -13,12 +13,6 @@ namespace {
 
 using Text = fmt::memory_buffer;
 
-const char* kind(const ref::Segment& segment) {
-    if (segment.kind == ref::Segment::Kind::kSpline) return "spline";
-    if (segment.radius == 0) return "line";
-    return segment.advance.isZero() ? "arc" : "helix";
-}
-
 /// Three axes and the auxiliary ones that the program uses, mm.
 void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz,
            const ref::Aux& aux) {
@@ -57,7 +51,7 @@ std::string segments_json(const Job& job) {
         const ref::Segment& segment = job.plan.segments[i];
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
                        i == 0 ? "" : ",", i, segment.move, job.program.moves[segment.move].line,
-                       kind(segment));
+                       ref::kind_name(segment));
         point(text, "start_mm", job, segment.start, segment.aux_start);
         point(text, "end_mm", job, segment.end, segment.aux_end);
         if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);
