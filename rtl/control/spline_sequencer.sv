@@ -21,6 +21,8 @@
 //
 //     Anchor 1   9 Top (Top + 1) / 2 + 27 Top + Pause + Rest + 1 clocks     Top = Order - 1
 //     Anchor 0   3 Order + 14 less: when every node has its state           Top = Order
+//
+// with Order 2 and Anchor 0 36 more: when spline_anchor has the step's position, too.
 `default_nettype none
 module spline_sequencer #(
     parameter int Order  = 6,   // [2, 12]
@@ -50,7 +52,8 @@ module spline_sequencer #(
   localparam int RestX = 4 * Order + 14;
   localparam int RestSeries = (RestX > RestQ) ? RestX : RestQ;
   localparam int RestAnchored = (Mode == 0) ? RestSeries : RestQ;
-  localparam int Rest = (Anchor != 0) ? RestAnchored : 8 * Order + 28;
+  localparam int RestStates = (Order == 2) ? 80 : 8 * Order + 28;
+  localparam int Rest = (Anchor != 0) ? RestAnchored : RestStates;
 
   typedef enum logic [2:0] {
     Idle,

@@ -32,7 +32,7 @@ constexpr int kTop = Network::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 32) : 0;
 constexpr int kRestQ = kOrder + kDigits + 4;
-constexpr int kRest = !kAnchor  ? 8 * kOrder + 28
+constexpr int kRest = !kAnchor  ? 8 * kOrder + 28 + (kOrder == 2 ? 36 : 0)
                       : kSeries ? std::max(kRestQ, 4 * kOrder + 14)
                                 : kRestQ;
 constexpr int kStepClocks =
