@@ -48,10 +48,10 @@ struct Kernel : hls::SplineKernel<Config> {
 constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop >= 2 ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 4;
-constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 14) : kRestQ;
+constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
 constexpr int kNetwork = 9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause +
-                         (kAnchor ? kRest + 1 : 8 * kOrder + 29 - 3 * kOrder - 14);
+                         (kAnchor ? kRest + 1 : 12 * kOrder + 47 - 3 * kOrder - 14);
 // Of the planner's error bound: coarse words and low orders would take very many pieces.
 const double kLimit = std::ldexp(0.1, std::max(0, 36 - kBits) + (kOrder < 4 ? 10 : 0));
 constexpr int kBegin = 2;  // after the step before
@@ -180,7 +180,7 @@ TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
         std::int64_t rest = segment.length;
         for (bool first = true; rest > 0; first = false, rest -= full) {
             first ? kernel_.load(segment) : kernel_.step();
-            const int begin = kBegin + (kAnchor || first ? 89 : 3);
+            const int begin = kBegin + (kAnchor || first ? 92 : 3);
             follow(segment, n == 0 && first ? 0 : begin + kNetwork);
             ASSERT_FALSE(HasFatalFailure()) << "segment " << n << " rest " << rest;
             const bool last = rest <= full;
