@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/control/spline_sequencer.sv: every start that is taken runs through the orders of the table in
 // its header, each control in its cycle and in no other, and leads to done in the clocks stated;
-// starts are taken in idle only and none of those is lost. Anchor 0 with Mode 1, 1 with 0.
+// starts are taken in idle only and none of those is lost. Anchor 0 with Mode 1, 1 with 0. A reset
+// lasts two clocks, and starts nothing.
 // control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
 // control: HURRIES_PHI s/7'(3 \* i + 13);/7'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
-// control: NEVER_DONE s/default: state_d = Idle/default: state_d = Last/
-// control: LOSES_START s/? start_i : turn/? start_i \&\& turn : turn/
-// control: NO_RESET s/state_q     <= Idle;/state_q     <= state_d;/
+// control: NEVER_DONE s/default: next = Idle/default: next = Last/
+// control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
+// control: NO_RESET s/state_q     <= Idle;/state_q     <= next_q;/
 `default_nettype none
 module spline_sequencer_formal (
     input wire logic clk_i,
@@ -21,8 +22,17 @@ module spline_sequencer_formal (
   localparam int Pause = 4;
 
   logic started_q = 1'b0;
-  always_ff @(posedge clk_i) started_q <= 1'b1;
-  always_comb if (!started_q) assume (!rst_ni);
+  logic low_q = 1'b0;  // reset in the clock before
+  logic reset_q = 1'b0;  // and in that before it
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    low_q     <= !rst_ni;
+    reset_q   <= low_q;
+  end
+  always_comb begin
+    if (!started_q || (low_q && !reset_q)) assume (!rst_ni);
+    if (!rst_ni) assume (!start_i);
+  end
 
   for (genvar Anchor = 0; Anchor < 2; Anchor = Anchor + 1) begin : g_anchor
     localparam int Mode = 1 - Anchor;
@@ -54,8 +64,8 @@ module spline_sequencer_formal (
     );
 
     // The cycle within an order of the table; order Top + 1 is the rest that Anchor 1 has.
-    localparam int RestQ = Order + Digits + 4;
-    localparam int RestX = 4 * Order + 14;
+    localparam int RestQ = Order + Digits + 5;
+    localparam int RestX = 4 * Order + 15;
     localparam int Rest = (Mode == 0 && RestX > RestQ) ? RestX : RestQ;
     logic [3:0] order_q;  // 0: idle
     logic [6:0] at_q;
@@ -70,7 +80,7 @@ module spline_sequencer_formal (
     always_comb begin
       length = 7'(9 * order_q + 27);
       if (order_q == 4'd2) length = 7'(9 * 2 + 27 + Pause);
-      if (order_q == 4'(Top) && Anchor == 0) length = 7'(14 * Order + 41);
+      if (order_q == 4'(Top) && Anchor == 0) length = 7'(18 * Order + 59);
       if (order_q == 4'(Top + 1)) length = 7'(Rest);
     end
     always_ff @(posedge clk_i) begin

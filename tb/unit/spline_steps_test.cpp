@@ -48,9 +48,9 @@ struct Kernel : hls::SplineKernel<Config> {
 constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop >= (kAnchor ? 2 : 3) ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 4;
-constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 14) : kRestQ;
-constexpr int kRestStates = 5 * kOrder + 14 + (kOrder == 2 ? 36 : 0);
+constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
+constexpr int kRestStates = 9 * kOrder + 32 + (kOrder == 2 ? 14 : 0);
 constexpr int kNetwork =
     9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause + (kAnchor ? kRest : kRestStates) + 1;
 // Of the planner's error bound: coarse words and low orders would take very many pieces.
@@ -181,7 +181,7 @@ TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
         std::int64_t rest = segment.length;
         for (bool first = true; rest > 0; first = false, rest -= full) {
             first ? kernel_.load(segment) : kernel_.step();
-            const int begin = kBegin + (kAnchor || first ? 89 : 3);
+            const int begin = kBegin + (kAnchor || first ? 92 : 3);
             follow(segment, n == 0 && first ? 0 : begin + kNetwork);
             ASSERT_FALSE(HasFatalFailure()) << "segment " << n << " rest " << rest;
             const bool last = rest <= full;
