@@ -12,7 +12,7 @@
 //   between samples                   SampleInterval
 //   request to sample                 12 + 3 SampleInterval + that of spline_sampler, and up to
 //                                     SampleInterval - 1 more
-//   of an integration step            91 + those of spline_sequencer
+//   of an integration step            94 + those of spline_sequencer
 //   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.

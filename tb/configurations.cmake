@@ -69,7 +69,7 @@ endforeach()
 # Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
 foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
         2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
-        12,36,42,10,1,0,1,0)
+        12,36,42,10,1,0,1,0 2,33,39,9,0,1,0,0)
   read_row(${size} order coef fine guard aux mode anchor form)
   core_test(spline_steps p${order}_w${coef}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
             TOP spline_steps LIBRARIES curvecore_ref
@@ -144,8 +144,12 @@ foreach(interval 1 2 4 8)
 endforeach()
 core_test(horner narrow TOP horner
           PARAMS Passes=3 Lanes=1 Bits=18 Shift=17 LastShift=17 Interval=4)
+core_test(horner narrow_cubic TOP horner
+          PARAMS Passes=3 Lanes=3 Bits=18 Shift=16 LastShift=17 Interval=4)
 illegal_parameter_test(horner Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(horner Passes=13 "Passes must be in .1, 12.")
+illegal_parameter_test(horner Shift=15 "Shift must be in .16, Bits - 1.")
+illegal_parameter_test(horner LastShift=36 "LastShift must be in .16, Bits - 1.")
 
 # Sine and cosine: order, word length.
 foreach(size 2,18 6,36 7,29 12,33)
@@ -177,14 +181,27 @@ foreach(core spherical_interpolator spherical_interpolator_serial)
 endforeach()
 
 # The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval.
-foreach(size 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
-        3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+function(spline_configuration test size)
   read_row(${size} order coef position guard aux mode anchor interval)
-  core_test(spline_interpolator
-            p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval}
-            TOP spline_interpolator LIBRARIES curvecore_ref
+  set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
+  core_test(${test} ${name} TOP spline_interpolator LIBRARIES curvecore_ref
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+endfunction()
+set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
+                 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+foreach(size ${spline_sizes})
+  spline_configuration(spline_interpolator ${size})
+endforeach()
+foreach(size ${spline_sizes}
+        2,36,32,10,0,1,1,1 2,18,16,2,1,1,1,2 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
+        3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1
+        4,36,32,10,3,0,1,2 4,18,20,4,1,1,0,1 4,32,28,12,0,1,1,8
+        5,30,32,8,1,1,1,4 5,20,32,2,0,1,0,1
+        6,36,32,10,0,0,1,8 6,36,16,2,0,1,1,1 6,18,16,2,5,0,1,4
+        7,27,28,7,6,1,1,1 8,35,32,11,0,0,1,2 9,34,31,11,0,1,1,2 10,33,32,9,1,0,1,4
+        11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8 12,25,22,6,2,0,1,2)
+  spline_configuration(sample_campaign ${size})
 endforeach()
 
 # The core for both kinds: the same.

@@ -3,13 +3,14 @@
 //
 //     sum = floor((a[1] b[1] + .. + a[n] b[n]) / 2^Shift + 1/2)      n <= 13
 //
-// with Shift = NarrowShift, or WideShift where wide_i was 1.
+// with Shift = NarrowShift, or WideShift where wide_i was 1; narrow_sum_o as if it never were.
 // folded_sum has the cycles; sum_o comes in its cycle 4n+4.
 `default_nettype none
 module folded_multiplier #(
     parameter int Bits        = 36,  // [18, 36]
     parameter int NarrowShift = 35,  // [1, 40]
     parameter int WideShift   = 35,  // [1, 40]
+    parameter int Own         = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form        = 0    // 0, 1
 ) (
     input  wire logic                   clk_i,
@@ -21,7 +22,10 @@ module folded_multiplier #(
     input  wire logic                   unsigned_i,
     input  wire logic signed [Bits-1:0] a_i,
     input  wire logic signed [Bits-1:0] b_i,
-    output logic signed      [Bits-1:0] sum_o
+    output logic signed      [Bits-1:0] narrow_sum_o,
+    output logic signed      [Bits-1:0] sum_o,
+    output logic             [    37:0] factors_o,
+    input  wire logic        [    35:0] product_i
 );
 
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
@@ -40,6 +44,7 @@ module folded_multiplier #(
   folded_sum #(
       .Bits(W),
       .TagBits(1),
+      .Own(Own),
       .Form(Form)
   ) u_sum (
       .clk_i,
@@ -54,10 +59,13 @@ module folded_multiplier #(
       .opening_o(opening_wide),
       .half_i(half),
       .tag_o(wide),
-      .total_o(total)
+      .total_o(total),
+      .factors_o,
+      .product_i
   );
-  assign half  = opening_wide ? WideHalf : NarrowHalf;
-  assign sum_o = wide ? total[WideShift+:W] : total[NarrowShift+:W];
+  assign half = opening_wide ? WideHalf : NarrowHalf;
+  assign narrow_sum_o = total[NarrowShift+:W];
+  assign sum_o = wide ? total[WideShift+:W] : narrow_sum_o;
 
 endmodule
 `default_nettype wire

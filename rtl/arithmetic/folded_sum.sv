@@ -16,12 +16,15 @@
 //   total_o                                                      total, tag_o until the next's 4
 //
 // Clocks without valid_i may lie between.  unsigned_i: b has no sign.  half_i belongs to opening_o,
-// in the same clock.  No reset: a sum follows its operands only.
+// a tag before its sum begins, in the same clock.  No reset: a sum follows its operands only.
 // Form: 0 portable, 1 ECP5 (registered MULT18X18D); equal bit for bit.
+// With Own = 0 the multiplier is outside, a half_product of the `or` of its users' factors_o, which
+// are zero in clocks without operands: users whose operands never come together share it.
 `default_nettype none
 module folded_sum #(
     parameter int Bits    = 36,  // [18, 36]
     parameter int TagBits = 1,   // [1, 8]
+    parameter int Own     = 1,   // 0, 1
     parameter int Form    = 0    // 0, 1
 ) (
     input  wire logic                      clk_i,
@@ -36,7 +39,9 @@ module folded_sum #(
     output logic             [TagBits-1:0] opening_o,
     input  wire logic        [       41:0] half_i,
     output logic             [TagBits-1:0] tag_o,
-    output logic             [       77:0] total_o
+    output logic             [       77:0] total_o,
+    output logic             [       37:0] factors_o,
+    input  wire logic        [       35:0] product_i
 );
 
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
@@ -58,33 +63,23 @@ module folded_sum #(
     b_q        <= part_i[0] ? b[35:18] : b[17:0];
     a_signed_q <= part_i[1];
     b_signed_q <= part_i[0] && !unsigned_i;
+    if (Own == 0 && !valid_i) {a_signed_q, b_signed_q, a_q, b_q} <= '0;
   end
+  assign factors_o = {a_signed_q, b_signed_q, a_q, b_q};
 
   logic [35:0] product;
-  if (Form == 1) begin : g_ecp5
-    dsp_ecp5 u_dsp (
+  if (Own != 0) begin : g_own
+    logic unused;
+    assign unused = &product_i;
+    half_product #(
+        .Form(Form)
+    ) u_product (
         .clk_i,
-        .en_i(1'b1),
-        .a_signed_i(a_signed_q),
-        .b_signed_i(b_signed_q),
-        .a_i(a_q),
-        .b_i(b_q),
+        .factors_i(factors_o),
         .product_o(product)
     );
-  end else begin : g_portable
-    logic signed [18:0] a_input_q;
-    logic signed [18:0] b_input_q;
-    logic signed [37:0] a_wide;
-    logic signed [37:0] b_wide;
-    logic signed [37:0] pipeline_q;
-    assign a_wide = 38'(a_input_q);
-    assign b_wide = 38'(b_input_q);
-    always_ff @(posedge clk_i) begin
-      a_input_q  <= {a_signed_q && a_q[17], a_q};
-      b_input_q  <= {b_signed_q && b_q[17], b_q};
-      pipeline_q <= a_wide * b_wide;
-      product    <= pipeline_q[35:0];
-    end
+  end else begin : g_shared
+    assign product = product_i;
   end
 
   // What travels beside the product.
@@ -111,6 +106,7 @@ module folded_sum #(
 
   logic signed [SumBits-1:0] total_q;
   logic        [       35:0] dropped_q;
+  logic        [SumBits-1:0] half_q;
   logic signed [SumBits-1:0] lowered;
   logic signed [SumBits-1:0] base;
   logic signed [SumBits-1:0] term;
@@ -120,18 +116,19 @@ module folded_sum #(
   assign valid     = valid_q[Clocks-1];
   assign first     = first_q[Clocks-1];
   assign drop      = drop_q[Clocks-1];
-  assign opening_o = tag_q[Clocks-1];
+  assign opening_o = tag_q[Clocks-2];
   assign lowered   = {{18{total_q[SumBits-1]}}, total_q[SumBits-1:18]};
   assign term      = {{(SumBits - 36) {product[35] && negative_q[Clocks-1]}}, product};
   always_comb begin
     base = total_q;
     if (drop) base = lowered;
-    if (first) base = half_i;
+    if (first) base = half_q;
   end
   always_ff @(posedge clk_i) begin
+    half_q <= half_i;
     if (valid) begin
       total_q <= base + term;
-      if (first) tag_o <= opening_o;
+      if (first) tag_o <= tag_q[Clocks-1];
       if (drop) dropped_q <= {total_q[17:0], dropped_q[35:18]};
     end
   end

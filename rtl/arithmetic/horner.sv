@@ -24,8 +24,8 @@ module horner #(
     parameter int Passes    = 6,      // [1, 12]
     parameter int Lanes     = 1,      // [1, 6]
     parameter int Bits      = 36,     // [18, 36]
-    parameter int Shift     = 35,     // [17, 35]
-    parameter int LastShift = Shift,  // [17, 35]
+    parameter int Shift     = 35,     // [16, Bits - 1]
+    parameter int LastShift = Shift,  // [16, Bits - 1]
     parameter int Interval  = 1,      // 1, 2, 4, 8
     parameter int BankBits  = 2,      // [1, 5]
     parameter int TagBits   = 2,      // [BankBits, 28]
@@ -55,7 +55,9 @@ module horner #(
   initial if (Passes < 1 || Passes > 12) $fatal(1, "Passes must be in [1, 12]");
   initial if (Lanes < 1 || Lanes > 6) $fatal(1, "Lanes must be in [1, 6]");
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
-  initial if (Shift < 17 || Shift >= Bits) $fatal(1, "Shift must be in [17, Bits - 1]");
+  initial if (Shift < 16 || Shift >= Bits) $fatal(1, "Shift must be in [16, Bits - 1]");
+  initial
+    if (LastShift < 16 || LastShift >= Bits) $fatal(1, "LastShift must be in [16, Bits - 1]");
   initial
     if (LastShift != Shift && Interval == 2 && Passes % 2 == 0)
       $fatal(1, "LastShift needs the last pass alone in its stage");

@@ -16,9 +16,8 @@ module step_scale #(
     output logic signed      [Bits-1:0] y_o
 );
 
-  // Doubled, as long as the longest shift needs.
+  // Doubled, as long as the longest shift needs; the smaller lift is a longer shift.
   logic signed [Bits-1:0] x_q;
-  logic                   wide_q;
   logic        [     5:0] shift_q;
   logic signed [    63:0] lifted;
   logic        [     5:0] coarse;
@@ -28,16 +27,14 @@ module step_scale #(
   logic signed [    63:0] doubled_q;
   logic signed [    63:0] one;
   logic signed [    63:0] rounded;
-  assign lifted  = wide_q ? {{(59 - Bits) {x_q[Bits-1]}}, x_q, 5'd0}
-                          : {{(62 - Bits) {x_q[Bits-1]}}, x_q, 2'd0};
+  assign lifted = {{(59 - Bits) {x_q[Bits-1]}}, x_q, 5'd0};
   assign coarse = {shift_q[5:3], 3'd0};
   assign doubled = coarse_q >>> fine_q;
   assign one = 64'sd1;
   assign rounded = doubled_q + one;
   always_ff @(posedge clk_i) begin
     x_q       <= x_i;
-    wide_q    <= wide_i;
-    shift_q   <= shift_i;
+    shift_q   <= wide_i ? shift_i : shift_i + 6'd3;
     coarse_q  <= lifted >>> coarse;
     fine_q    <= shift_q[2:0];
     doubled_q <= doubled;

@@ -11,7 +11,7 @@
 //   start_phi_o                        1
 //   order_o            i                              i + 1
 //
-// Each start comes as early as the newest word permits, which a node reads in its i-th clock.
+// Each start comes as early as the newest word permits, which a node reads i + 1 clocks later.
 // Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause, before
 // order 3: W[2] has two products by digits before it and comes max(0, 2 weight_digits - 32) clocks
 // late.
@@ -21,6 +21,9 @@
 //
 //     Anchor 1   9 Top (Top + 1) / 2 + 27 Top + Pause + Rest + 1 clocks     Top = Order - 1
 //     Anchor 0   3 Order + 14 less: when every node has its state           Top = Order
+//
+// with Order 2 and Anchor 0 14 more: when spline_anchor has the step's position, too.
+// A state's length and its successor are looked up in registers, a clock late: states are longer.
 `default_nettype none
 module spline_sequencer #(
     parameter int Order  = 6,   // [2, 12]
@@ -46,11 +49,12 @@ module spline_sequencer #(
   localparam int Pause = (Late > 0) ? Late : 0;
 
   // From the start of V (of phi with Anchor 0) of the last order.
-  localparam int RestQ = Order + Digits + 4;
-  localparam int RestX = 4 * Order + 14;
+  localparam int RestQ = Order + Digits + 5;
+  localparam int RestX = 4 * Order + 15;
   localparam int RestSeries = (RestX > RestQ) ? RestX : RestQ;
   localparam int RestAnchored = (Mode == 0) ? RestSeries : RestQ;
-  localparam int Rest = (Anchor != 0) ? RestAnchored : 8 * Order + 28;
+  localparam int RestStates = (Order == 2) ? 84 : 12 * Order + 46;
+  localparam int Rest = (Anchor != 0) ? RestAnchored : RestStates;
 
   typedef enum logic [2:0] {
     Idle,
@@ -70,50 +74,51 @@ module spline_sequencer #(
     assign phi_clocks[i] = (i == 2) ? 7'(3 * i + 13 + Pause) : 7'(3 * i + 13);
   end
 
-  state_t state_q, state_d;
+  state_t state_q, next, next_q;
   logic [6:0] count_q;
   logic [6:0] clocks;
-  logic [3:0] order_d;
-  logic       turn;
-  assign turn    = count_q == 7'd0;
+  logic [6:0] clocks_q;
+  logic [3:0] next_order;
+  logic [3:0] next_order_q;
+  logic       turn_q;
   assign ready_o = state_q == Idle;
   always_comb begin
-    state_d = state_q;
-    order_d = order_o;
-    clocks  = v_clocks[order_o];
+    next       = state_q;
+    next_order = order_o;
+    clocks     = v_clocks[order_o];
     case (state_q)
       Idle: begin
-        state_d = V;
-        order_d = 4'd1;
-        clocks  = v_clocks[1];
+        next       = V;
+        next_order = 4'd1;
+        clocks     = v_clocks[1];
       end
       V: begin
-        state_d = P;
-        clocks  = p_clocks[order_o];
+        next   = P;
+        clocks = p_clocks[order_o];
       end
       P: begin
-        state_d = Phi;
-        clocks  = phi_clocks[order_o];
+        next   = Phi;
+        clocks = phi_clocks[order_o];
         if (Anchor == 0 && order_o == 4'(Order)) begin
-          state_d = Last;
-          clocks  = 7'(Rest - 1);
+          next   = Last;
+          clocks = 7'(Rest - 1);
         end
       end
       Phi: begin
-        state_d = V;
-        order_d = order_o + 4'd1;
-        clocks  = v_clocks[order_d];
+        next       = V;
+        next_order = order_o + 4'd1;
+        clocks     = v_clocks[next_order];
         if (Anchor != 0 && order_o == 4'(Top)) begin
-          state_d = Last;
-          clocks  = 7'(Rest - 1);
+          next   = Last;
+          clocks = 7'(Rest - 1);
         end
       end
-      default: state_d = Idle;
+      default: next = Idle;
     endcase
   end
 
   logic go;
-  assign go = (state_q == Idle) ? start_i : turn;
+  assign go = (state_q == Idle) ? start_i : turn_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       state_q     <= Idle;
@@ -123,17 +128,21 @@ module spline_sequencer #(
       start_phi_o <= 1'b0;
       done_o      <= 1'b0;
     end else begin
-      if (go) state_q <= state_d;
-      start_v_o   <= go && state_d == V;
-      start_x_o   <= go && (state_d == V || (state_d == Last && Anchor != 0));
-      start_p_o   <= go && state_d == P;
-      start_phi_o <= go && (state_d == Phi || (state_d == Last && Anchor == 0));
+      if (go) state_q <= next_q;
+      start_v_o   <= go && next_q == V;
+      start_x_o   <= go && (next_q == V || (next_q == Last && Anchor != 0));
+      start_p_o   <= go && next_q == P;
+      start_phi_o <= go && (next_q == Phi || (next_q == Last && Anchor == 0));
       done_o      <= go && state_q == Last;
     end
   end
   always_ff @(posedge clk_i) begin
-    count_q <= go ? clocks : count_q - 7'd1;
-    if (go && state_d != Idle) order_o <= order_d;
+    next_q       <= next;
+    next_order_q <= next_order;
+    clocks_q     <= clocks;
+    turn_q       <= !go && count_q == 7'd1;
+    count_q      <= go ? clocks_q : count_q - 7'd1;
+    if (go && next_q != Idle) order_o <= next_order_q;
   end
 
 endmodule

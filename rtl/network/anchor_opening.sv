@@ -2,7 +2,7 @@
 // The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and
 // go into its memories; then v and phi.
 //
-//   time_i    1 .. 9            2 .. 10                          7      11
+//   time_i    1 .. 9            3 .. 11                          8      12
 //   axis_o    0 0 0 1 1 1 ..
 //   writes                      2c | 3a, b | a, c of an axis     v      phi
 //
@@ -58,6 +58,9 @@ module anchor_opening #(
   logic signed [Bits-1:0] v_q;
   logic signed [Bits-1:0] v_moved;
   logic signed [Bits-1:0] phi;
+  logic                   v_now_q;
+  logic                   v_there_q;
+  logic                   phi_there_q;
   logic        [     7:0] time_copy;  // a clock late
   local_copy #(
       .Bits(8)
@@ -92,34 +95,31 @@ module anchor_opening #(
     b_q             <= b_i;
     c_q             <= c_i;
     three_a_o       <= a_o + twice_a;
-    if (time_copy == 8'd5) v_q <= fresh_i ? '0 : v_moved;
+    v_now_q         <= time_copy == 8'd4;
+    v_there_q       <= v_now_q;
+    phi_there_q     <= time_copy == 8'd9;
+    if (v_now_q) v_q <= fresh_i ? '0 : v_moved;
   end
 
   assign row = before_turn_q - 2'd1;
-  always_comb begin
-    a_write_o = three_a_there_o || a_there_o;
-    a_place_o = {row, there_axis_o};
-    a_word_o  = a_there_o ? a_o : three_a_o;
-    b_write_o = time_copy == 8'd6;
-    b_place_o = 3'd3;
-    b_word_o  = v_q;
-    c_write_o = there_q;
-    c_place_o = {row, there_axis_o};
-    c_word_o  = a_there_o ? c_q : b_q;
-    if (before_turn_q == 2'd0) begin
-      c_place_o = {2'd2, there_axis_o};
-      c_word_o  = twice_c;
-    end
-    if (time_copy == 8'd10) begin
-      a_write_o = 1'b1;
-      a_place_o = 4'd15;
-      a_word_o  = phi;
-      b_write_o = 1'b1;
-      b_place_o = 3'd7;
-      b_word_o  = phi;
-      c_write_o = 1'b1;
-      c_place_o = 4'd12;
-      c_word_o  = phi;
+  always_ff @(posedge clk_i) begin
+    a_write_o <= three_a_there_o || a_there_o || phi_there_q;
+    b_write_o <= v_there_q || phi_there_q;
+    c_write_o <= there_q || phi_there_q;
+    if (phi_there_q) begin
+      a_place_o <= 4'd15;
+      a_word_o  <= phi;
+      b_place_o <= 3'd7;
+      b_word_o  <= phi;
+      c_place_o <= 4'd12;
+      c_word_o  <= phi;
+    end else begin
+      a_place_o <= {row, there_axis_o};
+      a_word_o  <= a_there_o ? a_o : three_a_o;
+      b_place_o <= 3'd3;
+      b_word_o  <= v_q;
+      c_place_o <= (before_turn_q == 2'd0) ? {2'd2, there_axis_o} : {row, there_axis_o};
+      c_word_o  <= (before_turn_q == 2'd0) ? twice_c : a_there_o ? c_q : b_q;
     end
   end
 

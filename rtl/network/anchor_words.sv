@@ -3,13 +3,13 @@
 //
 //     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
 //
-//   cycle                                 0    1    3       5        6
+//   cycle                                 0    1    2       5
 //   v, phi, q_there_i with result_i       1    load, word_o
 //   square_there_i with result_i          1         load_r, word_o
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
-//   slope_there_i with result_i           1                          load_w, word_o
+//   slope_there_i with result_i           1                 load_w, word_o
 //
-// scaled_o: moved_i / 2^s in cycle 6 of time_i.  start_o in cycle 89; with quiet_i in cycle 3.
+// scaled_o: moved_i / 2^s in cycle 6 of time_i.  start_o in cycle 92; with quiet_i in cycle 3.
 `default_nettype none
 module anchor_words #(
     parameter int CoefBits = 36  // [18, 36]
@@ -51,26 +51,8 @@ module anchor_words #(
 
   localparam int Bits = CoefBits;
 
-  logic signed [Bits-1:0] result_q;
-  logic        [     1:0] result_axis_q;
-  logic                   slope_q;
-  logic                   square_q;
-  logic                   three_there_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      slope_q <= 1'b0;
-      square_q <= 1'b0;
-      three_there_q <= 1'b0;
-    end else begin
-      slope_q <= slope_there_i;
-      square_q <= square_there_i;
-      three_there_q <= square_q;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    result_q      <= result_i;
-    result_axis_q <= result_axis_i;
-  end
+  logic three_there_q;
+  always_ff @(posedge clk_i) three_there_q <= rst_ni && square_there_i;
 
   // One scale for all.
   logic signed [Bits-1:0] x;
@@ -79,8 +61,8 @@ module anchor_words #(
   always_comb begin
     x     = moved_i;
     shift = {1'b0, s_i};
-    wide  = slope_q || three_a_there_i;
-    if (slope_q) x = result_q;
+    wide  = slope_there_i || three_a_there_i;
+    if (slope_there_i) x = result_i;
     if (three_a_there_i) x = three_a_i;
     if (a_there_i) x = a_i;
     if (three_a_there_i || a_there_i) shift = {s_i, 1'b0};
@@ -105,13 +87,13 @@ module anchor_words #(
       three_a_scaled_q <= 4'd0;
       a_scaled_q       <= 4'd0;
     end else begin
-      slope_scaled_q   <= {slope_scaled_q[2:0], slope_q};
+      slope_scaled_q   <= {slope_scaled_q[2:0], slope_there_i};
       three_a_scaled_q <= {three_a_scaled_q[2:0], three_a_there_i};
       a_scaled_q       <= {a_scaled_q[2:0], a_there_i};
     end
   end
   always_ff @(posedge clk_i) begin
-    axis_q[0] <= slope_q ? result_axis_q : open_axis_i;
+    axis_q[0] <= slope_there_i ? result_axis_i : open_axis_i;
     axis_q[1] <= axis_q[0];
     axis_q[2] <= axis_q[1];
     axis_q[3] <= axis_q[2];
@@ -123,8 +105,8 @@ module anchor_words #(
   logic signed [Bits+1:0] two;
   logic signed [Bits+1:0] three_q;
   logic signed [Bits+1:0] minus_three;
-  assign square_wide  = (Bits + 2)'(result_q);
-  assign square_twice = {result_q[Bits-1], result_q, 1'b0};
+  assign square_wide  = (Bits + 2)'(result_i);
+  assign square_twice = {result_i[Bits-1], result_i, 1'b0};
   assign two          = (Bits + 2)'(3'sd2);
   assign minus_three  = two - three_q;
   always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
@@ -164,7 +146,7 @@ module anchor_words #(
       load_q_o       <= q_there_i && !quiet_i;
       load_r_o       <= three_there_q && !quiet_i;
       again_o        <= quiet_i && time_copy == 8'd1;
-      start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd87;
+      start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd90;
     end
   end
   always_ff @(posedge clk_i) begin

@@ -7,7 +7,7 @@
 //     m = N phi    z = 1 - m phi             phi <- phi + z phi / 2
 //     S = phi^2    Q = -S phi    R = -3 S    d = ((a v + b) v + c) v
 //
-//   cycle       0    1 .. 9       8 .. 15   34 .. 88    89   100   108   124 128 132
+//   cycle       0    1 .. 9       8 .. 15   32 .. 90    92   102   112   127 131 135
 //   begin_i     1                                                                    fresh_i
 //   axis_o           0 0 0 1 ..                                                      a_i, b_i, c_i
 //   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
@@ -18,11 +18,13 @@
 // phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With
 // Anchor = 0 only a segment's first step has the loads from V on; else again_o and start_o
 // come in cycle 3.
-// Every operation is a sum of products (folded_sum), rounded once, and an addition.
+// Every operation is a sum of products (folded_sum), rounded once, and an addition; the operands
+// pass in cycles 9 to 128.
 `default_nettype none
 module spline_anchor #(
     parameter int CoefBits = 36,  // [18, 36]
     parameter int Anchor   = 1,   // 0: V W phi Q R are loaded with a segment only
+    parameter int Own      = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form     = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -55,7 +57,10 @@ module spline_anchor #(
     output logic        [         2:0] step_a_there_o,  // word_o is a' of the axis
     output logic                       d_there_o,
     output logic        [         1:0] d_axis_o,
-    output logic signed [CoefBits-1:0] d_o
+    output logic signed [CoefBits-1:0] d_o,
+
+    output logic      [37:0] factors_o,
+    input  wire logic [35:0] product_i
 );
 
   localparam int Bits = CoefBits;
@@ -68,7 +73,7 @@ module spline_anchor #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) time_q <= 8'd0;
     else if (begin_i) time_q <= 8'd1;
-    else if (time_q == 8'd133) time_q <= 8'd0;
+    else if (time_q == 8'd136) time_q <= 8'd0;
     else if (time_q != 8'd0) time_q <= time_q + 8'd1;
   end
   always_ff @(posedge clk_i) begin
@@ -83,7 +88,8 @@ module spline_anchor #(
   logic [1:0] op_axis;
   logic       run;
   logic [1:0] part;
-  logic [1:0] pass;
+  logic       first;
+  logic       drop;
   logic       run_end;
   logic [3:0] a_index;
   logic [2:0] b_index;
@@ -95,30 +101,28 @@ module spline_anchor #(
       .op_axis_o(op_axis),
       .run_o(run),
       .part_o(part),
-      .pass_o(pass),
+      .first_o(first),
+      .drop_o(drop),
       .end_o(run_end),
       .a_index_o(a_index),
       .b_index_o(b_index)
   );
 
   // Operands.  A: 3a, a, mean or e or f, V of each axis and N, -m, z or S, phi;  B: V, v, phi.
-  logic signed [Bits-1:0] a_memory[16];
-  logic signed [Bits-1:0] b_memory[ 8];
+  logic signed [Bits-1:0] a_memory                                 [16];
+  logic signed [Bits-1:0] b_memory                                 [ 8];
   logic        [     5:0] opening;
-  logic        [     5:0] tag;
+  logic        [     5:0] tag;  // of the total, 3 clocks before it
   logic        [    77:0] total;
   logic        [    41:0] half;
   logic signed [Bits-1:0] a;
   logic signed [Bits-1:0] b;
-  logic                   first;
-  logic                   drop;
-  assign a     = a_memory[a_index];
-  assign b     = b_memory[b_index];
-  assign first = part == 2'd0 && pass == 2'd0;
-  assign drop  = part[0] && pass == 2'd0;
+  assign a = a_memory[a_index];
+  assign b = b_memory[b_index];
   folded_sum #(
       .Bits(Bits),
       .TagBits(6),
+      .Own(Own),
       .Form(Form)
   ) u_sum (
       .clk_i,
@@ -133,29 +137,19 @@ module spline_anchor #(
       .opening_o(opening),
       .half_i(half),
       .tag_o(tag),
-      .total_o(total)
+      .total_o(total),
+      .factors_o,
+      .product_i
   );
 
-  // The rounding and the shift of an operation.
+  // The rounding of an operation; its shift, in a register: a tag is there before its total.
   localparam logic [41:0] One = 42'd1;
   logic        [     3:0] opening_kind;
-  logic        [     3:0] tag_kind;
-  logic        [     1:0] tag_axis;
-  logic signed [Bits-1:0] sum_mean;
-  logic signed [Bits-1:0] sum_v;
-  logic signed [Bits-1:0] sum_m;
-  logic signed [Bits-1:0] sum_z;
-  logic signed [Bits-1:0] sum_phi;
-  logic signed [Bits-1:0] sum_other;
+  logic        [     3:0] kind_q;
+  logic        [     1:0] axis_q;
+  logic        [     2:0] shape_q;
   logic signed [Bits-1:0] sum;
-  assign opening_kind         = opening[5:2];
-  assign {tag_kind, tag_axis} = tag;
-  assign sum_mean             = total[Bits+:Bits];
-  assign sum_v                = total[Bits-3+:Bits];
-  assign sum_m                = total[Bits-2+:Bits];
-  assign sum_z                = total[Bits-6+:Bits];
-  assign sum_phi              = total[Bits+4+:Bits];
-  assign sum_other            = total[Bits-1+:Bits];
+  assign opening_kind = opening[5:2];
   always_comb begin
     case (opening_kind)
       anchor_pkg::Mean: half = One << (Bits - 1);
@@ -165,52 +159,71 @@ module spline_anchor #(
       anchor_pkg::Phi:  half = One << (Bits + 3);
       default:          half = One << (Bits - 2);
     endcase
-    case (tag_kind)
-      anchor_pkg::Mean: sum = sum_mean;
-      anchor_pkg::V:    sum = sum_v;
-      anchor_pkg::M:    sum = sum_m;
-      anchor_pkg::Z:    sum = sum_z;
-      anchor_pkg::Phi:  sum = sum_phi;
-      default:          sum = sum_other;
+    case (shape_q)
+      3'd1:    sum = total[Bits+:Bits];
+      3'd2:    sum = total[Bits-3+:Bits];
+      3'd3:    sum = total[Bits-2+:Bits];
+      3'd4:    sum = total[Bits-6+:Bits];
+      3'd5:    sum = total[Bits+4+:Bits];
+      default: sum = total[Bits-1+:Bits];
+    endcase
+  end
+  always_ff @(posedge clk_i) begin
+    {kind_q, axis_q} <= tag;
+    case (tag[5:2])
+      anchor_pkg::Mean: shape_q <= 3'd1;
+      anchor_pkg::V:    shape_q <= 3'd2;
+      anchor_pkg::M:    shape_q <= 3'd3;
+      anchor_pkg::Z:    shape_q <= 3'd4;
+      anchor_pkg::Phi:  shape_q <= 3'd5;
+      default:          shape_q <= 3'd0;
     endcase
   end
 
   // The addition: b, c, 2c of each axis, phi.
-  logic signed [Bits-1:0] c_memory[16];
+  logic signed [Bits-1:0] c_memory  [16];
   logic        [     3:0] c_index;
+  logic        [     3:0] c_index_q;
   logic                   alone;
+  logic                   alone_q;
   always_comb begin
-    c_index = {2'd0, tag_axis};
+    c_index = {2'd0, tag[1:0]};
     alone   = 1'b0;
-    case (tag_kind)
+    case (tag[5:2])
       anchor_pkg::Mean, anchor_pkg::Slope, anchor_pkg::E: ;
-      anchor_pkg::F:                                      c_index = {2'd1, tag_axis};
-      anchor_pkg::V:                                      c_index = {2'd2, tag_axis};
+      anchor_pkg::F:                                      c_index = {2'd1, tag[1:0]};
+      anchor_pkg::V:                                      c_index = {2'd2, tag[1:0]};
       anchor_pkg::Phi:                                    c_index = 4'd12;
       default:                                            alone = 1'b1;
     endcase
   end
 
-  logic        [     5:0] there_q;  // clocks since the operation's last
-  logic        [     3:0] made_q;
-  logic        [     1:0] made_axis_q;
+  logic        [     6:0] there_q;  // clocks since the operation's last
+  logic        [     3:0] sum_kind_q;
+  logic        [     1:0] sum_axis_q;
   logic                   minus_q;
   logic signed [Bits-1:0] sum_q;
   logic signed [Bits-1:0] addend_q;
-  logic signed [Bits-1:0] result;
+  logic        [     3:0] made_q;
+  logic        [     1:0] made_axis_q;
+  logic signed [Bits-1:0] result_q;
   logic                   made;
-  assign result = minus_q ? addend_q - sum_q : addend_q + sum_q;
-  assign made   = there_q[5];
+  assign made = there_q[6];
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) there_q <= 6'd0;
-    else there_q <= {there_q[4:0], run_end};
+    if (!rst_ni) there_q <= 7'd0;
+    else there_q <= {there_q[5:0], run_end};
   end
   always_ff @(posedge clk_i) begin
+    c_index_q   <= c_index;
+    alone_q     <= alone;
     sum_q       <= sum;
-    addend_q    <= alone ? '0 : c_memory[c_index];
-    made_q      <= tag_kind;
-    made_axis_q <= tag_axis;
-    minus_q     <= tag_kind == anchor_pkg::M || tag_kind == anchor_pkg::Q;
+    addend_q    <= alone_q ? '0 : c_memory[c_index_q];
+    sum_kind_q  <= kind_q;
+    sum_axis_q  <= axis_q;
+    minus_q     <= kind_q == anchor_pkg::M || kind_q == anchor_pkg::Q;
+    result_q    <= minus_q ? addend_q - sum_q : addend_q + sum_q;
+    made_q      <= sum_kind_q;
+    made_axis_q <= sum_axis_q;
   end
 
   // Into the memories: at first the segment's words, then the results.
@@ -260,17 +273,15 @@ module spline_anchor #(
       .c_word_o(open_c_word)
   );
 
-  logic       result_a;
-  logic       result_b;
+  logic       result_a_q;
+  logic       result_b_q;
   logic [3:0] result_a_place;
-  logic [2:0] result_b_place;
+  logic [3:0] result_a_place_q;
+  logic [2:0] result_b_place_q;
   always_comb begin
-    result_a       = made && made_q != anchor_pkg::Q;
-    result_a_place = {2'd2, made_axis_q};
-    result_b       = made && (made_q == anchor_pkg::V || made_q == anchor_pkg::Phi);
-    result_b_place = (made_q == anchor_pkg::V) ? {1'b0, made_axis_q} : 3'd7;
-    case (made_q)
-      anchor_pkg::V:                result_a_place = {2'd3, made_axis_q};
+    result_a_place = {2'd2, sum_axis_q};
+    case (sum_kind_q)
+      anchor_pkg::V:                result_a_place = {2'd3, sum_axis_q};
       anchor_pkg::N:                result_a_place = 4'd3;
       anchor_pkg::M:                result_a_place = 4'd7;
       anchor_pkg::Z, anchor_pkg::S: result_a_place = 4'd11;
@@ -278,18 +289,24 @@ module spline_anchor #(
       default:                      ;
     endcase
   end
+  always_ff @(posedge clk_i) begin
+    result_a_q <= there_q[5] && sum_kind_q != anchor_pkg::Q;
+    result_b_q <= there_q[5] && (sum_kind_q == anchor_pkg::V || sum_kind_q == anchor_pkg::Phi);
+    result_a_place_q <= result_a_place;
+    result_b_place_q <= (sum_kind_q == anchor_pkg::V) ? {1'b0, sum_axis_q} : 3'd7;
+  end
 
   logic        [     3:0] a_place;
   logic signed [Bits-1:0] a_word;
   logic        [     2:0] b_place;
   logic signed [Bits-1:0] b_word;
-  assign a_place = open_a ? open_a_place : result_a_place;
-  assign a_word  = open_a ? open_a_word : result;
-  assign b_place = open_b ? open_b_place : result_b_place;
-  assign b_word  = open_b ? open_b_word : result;
+  assign a_place = open_a ? open_a_place : result_a_place_q;
+  assign a_word  = open_a ? open_a_word : result_q;
+  assign b_place = open_b ? open_b_place : result_b_place_q;
+  assign b_word  = open_b ? open_b_word : result_q;
   always_ff @(posedge clk_i) begin
-    if (open_a || result_a) a_memory[a_place] <= a_word;
-    if (open_b || result_b) b_memory[b_place] <= b_word;
+    if (open_a || result_a_q) a_memory[a_place] <= a_word;
+    if (open_b || result_b_q) b_memory[b_place] <= b_word;
     if (open_c) c_memory[open_c_place] <= open_c_word;
   end
 
@@ -314,7 +331,7 @@ module spline_anchor #(
       .square_there_i(made && made_q == anchor_pkg::S),
       .q_there_i(made && made_q == anchor_pkg::Q),
       .result_axis_i(made_axis_q),
-      .result_i(result),
+      .result_i(result_q),
       .load_six_a_o,
       .load_v_o,
       .load_w_o,
@@ -327,14 +344,9 @@ module spline_anchor #(
       .word_o
   );
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) d_there_o <= 1'b0;
-    else d_there_o <= made && made_q == anchor_pkg::D;
-  end
-  always_ff @(posedge clk_i) begin
-    d_axis_o <= made_axis_q;
-    d_o      <= result;
-  end
+  assign d_there_o = made && made_q == anchor_pkg::D;
+  assign d_axis_o  = made_axis_q;
+  assign d_o       = result_q;
 
 endmodule
 `default_nettype wire

@@ -45,6 +45,8 @@ module spline_axis #(
   logic signed [CoefBits-1:0] unused_w_state;
   logic signed [CoefBits-1:0] unused_v_state;
   logic signed [CoefBits-1:0] unused_p_state;
+  logic [37:0] unused_factors_v;
+  logic [37:0] unused_factors_p;
 
   scaler #(
       .Bits(CoefBits)
@@ -78,7 +80,9 @@ module spline_axis #(
       .u_i(w),
       .s_i(phi_i),
       .d_o(dv),
-      .x_o(v)
+      .x_o(v),
+      .factors_o(unused_factors_v),
+      .product_i(36'd0)
   );
 
   stieltjes_integrator #(
@@ -98,12 +102,15 @@ module spline_axis #(
       .u_i(v),
       .s_i(dv),
       .d_o(dp_o),
-      .x_o(unused_p)
+      .x_o(unused_p),
+      .factors_o(unused_factors_p),
+      .product_i(36'd0)
   );
 
   if (Mode == 0) begin : g_series
     logic [TermBits-1:0] unused_dx;
     logic signed [CoefBits-1:0] unused_x_state;
+    logic [37:0] unused_factors_x;
     stieltjes_integrator #(
         .Bits (CoefBits),
         .Shift(CoefBits - 1),
@@ -121,7 +128,9 @@ module spline_axis #(
         .u_i(v),
         .s_i(phi_i),
         .d_o(unused_dx),
-        .x_o
+        .x_o,
+        .factors_o(unused_factors_x),
+        .product_i(36'd0)
     );
   end else begin : g_polynomial
     logic unused_start;

@@ -14,13 +14,17 @@
 // coefficient once; done_o, in the clock that spline_sequencer states, with the last of q and x.
 // moved_o (the sum of q) and phi_end_o (the sum of phi) are complete 2 clocks later.
 //
-// 18 x 18 multipliers: 9, with Mode 0 12; q and W have the time to be made digit after digit.
+// 18 x 18 multipliers: 9, with Mode 0 12; q and W have the time to be made digit after digit.  With
+// Guest = 1 those of Q and R are one outside (half_product of factors_o), which is a guest's until
+// 38 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i]; with
+// Anchor 1 not the last ones, which nobody reads.
 `default_nettype none
 module spline_network #(
     parameter int Order    = 6,   // [2, 12]
     parameter int CoefBits = 36,  // [18, 36]
     parameter int Mode     = 1,   // 0 series, 1 polynomial
     parameter int Anchor   = 1,   // 0, 1
+    parameter int Guest    = 0,   // 0, 1; 1 with Anchor 1 only
     parameter int Form     = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -52,12 +56,16 @@ module spline_network #(
     output logic        [CoefBits+4:0] wy_o,
     output logic        [CoefBits+4:0] wz_o,
     output logic signed [CoefBits-1:0] moved_o,
-    output logic signed [CoefBits-1:0] phi_end_o
+    output logic signed [CoefBits-1:0] phi_end_o,
+
+    output logic      [37:0] factors_o,
+    input  wire logic [35:0] product_i
 );
 
   initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial if (Guest != 0 && Anchor == 0) $fatal(1, "Guest 1 works with Anchor 1 only");
 
   localparam int TermBits = CoefBits + 5;
 
@@ -245,6 +253,7 @@ module spline_network #(
       .sum_o(dp)
   );
 
+  logic [37:0] unused_factors;
   stieltjes_integrator #(
       .Bits (CoefBits),
       .Shift(CoefBits - 3),
@@ -262,12 +271,29 @@ module spline_network #(
       .u_i(cube),
       .s_i(dp),
       .d_o(dphi),
-      .x_o(phi)
+      .x_o(phi),
+      .factors_o(unused_factors),
+      .product_i(36'd0)
   );
+
+  // One after the other: phi[i], Q[i], R[i].
+  localparam int TopCube = (Anchor != 0) ? Order - 2 : Order;
+  localparam int TopSquare = (Anchor != 0) ? Order - 3 : Order;
+  localparam int Own = (Guest != 0) ? 0 : 1;
+  logic start_cube;
+  logic start_square;
+  logic [37:0] cube_factors;
+  logic [37:0] square_factors;
+  assign start_cube = phi[TermBits-1] && phi[TermBits-2:CoefBits] != 4'd0 &&
+                      $signed(32'(phi[TermBits-2:CoefBits])) <= TopCube;
+  assign start_square = cube[TermBits-1] && cube[TermBits-2:CoefBits] != 4'd0 &&
+                        $signed(32'(cube[TermBits-2:CoefBits])) <= TopSquare;
+  assign factors_o = cube_factors | square_factors;
 
   stieltjes_integrator #(
       .Bits (CoefBits),
       .Shift(CoefBits - 1),
+      .Own  (Own),
       .Form (Form)
   ) u_cube (
       .clk_i,
@@ -275,17 +301,20 @@ module spline_network #(
       .load_i(load_q_i),
       .again_i,
       .initial_i,
-      .start_i(dphi[TermBits-1]),
-      .order_i(dphi[TermBits-2:CoefBits]),
+      .start_i(start_cube),
+      .order_i(phi[TermBits-2:CoefBits]),
       .state_o(unused_cube_state),
       .u_i(square),
       .s_i(dphi),
       .d_o(unused_dcube),
-      .x_o(cube)
+      .x_o(cube),
+      .factors_o(cube_factors),
+      .product_i
   );
 
   square_integrator #(
       .Bits(CoefBits),
+      .Own (Own),
       .Form(Form)
   ) u_square (
       .clk_i,
@@ -293,9 +322,13 @@ module spline_network #(
       .load_i(load_r_i),
       .again_i,
       .initial_i,
+      .start_i(start_square),
+      .order_i(cube[TermBits-2:CoefBits]),
       .state_o(unused_square_state),
       .phi_i(phi),
-      .r_o(square)
+      .r_o(square),
+      .factors_o(square_factors),
+      .product_i
   );
 
 endmodule

@@ -5,7 +5,7 @@
 //     X Y Z   origin = start + floor(d 2^lambda 2^GuardBits + 1/2)
 //     others  origin' = origin + floor(advance 2^k 2^GuardBits + 1/2), at first start
 //
-//   cycle           0                  2                        3
+//   cycle           0                  2                        4
 //   there_i         1, axis_i, d_i
 //   read_axis_o                        axis                     segment_start_i of it: in cycle 2
 //   write_o                                                     1, point_axis_o, origin_o
@@ -35,11 +35,15 @@ module spline_origin #(
 
   logic aux;
   logic [4:0] exponent;
-  logic [4:0] down;
+  logic [4:0] down_q;
+  logic signed [CoefBits-1:0] d_q;
   logic signed [FineBits:0] doubled;
   assign aux      = axis_i >= 4'd3;
   assign exponent = aux ? k_i : lambda_i;
-  assign down     = 5'(curvecore_pkg::MaxStepExponent) - exponent;
+  always_ff @(posedge clk_i) begin
+    down_q <= 5'(curvecore_pkg::MaxStepExponent) - exponent;
+    d_q    <= d_i;
+  end
   fine_scale #(
       .CoefBits (CoefBits),
       .FineBits (FineBits),
@@ -47,13 +51,13 @@ module spline_origin #(
   ) u_scale (
       .clk_i,
       .en_i(1'b1),
-      .d_i,
-      .down_i(down),
+      .d_i(d_q),
+      .down_i(down_q),
       .doubled_o(doubled)
   );
 
   // Clocks since there_i.
-  localparam int Clocks = 3;
+  localparam int Clocks = 4;
   logic [Clocks-1:0] there_q;
   logic [3:0] axis_q[Clocks];
   logic aux_q[Clocks];
@@ -71,20 +75,21 @@ module spline_origin #(
   end
 
   logic signed [FineBits-1:0] origins[16];
-  logic signed [FineBits-1:0] base;
-  logic signed [FineBits-1:0] start_q;
+  logic signed [FineBits-1:0] base_q;
+  logic signed [FineBits-1:0] start_q[2];
   logic signed [FineBits:0] base_half;
   logic signed [FineBits:0] twice_q;
-  assign write_o      = there_q[2];
+  assign write_o      = there_q[3];
   assign read_axis_o  = axis_q[1];
-  assign point_axis_o = axis_q[2];
-  assign base         = aux_q[1] ? origins[axis_q[1]] : segment_start_i;
-  assign base_half    = {base, 1'b1};
-  assign origin_o     = (fresh_i && aux_q[2]) ? start_q : twice_q[FineBits:1];
+  assign point_axis_o = axis_q[3];
+  assign base_half    = {base_q, 1'b1};
+  assign origin_o     = (fresh_i && aux_q[3]) ? start_q[1] : twice_q[FineBits:1];
   always_ff @(posedge clk_i) begin
-    start_q <= segment_start_i;
-    twice_q <= base_half + doubled;
-    if (write_o) origins[axis_q[2]] <= origin_o;
+    base_q     <= aux_q[1] ? origins[axis_q[1]] : segment_start_i;
+    start_q[0] <= segment_start_i;
+    start_q[1] <= start_q[0];
+    twice_q    <= base_half + doubled;
+    if (write_o) origins[axis_q[3]] <= origin_o;
   end
 
 endmodule

@@ -6,15 +6,15 @@
 //
 //   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
 //   a_write_o                   9, 12, 15            a_o = a' of the axis
-//   v_write_o, b_write_o        36 .. 80             v_o = V, b_o = B' = W / 8 of the axes;
+//   v_write_o, b_write_o        34 .. 79             v_o = V, b_o = B' = W / 8 of the axes;
 //                                                    Anchor 0: 5, 6 in all but the first step
-//   origin_o of point_axis_o    15 .. 14 + AuxAxes   point_write_o, with end_o: auxiliary axes,
-//                               127, 131, 135        X, Y, Z
-//   q_o                         93 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
-//   done_o                      89 + the network's   Anchor 0: 3 in all but the first step
+//   origin_o of point_axis_o    16 .. 15 + AuxAxes   point_write_o, with end_o: auxiliary axes,
+//                               131, 135, 139        X, Y, Z
+//   q_o                         96 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
+//   done_o                      92 + the network's   Anchor 0: 3 in all but the first step
 //
 // The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
-// and Anchor 1 they are 303.  The next step begins 2 clocks after done_o.  The segment's words
+// and Anchor 1 they are 304.  The next step begins 2 clocks after done_o.  The segment's words
 // follow segment_axis_o and segment_point_o in the same clock (rtl/control/step_starter.sv),
 // theta_i, k_i and lambda_i a clock after start_i.
 `default_nettype none
@@ -94,6 +94,25 @@ module spline_steps #(
   logic signed [CoefBits-1:0] word;
   logic signed [CoefBits-1:0] phi_end;
   logic signed [CoefBits-1:0] moved;
+  // The anchor's multiplier is later the network's; with Anchor 0 each has its own.
+  localparam int Guest = (Anchor != 0) ? 1 : 0;
+  logic [37:0] anchor_factors;
+  logic [37:0] network_factors;
+  logic [35:0] product;
+  if (Guest != 0) begin : g_shared
+    half_product #(
+        .Form(Form)
+    ) u_product (
+        .clk_i,
+        .factors_i(anchor_factors | network_factors),
+        .product_o(product)
+    );
+  end else begin : g_own
+    logic unused;
+    assign unused  = &{anchor_factors, network_factors};
+    assign product = '0;
+  end
+
   logic        [         4:0] difference;
   logic        [         1:0] anchor_axis;
   logic                       d_there;
@@ -103,6 +122,7 @@ module spline_steps #(
   spline_anchor #(
       .CoefBits(CoefBits),
       .Anchor(Anchor),
+      .Own(1 - Guest),
       .Form(Form)
   ) u_anchor (
       .clk_i,
@@ -129,7 +149,9 @@ module spline_steps #(
       .step_a_there_o(a_write_o),
       .d_there_o(d_there),
       .d_axis_o(d_axis),
-      .d_o(d)
+      .d_o(d),
+      .factors_o(anchor_factors),
+      .product_i(product)
   );
   assign a_o = word;
 
@@ -145,6 +167,7 @@ module spline_steps #(
       .CoefBits(CoefBits),
       .Mode(Mode),
       .Anchor(Anchor),
+      .Guest(Guest),
       .Form(Form)
   ) u_network (
       .clk_i,
@@ -171,7 +194,9 @@ module spline_steps #(
       .wy_o(wy),
       .wz_o(wz),
       .moved_o(moved),
-      .phi_end_o(phi_end)
+      .phi_end_o(phi_end),
+      .factors_o(network_factors),
+      .product_i(product)
   );
 
   // Order 0 of V and W is the sampler's.
@@ -234,7 +259,11 @@ module spline_steps #(
       .segment_start_i(start_point_i),
       .origin_o
   );
-  always_ff @(posedge clk_i) end_o <= end_point_i;
+  logic signed [FineBits-1:0] end_q;
+  always_ff @(posedge clk_i) begin
+    end_q <= end_point_i;
+    end_o <= end_q;
+  end
 
 endmodule
 `default_nettype wire

@@ -6,15 +6,15 @@
 //     D = floor(sum of u[j] s[First + n-1 - j], j = 0 .. n-1, / 2^Shift + 1/2),   n = order + Extra
 //     X = floor(D (2^(Bits-1) / order) / 2^QuotientShift + 1/2)
 //
-//   cycle              0      1 .. 4n       4n+5           4n+13
+//   cycle              0      2 .. 4n+1     4n+6           4n+14
 //   start_i, order_i   1
 //                             u, s read
 //   d_there_o                               1
 //   x_there_o                                              1 (Quotient = 1)
-//   sum_o                                   D, 5 clocks    X, until the next one's 4n+4
+//   sum_o                                   D, 5 clocks    X, until the next one's 4n+5
 //
 // Of n clocks each there are four passes.  u[n-1] and s[First] are read at first, u[0] and
-// s[First+n-1] last: what is written in cycle c may be read in c+1, so the newest s in cycle n.
+// s[First+n-1] last: what is written in cycle c may be read in c+1, so the newest s in cycle n+1.
 // Twin: hls/series_node.hpp.
 `default_nettype none
 module series_product #(
@@ -24,6 +24,7 @@ module series_product #(
     parameter int Quotient      = 1,   // 0: D only
     parameter int First         = 1,   // 0, 1
     parameter int Extra         = 0,   // 0, 1
+    parameter int Own           = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form          = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -41,7 +42,10 @@ module series_product #(
     output logic                   d_there_o,
     output logic                   x_there_o,
     output logic        [     3:0] order_o,
-    output logic signed [Bits-1:0] sum_o
+    output logic signed [Bits-1:0] sum_o,
+
+    output logic      [37:0] factors_o,
+    input  wire logic [35:0] product_i
 );
 
   logic signed [Bits-1:0] u_memory[16];
@@ -59,25 +63,41 @@ module series_product #(
   logic [3:0] top_q;
   logic [3:0] j_q;
   logic [3:0] k_q;
+  logic       reset_n;
+  logic       start_q;  // a clock late, beside what it starts
+  logic [3:0] start_order_q;
+  logic [3:0] start_top_q;
   logic       pass_end;
   logic       run_end;
   logic       divide;
   logic [3:0] top;
+  local_copy u_reset (
+      .clk_i,
+      .data_i(rst_ni),
+      .data_o(reset_n)
+  );
   assign pass_end = j_q == 4'd0;
   assign run_end  = run_q && pass_end && part_q == 2'd3;
   assign top      = (Extra != 0) ? order_i : order_i - 4'd1;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) run_q <= 1'b0;
-    else if (start_i || divide) run_q <= 1'b1;
-    else if (run_end) run_q <= 1'b0;
+    if (!reset_n) begin
+      start_q <= 1'b0;
+      run_q   <= 1'b0;
+    end else begin
+      start_q <= start_i;
+      if (start_q || divide) run_q <= 1'b1;
+      else if (run_end) run_q <= 1'b0;
+    end
   end
   always_ff @(posedge clk_i) begin
-    if (start_i || divide) begin
+    start_order_q <= order_i;
+    start_top_q   <= top;
+    if (start_q || divide) begin
       divide_q <= divide;
       part_q   <= 2'd0;
       begin_q  <= 1'b1;
-      top_q    <= start_i ? top : 4'd0;
-      j_q      <= start_i ? top : 4'd0;
+      top_q    <= start_q ? start_top_q : 4'd0;
+      j_q      <= start_q ? start_top_q : 4'd0;
       k_q      <= 4'(First);
     end else begin
       begin_q <= pass_end;
@@ -85,7 +105,7 @@ module series_product #(
       k_q     <= pass_end ? 4'(First) : k_q + 4'd1;
       if (pass_end) part_q <= part_q + 2'd1;
     end
-    if (start_i) order_o <= order_i;
+    if (start_q) order_o <= start_order_q;
   end
 
   // Clocks since the last product of a sum entered.
@@ -95,7 +115,7 @@ module series_product #(
   assign d_there_o = d_q[4];
   assign x_there_o = x_q[4];
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
+    if (!reset_n) begin
       d_q <= 5'd0;
       x_q <= 5'd0;
     end else begin
@@ -121,7 +141,8 @@ module series_product #(
   logic signed [Bits-1:0] b;
   logic                   first;
   logic                   drop;
-  assign a     = divide_q ? sum_o : u_memory[j_q];
+  logic signed [Bits-1:0] narrow_sum;
+  assign a     = divide_q ? narrow_sum : u_memory[j_q];
   assign b     = divide_q ? reciprocal_q : s_memory[k_q];
   assign first = begin_q && part_q == 2'd0;
   assign drop  = begin_q && part_q[0];
@@ -129,6 +150,7 @@ module series_product #(
       .Bits(Bits),
       .NarrowShift(Shift),
       .WideShift(QuotientShift),
+      .Own(Own),
       .Form(Form)
   ) u_multiplier (
       .clk_i,
@@ -140,7 +162,10 @@ module series_product #(
       .unsigned_i(divide_q),
       .a_i(a),
       .b_i(b),
-      .sum_o
+      .narrow_sum_o(narrow_sum),
+      .sum_o,
+      .factors_o,
+      .product_i
   );
 
 endmodule

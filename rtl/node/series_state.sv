@@ -21,24 +21,32 @@ module series_state #(
     output logic signed      [Bits-1:0] state_o     // x[0] + .. + x[i], a clock after x_o
 );
 
+  logic                   reset_n;
   logic                   there_q;
+  logic                   zeroth_q;
   logic        [     3:0] order_q;
   logic signed [Bits-1:0] x_q;
   logic                   zeroth;
   logic signed [Bits-1:0] start;
+  local_copy u_reset (
+      .clk_i,
+      .data_i(rst_ni),
+      .data_o(reset_n)
+  );
   assign zeroth = load_i || again_i;
   assign start  = again_i ? state_o : initial_i;
   assign x_o    = {there_q, order_q, x_q};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) there_q <= 1'b0;
+    if (!reset_n) there_q <= 1'b0;
     else there_q <= x_i[Bits+4] || zeroth;
   end
   always_ff @(posedge clk_i) begin
     if (x_i[Bits+4] || zeroth) begin
-      order_q <= zeroth ? 4'd0 : x_i[Bits+3:Bits];
-      x_q     <= zeroth ? start : x_i[Bits-1:0];
+      zeroth_q <= zeroth;
+      order_q  <= zeroth ? 4'd0 : x_i[Bits+3:Bits];
+      x_q      <= zeroth ? start : x_i[Bits-1:0];
     end
-    if (there_q) state_o <= (order_q == 4'd0) ? x_q : state_o + x_q;
+    if (there_q) state_o <= zeroth_q ? x_q : state_o + x_q;
   end
 
 endmodule

@@ -6,15 +6,16 @@
 //
 // Terms are {there, order, coefficient}.
 //
-//   cycle     0         4(i+1)+8
-//   phi_i     phi[i]
-//   r_o                 R[i], kept
-//   load_i, again_i                   a clock later R[0] = initial_i, or state_o
+//   cycle              0     4(i+1)+10
+//   start_i, order_i   1                and phi[i] or before
+//   r_o                      R[i], kept
+//   load_i, again_i                     a clock later R[0] = initial_i, or state_o
 //
-// Order 0 of phi starts nothing.  S has Bits - 3 fraction bits, R two less; phi Bits - 2.
+// S has Bits - 3 fraction bits, R two less; phi Bits - 2.
 `default_nettype none
 module square_integrator #(
     parameter int Bits = 36,  // [18, 36]
+    parameter int Own  = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -24,27 +25,32 @@ module square_integrator #(
     input wire logic                   again_i,
     input wire logic signed [Bits-1:0] initial_i,
 
+    input wire logic       start_i,
+    input wire logic [3:0] order_i,
+
     input  wire logic   [Bits+4:0] phi_i,
     output logic        [Bits+4:0] r_o,
-    output logic signed [Bits-1:0] state_o  // R[0] + .. + R[i], a clock after r_o
+    output logic signed [Bits-1:0] state_o, // R[0] + .. + R[i], a clock after r_o
+
+    output logic      [37:0] factors_o,
+    input  wire logic [35:0] product_i
 );
 
   logic                   phi_there;
   logic        [     3:0] phi_order;
   logic signed [Bits-1:0] phi;
-  logic                   start;
   logic                   square_there;
   logic                   unused_quotient;
   logic        [     3:0] order;
   logic signed [Bits-1:0] square;
   assign {phi_there, phi_order, phi} = phi_i;
-  assign start = phi_there && phi_order != 4'd0;
   series_product #(
       .Bits(Bits),
       .Shift(Bits - 1),
       .Quotient(0),
       .First(0),
       .Extra(1),
+      .Own(Own),
       .Form(Form)
   ) u_product (
       .clk_i,
@@ -55,30 +61,40 @@ module square_integrator #(
       .s_write_i(phi_there),
       .s_index_i(phi_order),
       .s_i(phi),
-      .start_i(start),
-      .order_i(phi_order),
+      .start_i,
+      .order_i,
       .d_there_o(square_there),
       .x_there_o(unused_quotient),
       .order_o(order),
-      .sum_o(square)
+      .sum_o(square),
+      .factors_o,
+      .product_i
   );
 
-  // floor(-3 S / 4 + 1/2) in two clocks.
+  // floor(-3 S / 4 + 1/2) in three clocks.
   logic signed [Bits+1:0] square_wide;
   logic signed [Bits+1:0] square_twice;
   logic signed [Bits+1:0] three_q;
+  logic signed [Bits+1:0] minus_three_q;
   logic signed [Bits+1:0] two;
-  logic signed [Bits+1:0] minus_three;
   logic                   three_there_q;
+  logic                   minus_there_q;
   assign square_wide  = (Bits + 2)'(square);
   assign square_twice = {square[Bits-1], square, 1'b0};
   assign two          = (Bits + 2)'(3'sd2);
-  assign minus_three  = two - three_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) three_there_q <= 1'b0;
-    else three_there_q <= square_there;
+    if (!rst_ni) begin
+      three_there_q <= 1'b0;
+      minus_there_q <= 1'b0;
+    end else begin
+      three_there_q <= square_there;
+      minus_there_q <= three_there_q;
+    end
   end
-  always_ff @(posedge clk_i) three_q <= square_wide + square_twice;
+  always_ff @(posedge clk_i) begin
+    three_q       <= square_wide + square_twice;
+    minus_three_q <= two - three_q;
+  end
 
   series_state #(
       .Bits(Bits)
@@ -88,7 +104,7 @@ module square_integrator #(
       .load_i,
       .again_i,
       .initial_i,
-      .x_i({three_there_q, order, minus_three[Bits+1:2]}),
+      .x_i({minus_there_q, order, minus_three_q[Bits+1:2]}),
       .x_o(r_o),
       .state_o
   );

@@ -7,7 +7,7 @@
 // With First = 0 Ds[i] is what the node is given as order i-1.  A term of a series is one word,
 // {there, order, coefficient}: `there` for a clock, the rest is kept.
 //
-//   cycle              0      4i+5    4i+14
+//   cycle              0      4i+6    4i+15
 //   start_i, order_i   1                      and the words that series_product asks for
 //   d_o                       D[i]            kept for 5 clocks
 //   x_o                               x[i]    kept
@@ -23,6 +23,7 @@ module stieltjes_integrator #(
     parameter int Drop     = 0,   // [0, 4]
     parameter int First    = 1,   // 0, 1
     parameter int Quotient = 1,   // 0: no x[i], only D[i]
+    parameter int Own      = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form     = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -42,7 +43,10 @@ module stieltjes_integrator #(
     input  wire logic   [Bits+4:0] s_i,
     output logic        [Bits+4:0] d_o,
     output logic        [Bits+4:0] x_o,
-    output logic signed [Bits-1:0] state_o  // x[0] + .. + x[i], a clock after x_o
+    output logic signed [Bits-1:0] state_o, // x[0] + .. + x[i], a clock after x_o
+
+    output logic      [37:0] factors_o,
+    input  wire logic [35:0] product_i
 );
 
   logic                   d_there;
@@ -55,6 +59,7 @@ module stieltjes_integrator #(
       .QuotientShift(Bits - 1 + Drop),
       .Quotient(Quotient),
       .First(First),
+      .Own(Own),
       .Form(Form)
   ) u_product (
       .clk_i,
@@ -70,7 +75,9 @@ module stieltjes_integrator #(
       .d_there_o(d_there),
       .x_there_o(x_there),
       .order_o(order),
-      .sum_o(sum)
+      .sum_o(sum),
+      .factors_o,
+      .product_i
   );
   assign d_o = {d_there, order, sum};
 

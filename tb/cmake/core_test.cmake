@@ -7,11 +7,15 @@
 function(core_test test configuration)
   cmake_parse_arguments(ARG "" "TOP" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
   set(target ${test}_${configuration})
-  verilated_model(${target}_model TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES})
+  # Tests of one module in one configuration share the model.
+  string(REGEX REPLACE "[=;]" "_" model "${ARG_TOP};${ARG_PARAMS};model")
+  if(NOT TARGET ${model})
+    verilated_model(${model} TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES})
+  endif()
   list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
   target_compile_definitions(${target} PRIVATE ${definitions})
-  target_link_libraries(${target} PRIVATE ${target}_model curvecore_options curvecore_hls
+  target_link_libraries(${target} PRIVATE ${model} curvecore_options curvecore_hls
                                           ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS unit)

@@ -26,15 +26,16 @@ class SplineSegments {
         format.guard_bits = C::kGuardBits;
         // Coarse words and low orders would take very many pieces.
         const double limit =
-            std::ldexp(0.1, std::max(0, 36 - C::kCoefBits) + (C::kOrder < 4 ? 10 : 0));
+            std::max(std::ldexp(0.1, std::max(0, 36 - C::kCoefBits) + (C::kOrder < 4 ? 10 : 0)),
+                     std::ldexp(4.0, -C::kGuardBits));
         SplineMaker maker(seed);
         for (const SplineFamily& family : spline_families()) {
             int taken = 0;
-            for (const ref::Segment& piece : ref::split_spline(maker.next(family), format, limit)) {
+            const ref::Cubic cubic = in_range(maker.next(family));
+            for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
                 const double reach =
                     std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
-                const bool fits = reach < std::ldexp(0.9, C::kPositionBits - 1);
-                if (!fits || piece.kind != ref::Segment::Kind::kSpline) continue;
+                if (reach > kReach || piece.kind != ref::Segment::Kind::kSpline) continue;
                 if (++taken <= 12) pieces_.push_back(hls::to_words<C>(piece));
             }
         }
@@ -66,6 +67,26 @@ class SplineSegments {
     }
 
   private:
+    static constexpr double kReach = 0.9 * static_cast<double>(1LL << (C::kPositionBits - 1));
+
+    /// The cubic as words of fewer position bits can hold it.
+    static ref::Cubic in_range(ref::Cubic cubic) {
+        cubic.d *= std::ldexp(1.0, C::kPositionBits - 32);
+        const auto leaves = [&cubic] {
+            double reach = 0;
+            for (double u = 0; u <= 1; u += 1.0 / 64) {
+                reach = std::max(reach, cubic.position(u).cwiseAbs().maxCoeff());
+            }
+            return reach > kReach;
+        };
+        while (leaves()) {
+            cubic.a /= 2;
+            cubic.b /= 2;
+            cubic.c /= 2;
+        }
+        return cubic;
+    }
+
     Words with_auxiliary(Words words) {
         const auto some = [&](int bits) {
             return static_cast<std::int64_t>(random_() >> (65 - bits)) -

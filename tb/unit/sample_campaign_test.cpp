@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many samples of either build of the arc core against its kernel: every fine word and position of
-// random chains of segments, mostly at a working density (64 to 512 samples per step), with random
-// stalls and holds. CURVECORE_SAMPLES sets how many (scripts/campaign.sh: 10^9 over all
+// Many samples of a core against its kernel: every fine word and position of random chains of
+// segments, mostly at a working density (arcs: 64 to 512 samples per step, splines: 128 to 1024),
+// with random stalls and holds. CURVECORE_SAMPLES sets how many (scripts/campaign.sh: 10^9 over all
 // configurations).
 #include <gtest/gtest.h>
 
@@ -10,19 +10,9 @@
 #include <random>
 #include <vector>
 
-#if __has_include("Vspherical_interpolator_serial.h")
-#include "Vspherical_interpolator_serial.h"
-using Core = Vspherical_interpolator_serial;
-constexpr std::int64_t kDefaultSamples = 200'000;
-#else
-#include "Vspherical_interpolator.h"
-using Core = Vspherical_interpolator;
-constexpr std::int64_t kDefaultSamples = 500'000;
-#endif
 #include "hls/interpolator_kernel.hpp"
-#include "tb/support/arc_configuration.hpp"
+#include "tb/support/campaign_core.hpp"
 #include "tb/support/clocked_dut.hpp"
-#include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
 
 namespace curvecore::tb {
@@ -43,7 +33,7 @@ class Campaign : public testing::Test {
 
     static std::int64_t samples() {
         const char* wanted = std::getenv("CURVECORE_SAMPLES");
-        return wanted != nullptr ? std::atoll(wanted) : kDefaultSamples;
+        return wanted != nullptr ? std::atoll(wanted) : CampaignCore::kSamples;
     }
 
     /// The chain comes again and again; the core and the kernel read it each at its own pace.
@@ -55,7 +45,7 @@ class Campaign : public testing::Test {
         if (--density_left_ < 0) {
             density_left_ = static_cast<std::int64_t>(random_() % 2000);
             hold_ = random_() % 16 == 0;
-            density_ = 6 + static_cast<int>(random_() % 4);
+            density_ = CampaignCore::kDensity + static_cast<int>(random_() % 4);
         }
         const int step = segment(drawn_ == 0 ? 0 : drawn_ - 1).step_exponent + hls::kPathFrac;
         const std::int64_t ds = step > density_ ? std::int64_t{1} << (step - density_) : 1;
@@ -105,14 +95,16 @@ class Campaign : public testing::Test {
     }
 
     void make_chain() {
-        LegalSegments<Config> shapes(1);
-        for (int n = 0; n < 5000; ++n) chain_.push_back(shapes.next());
+        for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            CampaignCore::Shapes shapes(seed);
+            for (int n = 0; n < 500; ++n) chain_.push_back(shapes.next());
+        }
         bus_.resize(chain_.size() * kBusWords);
         for (std::size_t n = 0; n < chain_.size(); ++n) hls::pack(chain_[n], &bus_[n * kBusWords]);
     }
 
-    ClockedDut<Core> dut_;
-    hls::InterpolatorKernel<Config> kernel_;
+    ClockedDut<CampaignCore::Model> dut_;
+    hls::InterpolatorKernel<Config, CampaignCore::Kernel> kernel_;
     std::mt19937_64 random_{3};
     std::vector<hls::SegmentWords<Config>> chain_;
     std::vector<std::uint64_t> bus_;
@@ -125,7 +117,7 @@ class Campaign : public testing::Test {
     std::int64_t ds_ = 0;
     bool requesting_ = false;
     std::int64_t density_left_ = 0;
-    int density_ = 6;
+    int density_ = CampaignCore::kDensity;
     bool hold_ = false;
 };
 

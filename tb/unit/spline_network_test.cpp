@@ -31,9 +31,9 @@ using Coef = hls::Word<kBits>;
 constexpr int kTop = Network::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 4;
-constexpr int kRest = !kAnchor  ? 8 * kOrder + 28
-                      : kSeries ? std::max(kRestQ, 4 * kOrder + 14)
+constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kRest = !kAnchor  ? 12 * kOrder + 46 + (kOrder == 2 ? 14 : 0)
+                      : kSeries ? std::max(kRestQ, 4 * kOrder + 15)
                                 : kRestQ;
 constexpr int kStepClocks =
     9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause + kRest + 1 - (kAnchor ? 0 : 3 * kOrder + 14);

@@ -76,17 +76,17 @@ class StieltjesIntegrator : public testing::Test {
         const Word x = hls::over_order<kBits, kDrop>(d, i);
         dut_->start_i = 1;
         dut_->order_i = static_cast<uint8_t>(i);
-        for (int cycle = 0; cycle <= 4 * i + 16; ++cycle) {
-            if (cycle == i - 1) dut_->s_i = term(i - 1 + kFirst, s_[i]);
+        for (int cycle = 0; cycle <= 4 * i + 17; ++cycle) {
+            if (cycle == i) dut_->s_i = term(i - 1 + kFirst, s_[i]);
             tick();
             const int now = cycle + 1;
-            ASSERT_EQ(there(dut_->d_o), now == 4 * i + 5) << now;
-            ASSERT_EQ(there(dut_->x_o), now == 4 * i + 14) << now;
-            if (now >= 4 * i + 5 && now < 4 * i + 10) {
+            ASSERT_EQ(there(dut_->d_o), now == 4 * i + 6) << now;
+            ASSERT_EQ(there(dut_->x_o), now == 4 * i + 15) << now;
+            if (now >= 4 * i + 6 && now < 4 * i + 11) {
                 ASSERT_EQ(from_port(dut_->d_o, kBits), d) << "D " << i;
                 ASSERT_EQ(order(dut_->d_o), i);
             }
-            if (now == 4 * i + 14) {
+            if (now == 4 * i + 15) {
                 ASSERT_EQ(from_port(dut_->x_o, kBits), x) << "x " << i;
                 ASSERT_EQ(order(dut_->x_o), i);
             }

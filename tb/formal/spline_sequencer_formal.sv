@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/control/spline_sequencer.sv: every start that is taken runs through the orders of the table in
+// its header, each control in its cycle and in no other, and leads to done in the clocks stated;
+// starts are taken in idle only and none of those is lost. Anchor 0 with Mode 1, 1 with 0. A reset
+// lasts two clocks, and starts nothing.
+// control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
+// control: HURRIES_PHI s/7'(3 \* i + 13);/7'(3 * i + 12);/
+// control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
+// control: NEVER_DONE s/default: next = Idle/default: next = Last/
+// control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
+// control: NO_RESET s/state_q     <= Idle;/state_q     <= next_q;/
+`default_nettype none
+module spline_sequencer_formal (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+    input wire logic start_i
+);
+
+  localparam int Order = 3;
+  localparam int Bits = 36;
+  localparam int Digits = 18;
+  localparam int Pause = 4;
+
+  logic started_q = 1'b0;
+  logic low_q = 1'b0;  // reset in the clock before
+  logic reset_q = 1'b0;  // and in that before it
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    low_q     <= !rst_ni;
+    reset_q   <= low_q;
+  end
+  always_comb begin
+    if (!started_q || (low_q && !reset_q)) assume (!rst_ni);
+    if (!rst_ni) assume (!start_i);
+  end
+
+  for (genvar Anchor = 0; Anchor < 2; Anchor = Anchor + 1) begin : g_anchor
+    localparam int Mode = 1 - Anchor;
+    localparam int Top = Order - Anchor;
+
+    logic ready;
+    logic start_v;
+    logic start_x;
+    logic start_p;
+    logic start_phi;
+    logic [3:0] order;
+    logic done;
+    spline_sequencer #(
+        .Order (Order),
+        .Bits  (Bits),
+        .Mode  (Mode),
+        .Anchor(Anchor)
+    ) u_dut (
+        .clk_i,
+        .rst_ni,
+        .start_i,
+        .ready_o(ready),
+        .start_v_o(start_v),
+        .start_x_o(start_x),
+        .start_p_o(start_p),
+        .start_phi_o(start_phi),
+        .order_o(order),
+        .done_o(done)
+    );
+
+    // The cycle within an order of the table; order Top + 1 is the rest that Anchor 1 has.
+    localparam int RestQ = Order + Digits + 5;
+    localparam int RestX = 4 * Order + 15;
+    localparam int Rest = (Mode == 0 && RestX > RestQ) ? RestX : RestQ;
+    logic [3:0] order_q;  // 0: idle
+    logic [6:0] at_q;
+    logic [6:0] length;
+    logic was_last_q;
+      logic inside;
+    logic [6:0] p_at;
+    logic [6:0] phi_at;
+    assign inside = order_q != 4'd0 && order_q <= 4'(Top);
+    assign p_at   = 7'(3 * order_q + 7);
+    assign phi_at = 7'(6 * order_q + 14);
+    always_comb begin
+      length = 7'(9 * order_q + 27);
+      if (order_q == 4'd2) length = 7'(9 * 2 + 27 + Pause);
+      if (order_q == 4'(Top) && Anchor == 0) length = 7'(18 * Order + 59);
+      if (order_q == 4'(Top + 1)) length = 7'(Rest);
+    end
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) begin
+        order_q    <= '0;
+        at_q       <= '0;
+        was_last_q <= 1'b0;
+      end else begin
+        was_last_q <= order_q == 4'(Order) && at_q == length;
+        if (order_q == 4'd0) begin
+          order_q <= {3'b0, start_i};
+          at_q    <= {6'b0, start_i};
+        end else if (at_q == length) begin
+          order_q <= (order_q == 4'(Order)) ? '0 : order_q + 4'd1;
+          at_q    <= 7'd1;
+        end else begin
+          at_q <= at_q + 7'd1;
+        end
+      end
+    end
+
+    always_comb begin
+      if (started_q && rst_ni) begin
+        assert (ready == (order_q == 4'd0));
+        assert (start_v == (inside && at_q == 7'd1));
+        assert (start_x == (order_q != 4'd0 && at_q == 7'd1));
+        assert (start_p == (inside && at_q == p_at));
+        assert (start_phi == (inside && at_q == phi_at));
+        if (start_v || start_x || start_p || start_phi) assert (order == order_q);
+        assert (done == was_last_q);
+
+        cover (done && start_i);
+      end
+    end
+  end
+
+endmodule
+`default_nettype wire

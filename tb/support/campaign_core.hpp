@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// The core that a campaign runs, told by the one Verilated header in reach: its model, the kernel
+// that is its twin, the segments that it draws.
+//
+//     kSamples    without CURVECORE_SAMPLES: a few seconds' worth
+//     kDensity    2^n samples at least in a step, but for requests that are held
+#pragma once
+
+#include "tb/support/arc_configuration.hpp"
+
+#if __has_include("Vcurve_interpolator.h")
+
+#include "Vcurve_interpolator.h"
+#include "hls/curve_kernel.hpp"
+#include "tb/support/mixed_segments.hpp"
+
+namespace curvecore::tb {
+struct CampaignCore {
+    using Model = Vcurve_interpolator;
+    using Kernel = hls::CurveKernel<Config>;
+    using Shapes = MixedSegments<Config>;
+    static constexpr int kSamples = 450'000;
+    static constexpr int kDensity = 7;
+};
+}  // namespace curvecore::tb
+
+#elif __has_include("Vspline_interpolator.h")
+
+#include "Vspline_interpolator.h"
+#include "hls/spline_kernel.hpp"
+#include "tb/support/spline_segments.hpp"
+
+namespace curvecore::tb {
+struct CampaignCore {
+    using Model = Vspline_interpolator;
+    using Kernel = hls::SplineKernel<Config>;
+    using Shapes = SplineSegments<Config>;
+    static constexpr int kSamples = 450'000;
+    static constexpr int kDensity = 7;
+};
+}  // namespace curvecore::tb
+
+#else
+
+#if __has_include("Vspherical_interpolator_serial.h")
+#include "Vspherical_interpolator_serial.h"
+#else
+#include "Vspherical_interpolator.h"
+#endif
+#include "hls/spherical_kernel.hpp"
+#include "tb/support/legal_segments.hpp"
+
+namespace curvecore::tb {
+struct CampaignCore {
+#if __has_include("Vspherical_interpolator_serial.h")
+    using Model = Vspherical_interpolator_serial;
+    static constexpr int kSamples = 200'000;
+#else
+    using Model = Vspherical_interpolator;
+    static constexpr int kSamples = 500'000;
+#endif
+    using Kernel = hls::SphericalKernel<Config>;
+    using Shapes = LegalSegments<Config>;
+    static constexpr int kDensity = 6;
+};
+}  // namespace curvecore::tb
+
+#endif
