@@ -16,7 +16,7 @@
 //
 // 18 x 18 multipliers: 9, with Mode 0 12; q and W have the time to be made digit after digit.  With
 // Guest = 1 those of Q and R are one outside (half_product of factors_o), which is a guest's until
-// 38 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i]; with
+// 40 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i]; with
 // Anchor 1 not the last ones, which nobody reads.
 `default_nettype none
 module spline_network #(

@@ -47,8 +47,8 @@ struct Kernel : hls::SplineKernel<Config> {
 // As stated in the headers of the RTL.
 constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kPause = kTop >= 2 ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kPause = kTop >= 2 ? std::max(0, 2 * kDigits - 31) : 0;
+constexpr int kRestQ = kOrder + kDigits + 6;
 constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
 constexpr int kNetwork = 9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause +
                          (kAnchor ? kRest + 1 : 12 * kOrder + 47 - 3 * kOrder - 14);
