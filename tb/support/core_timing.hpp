@@ -16,7 +16,7 @@ constexpr int kDigits = (Config::kCoefBits + 1) / 2;
 constexpr int kArcStepClocks = Config::kOrder * (kDigits + 3) + 7;
 constexpr int kTop = Config::kAnchor ? Config::kOrder - 1 : Config::kOrder;
 constexpr int kSplineStepClocks =
-    94 + 9 * kTop * (kTop + 1) / 2 + 27 * kTop + 12 * Config::kOrder + 53 + kDigits;
+    94 + 9 * kTop * (kTop + 1) / 2 + 27 * kTop + 12 * Config::kOrder + 55 + kDigits;
 
 constexpr int horner_clocks(int passes) {
     return passes * (CFG_SampleInterval == 1   ? 6
