@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seeded segments of both curves, in turns of random length.
+#pragma once
+
+#include <random>
+
+#include "tb/support/legal_segments.hpp"
+#include "tb/support/spline_segments.hpp"
+
+namespace curvecore::tb {
+
+template <class C>
+class MixedSegments {
+  public:
+    using Words = hls::SegmentWords<C>;
+
+    explicit MixedSegments(std::uint64_t seed)
+        : random_(seed), arcs_(seed, kArcExponent), splines_(seed) {}
+
+    Words next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
+
+    Words spline() { return splines_.next(); }
+
+    /// Splines only: of 2^k units a step or more, that many steps at most.
+    Words whole(int k, int steps) { return splines_.whole(k, steps); }
+
+  private:
+    // A request that passes an arc's steps passes hundreds of a spline's.
+    static constexpr int kArcExponent = 12;
+
+    std::mt19937_64 random_;
+    LegalSegments<C> arcs_;
+    SplineSegments<C> splines_;
+};
+
+}  // namespace curvecore::tb
