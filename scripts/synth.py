@@ -19,9 +19,10 @@ import sys
 from synth_harness import harness
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOPS = {
-    ("spherical", "parallel"): "spherical_interpolator",
-    ("spherical", "serial"): "spherical_interpolator_serial",
+TOPS = {  # module, parameters
+    ("spherical", "parallel"): ("spherical_interpolator", {}),
+    ("spherical", "serial"): ("spherical_interpolator_serial", {}),
+    ("curve", "serial"): ("spherical_interpolator_serial", {"Splines": 1, "Mode": 1}),
 }
 
 
@@ -128,7 +129,7 @@ def count(cells, *prefixes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--core", choices=["spherical"], default="spherical")
+    parser.add_argument("--core", choices=["spherical", "curve"], default="spherical")
     parser.add_argument("--build", choices=["parallel", "serial"], default="parallel")
     parser.add_argument("--device", choices=DEVICES, default="ecp5-25")
     parser.add_argument("--set", action="append", default=[], metavar="Name=Value")
@@ -139,7 +140,10 @@ def main():
     arguments = parser.parse_args()
 
     device = DEVICES[arguments.device]
-    top = arguments.top or TOPS[arguments.core, arguments.build]
+    core = (arguments.core, arguments.build)
+    if not arguments.top and core not in TOPS:
+        parser.error(f"there is no {arguments.build} build of {arguments.core}")
+    top, settings = (arguments.top, {}) if arguments.top else TOPS[core]
     row = top if arguments.top else f"{arguments.core}-{arguments.build}"
     name = f"{row}-{arguments.device}"
     os.chdir(ROOT)
@@ -148,7 +152,7 @@ def main():
     yosys = tool("yosys")
     nextpnr = tool("nextpnr-" + device.family)
 
-    settings = dict(item.split("=", 1) for item in arguments.set)
+    settings = settings | dict(item.split("=", 1) for item in arguments.set)
     for form in {"Form", "MultiplierForm"} & elaborate(yosys, top, work)[1].keys():
         settings.setdefault(form, device.form)
     values = ", ".join(f".{parameter}({value})" for parameter, value in settings.items())

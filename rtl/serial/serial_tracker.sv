@@ -7,7 +7,7 @@
 //   request to tau                     3 + the quarter and single shifts of 27 - k
 //   segment                            17 + 3 AuxAxes words, one a clock, then Weights, Expand
 //   step                               when the samples under way are over: Step, Expand
-//   of a spline                        the same, and 9 for its scales
+//   of a spline                        the same, and 9 for its scales (serial_segment.sv)
 `default_nettype none
 module serial_tracker #(
     parameter int Order    = 6,   // [2, 12]
@@ -55,12 +55,10 @@ module serial_tracker #(
     input  wire logic               quiet_i
 );
 
-  localparam int Axes = 3 + AuxAxes;
   localparam int TauLow = 43 - (CoefBits - 1);
 
   typedef enum logic [3:0] {
     Open,
-    Scale,
     Weights,
     Angle,
     Step,
@@ -76,23 +74,10 @@ module serial_tracker #(
     Start,
     Leave
   } state_t;
-  typedef enum logic [2:0] {
-    Length,
-    Theta,
-    StartWord,
-    EndWord,
-    Tangent,
-    Normal,
-    Advance
-  } field_t;
-
   state_t state_q, state_d;
-  field_t field_q, field_d;
-  logic        [ 3:0] axis_q;
   logic               request_q;
   logic               started_q;  // the part of this state runs
   logic               last_q;  // the step is the segment's last
-  logic               empty_q;
   logic               land_q;
   logic        [49:0] sigma_q;  // offset into the step
   logic        [47:0] rest_q;  // of the segment, from the step's start
@@ -103,14 +88,11 @@ module serial_tracker #(
   logic        [42:0] shift_q;
   logic        [ 4:0] count_q;
 
-  logic               accept;
-  logic               complete;
+  logic               opening;
+  logic               there;
   logic               network;
   logic               done;
   logic               over;
-  assign accept = segment_valid_i && segment_ready_o;
-  assign complete = accept && field_q == Advance && axis_q == 4'(Axes - 1);
-  assign segment_ready_o = state_q == Open;
   assign request_ready_o = state_q == Ready;
   always_comb begin
     case (state_q)
@@ -150,11 +132,7 @@ module serial_tracker #(
   always_comb begin
     state_d = state_q;
     case (state_q)
-      Open: begin
-        if (complete && !empty_q) state_d = Weights;
-        if (complete && !empty_q && spline_o) state_d = Scale;
-      end
-      Scale:    if (scale_done) state_d = Weights;
+      Open:     if (there) state_d = Weights;
       Weights: begin
         if (done) state_d = Expand;
         if (done && Mode == 1 && !spline_o) state_d = Angle;
@@ -187,79 +165,50 @@ module serial_tracker #(
     endcase
   end
 
-  always_comb begin
-    field_d = field_q;
-    case (field_q)
-      Length:    field_d = Theta;
-      Theta:     field_d = StartWord;
-      StartWord: field_d = EndWord;
-      EndWord: begin
-        field_d = Tangent;
-        if (axis_q >= 4'd3) field_d = Advance;
-      end
-      Tangent:   field_d = Normal;
-      Normal:    field_d = Advance;
-      default: begin
-        field_d = StartWord;
-        if (complete) field_d = Length;
-      end
-    endcase
-  end
-
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q          <= Open;
-      field_q          <= Length;
-      axis_q           <= 4'd0;
-      request_q        <= 1'b0;
-      started_q        <= 1'b0;
-      empty_segments_o <= 16'd0;
+      state_q   <= Open;
+      request_q <= 1'b0;
+      started_q <= 1'b0;
     end else begin
       state_q   <= state_d;
       started_q <= network && state_d == state_q;
-      if (accept) field_q <= field_d;
-      if (accept && field_q == Advance) axis_q <= complete ? 4'd0 : axis_q + 4'd1;
-      if (complete && empty_q) empty_segments_o <= empty_segments_o + 16'd1;
       if (state_q == Ready) request_q <= request_valid_i;
       if (state_q == Start) request_q <= 1'b0;
     end
   end
 
-  // What only splines have
-  logic [         4:0] k_q;
-  logic                scale_write;
-  logic                scale_done;
-  logic [         2:0] scale_place;
-  logic [CoefBits-1:0] scale_word;
-  if (Splines == 0) begin : g_arcs
-    assign spline_o      = 1'b0;
-    assign spline_down_o = 5'd0;
-    assign scale_write   = 1'b0;
-    assign scale_done    = 1'b1;
-    assign scale_place   = 3'd0;
-    assign scale_word    = '0;
-  end else begin : g_splines
-    logic [4:0] lambda_q;
-    always_ff @(posedge clk_i) begin
-      if (accept && field_q == Theta) begin
-        spline_o <= segment_data_i[47];
-        lambda_q <= segment_data_i[45:41];
-      end
-      spline_down_o <= 5'(curvecore_pkg::MaxStepExponent) - lambda_q;
-    end
-    scale_words #(
-        .CoefBits(CoefBits)
-    ) u_scale (
-        .clk_i,
-        .run_i   (state_q == Scale),
-        .k_i     (k_q),
-        .lambda_i(lambda_q),
-        .write_o (scale_write),
-        .place_o (scale_place),
-        .word_o  (scale_word),
-        .done_o  (scale_done)
-    );
-  end
+  logic [         4:0] k;
+  logic                load;
+  logic [         7:0] load_address;
+  logic [CoefBits-1:0] load_data;
+  serial_segment #(
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .AuxAxes (AuxAxes),
+      .Splines (Splines)
+  ) u_segment (
+      .clk_i,
+      .rst_ni,
+      .open_i(state_q == Open),
+      .segment_valid_i,
+      .segment_ready_o,
+      .segment_data_i,
+      .length_o(opening),
+      .there_o(there),
+      .empty_segments_o,
+      .k_o(k),
+      .down_o,
+      .spline_o,
+      .spline_down_o,
+      .write_o(load),
+      .write_address_o(load_address),
+      .write_data_o(load_data),
+      .write_start_o,
+      .write_end_o,
+      .write_axis_o,
+      .write_point_o
+  );
 
   // Lengths
   logic [ 5:0] full_exponent;
@@ -267,18 +216,13 @@ module serial_tracker #(
   logic [49:0] length;
   logic [47:0] after;
   logic        fits;
-  assign full_exponent = {1'b0, k_q} + 6'(curvecore_pkg::PathFrac);
+  assign full_exponent = {1'b0, k} + 6'(curvecore_pkg::PathFrac);
   assign ds            = {2'b00, request_ds_i};
   assign length        = {2'b00, length_q};
   assign after         = rest_q - full_q;
   assign fits          = rest_q <= full_q;
   always_ff @(posedge clk_i) begin
-    if (accept && field_q == Length) begin
-      rest_q  <= segment_data_i;
-      empty_q <= segment_data_i == 48'd0;
-    end
-    if (accept && field_q == Theta) k_q <= segment_data_i[40:36];
-    down_o <= 5'(curvecore_pkg::MaxStepExponent) - k_q;
+    if (opening) rest_q <= segment_data_i;
     if (state_q == Weights) full_q <= 48'd1 << full_exponent;
     if (state_q == Step && !started_q) rest_q <= after;
     if (state_q == Rest) last_q <= fits;
@@ -309,40 +253,18 @@ module serial_tracker #(
   assign sample_o = state_q == Start;
   assign land_o   = land_q;
 
-  // Rows: normal 0, 2, 4 and tangent 1, 3, 5 (x F y G z H of the table); of splines b and a.
-  logic [         2:0] axis_row;
-  logic [CoefBits-1:0] tau;
-  logic [CoefBits-1:0] bus;
-  logic [         7:0] address;
-  assign axis_row = {1'b0, axis_q[1:0]};
-  assign tau      = {1'b0, shift_q[42:TauLow]};
-  assign bus      = segment_data_i[CoefBits-1:0];
+  logic [7:0] address;
   always_comb begin
-    write_o      = 1'b0;
-    address      = {2'b11, context_i + 2'd1, 4'd3};
-    write_data_o = tau;
-    if (state_q == Tau) write_o = free_i;
-    if (state_q == Scale) begin
-      write_o      = scale_write;
-      address      = {5'b10111, scale_place};
-      write_data_o = scale_word;
-    end
-    if (state_q == Open) begin
-      write_data_o = bus;
-      case (field_q)
-        Theta:   address = 8'hb7;
-        Tangent: address = {axis_row, 1'b1, 4'd0};
-        Normal:  address = {axis_row, 1'b0, 4'd0};
-        default: address = {4'hc, axis_q};
-      endcase
-      write_o = accept && field_q != Length && field_q != StartWord && field_q != EndWord;
+    write_o      = load;
+    address      = load_address;
+    write_data_o = load_data;
+    if (state_q == Tau) begin
+      write_o      = free_i;
+      address      = {2'b11, context_i + 2'd1, 4'd3};
+      write_data_o = {1'b0, shift_q[42:TauLow]};
     end
   end
   assign write_address_o = (8 + Splines)'(address);
-  assign write_start_o = accept && field_q == StartWord;
-  assign write_end_o = accept && field_q == EndWord;
-  assign write_axis_o = axis_q;
-  assign write_point_o = segment_data_i[FineBits-1:0];
 
 endmodule
 `default_nettype wire
