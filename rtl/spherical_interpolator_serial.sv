@@ -1,25 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions along lines, arcs and helices in space on one multiplier: the serial build of
-// rtl/spherical_interpolator.sv, the same ports and the same bits ([Chikurov] Fig. 8).
-// Twin: hls/interpolator_kernel.hpp.
+// Positions along lines, arcs and helices in space, with Splines also along cubics, on one
+// multiplier: the serial build of rtl/spherical_interpolator.sv, the same ports and the same bits
+// ([Chikurov] Figs. 8 and 10).  Twins: hls/interpolator_kernel.hpp with SphericalKernel, with
+// Splines CurveKernel (hls/curve_kernel.hpp), whose anchors are at every step.
 //
 //   segment words, requests -> tracker -> sequencer and program -> datapath -> lander -> samples
 //
-// The network of Fig. 8 is a program (serial/spherical_program.sv, from ref/series/figures.hpp)
-// for one multiplier and one word memory.  Up to three samples are under way at a time.
+// The networks are programs (serial/serial_program.sv, from ref/series/figures.hpp and
+// serial/spline_program.hpp) for one multiplier and one word memory.  Up to three samples are under
+// way at a time.
 //
 //   clocks                          value (Frames = Order series, 4 + floor(Order / 2) polynomial,
-//                                   and ceil(AuxAxes / 3) more)
+//                                   Order + 3 polynomial of splines, and ceil(AuxAxes / 3) more)
 //   between samples of a step       on average at most
 //                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 5), 24)
 //   from a step's last sample to    at most 15 Order + 9 Frames + 84
 //   the first of the next step
 //   the same of the next segment    at most 27 Order + 9 Frames + 3 AuxAxes + 66, polynomial
 //                                   11 Order + 24 more, if its words come without a pause
+//   of splines: the next step       at most 4 Order^2 + 39 Order + 9 Frames + 120
+//   the next segment                at most 4 Order^2 + 37 Order + 9 Frames + 3 AuxAxes + 162;
+//                                   both 3 Order (Order + 11) / 2 more with series
 //
 // One multiplier does the network's work and the samples': a change of step waits for the samples
 // under way, and a segment's words are taken when the path has left the segment before.  (Order 6,
-// series, no auxiliary axes: 22 clocks within a step, 219 at a step, 273 at a segment.)
+// no auxiliary axes: arcs, series, 22 clocks within a step, 219 at a step, 273 at a segment;
+// splines, polynomial, 42, 579 and 597.)
 //
 // A reset of two clocks or more starts afresh; the program's constants come with the device's
 // configuration (serial/word_memory.sv), so memories must be initialised.
@@ -34,7 +40,8 @@ module spherical_interpolator_serial #(
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
-    parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
+    parameter int MultiplierForm = 0,   // 0 portable, 1 ECP5, 2 UP5K
+    parameter int Splines        = 0    // 1: cubics as well
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -70,19 +77,23 @@ module spherical_interpolator_serial #(
     if (SampleInterval != 1 && SampleInterval != 2 && SampleInterval != 4 && SampleInterval != 8)
       $fatal(1, "SampleInterval must be 1, 2, 4 or 8");
 
+  initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
+
   localparam int FineBits = PositionBits + GuardBits;
 
   logic                write;
   logic                write_ready;
-  logic [         7:0] write_address;
+  logic [ 7+Splines:0] write_address;
   logic [CoefBits-1:0] write_data;
   logic                write_start;
   logic                write_end;
   logic [         3:0] write_axis;
   logic [FineBits-1:0] write_point;
   logic [         4:0] down;
+  logic [         4:0] spline_down;
+  logic                spline;
   logic                net_start;
-  logic [         6:0] net_entry;
+  logic [ 6+Splines:0] net_entry;
   logic [         3:0] net_order;
   logic                net_busy;
   logic                sample;
@@ -92,10 +103,12 @@ module spherical_interpolator_serial #(
   logic                free;
   logic                quiet;
   serial_tracker #(
+      .Order(Order),
       .CoefBits(CoefBits),
       .FineBits(FineBits),
       .AuxAxes(AuxAxes),
-      .Mode(Mode)
+      .Mode(Mode),
+      .Splines(Splines)
   ) u_tracker (
       .clk_i,
       .rst_ni,
@@ -115,6 +128,8 @@ module spherical_interpolator_serial #(
       .write_axis_o(write_axis),
       .write_point_o(write_point),
       .down_o(down),
+      .spline_down_o(spline_down),
+      .spline_o(spline),
       .net_start_o(net_start),
       .net_entry_o(net_entry),
       .net_order_o(net_order),
@@ -137,16 +152,19 @@ module spherical_interpolator_serial #(
     else if (taken && !issued) held_q <= held_q - 2'd1;
   end
 
-  logic [7:0] a_address;
-  logic [7:0] b_address;
-  logic [7:0] c_address;
-  logic [7:0] d_address;
-  logic       wide;
-  logic [1:0] target;
+  logic [7+Splines:0] a_address;
+  logic [7+Splines:0] b_address;
+  logic [7+Splines:0] c_address;
+  logic [7+Splines:0] d_address;
+  logic [        2:0] scale;
+  logic               first;
+  logic               more;
+  logic [        1:0] target;
   serial_sequencer #(
       .Order(Order),
       .AuxAxes(AuxAxes),
-      .Mode(Mode)
+      .Mode(Mode),
+      .Splines(Splines)
   ) u_sequencer (
       .clk_i,
       .rst_ni,
@@ -154,6 +172,7 @@ module spherical_interpolator_serial #(
       .net_entry_i(net_entry),
       .net_order_i(net_order),
       .net_busy_o(net_busy),
+      .spline_i(spline),
       .sample_i(sample),
       .land_i(land),
       .sample_take_o(sample_take),
@@ -166,15 +185,18 @@ module spherical_interpolator_serial #(
       .b_address_o(b_address),
       .c_address_o(c_address),
       .d_address_o(d_address),
-      .wide_o(wide),
+      .scale_o(scale),
+      .first_o(first),
+      .more_o(more),
       .target_o(target)
   );
 
   logic        [         1:0] d_target;
-  logic        [         7:0] d_place;
+  logic        [ 7+Splines:0] d_place;
   logic signed [CoefBits-1:0] d;
   folded_datapath #(
       .CoefBits(CoefBits),
+      .Splines(Splines),
       .MultiplierForm(MultiplierForm)
   ) u_datapath (
       .clk_i,
@@ -183,7 +205,9 @@ module spherical_interpolator_serial #(
       .b_address_i(b_address),
       .c_address_i(c_address),
       .d_address_i(d_address),
-      .wide_i(wide),
+      .scale_i(scale),
+      .first_i(first),
+      .more_i(more),
       .target_i(target),
       .external_i(write),
       .external_ready_o(write_ready),
@@ -198,7 +222,8 @@ module spherical_interpolator_serial #(
       .CoefBits(CoefBits),
       .PositionBits(PositionBits),
       .GuardBits(GuardBits),
-      .AuxAxes(AuxAxes)
+      .AuxAxes(AuxAxes),
+      .Splines(Splines)
   ) u_lander (
       .clk_i,
       .rst_ni,
@@ -206,7 +231,9 @@ module spherical_interpolator_serial #(
       .write_end_i(write_end),
       .write_axis_i(write_axis),
       .write_data_i(write_point),
+      .spline_i(spline),
       .down_i(down),
+      .spline_down_i(spline_down),
       .target_i(d_target),
       .axis_i(d_place[3:0]),
       .d_i(d),

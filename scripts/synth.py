@@ -19,11 +19,12 @@ import sys
 from synth_harness import harness
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOPS = {
-    ("spherical", "parallel"): "spherical_interpolator",
-    ("spline", "parallel"): "spline_interpolator",
-    ("curve", "parallel"): "curve_interpolator",
-    ("spherical", "serial"): "spherical_interpolator_serial",
+TOPS = {  # module, parameters
+    ("spherical", "parallel"): ("spherical_interpolator", {}),
+    ("spline", "parallel"): ("spline_interpolator", {}),
+    ("curve", "parallel"): ("curve_interpolator", {}),
+    ("spherical", "serial"): ("spherical_interpolator_serial", {}),
+    ("curve", "serial"): ("spherical_interpolator_serial", {"Splines": 1, "Mode": 1}),
 }
 
 
@@ -142,9 +143,10 @@ def main():
     arguments = parser.parse_args()
 
     device = DEVICES[arguments.device]
-    top = arguments.top or TOPS.get((arguments.core, arguments.build))
-    if top is None:
-        parser.error(f"there is no {arguments.build} build of the {arguments.core} core")
+    core = (arguments.core, arguments.build)
+    if not arguments.top and core not in TOPS:
+        parser.error(f"there is no {arguments.build} build of {arguments.core}")
+    top, settings = (arguments.top, {}) if arguments.top else TOPS[core]
     row = top if arguments.top else f"{arguments.core}-{arguments.build}"
     name = f"{row}-{arguments.device}"
     os.chdir(ROOT)
@@ -153,7 +155,7 @@ def main():
     yosys = tool("yosys")
     nextpnr = tool("nextpnr-" + device.family)
 
-    settings = dict(item.split("=", 1) for item in arguments.set)
+    settings = settings | dict(item.split("=", 1) for item in arguments.set)
     for form in {"Form", "MultiplierForm"} & elaborate(yosys, top, work)[1].keys():
         settings.setdefault(form, device.form)
     values = ", ".join(f".{parameter}({value})" for parameter, value in settings.items())

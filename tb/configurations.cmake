@@ -123,6 +123,20 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
                    AuxAxes=${aux} Mode=${mode})
 endforeach()
 
+# The same with both curves, and what it does of arcs then.
+foreach(size 6,36,32,10,0,1 6,36,32,10,0,0 2,18,16,2,1,1 3,30,28,8,1,1 8,36,32,12,2,1
+        12,36,32,10,6,1 12,30,31,12,4,0)
+  read_row(${size} order coef position guard aux mode)
+  core_test(curve_interpolator_serial
+            serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}
+            TOP spherical_interpolator_serial LIBRARIES curvecore_ref
+            PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
+                   GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
+endforeach()
+core_test(spherical_interpolator_serial both_curves TOP spherical_interpolator_serial
+          PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
+illegal_parameter_test(spherical_interpolator_serial Splines=2 "Splines must be 0 or 1")
+
 # Both builds of it with the multipliers of ECP5 and UP5K inside.
 foreach(form 1 2)
   set(size PARAMS Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
@@ -133,6 +147,11 @@ foreach(form 1 2)
   endforeach()
   core_test(spherical_interpolator_serial ${form_${form}}_serial
             TOP spherical_interpolator_serial ${size} SOURCES ${primitives_${form}})
+  core_test(curve_interpolator_serial ${form_${form}}_serial TOP spherical_interpolator_serial
+            LIBRARIES curvecore_ref
+            PARAMS Splines=1 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=1
+                   MultiplierForm=${form}
+            SOURCES ${primitives_${form}})
 endforeach()
 
 # Horner's rule, folded and not.

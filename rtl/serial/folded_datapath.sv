@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one multiplier of the serial build with its word memory: d = c + round(a b / 2^(CoefBits-1)),
-// or / 2^(CoefBits-2) with wide_i; one operation per clock.
+// The one multiplier of the serial build with its word memory; one operation per clock:
+//
+//     d = c + round((the sum so far + a b) / 2^shift)
 //
 //   cycle    0                      1 .. 7    8                9
 //            addresses, target_i              d_o, target_o
 //   memory   a, b read                        d written        d readable
+//
+// scale_i: (shift - CoefBits + 6) modulo 8, from CoefBits - 6 to CoefBits + 4; without Splines
+// CoefBits - 2 or - 1 (4, 5).  first_i: one less if b is of index 1 and the shift CoefBits - 1 or
+// + 1.  more_i, with Splines: the product goes into the sum, which is over with the next operation
+// without it.
 //
 // target_i: 1 the word memory at d_address_i, 2 and 3 what the user makes of d_o.  An operation
 // reads what one nine cycles before has written; c is read five cycles after a and b.  Words from
@@ -12,45 +18,52 @@
 `default_nettype none
 module folded_datapath #(
     parameter int CoefBits       = 36,  // [18, 36]
+    parameter int Splines        = 1,   // 0, 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic [7:0] a_address_i,
-    input wire logic [7:0] b_address_i,
-    input wire logic [7:0] c_address_i,
-    input wire logic [7:0] d_address_i,
-    input wire logic       wide_i,
-    input wire logic [1:0] target_i,
+    input wire logic [7+Splines:0] a_address_i,
+    input wire logic [7+Splines:0] b_address_i,
+    input wire logic [7+Splines:0] c_address_i,
+    input wire logic [7+Splines:0] d_address_i,
+    input wire logic [        2:0] scale_i,
+    input wire logic               first_i,
+    input wire logic               more_i,
+    input wire logic [        1:0] target_i,
 
     input  wire logic                external_i,
     output logic                     external_ready_o,
-    input  wire logic [         7:0] external_address_i,
+    input  wire logic [ 7+Splines:0] external_address_i,
     input  wire logic [CoefBits-1:0] external_data_i,
 
     output logic        [         1:0] target_o,
-    output logic        [         7:0] d_address_o,
+    output logic        [ 7+Splines:0] d_address_o,
     output logic signed [CoefBits-1:0] d_o
 );
 
   initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
   initial
     if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
   localparam int W = (CoefBits < 18 || CoefBits > 36) ? 36 : CoefBits;
+  localparam int AddressBits = 8 + Splines;
 
   // What travels beside the operands.
-  logic [7:0] c_address_q[5];
-  logic [7:0] d_address_q[8];
-  logic       wide_q     [7];
-  logic [1:0] target_q   [8];
+  logic [AddressBits-1:0] c_address_q[5];
+  logic [AddressBits-1:0] d_address_q[8];
+  logic [            2:0] scale_q    [7];
+  logic [            1:0] target_q   [8];
+  logic                   one_less;
+  assign one_less = first_i && b_address_i[3:0] == 4'd1;
   always_ff @(posedge clk_i) begin
     c_address_q[0] <= c_address_i;
     d_address_q[0] <= d_address_i;
-    wide_q[0]      <= wide_i;
+    scale_q[0]     <= {scale_i[2:1], scale_i[0] && !one_less};
     target_q[0]    <= rst_ni ? target_i : 2'd0;
     for (int n = 1; n < 5; n = n + 1) c_address_q[n] <= c_address_q[n-1];
-    for (int n = 1; n < 7; n = n + 1) wide_q[n] <= wide_q[n-1];
+    for (int n = 1; n < 7; n = n + 1) scale_q[n] <= scale_q[n-1];
     for (int n = 1; n < 8; n = n + 1) begin
       d_address_q[n] <= d_address_q[n-1];
       target_q[n]    <= rst_ni ? target_q[n-1] : 2'd0;
@@ -59,9 +72,9 @@ module folded_datapath #(
   assign target_o    = target_q[7];
   assign d_address_o = d_address_q[7];
 
-  logic         write;
-  logic [  7:0] write_address;
-  logic [W-1:0] write_data;
+  logic                   write;
+  logic [AddressBits-1:0] write_address;
+  logic [          W-1:0] write_data;
   assign external_ready_o = target_o != 2'd1;
   assign write            = rst_ni && (external_i || !external_ready_o);
   assign write_address    = external_ready_o ? external_address_i : d_address_o;
@@ -70,11 +83,12 @@ module folded_datapath #(
   logic        [W-1:0] a;
   logic        [W-1:0] b;
   logic        [W-1:0] c;
-  logic signed [W-1:0] a_q;
-  logic signed [W-1:0] b_q;
+  logic signed [W-1:0] a_operand;
+  logic signed [W-1:0] b_operand;
   logic signed [W-1:0] c_q;
   word_memory #(
-      .CoefBits(W)
+      .CoefBits(W),
+      .Words(1 << AddressBits)
   ) u_a (
       .clk_i,
       .write_i        (write),
@@ -84,7 +98,8 @@ module folded_datapath #(
       .data_o         (a)
   );
   word_memory #(
-      .CoefBits(W)
+      .CoefBits(W),
+      .Words(1 << AddressBits)
   ) u_b (
       .clk_i,
       .write_i        (write),
@@ -94,7 +109,8 @@ module folded_datapath #(
       .data_o         (b)
   );
   word_memory #(
-      .CoefBits(W)
+      .CoefBits(W),
+      .Words(1 << AddressBits)
   ) u_c (
       .clk_i,
       .write_i        (write),
@@ -103,11 +119,7 @@ module folded_datapath #(
       .read_i         (c_address_q[4]),
       .data_o         (c)
   );
-  always_ff @(posedge clk_i) begin
-    a_q <= a;
-    b_q <= b;
-    c_q <= c;
-  end
+  always_ff @(posedge clk_i) c_q <= c;
 
   // To nearest, ties upwards: the floor plus the bit below.
   logic signed [2*W-1:0] product;
@@ -122,13 +134,40 @@ module folded_datapath #(
   ) u_multiplier (
       .clk_i,
       .en_i     (1'b1),
-      .a_i      (a_q),
-      .b_i      (b_q),
+      .a_i      (a_operand),
+      .b_i      (b_operand),
       .product_o(product)
   );
-  assign floor = wide_q[6] ? product[2*W-3:W-2] : product[2*W-2:W-1];
-  assign below = wide_q[6] ? product[W-3] : product[W-2];
-  assign sum   = {c_q, 1'b1} + {floor, below};
+  if (Splines == 0) begin : g_product
+    logic unused_more;
+    assign unused_more = more_i;
+    always_ff @(posedge clk_i) begin
+      a_operand <= a;
+      b_operand <= b;
+    end
+    assign floor = scale_q[6][0] ? product[2*W-2:W-1] : product[2*W-3:W-2];
+    assign below = scale_q[6][0] ? product[W-2] : product[W-3];
+  end else begin : g_sum
+    // A stage later than the product, for which the operands have a stage less.
+    assign a_operand = a;
+    assign b_operand = b;
+    logic more_q[6];
+    always_ff @(posedge clk_i) begin
+      more_q[0] <= more_i;
+      for (int n = 1; n < 6; n = n + 1) more_q[n] <= more_q[n-1];
+    end
+    folded_accumulator #(
+        .CoefBits(W)
+    ) u_accumulator (
+        .clk_i,
+        .product_i(product),
+        .more_i   (more_q[5]),
+        .scale_i  (scale_q[6]),
+        .floor_o  (floor),
+        .below_o  (below)
+    );
+  end
+  assign sum = {c_q, 1'b1} + {floor, below};
   always_ff @(posedge clk_i) d_o <= sum[W:1];
 
 endmodule

@@ -3,6 +3,8 @@
 //
 //     fine = land ? end : origin + floor(d 2^k 2^GuardBits + 1/2)
 //
+// Origins of X Y Z of splines are made from the segment's start, with 2^lambda: as axes 12 to 14.
+//
 //   cycle       0                1, 2    3     4                  5
 //   target_i    2 sample
 //   d_i         d, axis_i                      sample_o complete
@@ -15,7 +17,8 @@ module serial_lander #(
     parameter int CoefBits     = 36,  // [18, 36]
     parameter int PositionBits = 32,  // [16, 32]
     parameter int GuardBits    = 10,  // [2, 12]
-    parameter int AuxAxes      = 0    // [0, 6]
+    parameter int AuxAxes      = 0,   // [0, 6]
+    parameter int Splines      = 1    // 0, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -26,7 +29,9 @@ module serial_lander #(
     input wire logic        [                       3:0] write_axis_i,
     input wire logic signed [PositionBits+GuardBits-1:0] write_data_i,
 
-    input wire logic        [         4:0] down_i,    // MaxStepExponent - k
+    input wire logic                       spline_i,       // of the segment
+    input wire logic        [         4:0] down_i,         // MaxStepExponent - k
+    input wire logic        [         4:0] spline_down_i,  // MaxStepExponent - lambda
     input wire logic        [         1:0] target_i,
     input wire logic        [         3:0] axis_i,
     input wire logic signed [CoefBits-1:0] d_i,
@@ -57,7 +62,14 @@ module serial_lander #(
     land_q[1] <= land_q[0];
   end
 
+  // Axes 0 to 8, and starts of splines.
+  function automatic logic start_of_spline(input logic [3:0] axis);
+    start_of_spline = (Splines != 0) && axis[3:2] == 2'b11;
+  endfunction
+
+  logic        [       4:0] down;
   logic signed [FineBits:0] doubled;
+  assign down = start_of_spline(axis_i) ? spline_down_i : down_i;
   fine_scale #(
       .CoefBits (CoefBits),
       .FineBits (FineBits),
@@ -66,7 +78,7 @@ module serial_lander #(
       .clk_i,
       .en_i     (1'b1),
       .d_i,
-      .down_i,
+      .down_i   (down),
       .doubled_o(doubled)
   );
 
@@ -78,13 +90,18 @@ module serial_lander #(
   logic signed [  FineBits:0] twice;
   logic signed [FineBits-1:0] fine_q;
   logic                       write_origin;
+  logic        [         3:0] start_axis;
+  logic        [         3:0] origin_axis;
   logic        [         3:0] write_axis;
   logic signed [FineBits-1:0] write_data;
-  assign origin_half  = {origin_q, 1'b1};
-  assign twice        = origin_half + doubled;
+  assign origin_half = {origin_q, 1'b1};
+  assign twice = origin_half + doubled;
   assign write_origin = write_start_i || target_q[2] == 2'd3;
-  assign write_axis   = write_start_i ? write_axis_i : axis_q[2];
-  assign write_data   = write_start_i ? write_data_i : fine_q;
+  assign start_axis   = (Splines != 0 && spline_i && write_axis_i < 4'd3) ? write_axis_i | 4'd12
+                                                                          : write_axis_i;
+  assign origin_axis = start_of_spline(axis_q[2]) ? axis_q[2] & 4'd3 : axis_q[2];
+  assign write_axis = write_start_i ? start_axis : origin_axis;
+  assign write_data = write_start_i ? write_data_i : fine_q;
   always_ff @(posedge clk_i) begin
     if (write_origin) origin_memory[write_axis] <= write_data;
     if (write_end_i) end_memory[write_axis_i] <= write_data_i;

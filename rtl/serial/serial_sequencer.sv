@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the program (spherical_program.sv) on the folded datapath: one network part alone, or up to
+// Runs the program (serial_program.sv) on the folded datapath: one network part alone, or up to
 // three samples, which take turns with frames of three words.  A rotation is nine clocks.
 //
 //   cycle      0                 1      2        3
@@ -7,27 +7,31 @@
 //
 //   net_start_i   runs the part at net_entry_i, orders from net_order_i; net_busy_o until fetched
 //   sample_i      a sample waits, its tau is in the memory at context_o; taken with sample_take_o
+//   spline_i      whose samples they are; changes while all is quiet, before a net_start_i
 //   free_o        nothing reads the tau of context_o any more
 //   room_i        a rotation may issue results
 //   quiet_o       no operation is under way, nor on its way to a sample
 //
 // Control of a frame, in its last word but two: 1 next frame; 2 the same frame with the next order
-// until the orders are over; 3 the next frame, or that after it when the orders are over; 4 halt;
-// 5 halt without auxiliary axes; 6 halt up to three of them; 7 as 2, then halt.
+// until the orders are over (a spline's one earlier); 3 the next frame, or that after it when the
+// orders are over; 4 halt; 5 halt without auxiliary axes; 6 halt up to three of them; 7 as 2, with
+// all orders, then halt.
 `default_nettype none
 module serial_sequencer #(
     parameter int Order   = 6,  // [2, 12]
     parameter int AuxAxes = 0,  // [0, 6]
-    parameter int Mode    = 0   // 0 series, 1 polynomial
+    parameter int Mode    = 0,  // 0 series, 1 polynomial
+    parameter int Splines = 1   // 0, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input  wire logic       net_start_i,
-    input  wire logic [6:0] net_entry_i,
-    input  wire logic [3:0] net_order_i,
-    output logic            net_busy_o,
+    input  wire logic               net_start_i,
+    input  wire logic [6+Splines:0] net_entry_i,
+    input  wire logic [        3:0] net_order_i,
+    output logic                    net_busy_o,
 
+    input  wire logic       spline_i,
     input  wire logic       sample_i,
     input  wire logic       land_i,
     output logic            sample_take_o,
@@ -37,46 +41,60 @@ module serial_sequencer #(
     output logic            issued_o,       // a sample's first result is on its way
     output logic            quiet_o,
 
-    output logic [7:0] a_address_o,
-    output logic [7:0] b_address_o,
-    output logic [7:0] c_address_o,
-    output logic [7:0] d_address_o,  // target 2: {land, 000, axis}
-    output logic       wide_o,
-    output logic [1:0] target_o
+    output logic [7+Splines:0] a_address_o,
+    output logic [7+Splines:0] b_address_o,
+    output logic [7+Splines:0] c_address_o,
+    output logic [7+Splines:0] d_address_o,  // target 2: {land, 000, axis} in the low bits
+    output logic [        2:0] scale_o,
+    output logic               first_o,
+    output logic               more_o,
+    output logic [        1:0] target_o
 );
 
   localparam int Spacing = 1 + (AuxAxes + 2) / 3;  // rotations between samples' first results
-  localparam logic [6:0] Entry = (Mode == 0) ? spherical_program_pkg::SeriesEntry
-                                             : spherical_program_pkg::PolynomialEntry;
-  localparam logic [3:0] Stride = (Mode == 0) ? 4'd1 : 4'd2;
-  localparam logic [3:0] First = (Mode == 0) ? 4'(Order - 1) : 4'((Order / 2) * 2 - 1);
+  localparam int PlaceBits = 7 + Splines;
+  localparam logic [7:0] ArcEntry = (Mode == 0) ? serial_program_pkg::SeriesEntry
+                                                : serial_program_pkg::PolynomialEntry;
+  localparam logic [7:0] SplineEntry = (Mode == 0) ? serial_program_pkg::SeriesEntry
+                                                   : serial_program_pkg::SplinePolynomialEntry;
+  localparam logic [3:0] EvenFirst = 4'((Order / 2) * 2 - 1);
   localparam logic [4:0] Drain = 5'd24;
 
-  logic [6:0] net_place_q;
-  logic [6:0] net_frame_q;
-  logic [3:0] net_order_q;
+  // What a sample starts with: splines and series go by single orders, arcs' polynomials by two.
+  logic                 spline;
+  logic [PlaceBits-1:0] entry;
+  logic [          3:0] first;
+  logic [          3:0] stride;
+  assign spline = (Splines != 0) && spline_i;
+  assign entry  = spline ? SplineEntry[PlaceBits-1:0] : ArcEntry[PlaceBits-1:0];
+  assign first  = (Mode == 0 || spline) ? 4'(Order - 1) : EvenFirst;
+  assign stride = (Mode == 0 || spline) ? 4'd1 : 4'd2;
 
-  logic [1:0] turn_q;
-  logic [1:0] word_q;
-  logic       run_q;
-  logic       slice_q;
-  logic [2:0] active_q;
-  logic [2:0] land_q;
-  logic [1:0] next_q;
-  logic [1:0] spacing_q;
-  logic       sample_q;
-  logic [6:0] follow_q;
-  logic [6:0] frame_q     [3];  // of a context that rests: the first
-  logic [3:0] order_q     [3];
+  logic [PlaceBits-1:0] net_place_q;
+  logic [PlaceBits-1:0] net_frame_q;
+  logic [          3:0] net_order_q;
+
+  logic [          1:0] turn_q;
+  logic [          1:0] word_q;
+  logic                 run_q;
+  logic                 slice_q;
+  logic [          2:0] active_q;
+  logic [          2:0] land_q;
+  logic [          1:0] next_q;
+  logic [          1:0] spacing_q;
+  logic                 sample_q;
+  logic [PlaceBits-1:0] follow_q;
+  logic [PlaceBits-1:0] frame_q     [3];  // of a context that rests: the first
+  logic [          3:0] order_q     [3];
 
   // Fetch
-  logic       run;
-  logic       start;
-  logic       slice;
-  logic       fetch;
-  logic [6:0] place;
-  logic [3:0] order;
-  logic       turn_active;
+  logic                 run;
+  logic                 start;
+  logic                 slice;
+  logic                 fetch;
+  logic [PlaceBits-1:0] place;
+  logic [          3:0] order;
+  logic                 turn_active;
   assign turn_active = active_q[turn_q];
   assign run = (turn_q == 2'd0 && word_q == 2'd0) ? room_i : run_q;
   assign start       = run && word_q == 2'd0 && turn_q == next_q && !turn_active && sample_q
@@ -94,10 +112,14 @@ module serial_sequencer #(
   assign sample_take_o = start;
   assign context_o     = next_q;
 
-  logic [50:0] fetched;
-  logic [50:0] word;
-  spherical_program u_program (
+  logic stall;
+  logic [60:0] fetched;
+  logic [60:0] word;
+  serial_program #(
+      .Splines(Splines)
+  ) u_program (
       .clk_i,
+      .en_i   (!stall),
       .place_i(place),
       .word_o (fetched)
   );
@@ -114,26 +136,56 @@ module serial_sequencer #(
   logic [3:0] fetched_i_q;
   logic       fetched_flag_q;
   always_ff @(posedge clk_i) begin
-    fetched_valid_q   <= rst_ni && fetch;
-    fetched_net_q     <= net_busy_o;
-    fetched_context_q <= turn_q;
-    fetched_i_q       <= order;
-    fetched_flag_q    <= start ? land_i : land_q[turn_q];
-    word              <= fetched;
-    valid_q           <= rst_ni && fetched_valid_q;
-    net_q             <= fetched_net_q;
-    context_q         <= fetched_context_q;
-    i_q               <= fetched_i_q;
-    flag_q            <= fetched_flag_q;
+    if (!rst_ni) begin
+      fetched_valid_q <= 1'b0;
+      valid_q         <= 1'b0;
+    end else if (!stall) begin
+      fetched_valid_q <= fetch;
+      valid_q         <= fetched_valid_q;
+    end
+    if (!stall) begin
+      fetched_net_q     <= net_busy_o;
+      fetched_context_q <= turn_q;
+      fetched_i_q       <= order;
+      fetched_flag_q    <= start ? land_i : land_q[turn_q];
+      word              <= fetched;
+      net_q             <= fetched_net_q;
+      context_q         <= fetched_context_q;
+      i_q               <= fetched_i_q;
+      flag_q            <= fetched_flag_q;
+    end
   end
+  serial_issue #(
+      .Splines(Splines)
+  ) u_issue (
+      .clk_i,
+      .rst_ni,
+      .valid_i       (valid_q),
+      .word_i        (word),
+      .i_i           (i_q),
+      .context_i     (context_q),
+      .land_i        (flag_q),
+      .stall_o       (stall),
+      .first_result_o(issued_o),
+      .a_address_o,
+      .b_address_o,
+      .c_address_o,
+      .d_address_o,
+      .scale_o,
+      .first_o,
+      .more_o,
+      .target_o
+  );
 
   logic [2:0] control;
+  logic [3:0] net_last;
   logic       over;
   logic       halt;
   logic       loop;
-  assign control = valid_q ? word[50:48] : 3'd0;
-  assign over    = net_q ? i_q == 4'(Order) : i_q <= Stride;
-  assign loop    = (control == 3'd2 || control == 3'd7) && !over;
+  assign control  = valid_q ? word[56:54] : 3'd0;
+  assign net_last = (spline && control == 3'd2) ? 4'(Order - 1) : 4'(Order);
+  assign over     = net_q ? i_q == net_last : i_q <= stride;
+  assign loop     = (control == 3'd2 || control == 3'd7) && !over;
   always_comb begin
     halt = control == 3'd4;
     if (control == 3'd5) halt = AuxAxes == 0;
@@ -146,18 +198,20 @@ module serial_sequencer #(
       net_busy_o <= 1'b0;
     end else if (net_start_i) begin
       net_busy_o <= 1'b1;
-    end else if (net_q && halt) begin
+    end else if (net_q && halt && !stall) begin
       net_busy_o <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
-    net_place_q <= net_place_q + 7'd1;
-    if (net_q && control != 3'd0) begin
-      if (loop) begin
-        net_place_q <= net_frame_q;
-        net_order_q <= net_order_q + 4'd1;
-      end else begin
-        net_frame_q <= net_place_q + 7'd1;
+    if (!stall) begin
+      net_place_q <= net_place_q + PlaceBits'(1);
+      if (net_q && control != 3'd0) begin
+        if (loop) begin
+          net_place_q <= net_frame_q;
+          net_order_q <= net_order_q + 4'd1;
+        end else begin
+          net_frame_q <= net_place_q + PlaceBits'(1);
+        end
       end
     end
     if (net_start_i) begin
@@ -198,26 +252,26 @@ module serial_sequencer #(
       if (!net_q && halt) active_q[context_q] <= 1'b0;
     end
   end
-  logic [6:0] advance;
+  logic [PlaceBits-1:0] advance;
   always_comb begin
-    advance = 7'd3;
-    if (control == 3'd3 && over) advance = 7'd6;
-    if (loop) advance = 7'd0;
+    advance = PlaceBits'(3);
+    if (control == 3'd3 && over) advance = PlaceBits'(6);
+    if (loop) advance = '0;
   end
   always_ff @(posedge clk_i) begin
-    follow_q <= place + 7'd1;
+    follow_q <= place + PlaceBits'(1);
     if (start) land_q[turn_q] <= land_i;
-    if (!rst_ni) begin
+    if (!rst_ni || (Splines != 0 && net_start_i)) begin
       for (int n = 0; n < 3; n = n + 1) begin
-        frame_q[n] <= Entry;
-        order_q[n] <= First;
+        frame_q[n] <= entry;
+        order_q[n] <= first;
       end
     end else if (!net_q && halt) begin
-      frame_q[context_q] <= Entry;
-      order_q[context_q] <= First;
+      frame_q[context_q] <= entry;
+      order_q[context_q] <= first;
     end else if (!net_q && control != 3'd0) begin
       frame_q[context_q] <= frame_q[context_q] + advance;
-      if (control == 3'd2 || control == 3'd3) order_q[context_q] <= i_q - Stride;
+      if (control == 3'd2 || control == 3'd3) order_q[context_q] <= i_q - stride;
     end
   end
 
@@ -231,26 +285,6 @@ module serial_sequencer #(
     else if (free_q != 2'd3) free_q <= free_q + 2'd1;
     if (!rst_ni || fetch || active_q != '0) drain_q <= Drain;
     else if (drain_q != 5'd0) drain_q <= drain_q - 5'd1;
-  end
-
-  // Addresses
-  function automatic logic [7:0] address(input logic [10:0] field, input logic [3:0] i,
-                                         input logic [1:0] turn);
-    logic [3:0] offset;
-    offset  = {2'b00, field[9:8]} + 4'd15;
-    address = field[7:0];
-    if (field[10]) address[3:0] = i + offset;
-    if (field[10:8] == 3'd1) address[7:4] = 4'd13 + {2'b00, turn};
-  endfunction
-  assign issued_o = valid_q && word[47:46] == 2'd2 && word[36:33] == 4'd0;
-  always_ff @(posedge clk_i) begin
-    a_address_o <= address(word[10:0], i_q, context_q);
-    b_address_o <= address(word[21:11], i_q, context_q);
-    c_address_o <= address(word[32:22], i_q, context_q);
-    d_address_o <= address(word[43:33], i_q, context_q);
-    if (word[47:46] == 2'd2) d_address_o[7] <= flag_q;
-    wide_o   <= word[44] || (word[45] && i_q == 4'd1);
-    target_o <= valid_q ? word[47:46] : 2'd0;
   end
 
 endmodule

@@ -14,7 +14,8 @@ class MixedSegments {
   public:
     using Words = hls::SegmentWords<C>;
 
-    explicit MixedSegments(std::uint64_t seed) : random_(seed), arcs_(seed), splines_(seed) {}
+    explicit MixedSegments(std::uint64_t seed)
+        : random_(seed), arcs_(seed, kArcExponent), splines_(seed) {}
 
     Words next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
 
@@ -25,6 +26,9 @@ class MixedSegments {
     }
 
   private:
+    // A request that passes an arc's steps passes hundreds of a spline's.
+    static constexpr int kArcExponent = 12;
+
     std::mt19937_64 random_;
     LegalSegments<C> arcs_;
     SplineSegments<C> splines_;
