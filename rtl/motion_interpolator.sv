@@ -24,9 +24,9 @@ module motion_interpolator #(
     parameter int PositionBits      = 32,   // [16, 32]
     parameter int GuardBits         = 10,   // [2, 12]
     parameter int AuxAxes           = 0,    // [0, 6]
-    parameter int Splines           = 0,    // 1: segments of splines too, Build 0 only
+    parameter int Splines           = 0,    // 1: segments of splines too
     parameter int Mode              = 0,    // 0 series, 1 polynomial
-    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Mode 1 only
+    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Build 0 and Mode 1 only
     parameter int SampleInterval    = 1,    // 1, 2, 4, 8 clocks
     parameter int MultiplierForm    = 0,    // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 256,  // [2, 65536], a power of two
@@ -75,7 +75,7 @@ module motion_interpolator #(
 
   initial if (Build < 0 || Build > 1) $fatal(1, "Build must be 0 or 1");
   initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
-  initial if (Splines == 1 && Build == 1) $fatal(1, "Build 1 draws no splines");
+  initial if (Build == 1 && Anchor != 1) $fatal(1, "Build 1 works with Anchor 1 only");
 
   // A serial core takes its time: one multiplier does for its path.
   localparam int TickInterval = (Build == 1) ? 8 : SampleInterval;
@@ -346,7 +346,7 @@ module motion_interpolator #(
         .empty_segments_o
     );
   end else begin : g_serial
-    spherical_interpolator_serial #(
+    curve_interpolator_serial #(
         .Order(Order),
         .CoefBits(CoefBits),
         .PositionBits(PositionBits),
@@ -354,7 +354,8 @@ module motion_interpolator #(
         .AuxAxes(AuxAxes),
         .Mode(Mode),
         .SampleInterval(SampleInterval),
-        .MultiplierForm(MultiplierForm)
+        .MultiplierForm(MultiplierForm),
+        .Splines(Splines)
     ) u_core (
         .clk_i,
         .rst_ni,

@@ -23,8 +23,8 @@ TOPS = {  # module, parameters
     ("spherical", "parallel"): ("spherical_interpolator", {}),
     ("spline", "parallel"): ("spline_interpolator", {}),
     ("curve", "parallel"): ("curve_interpolator", {}),
-    ("spherical", "serial"): ("spherical_interpolator_serial", {}),
-    ("curve", "serial"): ("spherical_interpolator_serial", {"Splines": 1, "Mode": 1}),
+    ("spherical", "serial"): ("curve_interpolator_serial", {}),
+    ("curve", "serial"): ("curve_interpolator_serial", {"Splines": 1, "Mode": 1}),
 }
 
 

@@ -115,10 +115,10 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
         4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
   read_row(${size} order coef position guard aux mode)
   set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  core_test(sample_campaign ${name} TOP spherical_interpolator_serial
+  core_test(sample_campaign ${name} TOP curve_interpolator_serial
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
-  core_test(spherical_interpolator_serial ${name} TOP spherical_interpolator_serial
+  core_test(spherical_interpolator_serial ${name} TOP curve_interpolator_serial
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
 endforeach()
@@ -129,13 +129,13 @@ foreach(size 6,36,32,10,0,1 6,36,32,10,0,0 2,18,16,2,1,1 3,30,28,8,1,1 8,36,32,1
   read_row(${size} order coef position guard aux mode)
   core_test(curve_interpolator_serial
             serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}
-            TOP spherical_interpolator_serial LIBRARIES curvecore_ref
+            TOP curve_interpolator_serial LIBRARIES curvecore_ref
             PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
                    GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
 endforeach()
-core_test(spherical_interpolator_serial both_curves TOP spherical_interpolator_serial
+core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial
           PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
-illegal_parameter_test(spherical_interpolator_serial Splines=2 "Splines must be 0 or 1")
+illegal_parameter_test(curve_interpolator_serial Splines=2 "Splines must be 0 or 1")
 
 # Both builds of it with the multipliers of ECP5 and UP5K inside.
 foreach(form 1 2)
@@ -146,8 +146,8 @@ foreach(form 1 2)
               ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
   core_test(spherical_interpolator_serial ${form_${form}}_serial
-            TOP spherical_interpolator_serial ${size} SOURCES ${primitives_${form}})
-  core_test(curve_interpolator_serial ${form_${form}}_serial TOP spherical_interpolator_serial
+            TOP curve_interpolator_serial ${size} SOURCES ${primitives_${form}})
+  core_test(curve_interpolator_serial ${form_${form}}_serial TOP curve_interpolator_serial
             LIBRARIES curvecore_ref
             PARAMS Splines=1 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=1
                    MultiplierForm=${form}
@@ -188,7 +188,7 @@ foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endforeach()
-foreach(core spherical_interpolator spherical_interpolator_serial)
+foreach(core spherical_interpolator curve_interpolator_serial)
   illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
   illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
   illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")

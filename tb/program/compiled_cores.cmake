@@ -14,7 +14,8 @@ set(COMPILED_CORES
     "parallel 6 36 32 10 0 1 1 1"
     "parallel 6 36 32 10 0 0 0 4"
     "serial   6 36 32 10 0 0 0 1"
-    "serial   6 36 32 10 3 0 0 1"
+    "serial   6 36 32 10 0 1 0 1"
+    "serial   6 36 32 10 3 1 0 1"
     "serial   6 36 32 10 6 0 0 1"
     "serial   8 36 32 10 0 0 0 1"
-    "serial   6 36 32 10 0 0 1 1")
+    "serial   6 36 32 10 0 1 1 1")

@@ -46,8 +46,11 @@ int CoreParameters::network_latency() const {
 }
 
 int CoreParameters::spline_latency() const {
-    // Serial: not built yet; some thirty products an order, one after the other.
-    if (build == Build::kSerial) return order * 12 * 36;
+    // Serial: as rtl/curve_interpolator_serial.sv states a step's pause, without axes.
+    if (build == Build::kSerial) {
+        const int series = mode == 0 ? 3 * order * (order + 11) / 2 : 0;
+        return 4 * order * order + 39 * order + 9 * (order + 3) + 120 + series;
+    }
     // As rtl/network/spline_steps.sv and rtl/control/spline_sequencer.sv state it, and two clocks
     // from a step to the next.
     const int digits = (coef_bits + 1) / 2;

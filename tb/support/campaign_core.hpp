@@ -42,8 +42,8 @@ struct CampaignCore {
 
 #else
 
-#if __has_include("Vspherical_interpolator_serial.h")
-#include "Vspherical_interpolator_serial.h"
+#if __has_include("Vcurve_interpolator_serial.h")
+#include "Vcurve_interpolator_serial.h"
 #else
 #include "Vspherical_interpolator.h"
 #endif
@@ -52,8 +52,8 @@ struct CampaignCore {
 
 namespace curvecore::tb {
 struct CampaignCore {
-#if __has_include("Vspherical_interpolator_serial.h")
-    using Model = Vspherical_interpolator_serial;
+#if __has_include("Vcurve_interpolator_serial.h")
+    using Model = Vcurve_interpolator_serial;
     static constexpr int kSamples = 200'000;
 #else
     using Model = Vspherical_interpolator;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/spherical_interpolator_serial.sv with Splines equals hls::MotionKernel, bit for bit, over
+// rtl/curve_interpolator_serial.sv with Splines equals hls::MotionKernel, bit for bit, over
 // chains of lines, arcs and splines; clocks of a spline's samples, steps and segments.
 #include <algorithm>
 
-#include "Vspherical_interpolator_serial.h"
+#include "Vcurve_interpolator_serial.h"
 #include "hls/curve_kernel.hpp"
 #include "tb/support/arc_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
@@ -21,8 +21,8 @@ constexpr int kNetwork =
 constexpr int kStepGap = kNetwork + 2 * kOrder + 9 * kFrames + 120;
 constexpr int kSegmentGap = kNetwork + 9 * kFrames + 3 * Config::kAuxAxes + 162;
 
-using CurveInterpolatorSerial = ArcCoreBench<Vspherical_interpolator_serial,
-                                             hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
+using CurveInterpolatorSerial =
+    ArcCoreBench<Vcurve_interpolator_serial, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
 
 TEST_F(CurveInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/spherical_interpolator_serial.sv equals hls::InterpolatorKernel, bit for bit; clocks per
+// rtl/curve_interpolator_serial.sv equals hls::InterpolatorKernel, bit for bit; clocks per
 // sample, and of the pauses between steps and segments.
 #include <algorithm>
 
-#include "Vspherical_interpolator_serial.h"
+#include "Vcurve_interpolator_serial.h"
 #include "tb/support/arc_core_bench.hpp"
 
 namespace curvecore::tb {
@@ -17,7 +17,7 @@ constexpr int kStepGap = 15 * Config::kOrder + 9 * kFrames + 84;
 constexpr int kSegmentGap = 27 * Config::kOrder + 9 * kFrames + 3 * Config::kAuxAxes + 66 +
                             (CFG_Mode == 0 ? 0 : 11 * Config::kOrder + 24);
 
-using SphericalInterpolatorSerial = ArcCoreBench<Vspherical_interpolator_serial>;
+using SphericalInterpolatorSerial = ArcCoreBench<Vcurve_interpolator_serial>;
 
 TEST_F(SphericalInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

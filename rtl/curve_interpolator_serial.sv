@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Positions along lines, arcs and helices in space, with Splines also along cubics, on one
-// multiplier: the serial build of rtl/spherical_interpolator.sv, the same ports and the same bits
+// multiplier: the serial build of rtl/curve_interpolator.sv, the same ports and the same bits
 // ([Chikurov] Figs. 8 and 10).  Twins: hls/interpolator_kernel.hpp with SphericalKernel, with
 // Splines CurveKernel (hls/curve_kernel.hpp), whose anchors are at every step.
 //
@@ -32,7 +32,7 @@
 //
 // SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp.
 `default_nettype none
-module spherical_interpolator_serial #(
+module curve_interpolator_serial #(
     parameter int Order          = 6,   // [2, 12]
     parameter int CoefBits       = 36,  // [18, 36]
     parameter int PositionBits   = 32,  // [16, 32]
