@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The benchmarks, one run: the kernel beside the same loop by hand, the demo part through the RTL at
-# 100,000 samples a second, the papers' tables. Prints rows and writes build/bench.json.
+# The benchmarks, one run: the kernel beside the same loop by hand, arcs and the demo part through
+# the RTL at 100,000 samples a second, the papers' tables. Prints rows and writes build/bench.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
@@ -16,9 +16,11 @@ for bench in kernel spline; do
 done
 build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
-for build in parallel serial; do
-  rm -rf "build/bench/$build"
-  build/curvecore run tb/data/demo.ngc -o "build/bench/$build" --build "$build" \
-    --sample-period 10us -q
+for part in arcs demo; do
+  for build in parallel serial; do
+    rm -rf "build/bench/$part-$build"
+    build/curvecore run "tb/data/$part.ngc" -o "build/bench/$part-$build" --build "$build" \
+      --sample-period 10us -q
+  done
 done
 python3 scripts/bench_rows.py

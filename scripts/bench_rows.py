@@ -40,18 +40,20 @@ def main():
                     f"{measured:.1f} M samples/s",
                 )
             )
+    parts = (("arcs", "arcs"), ("demo", "demo part, with splines"))
     for build in ("parallel", "serial"):
-        report = json.loads((BENCH / build / "report.json").read_text())
-        clocks = report["simulation_clocks_per_second"]
-        per_sample = report["clocks_per_sample"]
-        rows += [
-            (f"{build}: clocks per sample, demo part", f"{per_sample:.3f}"),
-            (
-                f"{build}: `curvecore run`, every check on",
-                f"{clocks / per_sample / 1e6:.2f} M samples/s",
-            ),
-            (f"{build}: simulation", f"{clocks / 1e6:.1f} M clocks/s"),
-        ]
+        for part, name in parts:
+            report = json.loads((BENCH / f"{part}-{build}" / "report.json").read_text())
+            clocks = report["simulation_clocks_per_second"]
+            per_sample = report["clocks_per_sample"]
+            rows += [
+                (f"{build}: clocks per sample, {name}", f"{per_sample:.3f}"),
+                (
+                    f"{build}: `curvecore run`, every check on, {name}",
+                    f"{clocks / per_sample / 1e6:.2f} M samples/s",
+                ),
+                (f"{build}: simulation, {name}", f"{clocks / 1e6:.1f} M clocks/s"),
+            ]
     (BENCH.parent / "bench.json").write_text(
         json.dumps(
             {"rows": [{"what": what, "measured": measured} for what, measured in rows]}, indent=1

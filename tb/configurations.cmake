@@ -115,7 +115,7 @@ foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,
         4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
   read_row(${size} order coef position guard aux mode)
   set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  core_test(sample_campaign ${name} TOP curve_interpolator_serial
+  core_test(sample_campaign ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
   core_test(spherical_interpolator_serial ${name} TOP curve_interpolator_serial
@@ -127,11 +127,12 @@ endforeach()
 foreach(size 6,36,32,10,0,1 6,36,32,10,0,0 2,18,16,2,1,1 3,30,28,8,1,1 8,36,32,12,2,1
         12,36,32,10,6,1 12,30,31,12,4,0)
   read_row(${size} order coef position guard aux mode)
-  core_test(curve_interpolator_serial
-            serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}
-            TOP curve_interpolator_serial LIBRARIES curvecore_ref
-            PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
-                   GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
+  set(name both_serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
+  foreach(test curve_interpolator_serial sample_campaign)
+    core_test(${test} ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
+              PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
+                     GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
+  endforeach()
 endforeach()
 core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial
           PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
@@ -227,11 +228,12 @@ endforeach()
 foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
         6,36,32,10,0,1,0,2 3,30,28,8,1,1,1,8 8,36,32,12,6,0,1,2)
   read_row(${size} order coef position guard aux mode anchor interval)
-  core_test(curve_interpolator
-            both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval}
-            TOP curve_interpolator LIBRARIES curvecore_ref
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+  set(name both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
+  foreach(test curve_interpolator sample_campaign)
+    core_test(${test} ${name} TOP curve_interpolator LIBRARIES curvecore_ref
+              PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                     AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+  endforeach()
 endforeach()
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
 
@@ -256,3 +258,4 @@ foreach(size 0,0,0,1 0,2,0,4 0,0,1,2 1,0,0,1)
                    Mode=${mode} SampleInterval=${interval} ProfileQueueWords=512)
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
+illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")

@@ -6,6 +6,8 @@
 //     kDensity    2^n samples at least in a step, but for requests that are held
 #pragma once
 
+#include <type_traits>
+
 #include "tb/support/arc_configuration.hpp"
 
 #if __has_include("Vcurve_interpolator.h")
@@ -40,27 +42,39 @@ struct CampaignCore {
 };
 }  // namespace curvecore::tb
 
+#elif __has_include("Vcurve_interpolator_serial.h")
+
+#include "Vcurve_interpolator_serial.h"
+#include "hls/curve_kernel.hpp"
+#include "tb/support/mixed_segments.hpp"
+
+#ifndef CFG_Splines
+#define CFG_Splines 0
+#endif
+
+namespace curvecore::tb {
+struct CampaignCore {
+    using Model = Vcurve_interpolator_serial;
+    using Kernel = hls::CurveKernel<Config>;
+    using Shapes =
+        std::conditional_t<CFG_Splines != 0, MixedSegments<Config>, LegalSegments<Config>>;
+    static constexpr int kSamples = CFG_Splines != 0 ? 100'000 : 200'000;
+    static constexpr int kDensity = 6;
+};
+}  // namespace curvecore::tb
+
 #else
 
-#if __has_include("Vcurve_interpolator_serial.h")
-#include "Vcurve_interpolator_serial.h"
-#else
 #include "Vspherical_interpolator.h"
-#endif
 #include "hls/spherical_kernel.hpp"
 #include "tb/support/legal_segments.hpp"
 
 namespace curvecore::tb {
 struct CampaignCore {
-#if __has_include("Vcurve_interpolator_serial.h")
-    using Model = Vcurve_interpolator_serial;
-    static constexpr int kSamples = 200'000;
-#else
     using Model = Vspherical_interpolator;
-    static constexpr int kSamples = 500'000;
-#endif
     using Kernel = hls::SphericalKernel<Config>;
     using Shapes = LegalSegments<Config>;
+    static constexpr int kSamples = 500'000;
     static constexpr int kDensity = 6;
 };
 }  // namespace curvecore::tb
