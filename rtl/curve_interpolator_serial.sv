@@ -30,7 +30,8 @@
 // A reset of two clocks or more starts afresh; the program's constants come with the device's
 // configuration (serial/word_memory.sv), so memories must be initialised.
 //
-// SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp.
+// SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp; a
+// segment's kind counts with Splines only.
 `default_nettype none
 module curve_interpolator_serial #(
     parameter int Order          = 6,   // [2, 12]

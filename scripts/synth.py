@@ -143,10 +143,10 @@ def main():
     arguments = parser.parse_args()
 
     device = DEVICES[arguments.device]
-    core = (arguments.core, arguments.build)
-    if not arguments.top and core not in TOPS:
+    build = (arguments.core, arguments.build)
+    if not arguments.top and build not in TOPS:
         parser.error(f"there is no {arguments.build} build of {arguments.core}")
-    top, settings = (arguments.top, {}) if arguments.top else TOPS[core]
+    top, settings = (arguments.top, {}) if arguments.top else TOPS[build]
     row = top if arguments.top else f"{arguments.core}-{arguments.build}"
     name = f"{row}-{arguments.device}"
     os.chdir(ROOT)

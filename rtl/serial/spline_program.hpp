@@ -2,56 +2,12 @@
 // Cubics at constant path speed as a program for one multiplier: [Chikurov] Fig. 10 with anchors,
 // every word as hls/spline_kernel.hpp and hls/spline_network.hpp say. A Stieltjes node is one word
 // per order, which the sequencer repeats for every product.
-//
-// Segments are loaded to where those of arcs are: b and a in order 0 of rows 0 2 4 and 1 3 5, c in
-// place of the advance, phi in place of theta.
 #pragma once
 
 #include "rtl/serial/arc_program.hpp"
+#include "rtl/serial/spline_places.hpp"
 
 namespace curvecore::serial {
-
-// Rows of series; X Y Z in the order of the rows.
-constexpr int kq = 16;
-constexpr int kPhi = 17;
-constexpr int kQ = 18;
-constexpr int kR = 19;
-constexpr int kDphi = 20;
-constexpr int kDP = 21;
-constexpr int kV = 22;
-constexpr int kW = 25;
-constexpr int kDV = 28;
-constexpr int kX[3] = {0, 2, 4};  // as arcs' displacements: the same program samples them
-
-// Words of an axis, and others.
-constexpr Address of_axis(int axis, int place) { return {(1 + 2 * axis) << 4 | place}; }
-constexpr Address a_of(int axis) { return of_axis(axis, 0); }
-constexpr Address b_of(int axis) { return in_row(2 * axis); }
-constexpr Address three_a(int axis) { return of_axis(axis, 1); }
-constexpr Address two_c(int axis) { return of_axis(axis, 2); }
-constexpr Address step_a(int axis) { return of_axis(axis, 3); }
-constexpr Address six_a(int axis) { return of_axis(axis, 4); }
-constexpr Address step_b(int axis) { return of_axis(axis, 5); }
-constexpr Address slope(int axis) { return of_axis(axis, 6); }
-constexpr Address mean(int axis) { return of_axis(axis, 7); }
-constexpr Address e_of(int axis) { return of_axis(axis, 8); }
-constexpr Address f_of(int axis) { return of_axis(axis, 9); }
-constexpr Address kv{0x1a};
-constexpr Address kMoved{0x1b};
-constexpr Address kNorm{0x1c};
-constexpr Address kSpeedWord{0x1d};  // m = N phi
-constexpr Address kMinusSpeed{0x1e};
-constexpr Address kNewton{0x1f};  // z = 1 - m phi
-constexpr Address kSquareOfPhi{0x3a};
-constexpr Address kCubeOfPhi{0x3b};
-constexpr Address kDQ{0x3c};
-constexpr Address kSeriesDX[3] = {{0x3d}, {0x3e}, {0x3f}};
-
-/// Powers of two that scale by 2^-shift, 0 unless a shift by CoefBits - 1, or of kLessSix, makes
-/// the scale of them: rtl/serial/scale_words.sv.
-enum Scaling { kMovedScale = 0, kSlopeScale = 2, kAScale = 4, kThreeAScale = 6 };
-constexpr Address right(Scaling scaling) { return {0xb8 + scaling}; }
-constexpr Address left(Scaling scaling) { return {0xb9 + scaling}; }
 
 inline Word sum_of(Address d, Address a, Address b, Scale scale) {
     Word word = make(d, kZero, a, b, scale);
@@ -94,7 +50,7 @@ inline void spline_load(Program& program) {
     add(words, for_axes([](int axis) {
             return make(two_c(axis), kZero, advance(axis), kOne, kLessThree);
         }));
-    words.push_back(make(kv, kZero, kZero, kZero));
+    words.push_back(make(kLowerV, kZero, kZero, kZero));
     words.push_back(make(in_row(kPhi), kZero, kTheta, kOne, kCoef));
     add(words, for_axes([](int axis) {
             return make(step_a(axis), kZero, a_of(axis), right(kAScale), kUnit);
@@ -116,31 +72,36 @@ inline void spline_load(Program& program) {
 
 /// v and phi a step farther on; i = Order.
 inline void spline_step(Program& program) {
-    Words words{marked(sum_of(kMoved, above(in_row(kq, kInner)), kOne, kCoef)),
+    Words words{marked(sum_of(kMoved, above(in_row(kLowerQ, kInner)), kOne, kCoef)),
                 sum_of(in_row(kPhi), in_row(kPhi, kInner), kOne, kCoef),
-                waiting(make(kv, kv, kMoved, right(kMovedScale)))};
+                waiting(make(kLowerV, kLowerV, kMoved, right(kMovedScale)))};
     add(words, auxiliary_origins());
-    words.insert(words.begin() + 7, marked(make(kv, kv, kMoved, left(kMovedScale), kLessSix)));
+    words.insert(words.begin() + 7,
+                 marked(make(kLowerV, kLowerV, kMoved, left(kMovedScale), kLessSix)));
     program.frame(words, kHalt);
 }
 
 /// V, W, phi, S, Q and the origin of v.
 inline Words anchor() {
-    Words words =
-        for_axes([](int axis) { return make(mean(axis), b_of(axis), three_a(axis), kv, kSame); });
+    Words words = for_axes(
+        [](int axis) { return make(mean(axis), b_of(axis), three_a(axis), kLowerV, kSame); });
     words.front().wait = true;
     words.back().mark = true;
-    add(words, for_axes([](int axis) { return make(slope(axis), b_of(axis), three_a(axis), kv); }));
-    add(words, for_axes([](int axis) { return make(e_of(axis), b_of(axis), a_of(axis), kv); }));
-    Words speed = for_axes(
-        [](int axis) { return make(in_row(kV + axis), two_c(axis), mean(axis), kv, kLessThree); });
+    add(words,
+        for_axes([](int axis) { return make(slope(axis), b_of(axis), three_a(axis), kLowerV); }));
+    add(words,
+        for_axes([](int axis) { return make(e_of(axis), b_of(axis), a_of(axis), kLowerV); }));
+    Words speed = for_axes([](int axis) {
+        return make(in_row(kV + axis), two_c(axis), mean(axis), kLowerV, kLessThree);
+    });
     speed.front().wait = true;
     speed.back().mark = true;
     add(words, speed);
     add(words, for_axes([](int axis) {
             return make(in_row(kW + axis), kZero, slope(axis), right(kSlopeScale));
         }));
-    add(words, for_axes([](int axis) { return make(f_of(axis), advance(axis), e_of(axis), kv); }));
+    add(words,
+        for_axes([](int axis) { return make(f_of(axis), advance(axis), e_of(axis), kLowerV); }));
     const Address V[3] = {in_row(kV), in_row(kV + 1), in_row(kV + 2)};
     add(words, {waiting(part_of_sum(V[0], V[0])), part_of_sum(V[1], V[1]),
                 marked(make(kNorm, kZero, V[2], V[2]))});
@@ -149,8 +110,9 @@ inline Words anchor() {
             return make(W, W, slope(axis), left(kSlopeScale), kLessSix);
         }));
     words.push_back(waiting(marked(make(kSpeedWord, kZero, kNorm, in_row(kPhi), kCoef))));
-    add(words,
-        for_axes([](int axis) { return to(kOrigin, 12 + axis, kZero, f_of(axis), kv, kUnit); }));
+    add(words, for_axes([](int axis) {
+            return to(kOrigin, 12 + axis, kZero, f_of(axis), kLowerV, kUnit);
+        }));
     words.push_back(waiting(marked(make(kMinusSpeed, kZero, kSpeedWord, kMinusOne, kCoef))));
     add(words,
         for_axes([](int axis) { return make(step_b(axis), kZero, in_row(kW + axis), kQuarter); }));
@@ -164,11 +126,12 @@ inline Words anchor() {
     return words;
 }
 
-/// One order i of the network; R a step behind.
+/// One order i of the network; R an order behind. A sum that needs the results just marked waits;
+/// what is not urgent stands in between, and between the three that add up DP.
 inline Words network_order() {
     const Address phi = in_row(kPhi, kOrder);
     const Address earlier_phi = below(in_row(kPhi, kRest));
-    Words words{waiting(over_order(in_row(kq, kOrder), below(phi), kUnit))};
+    Words words{waiting(over_order(in_row(kLowerQ, kOrder), below(phi), kUnit))};
     add(words, for_axes([&](int axis) {
             return sum_of(in_row(kDV + axis, kOrder), in_row(kW + axis, kInner), earlier_phi,
                           kCoef);
@@ -187,7 +150,8 @@ inline Words network_order() {
         }));
     words.push_back(power(1));
     add(words, for_axes([](int axis) {
-            return make(in_row(kW + axis, kOrder), kZero, six_a(axis), in_row(kq, kOrder), kCoef);
+            return make(in_row(kW + axis, kOrder), kZero, six_a(axis), in_row(kLowerQ, kOrder),
+                        kCoef);
         }));
     words.push_back(marked(power(2)));
     words.push_back(make(below(in_row(kR, kOrder)), kZero, kSquareOfPhi, kMinusThreeHalves, kUnit));
@@ -206,7 +170,8 @@ inline void spline_expand(Program& program) {
     program.frame(words, kNext);
     program.frame(network_order(), kLoop);
     const Address next{kReciprocal.base + 1, kOrder};
-    program.frame({make(above(in_row(kq, kOrder)), kZero, in_row(kPhi, kOrder), next)}, kHalt, 3);
+    program.frame({make(above(in_row(kLowerQ, kOrder)), kZero, in_row(kPhi, kOrder), next)}, kHalt,
+                  3);
 }
 
 /// Series of the displacements, for the series mode: orders 1 .. Order.
@@ -225,7 +190,7 @@ inline void spline_series(Program& program) {
 /// A sample in polynomial mode: q(tau), then the cubic in it.
 inline void spline_polynomial(Program& program) {
     const Address sum = kSquare;
-    const Address q = in_row(kq, kOrder);
+    const Address q = in_row(kLowerQ, kOrder);
     program.frame({make(sum, q, above(q), kTau)}, kSkip, 3);
     program.frame({make(sum, q, sum, kTau)}, kLoop, 3);
     program.frame({make(kSine, kZero, sum, kTau)}, kNext, 3);
