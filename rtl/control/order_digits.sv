@@ -2,7 +2,7 @@
 // Drives a riemann_integrator with the step size 1: each term u[i-1] of its integrand starts the
 // product by 1/i, which comes as digits, Digits = ceil(Bits / 2).  i = 1 .. Last.
 //
-//   cycle        0         4           Digits + 5
+//   cycle        0         5           Digits + 6
 //   there_i      u[i-1]
 //   there_o                i = 1       i > 1          coef_o = x[i], order_o = i
 //
@@ -38,10 +38,16 @@ module order_digits #(
 
   logic [3:0] order;
   logic [35:0] weight;
-  logic start;
-  assign start  = there_i && order_i < 4'(Last);
+  logic start_q;
+  logic [3:0] order_q;
+  logic [Bits-1:0] weight_q;
   assign order  = order_i + 4'd1;
   assign weight = reciprocal[order];
+  always_ff @(posedge clk_i) begin
+    start_q  <= rst_ni && there_i && order_i < 4'(Last);
+    order_q  <= order;
+    weight_q <= weight[Bits-1:0];
+  end
 
   logic done;
   digit_source #(
@@ -49,8 +55,8 @@ module order_digits #(
   ) u_digits (
       .clk_i,
       .rst_ni,
-      .start_i (start),
-      .weight_i(weight[Bits-1:0]),
+      .start_i (start_q),
+      .weight_i(weight_q),
       .take_o,
       .triple_o,
       .step_o,
@@ -70,7 +76,7 @@ module order_digits #(
       there_o <= collect_o;
     end
   end
-  always_ff @(posedge clk_i) if (start) order_o <= order;
+  always_ff @(posedge clk_i) if (start_q) order_o <= order_q;
 
 endmodule
 `default_nettype wire

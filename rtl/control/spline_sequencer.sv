@@ -13,7 +13,7 @@
 //
 // Each start comes as early as the newest word permits, which a node reads i + 1 clocks later.
 // Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause, before
-// order 3: W[2] has two products by digits before it and comes max(0, 2 weight_digits - 32) clocks
+// order 3: W[2] has two products by digits before it and comes max(0, 2 weight_digits - 31) clocks
 // late.
 //
 // done_o comes with the last word of the step, q[Order] or with Mode 0 perhaps x[Order]; from
@@ -46,11 +46,11 @@ module spline_sequencer #(
 
   localparam int Top = (Anchor != 0) ? Order - 1 : Order;
   localparam int Digits = curvecore_pkg::weight_digits(Bits);
-  localparam int Late = 2 * Digits - 32;
+  localparam int Late = 2 * Digits - 31;
   localparam int Pause = (Late > 0) ? Late : 0;
 
   // From the start of V (of phi with Anchor 0) of the last order.
-  localparam int RestQ = Order + Digits + 5;
+  localparam int RestQ = Order + Digits + 6;
   localparam int RestX = 4 * Order + 15;
   localparam int RestSeries = (RestX > RestQ) ? RestX : RestQ;
   localparam int RestAnchored = (Mode == 0) ? RestSeries : RestQ;

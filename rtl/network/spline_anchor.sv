@@ -198,20 +198,37 @@ module spline_anchor #(
     endcase
   end
 
-  logic        [     6:0] there_q;  // clocks since the operation's last
+  logic        [     5:0] there_q;  // clocks since the operation's last
   logic        [     3:0] sum_kind_q;
   logic        [     1:0] sum_axis_q;
   logic                   minus_q;
   logic signed [Bits-1:0] sum_q;
   logic signed [Bits-1:0] addend_q;
-  logic        [     3:0] made_q;
   logic        [     1:0] made_axis_q;
   logic signed [Bits-1:0] result_q;
-  logic                   made;
-  assign made = there_q[6];
+  logic                   v_there_q;
+  logic                   slope_there_q;
+  logic                   phi_there_q;
+  logic                   square_there_q;
+  logic                   q_there_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) there_q <= 7'd0;
-    else there_q <= {there_q[5:0], run_end};
+    if (!rst_ni) begin
+      there_q        <= 6'd0;
+      v_there_q      <= 1'b0;
+      slope_there_q  <= 1'b0;
+      phi_there_q    <= 1'b0;
+      square_there_q <= 1'b0;
+      q_there_q      <= 1'b0;
+      d_there_o      <= 1'b0;
+    end else begin
+      there_q        <= {there_q[4:0], run_end};
+      v_there_q      <= there_q[5] && sum_kind_q == anchor_pkg::V;
+      slope_there_q  <= there_q[5] && sum_kind_q == anchor_pkg::Slope;
+      phi_there_q    <= there_q[5] && sum_kind_q == anchor_pkg::Phi;
+      square_there_q <= there_q[5] && sum_kind_q == anchor_pkg::S;
+      q_there_q      <= there_q[5] && sum_kind_q == anchor_pkg::Q;
+      d_there_o      <= there_q[5] && sum_kind_q == anchor_pkg::D;
+    end
   end
   always_ff @(posedge clk_i) begin
     c_index_q   <= c_index;
@@ -222,7 +239,6 @@ module spline_anchor #(
     sum_axis_q  <= axis_q;
     minus_q     <= kind_q == anchor_pkg::M || kind_q == anchor_pkg::Q;
     result_q    <= minus_q ? addend_q - sum_q : addend_q + sum_q;
-    made_q      <= sum_kind_q;
     made_axis_q <= sum_axis_q;
   end
 
@@ -325,11 +341,11 @@ module spline_anchor #(
       .three_a_i(three_a),
       .a_i(segment_a),
       .scaled_o(scaled),
-      .v_there_i(made && made_q == anchor_pkg::V),
-      .slope_there_i(made && made_q == anchor_pkg::Slope),
-      .phi_there_i(made && made_q == anchor_pkg::Phi),
-      .square_there_i(made && made_q == anchor_pkg::S),
-      .q_there_i(made && made_q == anchor_pkg::Q),
+      .v_there_i(v_there_q),
+      .slope_there_i(slope_there_q),
+      .phi_there_i(phi_there_q),
+      .square_there_i(square_there_q),
+      .q_there_i(q_there_q),
       .result_axis_i(made_axis_q),
       .result_i(result_q),
       .load_six_a_o,
@@ -344,9 +360,8 @@ module spline_anchor #(
       .word_o
   );
 
-  assign d_there_o = made && made_q == anchor_pkg::D;
-  assign d_axis_o  = made_axis_q;
-  assign d_o       = result_q;
+  assign d_axis_o = made_axis_q;
+  assign d_o      = result_q;
 
 endmodule
 `default_nettype wire

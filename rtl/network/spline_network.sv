@@ -15,9 +15,9 @@
 // moved_o (the sum of q) and phi_end_o (the sum of phi) are complete 2 clocks later.
 //
 // 18 x 18 multipliers: 9, with Mode 0 12; q and W have the time to be made digit after digit.  With
-// Guest = 1 those of Q and R are one outside (half_product of factors_o), which is a guest's until
-// 38 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i]; with
-// Anchor 1 not the last ones, which nobody reads.
+// Guest = 1 those of Q and R are one outside, a half_product of factors_o, which is a guest's until
+// 40 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i];
+// with Anchor 1 not the last ones, which nobody reads.
 `default_nettype none
 module spline_network #(
     parameter int Order    = 6,   // [2, 12]
@@ -278,16 +278,16 @@ module spline_network #(
 
   // One after the other: phi[i], Q[i], R[i].
   localparam int TopCube = (Anchor != 0) ? Order - 2 : Order;
-  localparam int TopSquare = (Anchor != 0) ? Order - 3 : Order;
+  localparam int TopSquare = (Anchor == 0) ? Order : (Order > 3) ? Order - 3 : 0;
+  localparam logic [15:0] CubeOrders = 16'((1 << (TopCube + 1)) - 2);
+  localparam logic [15:0] SquareOrders = 16'((1 << (TopSquare + 1)) - 2);
   localparam int Own = (Guest != 0) ? 0 : 1;
   logic start_cube;
   logic start_square;
   logic [37:0] cube_factors;
   logic [37:0] square_factors;
-  assign start_cube = phi[TermBits-1] && phi[TermBits-2:CoefBits] != 4'd0 &&
-                      $signed(32'(phi[TermBits-2:CoefBits])) <= TopCube;
-  assign start_square = cube[TermBits-1] && cube[TermBits-2:CoefBits] != 4'd0 &&
-                        $signed(32'(cube[TermBits-2:CoefBits])) <= TopSquare;
+  assign start_cube = phi[TermBits-1] && CubeOrders[phi[TermBits-2:CoefBits]];
+  assign start_square = cube[TermBits-1] && SquareOrders[cube[TermBits-2:CoefBits]];
   assign factors_o = cube_factors | square_factors;
 
   stieltjes_integrator #(

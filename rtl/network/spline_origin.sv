@@ -34,15 +34,17 @@ module spline_origin #(
 );
 
   logic aux;
-  logic [4:0] exponent;
+  logic [4:0] down_step_q;
+  logic [4:0] down_segment_q;
   logic [4:0] down_q;
   logic signed [CoefBits-1:0] d_q;
   logic signed [FineBits:0] doubled;
-  assign aux      = axis_i >= 4'd3;
-  assign exponent = aux ? k_i : lambda_i;
+  assign aux = axis_i >= 4'd3;
   always_ff @(posedge clk_i) begin
-    down_q <= 5'(curvecore_pkg::MaxStepExponent) - exponent;
-    d_q    <= d_i;
+    down_step_q    <= 5'(curvecore_pkg::MaxStepExponent) - k_i;
+    down_segment_q <= 5'(curvecore_pkg::MaxStepExponent) - lambda_i;
+    down_q         <= aux ? down_step_q : down_segment_q;
+    d_q            <= d_i;
   end
   fine_scale #(
       .CoefBits (CoefBits),

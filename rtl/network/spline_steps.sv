@@ -11,12 +11,12 @@
 //                                                    Anchor 0: 5, 6 in all but the first step
 //   origin_o of point_axis_o    16 .. 15 + AuxAxes   point_write_o, with end_o: auxiliary axes,
 //                               131, 135, 139        X, Y, Z
-//   q_o                         96 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
+//   q_o                         97 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
 //   done_o                      92 + the network's   last_o, k_o, offset_o, stride_o as well;
 //                                                    Anchor 0: 3 in all but the first step
 //
 // The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
-// and Anchor 1 they are 304.  The next step begins 2 clocks after done_o.
+// and Anchor 1 they are 306.  The next step begins 2 clocks after done_o.
 `default_nettype none
 module spline_steps #(
     parameter int Order     = 6,   // [2, 12]

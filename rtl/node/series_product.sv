@@ -65,11 +65,13 @@ module series_product #(
   logic [3:0] k_q;
   logic       reset_n;
   logic       start_q;  // a clock late, beside what it starts
+  logic       load_q;  // start_q or divide
   logic [3:0] start_order_q;
   logic [3:0] start_top_q;
   logic       pass_end;
   logic       run_end;
   logic       divide;
+  logic       divide_next;
   logic [3:0] top;
   local_copy u_reset (
       .clk_i,
@@ -82,17 +84,19 @@ module series_product #(
   always_ff @(posedge clk_i) begin
     if (!reset_n) begin
       start_q <= 1'b0;
+      load_q  <= 1'b0;
       run_q   <= 1'b0;
     end else begin
       start_q <= start_i;
-      if (start_q || divide) run_q <= 1'b1;
+      load_q  <= start_i || divide_next;
+      if (load_q) run_q <= 1'b1;
       else if (run_end) run_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
     start_order_q <= order_i;
     start_top_q   <= top;
-    if (start_q || divide) begin
+    if (load_q) begin
       divide_q <= divide;
       part_q   <= 2'd0;
       begin_q  <= 1'b1;
@@ -111,9 +115,10 @@ module series_product #(
   // Clocks since the last product of a sum entered.
   logic [4:0] d_q;
   logic [4:0] x_q;
-  assign divide    = (Quotient != 0) && d_q[3];
-  assign d_there_o = d_q[4];
-  assign x_there_o = x_q[4];
+  assign divide      = (Quotient != 0) && d_q[3];
+  assign divide_next = (Quotient != 0) && d_q[2];
+  assign d_there_o   = d_q[4];
+  assign x_there_o   = x_q[4];
   always_ff @(posedge clk_i) begin
     if (!reset_n) begin
       d_q <= 5'd0;

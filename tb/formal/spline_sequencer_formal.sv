@@ -18,7 +18,7 @@ module spline_sequencer_formal (
 
   localparam int Bits = 36;
   localparam int Digits = 18;
-  localparam int Pause = 4;
+  localparam int Pause = 5;
 
   logic started_q = 1'b0;
   logic low_q = 1'b0;  // reset in the clock before
@@ -64,7 +64,7 @@ module spline_sequencer_formal (
     );
 
     // The cycle within an order of the table; order Top + 1 is the rest that Anchor 1 has.
-    localparam int RestQ = Order + Digits + 5;
+    localparam int RestQ = Order + Digits + 6;
     localparam int RestX = 4 * Order + 15;
     localparam int Rest = (Mode == 0 && RestX > RestQ) ? RestX : RestQ;
     logic [3:0] order_q;  // 0: idle

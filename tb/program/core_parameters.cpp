@@ -52,8 +52,8 @@ int CoreParameters::spline_latency() const {
     const int digits = (coef_bits + 1) / 2;
     const int top = order - 1;
     const int series = mode == 0 ? 4 * order + 15 : 0;
-    const int rest = std::max(series, order + digits + 5);
-    return 92 + 9 * top * (top + 1) / 2 + 27 * top + std::max(0, 2 * digits - 32) + rest + 1 + 2;
+    const int rest = std::max(series, order + digits + 6);
+    return 92 + 9 * top * (top + 1) / 2 + 27 * top + std::max(0, 2 * digits - 31) + rest + 1 + 2;
 }
 
 std::string CoreParameters::text() const {

@@ -15,7 +15,7 @@ constexpr int kOrder = Config::kOrder;
 // As stated in the headers of the RTL.
 constexpr int kDigits = (Config::kCoefBits + 1) / 2;
 constexpr int kTop = Config::kAnchor ? kOrder - 1 : kOrder;
-constexpr int kStepClocks = 94 + 9 * kTop * (kTop + 1) / 2 + 27 * kTop + 12 * kOrder + 53 + kDigits;
+constexpr int kStepClocks = 94 + 9 * kTop * (kTop + 1) / 2 + 27 * kTop + 12 * kOrder + 55 + kDigits;
 constexpr int kLoop = kInterval == 1 ? 6 : kInterval == 2 ? 7 : 9;
 constexpr int horner_clocks(int passes) { return passes * kLoop + (kInterval == 1 ? 1 : 0); }
 constexpr int kSamplerClocks = horner_clocks(kOrder) + (CFG_Mode == 0 ? 0 : horner_clocks(3));

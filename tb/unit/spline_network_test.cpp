@@ -30,8 +30,8 @@ using Coef = hls::Word<kBits>;
 // As stated in the header of the sequencer.
 constexpr int kTop = Network::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 31) : 0;
+constexpr int kRestQ = kOrder + kDigits + 6;
 constexpr int kRest = !kAnchor  ? 12 * kOrder + 46 + (kOrder == 2 ? 14 : 0)
                       : kSeries ? std::max(kRestQ, 4 * kOrder + 15)
                                 : kRestQ;

@@ -47,8 +47,8 @@ struct Kernel : hls::SplineKernel<Config> {
 // As stated in the headers of the RTL.
 constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kPause = kTop >= (kAnchor ? 2 : 3) ? std::max(0, 2 * kDigits - 32) : 0;
-constexpr int kRestQ = kOrder + kDigits + 5;
+constexpr int kPause = kTop >= (kAnchor ? 2 : 3) ? std::max(0, 2 * kDigits - 31) : 0;
+constexpr int kRestQ = kOrder + kDigits + 6;
 constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
 constexpr int kRestStates = 9 * kOrder + 32 + (kOrder == 2 ? 14 : 0);
 constexpr int kNetwork =
