@@ -66,6 +66,11 @@ foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
             PARAMS CoefBits=${coef} Anchor=${anchor} Form=${form})
 endforeach()
 
+illegal_parameter_test(spline_anchor CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(spline_anchor Anchor=2 "Anchor must be 0 or 1")
+illegal_parameter_test(spline_anchor Own=2 "Own must be 0 or 1")
+illegal_parameter_test(spline_anchor Form=2 "Form must be 0 or 1")
+
 # Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
 foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
         2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
@@ -76,6 +81,16 @@ foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10
             PARAMS Order=${order} CoefBits=${coef} FineBits=${fine} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
 endforeach()
+illegal_parameter_test(spline_steps Order=1 "Order must be in .2, 12.")
+illegal_parameter_test(spline_steps CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(spline_steps FineBits=45 "FineBits must be in .18, 44.")
+illegal_parameter_test(spline_steps GuardBits=1 "GuardBits must be in .2, 12.")
+illegal_parameter_test(spline_steps AuxAxes=7 "AuxAxes must be in .0, 6.")
+illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
+illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
+illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
+illegal_parameter_test(spline_steps Anchor=0,Mode=0 "Anchor 0 works with Mode 1 only")
+illegal_parameter_test(spline_interpolator Anchor=0,Mode=0 "Anchor 0 works with Mode 1 only")
 
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
@@ -189,7 +204,7 @@ foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endforeach()
-foreach(core spherical_interpolator curve_interpolator_serial)
+foreach(core spherical_interpolator spline_interpolator curve_interpolator curve_interpolator_serial)
   illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
   illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
   illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")
@@ -223,6 +238,7 @@ foreach(size ${spline_sizes}
         11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8 12,25,22,6,2,0,1,2)
   spline_configuration(sample_campaign ${size})
 endforeach()
+illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
 
 # The core for both kinds: the same.
 foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4

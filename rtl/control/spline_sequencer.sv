@@ -24,6 +24,7 @@
 //
 // with Order 2 and Anchor 0 14 more: when spline_anchor has the step's position, too.
 // A state's length and its successor are looked up in registers, a clock late: states are longer.
+// ready_o comes a clock after done_o.
 `default_nettype none
 module spline_sequencer #(
     parameter int Order  = 6,   // [2, 12]
@@ -81,7 +82,7 @@ module spline_sequencer #(
   logic [3:0] next_order;
   logic [3:0] next_order_q;
   logic       turn_q;
-  assign ready_o = state_q == Idle;
+  assign ready_o = state_q == Idle && next_q == V;
   always_comb begin
     next       = state_q;
     next_order = order_o;

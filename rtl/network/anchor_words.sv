@@ -121,10 +121,12 @@ module anchor_words #(
   );
 
   logic       from_scale;
+  logic [1:0] late_axis;
   logic [2:0] scaled_axis;
   logic [2:0] result_axis;
   assign from_scale  = slope_scaled_q[3] || three_a_scaled_q[3] || a_scaled_q[3];
-  assign scaled_axis = 3'b001 << axis_q[3];
+  assign late_axis   = axis_q[3];
+  assign scaled_axis = 3'b001 << late_axis;
   assign result_axis = 3'b001 << result_axis_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

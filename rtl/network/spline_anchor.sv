@@ -63,6 +63,11 @@ module spline_anchor #(
     input  wire logic [35:0] product_i
 );
 
+  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial if (Own < 0 || Own > 1) $fatal(1, "Own must be 0 or 1");
+  initial if (Form < 0 || Form > 1) $fatal(1, "Form must be 0 or 1");
+
   localparam int Bits = CoefBits;
 
   // Time since begin_i; 0: at rest.

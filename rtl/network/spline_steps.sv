@@ -71,6 +71,14 @@ module spline_steps #(
     output logic [CoefBits+4:0] z_o
 );
 
+  initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
+  initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial if (FineBits < 18 || FineBits > 44) $fatal(1, "FineBits must be in [18, 44]");
+  initial if (GuardBits < 2 || GuardBits > 12) $fatal(1, "GuardBits must be in [2, 12]");
+  initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
+  initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
+  initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial if (Form < 0 || Form > 1) $fatal(1, "Form must be 0 or 1");
   initial if (Anchor == 0 && Mode == 0) $fatal(1, "Anchor 0 works with Mode 1 only");
 
   logic load_q;  // the present step is the first of its segment

@@ -21,16 +21,17 @@ function(core_test test configuration)
                        PROPERTIES LABELS unit)
 endfunction()
 
-# illegal_parameter_test(<module> Name=Value "message")
-# The module refuses the parameter when elaborated, and says why.
+# illegal_parameter_test(<module> Name=Value[,Name=Value ...] "message")
+# The module refuses the parameters when elaborated, and says why.
 find_program(IVERILOG iverilog REQUIRED)
 find_program(VVP vvp REQUIRED)
 function(illegal_parameter_test module parameter message)
   rtl_file(${module} file)
   set(name unit.${module}.Rejects.${parameter})
+  string(REPLACE "," ";-P${module}." parameters ${parameter})
   add_test(NAME ${name}
            COMMAND ${PROJECT_SOURCE_DIR}/tb/cmake/elaborate.sh ${IVERILOG} ${VVP} -s ${module}
-                   -P${module}.${parameter} -Y .sv ${RTL_SEARCH} ${RTL_PACKAGES} ${file})
+                   -P${module}.${parameters} -Y .sv ${RTL_SEARCH} ${RTL_PACKAGES} ${file})
   set_tests_properties(${name} PROPERTIES LABELS unit
                        PASS_REGULAR_EXPRESSION "FATAL: [^\n]*${message}")
 endfunction()

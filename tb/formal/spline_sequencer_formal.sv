@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/control/spline_sequencer.sv: every start that is taken runs through the orders of the table in
 // its header, each control in its cycle and in no other, and leads to done in the clocks stated;
-// starts are taken in idle only and none of those is lost. Anchor 0 with Mode 1, 1 with 0. A reset
-// lasts two clocks, and starts nothing.
+// starts are taken in idle only and none of those is lost. Order 2 with Anchor 0 and
+// Mode 1, order 3 with 1 and 0. A reset lasts two clocks, and starts nothing.
 // control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
 // control: HURRIES_PHI s/7'(3 \* i + 13);/7'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
@@ -16,10 +16,9 @@ module spline_sequencer_formal (
     input wire logic start_i
 );
 
-  localparam int Order = 3;
   localparam int Bits = 36;
   localparam int Digits = 18;
-  localparam int Pause = 4;
+  localparam int Pause = 5;
 
   logic started_q = 1'b0;
   logic low_q = 1'b0;  // reset in the clock before
@@ -35,6 +34,7 @@ module spline_sequencer_formal (
   end
 
   for (genvar Anchor = 0; Anchor < 2; Anchor = Anchor + 1) begin : g_anchor
+    localparam int Order = 2 + Anchor;
     localparam int Mode = 1 - Anchor;
     localparam int Top = Order - Anchor;
 
@@ -64,23 +64,23 @@ module spline_sequencer_formal (
     );
 
     // The cycle within an order of the table; order Top + 1 is the rest that Anchor 1 has.
-    localparam int RestQ = Order + Digits + 5;
+    localparam int RestQ = Order + Digits + 6;
     localparam int RestX = 4 * Order + 15;
     localparam int Rest = (Mode == 0 && RestX > RestQ) ? RestX : RestQ;
     logic [3:0] order_q;  // 0: idle
     logic [6:0] at_q;
     logic [6:0] length;
     logic was_last_q;
-      logic inside;
+    logic under_way;
     logic [6:0] p_at;
     logic [6:0] phi_at;
-    assign inside = order_q != 4'd0 && order_q <= 4'(Top);
-    assign p_at   = 7'(3 * order_q + 7);
+    assign under_way = order_q != 4'd0 && order_q <= 4'(Top);
+    assign p_at = 7'(3 * order_q + 7);
     assign phi_at = 7'(6 * order_q + 14);
     always_comb begin
       length = 7'(9 * order_q + 27);
       if (order_q == 4'd2) length = 7'(9 * 2 + 27 + Pause);
-      if (order_q == 4'(Top) && Anchor == 0) length = 7'(18 * Order + 59);
+      if (order_q == 4'(Top) && Anchor == 0) length = 7'(6 * Order + 13 + 84);
       if (order_q == 4'(Top + 1)) length = 7'(Rest);
     end
     always_ff @(posedge clk_i) begin
@@ -91,8 +91,8 @@ module spline_sequencer_formal (
       end else begin
         was_last_q <= order_q == 4'(Order) && at_q == length;
         if (order_q == 4'd0) begin
-          order_q <= {3'b0, start_i};
-          at_q    <= {6'b0, start_i};
+          order_q <= {3'b0, start_i && !was_last_q};
+          at_q    <= {6'b0, start_i && !was_last_q};
         end else if (at_q == length) begin
           order_q <= (order_q == 4'(Order)) ? '0 : order_q + 4'd1;
           at_q    <= 7'd1;
@@ -104,15 +104,15 @@ module spline_sequencer_formal (
 
     always_comb begin
       if (started_q && rst_ni) begin
-        assert (ready == (order_q == 4'd0));
-        assert (start_v == (inside && at_q == 7'd1));
+        assert (ready == (order_q == 4'd0 && !was_last_q));
+        assert (start_v == (under_way && at_q == 7'd1));
         assert (start_x == (order_q != 4'd0 && at_q == 7'd1));
-        assert (start_p == (inside && at_q == p_at));
-        assert (start_phi == (inside && at_q == phi_at));
+        assert (start_p == (under_way && at_q == p_at));
+        assert (start_phi == (under_way && at_q == phi_at));
         if (start_v || start_x || start_p || start_phi) assert (order == order_q);
         assert (done == was_last_q);
 
-        cover (done && start_i);
+        cover (done);
       end
     end
   end
