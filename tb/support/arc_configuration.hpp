@@ -9,6 +9,10 @@
 #define CFG_MultiplierForm 0
 #endif
 
+#ifndef CFG_SampleInterval
+#define CFG_SampleInterval 1
+#endif
+
 #ifndef CFG_Anchor
 #define CFG_Anchor 1
 #endif
