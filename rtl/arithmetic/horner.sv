@@ -56,8 +56,7 @@ module horner #(
   initial if (Lanes < 1 || Lanes > 6) $fatal(1, "Lanes must be in [1, 6]");
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
   initial if (Shift < 16 || Shift >= Bits) $fatal(1, "Shift must be in [16, Bits - 1]");
-  initial
-    if (LastShift < 16 || LastShift >= Bits) $fatal(1, "LastShift must be in [16, Bits - 1]");
+  initial if (LastShift < 16 || LastShift >= Bits) $fatal(1, "LastShift must be in [16, Bits - 1]");
   initial
     if (LastShift != Shift && Interval == 2 && Passes % 2 == 0)
       $fatal(1, "LastShift needs the last pass alone in its stage");

@@ -96,10 +96,8 @@ module spline_anchor_formal (
       Again : assert (again == (cycle_q == 8'd3 && quiet));
       SixA : assert (six_a == {cycle_q == 8'd14, cycle_q == 8'd11, cycle_q == 8'd8});
       StepA : assert (step_a == {cycle_q == 8'd15, cycle_q == 8'd12, cycle_q == 8'd9});
-      V :
-      assert (v == ({3{loud_q}} & {cycle_q == 8'd40, cycle_q == 8'd36, cycle_q == 8'd32}));
-      W :
-      assert (w == ({3{loud_q}} & {cycle_q == 8'd76, cycle_q == 8'd65, cycle_q == 8'd48}));
+      V : assert (v == ({3{loud_q}} & {cycle_q == 8'd40, cycle_q == 8'd36, cycle_q == 8'd32}));
+      W : assert (w == ({3{loud_q}} & {cycle_q == 8'd76, cycle_q == 8'd65, cycle_q == 8'd48}));
       Phi : assert (phi == (loud_q && cycle_q == 8'd90));
       R : assert (r == (loud_q && cycle_q == 8'd102));
       Q : assert (q == (loud_q && cycle_q == 8'd112));
