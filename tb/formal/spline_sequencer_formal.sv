@@ -71,10 +71,10 @@ module spline_sequencer_formal (
     logic [6:0] at_q;
     logic [6:0] length;
     logic was_last_q;
-    logic under_way;
+    logic in_order;
     logic [6:0] p_at;
     logic [6:0] phi_at;
-    assign under_way = order_q != 4'd0 && order_q <= 4'(Top);
+    assign in_order = order_q != 4'd0 && order_q <= 4'(Top);
     assign p_at = 7'(3 * order_q + 7);
     assign phi_at = 7'(6 * order_q + 14);
     always_comb begin
@@ -105,10 +105,10 @@ module spline_sequencer_formal (
     always_comb begin
       if (started_q && rst_ni) begin
         assert (ready == (order_q == 4'd0 && !was_last_q));
-        assert (start_v == (under_way && at_q == 7'd1));
+        assert (start_v == (in_order && at_q == 7'd1));
         assert (start_x == (order_q != 4'd0 && at_q == 7'd1));
-        assert (start_p == (under_way && at_q == p_at));
-        assert (start_phi == (under_way && at_q == phi_at));
+        assert (start_p == (in_order && at_q == p_at));
+        assert (start_phi == (in_order && at_q == phi_at));
         if (start_v || start_x || start_p || start_phi) assert (order == order_q);
         assert (done == was_last_q);
 
