@@ -153,8 +153,8 @@ module horner #(
     // The last pass is alone in its stage up to Interval = 2, else it has its phase.
     localparam int Own = (s == Stages - 1 && Interval <= 2) ? LastShift : Shift;
     localparam int Other = (s == Stages - 1) ? LastShift : Shift;
-    logic last;
-    assign last = phase == 3'((Passes - 1) % Interval);
+    logic next_last;
+    assign next_last = next_phase == 3'((Passes - 1) % Interval);
     for (genvar l = 0; l < Lanes; l++) begin : g_lane
       horner_stage #(
           .Bits(Bits),
@@ -172,7 +172,7 @@ module horner #(
           .write_coef_i(write_coef_i[l*Bits+:Bits]),
           .address_i(address),
           .first_i(first),
-          .last_i(last),
+          .next_last_i(next_last),
           .x_i(x),
           .previous_i(late[s*Lanes+l]),
           .late_o(late[(s+1)*Lanes+l])

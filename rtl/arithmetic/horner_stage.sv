@@ -18,7 +18,7 @@
 module horner_stage #(
     parameter int Bits      = 36,     // [18, 36]
     parameter int Shift     = 35,     // [0, 35]
-    parameter int LastShift = Shift,  // [1, 35] where last_i says so; Interval > 2
+    parameter int LastShift = Shift,  // [1, 35] for the last pass; Interval > 2
     parameter int Address   = 2,      // [1, 8] coefficients: Interval passes of every bank
     parameter int Interval  = 1,      // 1, 2, 4, 8 passes
     parameter int First     = 1,      // 1: no stage before
@@ -35,7 +35,7 @@ module horner_stage #(
     // Passes
     input  wire logic        [Address-1:0] address_i,
     input  wire logic                      first_i,
-    input  wire logic                      last_i,      // Loop - 1 clocks after its address
+    input  wire logic                      next_last_i,  // a clock before late_o is registered
     input  wire logic signed [   Bits-1:0] x_i,
     input  wire logic signed [   Bits-1:0] previous_i,
     output logic signed      [   Bits-1:0] late_o
@@ -111,6 +111,12 @@ module horner_stage #(
 
   if (Mixed != 0) begin : g_mixed
     // Of two shifts: the exact product from the bit of one half upwards, rounded here.
+    logic is_last;
+    local_copy u_last (
+        .clk_i,
+        .data_i(next_last_i),
+        .data_o(is_last)
+    );
     logic signed [Bits:0] plain;
     logic signed [Bits:0] last;
     logic signed [Bits:0] halves;
@@ -118,7 +124,7 @@ module horner_stage #(
     logic signed [Bits:0] rounded;
     assign plain   = product[Shift-1+:Bits+1];
     assign last    = product[LastShift-1+:Bits+1];
-    assign halves  = last_i ? last : plain;
+    assign halves  = is_last ? last : plain;
     assign one     = (Bits + 1)'(2'sd1);
     assign rounded = halves + one;
     always_ff @(posedge clk_i) begin
@@ -127,7 +133,7 @@ module horner_stage #(
   end else begin : g_rounded
     logic unused_last;
     logic signed [Bits-1:0] pass;
-    assign unused_last = last_i;
+    assign unused_last = next_last_i;
     assign pass = product[Bits-1:0];
     if (Interval > 2) begin : g_late
       always_ff @(posedge clk_i) begin

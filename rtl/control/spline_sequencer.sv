@@ -66,19 +66,19 @@ module spline_sequencer #(
   } state_t;
 
   // Clocks of a state, less one, by order.
-  logic [6:0] v_clocks  [16];
-  logic [6:0] p_clocks  [16];
-  logic [6:0] phi_clocks[16];
+  logic [7:0] v_clocks  [16];
+  logic [7:0] p_clocks  [16];
+  logic [7:0] phi_clocks[16];
   for (genvar i = 0; i < 16; i++) begin : g_clocks
-    assign v_clocks[i]   = 7'(3 * i + 5);
-    assign p_clocks[i]   = 7'(3 * i + 6);
-    assign phi_clocks[i] = (i == 2) ? 7'(3 * i + 13 + Pause) : 7'(3 * i + 13);
+    assign v_clocks[i]   = 8'(3 * i + 5);
+    assign p_clocks[i]   = 8'(3 * i + 6);
+    assign phi_clocks[i] = (i == 2) ? 8'(3 * i + 13 + Pause) : 8'(3 * i + 13);
   end
 
   state_t state_q, next, next_q;
-  logic [6:0] count_q;
-  logic [6:0] clocks;
-  logic [6:0] clocks_q;
+  logic [7:0] count_q;
+  logic [7:0] clocks;
+  logic [7:0] clocks_q;
   logic [3:0] next_order;
   logic [3:0] next_order_q;
   logic       turn_q;
@@ -102,7 +102,7 @@ module spline_sequencer #(
         clocks = phi_clocks[order_o];
         if (Anchor == 0 && order_o == 4'(Order)) begin
           next   = Last;
-          clocks = 7'(Rest - 1);
+          clocks = 8'(Rest - 1);
         end
       end
       Phi: begin
@@ -111,7 +111,7 @@ module spline_sequencer #(
         clocks     = v_clocks[next_order];
         if (Anchor != 0 && order_o == 4'(Top)) begin
           next   = Last;
-          clocks = 7'(Rest - 1);
+          clocks = 8'(Rest - 1);
         end
       end
       default: next = Idle;
@@ -141,8 +141,8 @@ module spline_sequencer #(
     next_q       <= next;
     next_order_q <= next_order;
     clocks_q     <= clocks;
-    turn_q       <= !go && count_q == 7'd1;
-    count_q      <= go ? clocks_q : count_q - 7'd1;
+    turn_q       <= !go && count_q == 8'd1;
+    count_q      <= go ? clocks_q : count_q - 8'd1;
     if (go && next_q != Idle) order_o <= next_order_q;
   end
 

@@ -52,23 +52,23 @@ module anchor_program (
     at = {kind, axis};
   endfunction
 
-  // It is looked up four clocks ahead, by a time of its own, in two: all quarters, then one.
+  // It is looked up four clocks ahead, by a time of its own, in two: all eighths, then one.
   logic [7:0] time_q;
-  logic [1:0] quarter_q;
-  logic [5:0] found_q[4];
+  logic [2:0] eighth_q;
+  logic [5:0] found_q[8];
   logic [3:0] kind;
   logic [1:0] kind_axis;
   always_ff @(posedge clk_i) begin
-    time_q    <= rst_ni ? time_i : 8'd0;
-    quarter_q <= time_q[7:6];
+    time_q   <= rst_ni ? time_i : 8'd0;
+    eighth_q <= time_q[7:5];
   end
-  for (genvar q = 0; q < 4; q++) begin : g_quarter
+  for (genvar e = 0; e < 8; e++) begin : g_eighth
     logic [7:0] now;
-    assign now = {2'(q), time_q[5:0]};
-    always_ff @(posedge clk_i) found_q[q] <= at(now);
+    assign now = {3'(e), time_q[4:0]};
+    always_ff @(posedge clk_i) found_q[e] <= at(now);
   end
   always_ff @(posedge clk_i) begin
-    {kind, kind_axis} <= rst_ni ? found_q[quarter_q] : {anchor_pkg::Nothing, 2'd0};
+    {kind, kind_axis} <= rst_ni ? found_q[eighth_q] : {anchor_pkg::Nothing, 2'd0};
   end
 
   // Its four passes, of three clocks for N.

@@ -15,7 +15,7 @@
 //
 // Of n clocks each there are four passes.  u[n-1] and s[First] are read at first, u[0] and
 // s[First+n-1] last: what is written in cycle c may be read in c+1, so the newest s in cycle n+1.
-// Twin: hls/series_node.hpp.
+// Reset acts as series_state's.  Twin: hls/series_node.hpp.
 `default_nettype none
 module series_product #(
     parameter int Bits          = 36,  // [18, 36]

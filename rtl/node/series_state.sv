@@ -6,6 +6,8 @@
 //   x_i        x[i], there             x_o = x[i], kept until the next
 //   load_i     1, initial_i = x[0]     x_o = x[0]
 //   again_i    1                       x_o = x[0] = state_o
+//
+// Reset acts a clock late, in a register beside the node: nothing may come in the clock after it.
 `default_nettype none
 module series_state #(
     parameter int Bits = 36  // [18, 36]

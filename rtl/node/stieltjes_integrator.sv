@@ -14,6 +14,7 @@
 //   load_i                                    a clock later x[0] = initial_i
 //   again_i                                   a clock later x[0] = state_o
 //
+// Reset acts a clock late, in registers beside the node: nothing may come in the clock after it.
 // Rounding: one for D, one for x; x has Drop fraction bits less than D.  No saturation: the planner
 // sees to the ranges.
 `default_nettype none

@@ -28,6 +28,7 @@ class StieltjesIntegrator : public testing::Test {
         dut_->u_i = 0;
         dut_->s_i = 0;
         dut_.reset();
+        dut_.tick();  // the nodes' reset is a clock late
     }
 
     void tick() {
