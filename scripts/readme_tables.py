@@ -115,12 +115,16 @@ def throughput():
 
 def synthesis():
     rows = []
-    for file in sorted((BUILD / "synth").glob("spherical-*.json")):
+    cores = re.compile(r"(spherical|spline|curve)-(parallel|serial)-\w+")
+    for file in sorted((BUILD / "synth").glob("*.json")):
+        if not cores.match(file.stem):
+            continue
         r = json.loads(file.read_text())
         interval = r["parameters"]["SampleInterval"] if "parallel" in file.stem else "20 to 50"
         rows.append(
             (
                 file.stem,
+                "series" if int(r["parameters"]["Mode"]) == 0 else "polynomial",
                 interval,
                 f"{r['fmax_mhz']:.0f}",
                 r["lut4"],
@@ -132,8 +136,8 @@ def synthesis():
         )
     if not rows:
         return None
-    head = ["core-build-device", "clocks per sample", "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"]
-    return table(head, rows)
+    head = ["core-build-device", "sampler", "clocks per sample", "MHz", "LUT4", "FF", "DSP", "BRAM"]
+    return table([*head, "seeds"], rows)
 
 
 def equality():
