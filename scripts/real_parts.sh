@@ -13,6 +13,7 @@ examples+=/non_trivial_kinematics/table-rotary-tilting/examples
 parts=(
   usr/share/linuxcnc/ncfiles/arcspiral.ngc
   "$examples/impeller-7bl-xyzac.ngc"
+  systems.ngc
 )
 
 mkdir -p "$folder"
@@ -21,6 +22,28 @@ if ! [ -e "$folder/usr" ]; then
   dpkg-deb --extract "$folder"/linuxcnc-uspace_*.deb "$folder"
   rm "$folder"/linuxcnc-uspace_*.deb
 fi
+
+# A text in splines (G5.1), whose numbers are expressions: those are worked out first.
+python3 - "$folder/usr/share/linuxcnc/ncfiles/systems.ngc" >"$folder/systems.ngc" <<'PYTHON'
+import re
+import sys
+
+values = {}
+
+
+def number(text):
+    text = re.sub(r"#(\d+)", lambda name: repr(values[int(name[1])]), text)
+    return eval(text.replace("[", "(").replace("]", ")"), {"__builtins__": {}})
+
+
+for line in open(sys.argv[1], errors="replace"):
+    line = re.sub(r"\([^)]*\)|;.*", "", line).strip()
+    assignment = re.match(r"#(\d+)\s*=\s*(.*)", line)
+    if assignment:
+        values[int(assignment[1])] = number(assignment[2])
+        line = ""
+    print(re.sub(r"\[[^\]]*\]|#\d+", lambda word: f"{number(word[0]):.6f}", line))
+PYTHON
 
 for part in "${parts[@]}"; do
   out=$folder/$(basename "$part" .ngc)
