@@ -265,13 +265,14 @@ illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
-# The whole core: build, auxiliary axes, mode, interval.
-foreach(size 0,0,0,1 0,2,0,4 0,0,1,2 1,0,0,1)
-  read_row(${size} build aux mode interval)
-  core_test(motion_interpolator build${build}_a${aux}_m${mode}_i${interval} TOP motion_interpolator
-            LIBRARIES Eigen3::Eigen
+# The whole core: build, auxiliary axes, splines, mode, interval.
+foreach(size 0,0,0,0,1 0,2,0,0,4 0,0,0,1,2 0,0,1,0,1 0,1,1,1,4 1,0,0,0,1 1,0,1,1,1)
+  read_row(${size} build aux splines mode interval)
+  core_test(motion_interpolator build${build}_a${aux}_s${splines}_m${mode}_i${interval}
+            TOP motion_interpolator LIBRARIES curvecore_ref
             PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
-                   Mode=${mode} SampleInterval=${interval} ProfileQueueWords=512)
+                   Splines=${splines} Mode=${mode} SampleInterval=${interval}
+                   ProfileQueueWords=512)
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")

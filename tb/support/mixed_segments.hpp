@@ -2,7 +2,9 @@
 // Seeded segments of both kinds, for a core that draws lines, arcs and splines.
 #pragma once
 
+#include <algorithm>
 #include <random>
+#include <vector>
 
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/spline_segments.hpp"
@@ -14,10 +16,25 @@ class MixedSegments {
   public:
     using Words = hls::SegmentWords<C>;
 
-    explicit MixedSegments(std::uint64_t seed)
-        : random_(seed), arcs_(seed, kArcExponent), splines_(seed) {}
+    /// Arcs have steps of 2^longest units at most: a request that passes an arc's steps may pass
+    /// hundreds of a spline's.
+    explicit MixedSegments(std::uint64_t seed, int longest = 12)
+        : random_(seed), arcs_(seed, longest), splines_(seed) {}
 
     Words next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
+
+    /// Segments of `length` quanta in all, as LegalSegments has them; each of 2^longest units at
+    /// most.
+    std::vector<Words> chain(std::int64_t length, int longest) {
+        std::vector<Words> segments;
+        while (length > 0) {
+            segments.push_back(next());
+            segments.back().length = std::min(
+                {length, segments.back().length, std::int64_t{1} << (longest + hls::kPathFrac)});
+            length -= segments.back().length;
+        }
+        return segments;
+    }
 
     /// One of either kind in turn.
     Words whole(int k, int steps) {
@@ -26,9 +43,6 @@ class MixedSegments {
     }
 
   private:
-    // A request that passes an arc's steps passes hundreds of a spline's.
-    static constexpr int kArcExponent = 12;
-
     std::mt19937_64 random_;
     LegalSegments<C> arcs_;
     SplineSegments<C> splines_;

@@ -9,12 +9,15 @@
 #include <random>
 
 #include "Vmotion_interpolator.h"
-#include "hls/interpolator_kernel.hpp"
+#include "hls/curve_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
 #include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
 #include "tb/support/legal_segments.hpp"
+#if CFG_Splines
+#include "tb/support/mixed_segments.hpp"
+#endif
 #include "tb/support/port_word.hpp"
 #include "tb/support/random_pieces.hpp"
 
@@ -52,8 +55,13 @@ class MotionInterpolator : public testing::Test {
 
     /// A program, after those before it: `pieces` and random segments as long.
     void program(const std::vector<hls::ProfileWords>& pieces) {
+#if CFG_Splines
+        MixedSegments<C> shapes(random_(), kMaxStepExponent);
+        segments(shapes.chain(profile(pieces), kMaxStepExponent));
+#else
         LegalSegments<C> shapes(random_(), kMaxStepExponent);
         segments(shapes.chain(profile(pieces)));
+#endif
     }
 
     /// Returns the length of the path.
@@ -234,7 +242,7 @@ class MotionInterpolator : public testing::Test {
 
     hls::PathKernel path_kernel_;
     hls::SampleShare share_{0};
-    hls::InterpolatorKernel<C> kernel_;
+    hls::MotionKernel<C> kernel_;
     int32_t rate_ = 65536;
     int32_t rate_before_ = 65536;
     int64_t path_ = 0;
