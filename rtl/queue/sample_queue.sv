@@ -34,6 +34,8 @@ module sample_queue #(
   logic                 more;
   logic [PlaceBits-1:0] write_q;
   logic [PlaceBits-1:0] read_q;
+  logic [PlaceBits-1:0] next_read;
+  logic [PlaceBits-1:0] next_write;
   logic [  PlaceBits:0] admitted_q;
   logic [  PlaceBits:0] count_q;  // in the memory
   logic                 stored_q;  // count_q != 0
@@ -42,8 +44,6 @@ module sample_queue #(
   assign fetch = stored_q && (!valid_o || ready_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      write_q    <= '0;
-      read_q     <= '0;
       admit_q    <= 1'b0;
       take_q     <= 1'b0;
       admitted_q <= '0;
@@ -52,8 +52,6 @@ module sample_queue #(
       count_q    <= '0;
       stored_q   <= 1'b0;
     end else begin
-      if (push_i) write_q <= write_q + 1'b1;
-      if (fetch) read_q <= read_q + 1'b1;
       if (push_i && !fetch) count_q <= count_q + 1'b1;
       if (fetch && !push_i) count_q <= count_q - 1'b1;
       stored_q <= push_i || (fetch ? more : stored_q);
@@ -68,11 +66,39 @@ module sample_queue #(
     end
   end
 
-  // Not in block RAM: its output is there late in the clock, and samples leave from here.
-  (* ram_style = "distributed" *) logic [Bits-1:0] memory[Depth];
+  // Not in block RAM: its output is there late in the clock, and samples leave from here.  Slices,
+  // each with its own places: a queue of many samples is wide and deep.
+  localparam int Slice = 37;
+  localparam int Slices = (Bits + Slice - 1) / Slice;
+  always_comb begin
+    next_read  = fetch ? read_q + 1'b1 : read_q;
+    next_write = push_i ? write_q + 1'b1 : write_q;
+    if (!rst_ni) begin
+      next_read  = '0;
+      next_write = '0;
+    end
+  end
   always_ff @(posedge clk_i) begin
-    if (push_i) memory[write_q] <= data_i;
-    if (fetch) data_o <= memory[read_q];
+    write_q <= next_write;
+    read_q  <= next_read;
+  end
+  for (genvar s = 0; s < Slices; s++) begin : g_slice
+    localparam int Low = s * Slice;
+    localparam int Width = (Bits - Low < Slice) ? Bits - Low : Slice;
+    logic [PlaceBits-1:0] read;
+    logic [PlaceBits-1:0] write;
+    local_copy #(
+        .Bits(2 * PlaceBits)
+    ) u_places (
+        .clk_i,
+        .data_i({next_read, next_write}),
+        .data_o({read, write})
+    );
+    (* ram_style = "distributed" *) logic [Width-1:0] memory[Depth];
+    always_ff @(posedge clk_i) begin
+      if (push_i) memory[write] <= data_i[Low+:Width];
+      if (fetch) data_o[Low+:Width] <= memory[read];
+    end
   end
 
 endmodule
