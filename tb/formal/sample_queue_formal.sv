@@ -2,8 +2,8 @@
 // rtl/queue/sample_queue.sv: whatever the sampler has under way finds a place; samples come out as
 // they went in; nothing gets stuck.  Samples are numbered, modulo more than the queue holds.
 // control: OVERFLOWS s/(Depth - 3)/(Depth + 2)/
-// control: LOSES_SAMPLE s/if (push_i) write_q/if (push_i \&\& data_i != 3'd5) write_q/
-// control: DOUBLES_SAMPLE s/if (fetch) read_q/if (fetch \&\& ready_i) read_q/
+// control: LOSES_SAMPLE s/next_write = push_i ?/next_write = push_i \&\& data_i != 3'd5 ?/
+// control: DOUBLES_SAMPLE s/next_read  = fetch ?/next_read  = fetch \&\& ready_i ?/
 // control: NO_ROOM s/room_o <= admitted_q/room_o <= \&admitted_q \&\& admitted_q/
 // control: NO_RESET s/count_q    <= '0;/count_q <= count_q;/
 `default_nettype none
