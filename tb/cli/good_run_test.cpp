@@ -168,7 +168,7 @@ TEST_F(GoodRun, TraceWritesWaveformAndItsArrangement) {
     EXPECT_GT(std::filesystem::file_size(program_.folder() / "out/waves.fst"), 1000u);
     const std::string arrangement = program_.read("out/waves.gtkw");
     for (const char* group :
-         {"-Request", "-Path generator", "-Network", "-Sampler", "-Positions"}) {
+         {"-Request", "-Path generator", "-Lines and arcs", "-Sampler", "-Positions"}) {
         EXPECT_NE(arrangement.find(group), std::string::npos) << group;
     }
     report();
