@@ -17,11 +17,10 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuanta = 65536;    // per unit
-constexpr double kMaxTheta = 0.5;    // rad in a step
-constexpr int kMaxPieces = 1 << 16;  // segments of one move
-constexpr int kMaxSteps = 1 << 12;   // steps of one segment
-constexpr double kClosing = 0.02;    // units by which a computed arc may miss its end
+constexpr double kQuanta = 65536;   // per unit
+constexpr double kMaxTheta = 0.5;   // rad in a step
+constexpr int kMaxSteps = 1 << 12;  // steps of one segment
+constexpr double kClosing = 0.02;   // units by which a computed arc may miss its end
 constexpr std::string_view kNames = "XYZABCUVW";
 
 /// How a move is cut.
@@ -73,7 +72,8 @@ Cut best_step(Segment segment, const WordFormat& format, double limit) {
 }
 
 Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format, double unit,
-             double limit) {
+             const PlanOptions& options) {
+    const double limit = options.error_limit;
     const auto with = [&](int pieces) {
         Cut cut = best_step(prototype(move, shape, pieces, unit), format, limit);
         cut.pieces = cut.bound <= limit ? pieces : 0;
@@ -85,8 +85,8 @@ Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format,
     }
     int high = least;
     Cut best = with(high);
-    while (best.pieces == 0 && high < kMaxPieces) {
-        high = std::min(2 * high, std::max(kMaxPieces, least));
+    while (best.pieces == 0 && high < options.max_pieces) {
+        high = std::min(2 * high, std::max(options.max_pieces, least));
         best = with(high);
     }
     if (best.pieces == 0) return best;
@@ -125,6 +125,11 @@ class Cutter {
 
     template <class Fits>
     [[noreturn]] void refuse_width(const Move& move, const char* kind, const Fits& fits) const {
+        if (!options_.advise) {
+            refuse(move, fmt::format("this {} cannot stay within {:g} units of the exact curve in "
+                                     "{} segments",
+                                     kind, options_.error_limit, options_.max_pieces));
+        }
         refuse(move, fmt::format("this {} {} to stay within {} units of the exact curve", kind,
                                  remedy(options_, fits), options_.error_limit));
     }
@@ -142,11 +147,11 @@ class Cutter {
             path_ += static_cast<long double>(shape.length) / unit;
             return;
         }
-        const Cut cut = cut_move(move, shape, options_.format, unit, options_.error_limit);
+        const Cut cut = cut_move(move, shape, options_.format, unit, options_);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
             refuse_width(move, kind, [&](const WordFormat& format, double finer) {
-                return cut_move(move, shape, format, finer, options_.error_limit).pieces > 0;
+                return cut_move(move, shape, format, finer, options_).pieces > 0;
             });
         }
         PlannedMove planned;

@@ -18,6 +18,8 @@ namespace curvecore::ref {
 /// | clock_hz               | Hz     | with the next: an integration step takes at least          |
 /// | network_latency_clocks | clocks | latency / clock seconds, so short steps bound the speed    |
 /// | spline_latency_clocks  | clocks | the same for steps of splines                              |
+/// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
+/// | advise                 |        | a refusal says which width would do: takes many plans      |
 struct PlanOptions {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -28,6 +30,8 @@ struct PlanOptions {
     double clock_hz = 100e6;
     double network_latency_clocks = 200;
     double spline_latency_clocks = 400;
+    int max_pieces = 1 << 16;
+    bool advise = true;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };

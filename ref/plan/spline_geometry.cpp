@@ -63,8 +63,8 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
     const long double begin = path;
     for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
         const Cubic piece = sub_cubic(cubic, cuts[part], cuts[part + 1]);
-        for (Segment& segment :
-             split_spline(piece, options.format, options.error_limit, path, rate)) {
+        for (Segment& segment : split_spline(piece, options.format, options.error_limit, path, rate,
+                                             options.max_pieces)) {
             if (segment.length == 0) continue;
             segment.move = index;
             segments.push_back(segment);

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
-constexpr std::size_t kMaxPieces = 1 << 16;
 
 /// Room for the roundings of V, m and v below 1.
 double hair(const WordFormat& format) { return std::ldexp(1.0, 4 - format.coef_bits); }
@@ -49,6 +48,7 @@ struct Splitter {
     const WordFormat& format;
     double limit;
     Aux aux_advance;
+    std::size_t max_pieces;
     std::vector<Segment> pieces;
     std::vector<double> lengths;
 
@@ -74,7 +74,7 @@ struct Splitter {
                 return;
             }
         }
-        if (depth == kMaxHalvings || pieces.size() >= kMaxPieces) {
+        if (depth == kMaxHalvings || pieces.size() >= max_pieces) {
             throw std::domain_error("a cubic that no splitting makes drawable");
         }
         const double middle = (from + to) / 2;
@@ -139,11 +139,12 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
 }
 
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
-                                  long double& path, const Aux& aux_advance) {
+                                  long double& path, const Aux& aux_advance, int max_pieces) {
     if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
         throw std::domain_error("a limit below the roundings of a position");
     }
-    Splitter splitter{cubic, format, limit, aux_advance, {}, {}};
+    Splitter splitter{cubic, format, limit, aux_advance, static_cast<std::size_t>(max_pieces),
+                      {},    {}};
     splitter.cut(0, 1, 0);
     const auto quanta = [&path] {
         return static_cast<std::uint64_t>(std::llround(path * static_cast<long double>(kQuanta)));

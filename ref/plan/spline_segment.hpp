@@ -45,9 +45,10 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment);
 /// `path`, program-wide and in units, is where the cubic starts and then where it ends; a piece's
 /// length is the difference of two rounded sums. Auxiliary axes share the bound.
 /// @throws std::domain_error when halving does not help, the limit is below four half guard bits,
-///         or the pieces are more than 65536
+///         or the pieces are more than max_pieces
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
-                                  long double& path, const Aux& aux_advance = {});
+                                  long double& path, const Aux& aux_advance = {},
+                                  int max_pieces = 1 << 16);
 
 /// The same from s_start (quanta) on.
 std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/helix.hpp"
 #include "ref/plan/geometry.hpp"
+#include "tb/support/arc_families.hpp"
 
 namespace {
 
@@ -28,20 +28,6 @@ using Real = long double;
 using Vector = Eigen::Matrix<Real, 3, 1>;
 
 constexpr double kUnit = 1e-6;  // mm
-
-struct Family {
-    std::string name;
-    double radius;  // mm; 0: line
-    bool helix;
-};
-
-const std::vector<Family> kFamilies = {
-    {"arcs, R = 10 um", 0.01, false},   {"arcs, R = 100 um", 0.1, false},
-    {"arcs, R = 1 mm", 1, false},       {"arcs, R = 10 mm", 10, false},
-    {"arcs, R = 100 mm", 100, false},   {"arcs, R = 1 m", 1000, false},
-    {"helices, R = 100 um", 0.1, true}, {"helices, R = 10 mm", 10, true},
-    {"helices, R = 1 m", 1000, true},   {"lines, 1 um .. 1 m", 0, false},
-};
 
 struct Seen {
     std::int64_t curves = 0;
@@ -53,47 +39,6 @@ struct Seen {
     std::int64_t landing = 0;
     bool within_bound = true;
 };
-
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    double uniform(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-    ref::Vec3 direction() {
-        std::normal_distribution<double> normal;
-        return ref::Vec3(normal(engine_), normal(engine_), normal(engine_)).normalized();
-    }
-    ref::Vec3 point(double size) {
-        return {uniform(-size, size), uniform(-size, size), uniform(-size, size)};
-    }
-
-  private:
-    std::mt19937_64 engine_;
-};
-
-ref::Move random_move(const Family& family, Random& random) {
-    ref::Move move;
-    move.line = 1;
-    move.feed = 10;
-    if (family.radius == 0) {
-        const double length = std::exp(random.uniform(std::log(1e-3), std::log(1000.0)));
-        move.start = random.point(500);
-        move.end = move.start + random.direction() * length;
-        return move;
-    }
-    move.kind = ref::Move::Kind::kArc;
-    move.normal = random.direction();
-    const ref::Vec3 outward = move.normal.unitOrthogonal();
-    move.centre = random.point(500);
-    move.start = move.centre + outward * family.radius;
-    move.angle = random.uniform(0.01, 2 * M_PI);
-    move.advance = family.helix ? family.radius * random.uniform(-1, 1) : 0;
-    const ref::Vec3 partner = move.normal.cross(outward);
-    move.end = move.centre + move.normal * move.advance +
-               family.radius * (outward * std::cos(move.angle) + partner * std::sin(move.angle));
-    return move;
-}
 
 /// The programmed curve in units, at a path length in units.
 class Truth {
@@ -136,7 +81,7 @@ std::int64_t landing_error(std::int64_t position, double end) {
 }
 
 template <class C>
-void draw(const ref::Move& move, int samples, Random& random, Seen& seen) {
+void draw(const ref::Move& move, int samples, tb::ArcMaker& random, Seen& seen) {
     ref::Machine machine;
     for (auto& axis : machine.axis) {
         axis.min = -3000;
@@ -194,11 +139,11 @@ int main(int argc, char** argv) {
 
     nlohmann::json rows = nlohmann::json::array();
     bool good = true;
-    for (const Family& family : kFamilies) {
-        Random random(1);
+    for (const tb::ArcFamily& family : tb::arc_families()) {
+        tb::ArcMaker random(1);
         Seen seen;
         for (int n = 0; n < curves; ++n) {
-            draw<hls::DefaultConfiguration>(random_move(family, random), samples, random, seen);
+            draw<hls::DefaultConfiguration>(random.next(family), samples, random, seen);
         }
         const double ratio = seen.bound / seen.unrounded;
         const bool held =

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words: parts through the cores, from the command line.
+// curvecore run | plan | words | compare: parts through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// wrong, and nothing was written; 130 interrupted, nothing written.
+// wrong, and nothing was written; 130 interrupted, nothing written (compare: what was finished).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "ref/program/input_error.hpp"
 #include "tb/program/commands.hpp"
+#include "tb/program/compare_command.hpp"
 #include "tb/program/interrupt.hpp"
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {
 
-void add_common(CLI::App& command, RawOptions& raw, Options& options) {
-    command.add_option("FILE", options.file, "G-code (.ngc .nc .gcode .tap) or points (.csv)")
-        ->required()
-        ->type_name("");
+/// FILE, and what is read with it.
+CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options) {
+    CLI::Option* file =
+        command.add_option("FILE", options.file, "G-code (.ngc .nc .gcode .tap) or points (.csv)")
+            ->type_name("");
     command.add_option("-o,--output", options.folder, "folder for the results")
         ->required()
         ->type_name("DIR");
@@ -39,6 +41,14 @@ void add_common(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("--unit", raw.unit, "length unit: 1nm, 10nm, 0.1um or 1um")
         ->type_name("LENGTH")
         ->capture_default_str();
+    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
+        ->type_name("FILE.ini");
+    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+    return file;
+}
+
+void add_common(CLI::App& command, RawOptions& raw, Options& options) {
+    add_input(command, raw, options)->required();
     command.add_option("--sample-period", raw.sample_period, "time between samples")
         ->type_name("TIME")
         ->capture_default_str();
@@ -50,8 +60,6 @@ void add_common(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("--clock", raw.clock, "the core's clock, for the planner's latency limit")
         ->type_name("FREQUENCY")
         ->capture_default_str();
-    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
-        ->type_name("FILE.ini");
     command.add_option("--build", raw.build, "parallel or serial")
         ->type_name("BUILD")
         ->capture_default_str();
@@ -61,7 +69,6 @@ void add_common(CLI::App& command, RawOptions& raw, Options& options) {
         ->type_name("NAME=VALUE")
         ->expected(1)
         ->take_all();
-    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
 }
 
 void add_run(CLI::App& command, RawOptions& raw, Options& options) {
@@ -78,6 +85,27 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         ->capture_default_str();
 }
 
+void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
+                 CompareOptions& options) {
+    add_input(command, raw, options.common);
+    const auto add = [&command](const char* name, std::string& text, const char* type,
+                                const std::string& help) {
+        command.add_option(name, text, help)->type_name(type)->capture_default_str();
+    };
+    add("--curves", compare.curves, "NAME",
+        fmt::format("without FILE, built-in curves: {}", fmt::join(kCurveSets, ", ")));
+    add("--order", compare.order, "LIST", "4,6 or 4:8 or 4:8:2; the same for the next four");
+    add("--coef-bits", compare.coef_bits, "LIST",
+        "width of coefficients; weights and parameters (u, tau) have a bit of fraction less");
+    add("--guard-bits", compare.guard_bits, "LIST", "fraction bits of a position inside");
+    add("--mode", compare.mode, "LIST", "sampler: 0 series, 1 polynomial");
+    add("--anchor", compare.anchor, "LIST", "splines: 1 anchored, 0 propagated as in the paper");
+    add("--limit", compare.limit, "UNITS", "derived bound that plans keep if they can");
+    add("--segments", compare.segments, "TIMES",
+        "segments that a plan may have, in times of those with the widest words");
+    add("--samples", compare.samples, "N", "places at which each configuration is compared");
+}
+
 int dispatch(int argc, char** argv) {
     CLI::App app{"Lines, arcs, helices and splines through FPGA interpolator cores", "curvecore"};
     app.set_version_flag("--version", "curvecore " CURVECORE_VERSION);
@@ -92,12 +120,22 @@ int dispatch(int argc, char** argv) {
         app.add_subcommand("words", "segment and profile words as memory files for $readmemh");
     for (CLI::App* command : {run, plan, words}) add_common(*command, raw, options);
     add_run(*run, raw, options);
+    CLI::App* compare = app.add_subcommand(
+        "compare", "orders, widths and samplers through the bit-true kernel, side by side");
+    RawCompareOptions raw_compare;
+    CompareOptions compare_options;
+    add_compare(*compare, raw, raw_compare, compare_options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {
         throw UsageError(error.what());
+    }
+    if (*compare) {
+        interpret(raw, compare_options.common);
+        interpret(raw_compare, compare_options);
+        return compare_command(compare_options);
     }
     interpret(raw, options);
     if (*run) return run_command(options);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// compare.json: figures in length units, value ranges in the variables' own.
+#include <cmath>
+#include <filesystem>
+
+#include "tb/compare/compare_report.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kAxisNames[] = {"x", "y", "z", "a", "b", "c", "u", "v", "w"};
+
+Json figures_json(const ErrorFigures& figures) {
+    return {{"worst", figures.worst}, {"rms", figures.rms}, {"p999", figures.most}};
+}
+
+Json position_json(const PositionFigures& figures, int axes) {
+    Json json;
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
+        json[kAxisNames[axis]] = figures_json(figures.axis[axis]);
+    }
+    json["along"] = figures_json(figures.along);
+    json["across"] = figures_json(figures.across);
+    return json;
+}
+
+Json optional_json(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+/// By variable: the word's limits, and by order the range met and the bits that its word has to
+/// spare; below 0 so many are missing.
+Json ranges_json(const ValueRanges& ranges) {
+    Json json = Json::object();
+    for (std::size_t v = 0; v < kVariables; ++v) {
+        const auto variable = static_cast<Variable>(v);
+        const VariableFormat& format = variable_format(variable);
+        const int frac = ranges.coef_bits() + format.frac;
+        Json low = Json::array();
+        Json high = Json::array();
+        Json spare = Json::array();
+        bool met = false;
+        for (int order = 0; order < kMostOrders; ++order) {
+            const ValueRange& range = ranges.range(variable, order);
+            const bool some = !range.empty();
+            met = met || some;
+            const auto real = [&](RunWord word) {
+                return some ? Json(std::ldexp(static_cast<double>(word), -frac)) : Json(nullptr);
+            };
+            low.push_back(real(range.low));
+            high.push_back(real(range.high));
+            spare.push_back(some ? Json(ranges.coef_bits() - range.bits()) : Json(nullptr));
+        }
+        if (!met) continue;
+        while (low.back().is_null()) {
+            for (Json* list : {&low, &high, &spare}) list->get_ref<Json::array_t&>().pop_back();
+        }
+        json[format.name] = {{"network", format.spline ? "spline" : "arc"},
+                             {"word", std::ldexp(1.0, -format.frac - 1)},
+                             {"low", low},
+                             {"high", high},
+                             {"spare_bits", spare}};
+    }
+    return json;
+}
+
+Json row_json(const Row& row, int axes) {
+    const ref::WordFormat& format = row.setting.format;
+    Json json{{"order", format.order},
+              {"coef_bits", format.coef_bits},
+              {"guard_bits", format.guard_bits},
+              {"mode", row.setting.mode()},
+              {"scheme", row.setting.scheme()},
+              {"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
+              {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
+              {"segments", row.segments},
+              {"steps", row.steps},
+              {"multiplier_bits", row.cost.bits},
+              {"sampler_products", row.cost.sampler_products},
+              {"integrators", row.cost.integrators}};
+    if (!row.drawn) return json;
+    json["output"] = position_json(row.output, axes);
+    json["unrounded"] = position_json(row.fine, axes);
+    json["landing"] = row.landing;
+    json["speed_error"] = row.speed_error;
+    json["speed_relative"] = optional_json(row.speed_relative);
+    json["bound"] = optional_json(row.bound);
+    json["bound_of_seen"] = row.bound ? Json(*row.bound / row.fine.worst()) : Json(nullptr);
+    json["max_of_bound"] = optional_json(row.of_bound);
+    json["missing_bits"] = row.missing_bits;
+    json["ranges"] = ranges_json(row.ranges);
+    return json;
+}
+
+}  // namespace
+
+std::string CompareReport::title() const {
+    if (options.common.file.empty()) {
+        return "built-in curves: " +
+               std::string(kCurveSets[static_cast<std::size_t>(options.curves)]);
+    }
+    return std::filesystem::path(options.common.file).filename().string();
+}
+
+Json CompareReport::json() const {
+    Json rows = Json::array();
+    for (const Row& row : result.rows) rows.push_back(row_json(row, axes()));
+    Json front = Json::array();
+    for (const std::size_t index : pareto_front(result.rows)) front.push_back(index);
+    return {{"title", title()},
+            {"version", CURVECORE_VERSION},
+            {"unit_mm", options.common.unit_mm},
+            {"moves", program.moves.size()},
+            {"samples", result.samples},
+            {"limit", options.sweep.limit},
+            {"reference_segments", result.reference_segments},
+            {"most_segments", result.most_segments},
+            {"asked", options.settings.size()},
+            {"finished", result.rows.size()},
+            {"interrupted", result.interrupted},
+            {"held", held()},
+            {"seconds", result.seconds},
+            {"pareto", front},
+            {"rows", rows}};
+}
+
+}  // namespace curvecore::tb

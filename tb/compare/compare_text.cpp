@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// compare.csv, and the table on the terminal.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "tb/compare/compare_report.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+constexpr const char* kAxisNames = "xyzabcuvw";
+
+std::string number(const std::optional<double>& value) {
+    return value ? fmt::format("{:.6g}", *value) : "";
+}
+
+/// A field of a .csv file: the planner's words have commas.
+std::string quoted(std::string text) {
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
+        text.insert(at, 1, '"');
+    }
+    return text.empty() ? text : '"' + text + '"';
+}
+
+std::string note(const Row& row, double limit) {
+    if (!row.drawn) return "not drawable";
+    std::string text;
+    if (row.missing_bits > 0) text = fmt::format("{} bits missing; ", row.missing_bits);
+    if (row.landing != 0) text += fmt::format("lands {} off; ", row.landing);
+    if (row.of_bound.value_or(0) > 1) text += "BEYOND ITS BOUND; ";
+    if (row.limit != limit) text += fmt::format("planned for {:g}", row.limit);
+    return text;
+}
+
+}  // namespace
+
+bool CompareReport::held() const {
+    return std::all_of(result.rows.begin(), result.rows.end(),
+                       [](const Row& row) { return row.held(); });
+}
+
+ErrorFigures worst_axis(const PositionFigures& figures) {
+    ErrorFigures worst;
+    for (const ErrorFigures& axis : figures.axis) {
+        worst.worst = std::max(worst.worst, axis.worst);
+        worst.rms = std::max(worst.rms, axis.rms);
+        worst.most = std::max(worst.most, axis.most);
+    }
+    return worst;
+}
+
+std::vector<std::size_t> pareto_front(const std::vector<Row>& rows) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].drawn && rows[i].missing_bits == 0) order.push_back(i);
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return rows[a].cost.bits != rows[b].cost.bits
+                   ? rows[a].cost.bits < rows[b].cost.bits
+                   : rows[a].output.worst() < rows[b].output.worst();
+    });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order) {
+        if (front.empty() || rows[i].output.worst() < rows[front.back()].output.worst()) {
+            front.push_back(i);
+        }
+    }
+    return front;
+}
+
+std::string CompareReport::csv() const {
+    std::string text = "order,coef_bits,guard_bits,mode,scheme,limit,segments,steps";
+    const auto columns = [&](const std::string& name) {
+        text += fmt::format(",{0}_worst,{0}_rms,{0}_p999", name);
+    };
+    for (const std::string kind : {"output", "unrounded"}) {
+        for (int axis = 0; axis < axes(); ++axis) columns(kind + "_" + kAxisNames[axis]);
+        columns(kind + "_along");
+        columns(kind + "_across");
+    }
+    text +=
+        ",landing,speed_error,speed_relative,bound,max_of_bound,missing_bits,multiplier_bits,"
+        "refused\n";
+    for (const Row& row : result.rows) {
+        const ref::WordFormat& format = row.setting.format;
+        const auto out = std::back_inserter(text);
+        fmt::format_to(out, "{},{},{},{},{},{},{},{}", format.order, format.coef_bits,
+                       format.guard_bits, row.setting.mode(), row.setting.scheme(),
+                       row.drawn ? fmt::format("{:g}", row.limit) : "", row.segments, row.steps);
+        const auto figures = [&](const ErrorFigures& f) {
+            if (!row.drawn) {
+                text += ",,,";
+                return;
+            }
+            fmt::format_to(out, ",{:.6g},{:.6g},{:.6g}", f.worst, f.rms, f.most);
+        };
+        for (const PositionFigures* position : {&row.output, &row.fine}) {
+            for (int axis = 0; axis < axes(); ++axis) {
+                figures(position->axis[static_cast<std::size_t>(axis)]);
+            }
+            figures(position->along);
+            figures(position->across);
+        }
+        fmt::format_to(out, ",{},{:.6g},{},{},{},{},{},{}\n", row.landing, row.speed_error,
+                       number(row.speed_relative), number(row.bound), number(row.of_bound),
+                       row.missing_bits, row.cost.bits, quoted(row.refused));
+    }
+    return text;
+}
+
+std::string CompareReport::table() const {
+    std::string text = fmt::format(
+        "{:>5} {:>4} {:>5} {:10} {:10} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} "
+        "{:>7} {:>8}\n",
+        "order", "coef", "guard", "mode", "scheme", "worst", "rms", "99.9 %", "unrounded", "along",
+        "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits");
+    for (const Row& row : result.rows) {
+        const ref::WordFormat& format = row.setting.format;
+        const auto out = std::back_inserter(text);
+        fmt::format_to(out, "{:>5} {:>4} {:>5} {:10} {:10}", format.order, format.coef_bits,
+                       format.guard_bits, row.setting.mode(), row.setting.scheme());
+        if (row.drawn) {
+            const ErrorFigures worst = worst_axis(row.output);
+            const auto three = [](double value) { return fmt::format("{:.3g}", value); };
+            fmt::format_to(out, " {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8}",
+                           three(worst.worst), three(worst.rms), three(worst.most),
+                           three(row.fine.worst()), three(row.fine.along.worst),
+                           three(row.fine.across.worst), row.bound ? three(*row.bound) : "none",
+                           row.bound ? fmt::format("{:.1f}", *row.bound / row.fine.worst()) : "",
+                           three(row.speed_error));
+        } else {
+            fmt::format_to(out, "{:80}", "");
+        }
+        fmt::format_to(out, " {:>8} {:>7} {:>8}  {}", row.segments, row.steps, row.cost.bits,
+                       note(row, options.sweep.limit));
+        while (text.back() == ' ') text.pop_back();
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace curvecore::tb

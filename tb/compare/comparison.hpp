@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// One configuration's words against the exact curve.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "tb/compare/cut.hpp"
+#include "tb/compare/error_figures.hpp"
+#include "tb/compare/exact_samples.hpp"
+#include "tb/compare/setting.hpp"
+#include "tb/compare/value_ranges.hpp"
+
+namespace curvecore::tb {
+
+/// Errors of positions in length units: axis by axis, and of X Y Z as a vector.
+struct PositionFigures {
+    std::array<ErrorFigures, kMostAxes> axis;
+    ErrorFigures along;   // ahead of or behind the commanded path length
+    ErrorFigures across;  // at right angles to the path
+
+    /// Worst of any axis.
+    double worst() const;
+};
+
+/// | field          | unit  | meaning                                                        |
+/// |----------------|-------|----------------------------------------------------------------|
+/// | output         | units | positions as they leave the core, rounded                      |
+/// | fine           | units | before the final rounding                                      |
+/// | landing        | units | worst last position of a move less the move's own              |
+/// | speed_error    | units | worst chord between samples less the exact curve's, unrounded  |
+/// | speed_relative | 1     | the same by the chord, of those of kSpeedChord units or more   |
+/// | bound          | units | derived, of any segment; none of splines with Anchor 0         |
+/// | of_bound       | 1     | worst unrounded error / its segment's bound                    |
+/// | steps          |       | integration steps                                              |
+/// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
+struct Row {
+    Setting setting;
+    double limit = 0;
+    std::string refused;
+    bool drawn = false;  // or not drawable at all
+    std::size_t segments = 0;
+    std::uint64_t steps = 0;
+    std::uint64_t samples = 0;
+    PositionFigures output;
+    PositionFigures fine;
+    std::int64_t landing = 0;
+    double speed_error = 0;
+    std::optional<double> speed_relative;
+    std::optional<double> bound;
+    std::optional<double> of_bound;
+    int missing_bits = 0;
+    MultiplierBits cost;
+    ValueRanges ranges{36};
+
+    /// Within the derived bound, every end exact.
+    bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
+};
+
+/// What all configurations share.
+struct Subject {
+    const ref::Program& program;
+    double unit_mm;
+    bool arcs;  // or lines
+    bool splines;
+    ExactSamples exact;
+};
+
+/// `progress(n)`: n more samples are done.
+/// @throws what progress throws
+Row compare_setting(const Subject& subject, const Setting& setting, const Cut& cut,
+                    const std::function<void(std::int64_t)>& progress);
+
+}  // namespace curvecore::tb

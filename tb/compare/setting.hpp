@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One configuration among those that are compared: what changes the words of a core.
+#pragma once
+
+#include <string>
+
+#include "ref/error_bound.hpp"
+
+namespace curvecore::tb {
+
+/// | field  | meaning                                                                      |
+/// |--------|------------------------------------------------------------------------------|
+/// | format | order, widths and sampler, hls/configuration.hpp; weights, tau, path and the |
+/// |        | curve's parameter have CoefBits-1 fraction bits                              |
+/// | anchor | splines: anchored at every step, or all variables propagated as in the paper |
+struct Setting {
+    ref::WordFormat format;
+    bool anchor = true;
+
+    const char* mode() const { return format.polynomial ? "polynomial" : "series"; }
+    const char* scheme() const { return anchor ? "anchored" : "propagated"; }
+    /// "Order=6 CoefBits=36 GuardBits=10 Mode=1 Anchor=1"
+    std::string text() const;
+};
+
+bool operator==(const Setting& a, const Setting& b);
+
+/// Widest words there are, of this order and sampler: what exact curves are cut for.
+ref::WordFormat widest(const ref::WordFormat& format);
+
+/// An estimate of area that needs no place and route: the bits of all partial products when a
+/// sample leaves with every clock.
+///
+///     W^2 for each product of the sampler, 18^2 for each integrator of the networks
+///
+/// with CoefBits W; the parallel build's networks work digit by digit, one 18 x 18 multiplier each.
+/// A core that draws both kinds shares the sampler of Mode 0 and has both of Mode 1.
+struct MultiplierBits {
+    int sampler_products = 0;
+    int integrators = 0;
+    int bits = 0;
+};
+MultiplierBits multiplier_bits(const Setting& setting, bool arcs, bool splines);
+
+}  // namespace curvecore::tb

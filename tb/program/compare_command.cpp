@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore compare`: configurations through the bit-true kernel, side by side.
+#include "tb/program/compare_command.hpp"
+
+#include <fmt/format.h>
+
+#include "tb/compare/compare_report.hpp"
+#include "tb/program/commands.hpp"
+#include "tb/program/interrupt.hpp"
+#include "tb/program/output_folder.hpp"
+
+namespace curvecore::tb {
+
+int compare_command(const CompareOptions& options) {
+    Job job;
+    if (options.common.file.empty()) {
+        job.program = built_in_curves(options.curves);
+        job.machine = unlimited_machine();
+    } else {
+        job = read_job(options.common);
+    }
+    const InterruptGuard guard;
+    OutputFolder folder(options.common.folder);
+    const SweepResult result = sweep(job.program, job.machine, options.settings, options.sweep);
+    if (result.rows.empty()) {
+        fmt::print(stderr, "curvecore: interrupted: no configuration is finished\n");
+        return 130;
+    }
+    const CompareReport report{options, job.program, result};
+    folder.write("compare.json", report.json().dump(1) + "\n");
+    folder.write("compare.csv", report.csv());
+    folder.write("report.html", report.html());
+    folder.commit();
+    print_warnings(job);
+    if (!options.common.quiet) {
+        fmt::print("{}", report.table());
+        fmt::print(
+            "errors in units of {:g} mm at {} places; {} segments with the widest words, {} at "
+            "most; {:.1f} s\n",
+            options.common.unit_mm, result.samples, result.reference_segments, result.most_segments,
+            result.seconds);
+    }
+    if (!report.held()) {
+        fmt::print(stderr,
+                   "curvecore: check failed: an error beyond its derived bound, or an end "
+                   "that is missed\n");
+    }
+    if (result.interrupted) {
+        fmt::print(stderr, "curvecore: interrupted: {} of {} configurations are in {}\n",
+                   result.rows.size(), options.settings.size(), options.common.folder);
+        return 130;
+    }
+    return report.held() ? 0 : 1;
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore compare`.
+#pragma once
+
+#include "tb/compare/compare_options.hpp"
+
+namespace curvecore::tb {
+
+/// Returns the exit status: 0; 1 an error beyond its bound, or an end that is missed; 130
+/// interrupted, the finished configurations are written.
+/// @throws ref::InputError
+int compare_command(const CompareOptions& options);
+
+}  // namespace curvecore::tb
