@@ -13,7 +13,7 @@
 namespace curvecore::tb {
 namespace {
 
-constexpr std::size_t kMostSettings = 10000;
+constexpr std::size_t kMostSettings = 5000;
 
 double limit_of(const std::string& text) {
     double value = 0;

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore compare`: what it writes, and figures that would be wrong if kernel, plan or truth
+// were.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+/// Lines, an arc, a helix and two splines; A turns with the arc.
+constexpr char kPart[] =
+    "G21 G90 G17 G94 F1200\n"
+    "G1 X10\n"
+    "G5 X20 Y10 I5 J0 P0 Q-5\n"
+    "G3 X10 Y20 I-10 J0 Z1 A20\n"
+    "G5 X0 Y0 I-3 J2 P3 Q9\n"
+    "M2\n";
+
+class Compare : public testing::Test {
+  protected:
+    /// Compares; every check must hold.
+    Json compare(const Arguments& options, const std::string& folder = "out") {
+        Arguments arguments{"compare", "-q", "-o", folder};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_EQ(result.err, "");
+        return Json::parse(program_.read(folder + "/compare.json"));
+    }
+
+    /// Worst of the first three axes.
+    static double worst(const Json& row, const char* part) {
+        double worst = 0;
+        for (const char* axis : {"x", "y", "z"}) {
+            worst = std::max(worst, row.at(part).at(axis).at("worst").get<double>());
+        }
+        return worst;
+    }
+
+    ProgramRun program_;
+};
+
+TEST_F(Compare, WritesARowForEveryCombination) {
+    program_.write("part.ngc", kPart);
+    const Json json =
+        compare({"part.ngc", "--order", "4,6", "--coef-bits", "28:36:4", "--guard-bits", "8,10",
+                 "--mode", "0,1", "--anchor", "0,1", "--samples", "2000"});
+    EXPECT_EQ(program_.files(), (Arguments{"out", "part.ngc"}));
+    EXPECT_EQ(json["rows"].size(), 48U);
+    EXPECT_EQ(json["finished"], json["asked"]);
+    EXPECT_EQ(json["interrupted"], false);
+    EXPECT_GT(json["samples"], 1990);
+    for (const Json& row : json["rows"]) {
+        EXPECT_EQ(row["landing"], 0);
+        EXPECT_GT(row["segments"], 4);
+        EXPECT_GE(row["steps"], row["segments"]);
+        EXPECT_EQ(row["missing_bits"], 0);
+        EXPECT_GT(worst(row, "output"), 0.4);
+        for (const char* part : {"output", "unrounded"}) {
+            for (const char* figure : {"x", "y", "z", "a", "along", "across"}) {
+                const Json& errors = row[part][figure];
+                EXPECT_GE(errors["worst"], errors["p999"]) << part << ' ' << figure;
+                EXPECT_GE(errors["p999"], errors["rms"]) << part << ' ' << figure;
+                EXPECT_GT(errors["rms"], 0) << part << ' ' << figure;
+            }
+        }
+        if (row["scheme"] == "propagated") {
+            EXPECT_TRUE(row["bound"].is_null());
+            continue;
+        }
+        EXPECT_LE(worst(row, "unrounded"), row["bound"].get<double>());
+        EXPECT_LE(row["max_of_bound"], 1);
+        EXPECT_GT(row["max_of_bound"], 0.2);
+        EXPECT_LE(row["bound"], row["limit"]);
+        EXPECT_GT(row["bound_of_seen"], 1);
+    }
+    const std::string csv = program_.read("out/compare.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 49);
+    const std::string page = program_.read("out/report.html");
+    EXPECT_EQ(page.find("/*DATA*/"), std::string::npos);
+    EXPECT_NE(page.find("\"title\":\"part.ngc\""), std::string::npos);
+}
+
+TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
+    const Json json = compare({"--order", "8", "--coef-bits", "20:36:4", "--mode", "0",
+                               "--guard-bits", "12", "--samples", "4000"});
+    const Json& rows = json["rows"];
+    ASSERT_EQ(rows.size(), 5U);
+    for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+        // Four bits are worth 16, but for the doublings of the limit; at last the limit asked for.
+        EXPECT_GT(worst(rows[i], "unrounded"),
+                  (i + 2 < rows.size() ? 6 : 1) * worst(rows[i + 1], "unrounded"));
+        EXPECT_GE(rows[i]["limit"], rows[i + 1]["limit"]);
+        EXPECT_LT(rows[i]["multiplier_bits"], rows[i + 1]["multiplier_bits"]);
+    }
+    EXPECT_GT(worst(rows[0], "output"), 20);
+    EXPECT_FALSE(rows[0]["refused"].is_null());
+    EXPECT_GT(rows[0]["limit"], 10);
+    EXPECT_LE(rows[0]["segments"], json["most_segments"]);
+    EXPECT_TRUE(rows[4]["refused"].is_null());
+    EXPECT_EQ(rows[4]["limit"], 0.1);
+    EXPECT_GT(worst(rows[4], "output"), 0.45);
+    EXPECT_LT(worst(rows[4], "output"), 0.6);
+    EXPECT_NEAR(rows[4]["output"]["x"]["rms"].get<double>(), 0.2887, 0.02);  // 1 / sqrt 12
+}
+
+TEST_F(Compare, RefusalsSayWhy) {
+    program_.write("part.ngc", kPart);
+    const Json rows = compare({"part.ngc", "--order", "6", "--coef-bits", "18", "--mode", "1",
+                               "--samples", "500"})["rows"];
+    EXPECT_EQ(rows[0]["refused"].get<std::string>().rfind(
+                  "line 3: this spline cannot stay within 0.1 units of the exact curve in ", 0),
+              0U)
+        << rows[0]["refused"];
+}
+
+TEST_F(Compare, PropagationIsWorseOnLongChains) {
+    const Json rows = compare({"--curves", "splines", "--order", "6", "--coef-bits", "36", "--mode",
+                               "0,1", "--anchor", "1,0", "--samples", "4000"})["rows"];
+    ASSERT_EQ(rows.size(), 4U);
+    for (std::size_t i = 0; i < 4; i += 2) {
+        EXPECT_EQ(rows[i]["scheme"], "anchored");
+        EXPECT_EQ(rows[i]["segments"], rows[i + 1]["segments"]);
+        EXPECT_GT(worst(rows[i + 1], "unrounded"), 5 * worst(rows[i], "unrounded"));
+        // What is lost is lost along the path.
+        EXPECT_GT(rows[i + 1]["unrounded"]["along"]["worst"].get<double>(),
+                  5 * rows[i + 1]["unrounded"]["across"]["worst"].get<double>());
+    }
+}
+
+TEST_F(Compare, RangesFitTheirWordsAndShrinkWithTheOrder) {
+    const Json rows =
+        compare({"--order", "8", "--coef-bits", "36", "--mode", "0", "--samples", "1000"})["rows"];
+    const Json& ranges = rows[0]["ranges"];
+    for (const auto& [name, variable] : ranges.items()) {
+        for (std::size_t i = 0; i < variable["low"].size(); ++i) {
+            if (variable["low"][i].is_null()) continue;
+            EXPECT_GE(variable["spare_bits"][i], 0) << name << ' ' << i;
+            EXPECT_GE(variable["low"][i], -variable["word"].get<double>()) << name << ' ' << i;
+            EXPECT_LT(variable["high"][i], variable["word"].get<double>()) << name << ' ' << i;
+        }
+    }
+    EXPECT_GE(ranges["phi"]["low"][0], 1);
+    EXPECT_LT(ranges["phi"]["high"][0], 2);
+    EXPECT_LE(ranges["v"]["high"][0], 1);
+    EXPECT_GT(ranges["v"]["high"][0], 0.5);
+    EXPECT_LT(ranges["R"]["high"][0], -2.99);
+    for (const char* name : {"t, T", "n, N", "q", "x"}) {
+        const Json& spare = ranges[name]["spare_bits"];
+        EXPECT_GT(spare[8].get<int>(), spare[2].get<int>() + 4) << name;
+    }
+}
+
+TEST_F(Compare, ThreadsDoNotChangeTheRows) {
+    const Arguments options{"--order", "4,6", "--coef-bits", "24,36", "--samples", "3000"};
+    EXPECT_EQ(compare(options)["rows"], compare(options, "again")["rows"]);
+}
+
+TEST_F(Compare, PrintsATableLineForEveryRow) {
+    const ProgramResult result = program_.run(
+        {"compare", "-o", "out", "--curves", "arcs", "--order", "6", "--samples", "500"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err, "") << "the bar is for terminals";
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 1);
+    EXPECT_NE(result.out.find("planned for "), std::string::npos);
+}
+
+TEST_F(Compare, InterruptedKeepsFinishedRows) {
+    const Arguments options{"--order", "6:12", "--coef-bits", "30:36", "--samples", "300000"};
+    Arguments arguments{"compare", "-q", "-o", "out"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    ProgramResult result;
+    for (int wait_ms = 1000; wait_ms <= 16000 && !program_.exists("out"); wait_ms *= 2) {
+        result = program_.run(arguments, wait_ms);
+        EXPECT_EQ(result.status, 130);
+    }
+    ASSERT_TRUE(program_.exists("out/compare.json"));
+    EXPECT_EQ(program_.files(), Arguments{"out"});
+    const Json json = Json::parse(program_.read("out/compare.json"));
+    const int finished = json["finished"];
+    EXPECT_EQ(json["interrupted"], true);
+    EXPECT_EQ(json["asked"], 98);
+    EXPECT_EQ(json["rows"].size(), static_cast<std::size_t>(finished));
+    EXPECT_GT(finished, 0);
+    EXPECT_LT(finished, 98);
+    EXPECT_EQ(result.err, "curvecore: interrupted: " + std::to_string(finished) +
+                              " of 98 configurations are in out\n");
+    const Json& row = json["rows"][0];
+    const Json whole =
+        compare({"--order", row["order"].dump(), "--coef-bits", row["coef_bits"].dump(), "--mode",
+                 row["mode"] == "series" ? "0" : "1", "--samples", "300000"},
+                "whole");
+    EXPECT_EQ(whole["rows"][0], row);
+}
+
+TEST_F(Compare, InterruptedAtOnceWritesNothing) {
+    const ProgramResult result =
+        program_.run({"compare", "-q", "-o", "out", "--samples", "10000000"}, 1000);
+    EXPECT_EQ(result.status, 130);
+    EXPECT_EQ(result.err, "curvecore: interrupted: no configuration is finished\n");
+    EXPECT_EQ(program_.files(), Arguments{});
+}
+
+}  // namespace
+}  // namespace curvecore::tb
