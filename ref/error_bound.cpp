@@ -137,17 +137,19 @@ double rounding_bound(const WordFormat& format, const Segment& segment) {
     }
     // The product advance * tau of a line or an auxiliary axis; an arc's Horner has counted it.
     if (segment.radius <= 0) along += s.h * s.half;
+    // tau has W-1 bits: a cut of whole quanta below h 2^-(W-1); and the length is the difference of
+    // two rounded path lengths. X Y Z are at most as fast as the path, an auxiliary axis may be
+    // faster.
+    const double shift = std::max(0.0, s.h * s.half - kQuantum) + kQuantum;
     for (const double advance : segment.aux_advance) {
-        along = std::max(along, advance_error(s, advance, s.half) + s.h * s.half);
+        const double faster = std::max(0.0, std::abs(advance) - 1);
+        along = std::max(along, advance_error(s, advance, s.half) + s.h * s.half + faster * shift);
     }
     // Positions: the start word, one rounding per completed step and one in the sample, unless the
     // shift loses nothing.
     const bool exact_shift = segment.step_exponent >= format.coef_bits - 2 - format.guard_bits;
     const double positions = s.g + (exact_shift ? 0 : (s.m + 1) * s.g);
-    // tau has W-1 bits: a cut of whole quanta below h 2^-(W-1), at a speed of at most one.
-    const double cut = std::max(0.0, s.h * s.half - kQuantum);
-    // The length is the difference of two rounded path lengths.
-    return along + positions + cut + kQuantum;
+    return along + positions + shift;
 }
 
 double segment_bound(const WordFormat& format, const Segment& segment) {

@@ -186,8 +186,9 @@ class Walk {
         const double word = half_bit(format_.coef_bits - 2);
         const double m = std::max(0.0, std::ceil(steps) - 1);
         const bool exact = segment_.step_exponent >= format_.coef_bits - 2 - format_.guard_bits;
+        const double shift = std::max(0.0, h_ * word - kQuantum) + kQuantum;  // along the path
         const double error = h_ * (steps * word + word) + g_ + (exact ? 0 : (m + 1) * g_) +
-                             std::max(0.0, h_ * word - kQuantum) + kQuantum;
+                             std::max(1.0, std::abs(advance)) * shift;
         if (error > result_.total()) {
             result_.truncation = 0;
             result_.rounding = error;

@@ -122,6 +122,15 @@ TEST_F(Compare, RefusalsSayWhy) {
         << rows[0]["refused"];
 }
 
+TEST_F(Compare, HoldsTheBoundOfAxesFasterThanThePath) {
+    const Json rows = compare({DATA_DIR "/aux_axes.ngc", "--order", "3,6", "--coef-bits", "18:24",
+                               "--samples", "2000"})["rows"];
+    for (const Json& row : rows) {
+        EXPECT_LE(row["max_of_bound"], 1) << row["coef_bits"];
+        EXPECT_EQ(row["landing"], 0);
+    }
+}
+
 TEST_F(Compare, PropagationIsWorseOnLongChains) {
     const Json rows = compare({"--curves", "splines", "--order", "6", "--coef-bits", "36", "--mode",
                                "0,1", "--anchor", "1,0", "--samples", "4000"})["rows"];
