@@ -52,6 +52,18 @@ TEST(ValueRange, BitsOfTheLeastWord) {
     EXPECT_EQ(bits(0, RunWord(1) << 35), 37);
 }
 
+TEST(ValueRanges, KeepWhatAWordHoldsAndCountWhatItLacks) {
+    ValueRanges ranges(18);
+    EXPECT_EQ(ranges.keep(Variable::kPhi, 3, 131071), 131071);
+    EXPECT_EQ(ranges.keep(Variable::kPhi, 3, -131072), -131072);
+    EXPECT_EQ(ranges.missing(), 0);
+    EXPECT_EQ(ranges.keep(Variable::kW, 12, 131072), -131072);
+    EXPECT_EQ(ranges.missing(), 1);
+    EXPECT_EQ(ranges.keep(Variable::kW, 12, -(RunWord(1) << 20) - 5), -5);
+    EXPECT_EQ(ranges.missing(), 4);
+    EXPECT_TRUE(ranges.range(Variable::kW, 11).empty());
+}
+
 /// Against the planner's own segments, which tb/model and tb/campaign hold against closed forms.
 TEST(ExactSamples, AreOnTheSegmentsOfAPlan) {
     const ref::Program program = built_in_curves(CurveSet::kAll);
