@@ -4,7 +4,7 @@
 // starts are taken in idle only and none of those is lost. Order 2 with Anchor 0 and
 // Mode 1, order 3 with 1 and 0. A reset lasts two clocks, and starts nothing.
 // control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
-// control: HURRIES_PHI s/7'(3 \* i + 13);/7'(3 * i + 12);/
+// control: HURRIES_PHI s/8'(3 \* i + 13);/8'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
 // control: NEVER_DONE s/default: next = Idle/default: next = Last/
 // control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
