@@ -39,7 +39,7 @@ define=$([ "$mode" = control ] && echo "-D$name" || true)
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -formal -DFORMAL $define -defer ${sources[*]}
   read_verilog -sv -formal -DFORMAL $define $wrapper
-  prep -top $top; setattr -mod -unset keep_hierarchy; flatten; opt_clean
+  prep -top $top -flatten; setattr -mod -unset keep_hierarchy; flatten; opt_clean
   memory_map -formal; async2sync
   chformal -early; $select; tee -o $work/count select -count t:\$assert
   setundef -undriven -anyseq; setattr -unset keep; delete -output
