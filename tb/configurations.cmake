@@ -204,7 +204,8 @@ foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endforeach()
-foreach(core spherical_interpolator spline_interpolator curve_interpolator curve_interpolator_serial)
+foreach(core spherical_interpolator spline_interpolator curve_interpolator
+             curve_interpolator_serial)
   illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
   illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
   illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample side of an interpolator, whatever the curve: all but the sampler of x y z, which stands
-// between tau and d.  Twin: hls/interpolator_kernel.hpp.
+// The sample side of an interpolator, whatever the curve: all but the sampler of x y z, which
+// stands between tau and d.  Twin: hls/interpolator_kernel.hpp.
 //
 //   requests -> step tracker -> offset -> tau .. d -> landers -> samples
 //                    ^             ^                     ^

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/control/spline_sequencer.sv: every start that is taken runs through the orders of the table in
-// its header, each control in its cycle and in no other, and leads to done in the clocks stated;
-// starts are taken in idle only and none of those is lost. Order 2 with Anchor 0 and
-// Mode 1, order 3 with 1 and 0. A reset lasts two clocks, and starts nothing.
+// rtl/control/spline_sequencer.sv: every start that is taken runs through the orders of the table
+// in its header, each control in its cycle and in no other, and leads to done in the clocks stated;
+// starts are taken in idle only and none of those is lost.  Order 2 with Anchor 0 and Mode 1, order
+// 3 with 1 and 0.  A reset lasts two clocks, and starts nothing.
 // control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
 // control: HURRIES_PHI s/8'(3 \* i + 13);/8'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/

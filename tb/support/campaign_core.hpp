@@ -57,7 +57,7 @@ struct CampaignCore {
     using Model = Vcurve_interpolator_serial;
     using Kernel = hls::CurveKernel<Config>;
     using Shapes =
-        std::conditional_t<CFG_Splines != 0, MixedSegments<Config>, LegalSegments<Config>>;
+        std::conditional_t<CFG_Splines != 0, MixedSegments<Config>, LegalSegments<Config> >;
     static constexpr int kSamples = CFG_Splines != 0 ? 100'000 : 200'000;
     static constexpr int kDensity = 6;
 };
