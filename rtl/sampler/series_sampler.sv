@@ -3,8 +3,8 @@
 //
 //     d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau,   c_1 = x[1] + advance,  c_i = x[i]
 //
-// Splines have no advance (linear_i = 0).  Twins: hls/spherical_kernel.hpp and hls/spline_kernel.hpp,
-// series mode.
+// Splines have no advance (linear_i = 0).  Twins: hls/spherical_kernel.hpp and
+// hls/spline_kernel.hpp, series mode.
 //
 //   clock           0           Latency, that of `horner` with Passes = Order
 //   phase_i         0
