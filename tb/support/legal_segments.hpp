@@ -62,17 +62,6 @@ class LegalSegments {
         return s;
     }
 
-    /// Segments of `length` quanta in all; the last one is not empty.
-    std::vector<hls::SegmentWords<C>> chain(int64_t length) {
-        std::vector<hls::SegmentWords<C>> segments;
-        while (length > 0) {
-            segments.push_back(next());
-            segments.back().length = std::min(length, segments.back().length);
-            length -= segments.back().length;
-        }
-        return segments;
-    }
-
   private:
     double uniform(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
@@ -117,5 +106,17 @@ class LegalSegments {
     std::mt19937_64 random_;
     int max_step_exponent_;
 };
+
+/// Segments of `length` quanta in all, each of `longest` at most; the last one is not empty.
+template <class Shapes>
+auto chain(Shapes& shapes, int64_t length, int64_t longest = INT64_MAX) {
+    std::vector<decltype(shapes.next())> segments;
+    while (length > 0) {
+        segments.push_back(shapes.next());
+        segments.back().length = std::min({length, segments.back().length, longest});
+        length -= segments.back().length;
+    }
+    return segments;
+}
 
 }  // namespace curvecore::tb

@@ -2,9 +2,7 @@
 // Seeded segments of both kinds, for a core that draws lines, arcs and splines.
 #pragma once
 
-#include <algorithm>
 #include <random>
-#include <vector>
 
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/spline_segments.hpp"
@@ -22,19 +20,6 @@ class MixedSegments {
         : random_(seed), arcs_(seed, longest), splines_(seed) {}
 
     Words next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
-
-    /// Segments of `length` quanta in all, as LegalSegments has them; each of 2^longest units at
-    /// most.
-    std::vector<Words> chain(std::int64_t length, int longest) {
-        std::vector<Words> segments;
-        while (length > 0) {
-            segments.push_back(next());
-            segments.back().length = std::min(
-                {length, segments.back().length, std::int64_t{1} << (longest + hls::kPathFrac)});
-            length -= segments.back().length;
-        }
-        return segments;
-    }
 
     /// One of either kind in turn.
     Words whole(int k, int steps) {

@@ -57,10 +57,10 @@ class MotionInterpolator : public testing::Test {
     void program(const std::vector<hls::ProfileWords>& pieces) {
 #if CFG_Splines
         MixedSegments<C> shapes(random_(), kMaxStepExponent);
-        segments(shapes.chain(profile(pieces), kMaxStepExponent));
+        segments(chain(shapes, profile(pieces), int64_t{1} << (kMaxStepExponent + hls::kPathFrac)));
 #else
         LegalSegments<C> shapes(random_(), kMaxStepExponent);
-        segments(shapes.chain(profile(pieces)));
+        segments(chain(shapes, profile(pieces)));
 #endif
     }
 
