@@ -43,13 +43,19 @@ struct CheckResult {
     std::array<AxisError, ref::kMachineAxes> rounded;
     std::array<AxisError, ref::kMachineAxes> unrounded;
     std::map<std::string, KindResult> kinds;  // by ref::kind_name
-    double of_bound = 0;                      // worst error before rounding / its segment's bound
     std::int64_t landing = 0;                 // worst output word - commanded word at a stop
     std::uint64_t stops = 0;                  // exact stops that a sample fell on
-    double increment = 0;         // worst sample's increment - its share of the tick, quanta
-    double speed_error = 0;       // worst chord between samples - the exact curve's
-    double speed_relative = 0;    // the same, relative, of chords of kSpeedChord units or more
-    double speed_of_allowed = 0;  // the same / (1e-6 chord + what the bounds allow, 0.1 at least)
+    double increment = 0;       // worst sample's increment - its share of the tick, quanta
+    double speed_relative = 0;  // speed error of chords of kSpeedChord units or more, by the chord
+    double speed_of_allowed =
+        0;  // speed error / (1e-6 chord + what the bounds allow, 0.1 at least)
+
+    /// Of all kinds.
+    double worst(double KindResult::*figure) const {
+        double most = 0;
+        for (const auto& [name, kind] : kinds) most = std::max(most, kind.*figure);
+        return most;
+    }
 };
 
 constexpr double kSpeedChord = 1000;  // below it, one position's rounding hides the speed

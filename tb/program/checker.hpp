@@ -120,7 +120,6 @@ class Checker {
             result_.unrounded[a].add(fine - exact);
             result_.rounded[a].add(static_cast<double>(rtl.position[axis]) - exact);
         }
-        result_.of_bound = std::max(result_.of_bound, worst / segment.bound);
         KindResult& kind = kind_of(segment);
         ++kind.samples;
         kind.error = std::max(kind.error, worst);
@@ -145,7 +144,6 @@ class Checker {
         const double length = chord.norm();
         if (length > 0) {
             const double error = std::abs((point - last_point_).norm() - length);
-            result_.speed_error = std::max(result_.speed_error, error);
             KindResult& kind = kind_of(cursor_.segment());
             kind.speed_error = std::max(kind.speed_error, error);
             result_.speed_of_allowed =
