@@ -16,6 +16,8 @@ for bench in kernel spline; do
 done
 build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
+build/release/tb/bench/other_interpolators -o build/figures/others.json
+python3 scripts/others_figure.py
 for part in arcs demo; do
   for build in parallel serial; do
     rm -rf "build/bench/$part-$build"

@@ -172,6 +172,25 @@ def paper_table():
     return table(head, [[order] + [cell[order, feed] for feed in feeds] for order in orders])
 
 
+def others():
+    data = load("figures/others.json")
+    if data is None:
+        return None
+    head = ["curve", "method", "bits/mm", "off the curve, mm", "speed ripple, %"]
+    rows = [
+        (
+            r["curve"],
+            r["method"],
+            f"{r['bits_per_mm']:.0f}",
+            short(r["off_mm"]),
+            short(100 * r["ripple"]),
+            short(r["jump_mm_s"]),
+        )
+        for r in data["rows"]
+    ]
+    return table([*head, "jumps of velocity, mm/s"], rows)
+
+
 def demo():
     report = load("demo/report.json")
     if report is None:
@@ -205,6 +224,7 @@ TABLES = {
     "paper_table": paper_table,
     "demo": demo,
     "equality": equality,
+    "others": others,
 }
 for name in ("tick", "period", "order", "vertex", "drift"):
     TABLES[f"spline_{name}"] = functools.partial(spline_table, f"spline_{name}")
