@@ -25,28 +25,33 @@ struct Drawing {
 constexpr double kChordBits = 4 * 32;   // X Y Z of its end and a speed
 constexpr double kCubicBits = 13 * 32;  // four coefficients of X Y Z and a time
 
-/// Path lengths 0 .. length at which a curve is cut into chords that stray by `tolerance` at most
-/// (grblHAL's arc tolerance, for curves of any kind).
-inline void cut_chords(const DrawnCurve& curve, double from, double to, double tolerance,
-                       std::vector<double>& ends) {
+/// How far the curve strays from its chord.
+inline double stray(const DrawnCurve& curve, double from, double to) {
     const ref::Vec3 start = curve.position(from);
-    const ref::Vec3 chord = curve.position(to) - start;
-    double stray = to - from > curve.length() / 4 ? 2 * tolerance : 0;
-    for (int i = 1; i < 8 && stray <= tolerance; ++i) {
-        const ref::Vec3 arm = curve.position(from + (to - from) * i / 8) - start;
-        stray = std::max(stray, (arm - chord * (arm.dot(chord) / chord.squaredNorm())).norm());
+    const ref::Vec3 chord = (curve.position(to) - start).normalized();
+    double most = 0;
+    for (int i = 1; i < 16; ++i) {
+        const ref::Vec3 arm = curve.position(from + (to - from) * i / 16) - start;
+        most = std::max(most, (arm - chord * arm.dot(chord)).norm());
     }
-    if (stray <= tolerance) {
-        ends.push_back(to);
-        return;
-    }
-    cut_chords(curve, from, (from + to) / 2, tolerance, ends);
-    cut_chords(curve, (from + to) / 2, to, tolerance, ends);
+    return most;
 }
 
+/// Path lengths 0 .. length between the longest chords that stray by `tolerance` (grblHAL's arc
+/// tolerance, for curves of any kind).
 inline std::vector<double> chords_of_tolerance(const DrawnCurve& curve, double tolerance) {
     std::vector<double> ends{0};
-    cut_chords(curve, 0, curve.length(), tolerance, ends);
+    while (ends.back() < curve.length()) {
+        const double from = ends.back();
+        double good = from;
+        double bad = std::min(from + curve.length() / 4, curve.length());
+        if (stray(curve, from, bad) <= tolerance) good = bad;
+        while (bad - good > 1e-9 * curve.length()) {
+            const double middle = (good + bad) / 2;
+            (stray(curve, from, middle) <= tolerance ? good : bad) = middle;
+        }
+        ends.push_back(good);
+    }
     return ends;
 }
 
