@@ -28,7 +28,7 @@ module curve_interpolator #(
     parameter int GuardBits      = 10,  // [2, 12]
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
-    parameter int Anchor         = 1,   // of splines: 0, 1; 0 with Mode 1 only
+    parameter int Anchor         = 1,   // of splines: 0, 1
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (

@@ -26,7 +26,7 @@ module motion_interpolator #(
     parameter int AuxAxes           = 0,    // [0, 6]
     parameter int Splines           = 0,    // 1: segments of splines too
     parameter int Mode              = 0,    // 0 series, 1 polynomial
-    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Build 0 and Mode 1 only
+    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Build 0 only
     parameter int SampleInterval    = 1,    // 1, 2, 4, 8 clocks
     parameter int MultiplierForm    = 0,    // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 256,  // [2, 65536], a power of two

@@ -48,8 +48,8 @@ foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
 endforeach()
 
 # The sixteen integrators of the spline: order, word, mode, anchor, form.
-foreach(size 6,36,1,1,0 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 2,36,1,1,0 2,29,0,0,0 3,30,1,1,0 5,18,1,1,0
-        12,36,0,1,1 12,36,0,0,0)
+foreach(size 6,36,1,1,0 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 6,36,0,0,0 2,36,1,1,0 2,29,0,0,0 3,30,1,1,0
+        5,18,1,1,0 12,36,0,1,1 12,36,0,0,0)
   read_row(${size} order coef mode anchor form)
   core_test(spline_network p${order}_w${coef}_m${mode}_n${anchor}_${form_${form}}
             TOP spline_network
@@ -58,6 +58,8 @@ endforeach()
 illegal_parameter_test(spline_network Order=13 "Order must be in .2, 12.")
 illegal_parameter_test(spline_network Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_network Anchor=2 "Anchor must be 0 or 1")
+illegal_parameter_test(spline_network Guest=2 "Guest must be 0 or 1")
+illegal_parameter_test(spline_network Guest=1,Anchor=0 "Guest 1 works with Anchor 1 only")
 
 # The start of a spline's step: word, anchor, form.
 foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
@@ -74,7 +76,8 @@ illegal_parameter_test(spline_anchor Form=2 "Form must be 0 or 1")
 # Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
 foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
         2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
-        12,36,42,10,1,0,1,0 2,33,39,9,0,1,0,0)
+        12,36,42,10,1,0,1,0 2,33,39,9,0,1,0,0 6,36,42,10,2,0,0,0 3,24,30,6,0,0,0,1
+        2,36,42,10,1,0,0,0)
   read_row(${size} order coef fine guard aux mode anchor form)
   core_test(spline_steps p${order}_w${coef}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
             TOP spline_steps LIBRARIES curvecore_ref
@@ -89,8 +92,6 @@ illegal_parameter_test(spline_steps AuxAxes=7 "AuxAxes must be in .0, 6.")
 illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
-illegal_parameter_test(spline_steps Anchor=0,Mode=0 "Anchor 0 works with Mode 1 only")
-illegal_parameter_test(spline_interpolator Anchor=0,Mode=0 "Anchor 0 works with Mode 1 only")
 
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
@@ -225,13 +226,13 @@ function(spline_configuration test size)
                    AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
 endfunction()
 set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
-                 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+                 6,36,32,10,0,0,0,1 6,36,32,10,1,0,0,4 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
 foreach(size ${spline_sizes})
   spline_configuration(spline_interpolator ${size})
 endforeach()
 foreach(size ${spline_sizes}
         2,36,32,10,0,1,1,1 2,18,16,2,1,1,1,2 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
-        3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1
+        3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1 3,24,24,4,2,0,0,8
         4,36,32,10,3,0,1,2 4,18,20,4,1,1,0,1 4,32,28,12,0,1,1,8
         5,30,32,8,1,1,1,4 5,20,32,2,0,1,0,1
         6,36,32,10,0,0,1,8 6,36,16,2,0,1,1,1 6,18,16,2,5,0,1,4
@@ -243,7 +244,7 @@ illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
 
 # The core for both kinds: the same.
 foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
-        6,36,32,10,0,1,0,2 3,30,28,8,1,1,1,8 8,36,32,12,6,0,1,2)
+        6,36,32,10,0,1,0,2 6,36,32,10,0,0,0,1 3,30,28,8,1,1,1,8 8,36,32,12,6,0,1,2)
   read_row(${size} order coef position guard aux mode anchor interval)
   set(name both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
   foreach(test curve_interpolator sample_campaign)
@@ -266,14 +267,16 @@ illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
-# The whole core: build, auxiliary axes, splines, mode, interval.
-foreach(size 0,0,0,0,1 0,2,0,0,4 0,0,0,1,2 0,0,1,0,1 0,1,1,1,4 1,0,0,0,1 1,0,1,1,1)
-  read_row(${size} build aux splines mode interval)
-  core_test(motion_interpolator build${build}_a${aux}_s${splines}_m${mode}_i${interval}
+# The whole core: build, auxiliary axes, splines, mode, anchor, interval.
+foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4 0,1,1,0,0,4 1,0,0,0,1,1
+        1,0,1,1,1,1)
+  read_row(${size} build aux splines mode anchor interval)
+  core_test(motion_interpolator build${build}_a${aux}_s${splines}_m${mode}_n${anchor}_i${interval}
             TOP motion_interpolator LIBRARIES curvecore_ref
             PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
-                   Splines=${splines} Mode=${mode} SampleInterval=${interval}
+                   Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
                    ProfileQueueWords=512)
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
+illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")

@@ -65,6 +65,7 @@ module spline_network #(
   initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial if (Guest < 0 || Guest > 1) $fatal(1, "Guest must be 0 or 1");
   initial if (Guest != 0 && Anchor == 0) $fatal(1, "Guest 1 works with Anchor 1 only");
 
   localparam int TermBits = CoefBits + 5;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where each integration step of a spline starts: X Y Z from the cubic, the auxiliary axes from the
-// step before,
+// Where each integration step of a spline starts: X Y Z from the cubic, the auxiliary axes (with
+// Chained X Y Z, too) from the step before,
 //
 //     X Y Z   origin = start + floor(d 2^lambda 2^GuardBits + 1/2)
-//     others  origin' = origin + floor(advance 2^k 2^GuardBits + 1/2), at first start
+//     others  origin' = origin + floor(d 2^k 2^GuardBits + 1/2), at first start
 //
 //   cycle           0                  2                        4
 //   there_i         1, axis_i, d_i
@@ -13,7 +13,8 @@
 module spline_origin #(
     parameter int CoefBits  = 36,  // [18, 36]
     parameter int FineBits  = 42,  // [18, 44]
-    parameter int GuardBits = 10   // [2, 12]
+    parameter int GuardBits = 10,  // [2, 12]
+    parameter int Chained   = 0    // 0, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -24,7 +25,7 @@ module spline_origin #(
 
     input wire logic                       there_i,
     input wire logic        [         3:0] axis_i,
-    input wire logic signed [CoefBits-1:0] d_i,      // of an auxiliary axis: advance
+    input wire logic signed [CoefBits-1:0] d_i,      // or the step's before: what it went on by
 
     output logic             [         3:0] read_axis_o,
     output logic                            write_o,
@@ -39,7 +40,7 @@ module spline_origin #(
   logic [4:0] down_q;
   logic signed [CoefBits-1:0] d_q;
   logic signed [FineBits:0] doubled;
-  assign aux = axis_i >= 4'd3;
+  assign aux = axis_i >= 4'd3 || Chained != 0;
   always_ff @(posedge clk_i) begin
     down_step_q    <= 5'(curvecore_pkg::MaxStepExponent) - k_i;
     down_segment_q <= 5'(curvecore_pkg::MaxStepExponent) - lambda_i;

@@ -9,7 +9,8 @@
 //   v_write_o, b_write_o        34 .. 79             v_o = V, b_o = B' = W / 8 of the axes;
 //                                                    Anchor 0: 5, 6 in all but the first step
 //   origin_o of point_axis_o    16 .. 15 + AuxAxes   point_write_o, with end_o: auxiliary axes,
-//                               131, 135, 139        X, Y, Z
+//                               131, 135, 139        X, Y, Z;
+//                                                    Anchor 0 with Mode 0: 13, 14, 15
 //   q_o                         97 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
 //   done_o                      92 + the network's   Anchor 0: 3 in all but the first step
 //
@@ -25,7 +26,7 @@ module spline_steps #(
     parameter int GuardBits = 10,  // [2, 12]
     parameter int AuxAxes   = 0,   // [0, 6]
     parameter int Mode      = 1,   // 0 series, 1 polynomial
-    parameter int Anchor    = 1,   // 0, 1; 0 with Mode 1 only
+    parameter int Anchor    = 1,   // 0, 1
     parameter int Form      = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -79,7 +80,6 @@ module spline_steps #(
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
   initial if (Form < 0 || Form > 1) $fatal(1, "Form must be 0 or 1");
-  initial if (Anchor == 0 && Mode == 0) $fatal(1, "Anchor 0 works with Mode 1 only");
 
   logic load_q;  // the present step is the first of its segment
   always_ff @(posedge clk_i) begin
@@ -242,16 +242,45 @@ module spline_steps #(
     advance_o   <= c_i;
   end
 
+  // X Y Z come from the cubic, when the anchor has them.  With Anchor 0 and Mode 0 they go on from
+  // the step before as the auxiliary axes do, and pass by just before those.
+  localparam int Chained = (Anchor == 0 && Mode == 0) ? 1 : 0;
+  logic                       xyz_there;
+  logic        [         1:0] xyz_axis;
+  logic signed [CoefBits-1:0] xyz_d;
+  if (Chained != 0) begin : g_chained
+    logic unused;
+    assign unused = &{d_there, d_axis, d};
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) xyz_there <= 1'b0;
+      else xyz_there <= time_q >= 5'd8 && time_q < 5'd11;
+    end
+    assign xyz_axis = rate_axis_o[1:0];
+    spline_move #(
+        .CoefBits(CoefBits)
+    ) u_move (
+        .clk_i,
+        .x_i({z_o, y_o, x_o}),
+        .axis_i(aux_axis[1:0]),
+        .d_o(xyz_d)
+    );
+  end else begin : g_cubic
+    assign xyz_there = d_there;
+    assign xyz_axis  = d_axis;
+    assign xyz_d     = d;
+  end
+
   logic                       origin_there;
   logic        [         3:0] origin_axis;
   logic signed [CoefBits-1:0] origin_d;
-  assign origin_there = rate_valid_o || d_there;
-  assign origin_axis  = d_there ? {2'b00, d_axis} : rate_axis_o;
-  assign origin_d     = d_there ? d : advance_o;
+  assign origin_there = rate_valid_o || xyz_there;
+  assign origin_axis  = xyz_there ? {2'b00, xyz_axis} : rate_axis_o;
+  assign origin_d     = xyz_there ? xyz_d : advance_o;
   spline_origin #(
       .CoefBits (CoefBits),
       .FineBits (FineBits),
-      .GuardBits(GuardBits)
+      .GuardBits(GuardBits),
+      .Chained  (Chained)
   ) u_origin (
       .clk_i,
       .rst_ni,
