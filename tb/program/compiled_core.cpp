@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "tb/program/rtl_bench.hpp"
-#include "tb/support/arc_configuration.hpp"
+#include "tb/support/core_configuration.hpp"
 #include CFG_HEADER
 
 namespace curvecore::tb {

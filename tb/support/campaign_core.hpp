@@ -8,7 +8,7 @@
 
 #include <type_traits>
 
-#include "tb/support/arc_configuration.hpp"
+#include "tb/support/core_configuration.hpp"
 
 #if __has_include("Vcurve_interpolator.h")
 

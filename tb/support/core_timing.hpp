@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tb/support/arc_configuration.hpp"
+#include "tb/support/core_configuration.hpp"
 
 namespace curvecore::tb {
 

@@ -13,33 +13,59 @@
 
 namespace curvecore::tb {
 
+/// The cubic as words of fewer position bits can hold it.
+template <class C>
+ref::Cubic in_range(ref::Cubic cubic, double most) {
+    cubic.d *= std::ldexp(1.0, C::kPositionBits - 32);
+    const auto leaves = [&] {
+        double reach = 0;
+        for (double u = 0; u <= 1; u += 1.0 / 64) {
+            reach = std::max(reach, cubic.position(u).cwiseAbs().maxCoeff());
+        }
+        return reach > most;
+    };
+    while (leaves()) {
+        cubic.a /= 2;
+        cubic.b /= 2;
+        cubic.c /= 2;
+    }
+    return cubic;
+}
+
+/// The first dozen of pieces that the planner makes of a cubic of each family.
+template <class C>
+std::vector<hls::SegmentWords<C>> spline_pieces(std::uint64_t seed) {
+    ref::WordFormat format;
+    format.order = C::kOrder;
+    format.coef_bits = C::kCoefBits;
+    format.position_bits = C::kPositionBits;
+    format.guard_bits = C::kGuardBits;
+    // Coarse words and low orders would take very many pieces.
+    const double limit =
+        std::max(std::ldexp(0.1, std::max(0, 36 - C::kCoefBits) + (C::kOrder < 4 ? 10 : 0)),
+                 std::ldexp(4.0, -C::kGuardBits));
+    const double most = std::ldexp(0.9, C::kPositionBits - 1);
+    std::vector<hls::SegmentWords<C>> pieces;
+    SplineMaker maker(seed);
+    for (const SplineFamily& family : spline_families()) {
+        int taken = 0;
+        const ref::Cubic cubic = in_range<C>(maker.next(family), most);
+        for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
+            const double reach =
+                std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
+            if (reach > most || piece.kind != ref::Segment::Kind::kSpline) continue;
+            if (++taken <= 12) pieces.push_back(hls::to_words<C>(piece));
+        }
+    }
+    return pieces;
+}
+
 template <class C>
 class SplineSegments {
   public:
     using Words = hls::SegmentWords<C>;
 
-    explicit SplineSegments(std::uint64_t seed) : random_(seed) {
-        ref::WordFormat format;
-        format.order = C::kOrder;
-        format.coef_bits = C::kCoefBits;
-        format.position_bits = C::kPositionBits;
-        format.guard_bits = C::kGuardBits;
-        // Coarse words and low orders would take very many pieces.
-        const double limit =
-            std::max(std::ldexp(0.1, std::max(0, 36 - C::kCoefBits) + (C::kOrder < 4 ? 10 : 0)),
-                     std::ldexp(4.0, -C::kGuardBits));
-        SplineMaker maker(seed);
-        for (const SplineFamily& family : spline_families()) {
-            int taken = 0;
-            const ref::Cubic cubic = in_range(maker.next(family));
-            for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
-                const double reach =
-                    std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
-                if (reach > kReach || piece.kind != ref::Segment::Kind::kSpline) continue;
-                if (++taken <= 12) pieces_.push_back(hls::to_words<C>(piece));
-            }
-        }
-    }
+    explicit SplineSegments(std::uint64_t seed) : pieces_(spline_pieces<C>(seed)), random_(seed) {}
 
     /// Any of them, up to six steps of it; one in twelve has no length.
     Words next() {
@@ -67,26 +93,6 @@ class SplineSegments {
     }
 
   private:
-    static constexpr double kReach = 0.9 * static_cast<double>(1LL << (C::kPositionBits - 1));
-
-    /// The cubic as words of fewer position bits can hold it.
-    static ref::Cubic in_range(ref::Cubic cubic) {
-        cubic.d *= std::ldexp(1.0, C::kPositionBits - 32);
-        const auto leaves = [&cubic] {
-            double reach = 0;
-            for (double u = 0; u <= 1; u += 1.0 / 64) {
-                reach = std::max(reach, cubic.position(u).cwiseAbs().maxCoeff());
-            }
-            return reach > kReach;
-        };
-        while (leaves()) {
-            cubic.a /= 2;
-            cubic.b /= 2;
-            cubic.c /= 2;
-        }
-        return cubic;
-    }
-
     Words with_auxiliary(Words words) {
         const auto some = [&](int bits) {
             return static_cast<std::int64_t>(random_() >> (65 - bits)) -
@@ -100,8 +106,8 @@ class SplineSegments {
         return words;
     }
 
-    std::mt19937_64 random_;
     std::vector<Words> pieces_;
+    std::mt19937_64 random_;
 };
 
 }  // namespace curvecore::tb

@@ -5,7 +5,7 @@
 
 #include "Vcurve_interpolator_serial.h"
 #include "hls/curve_kernel.hpp"
-#include "tb/support/arc_core_bench.hpp"
+#include "tb/support/curve_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
 
 namespace curvecore::tb {
@@ -22,7 +22,7 @@ constexpr int kStepGap = kNetwork + 2 * kOrder + 9 * kFrames + 120;
 constexpr int kSegmentGap = kNetwork + 9 * kFrames + 3 * Config::kAuxAxes + 162;
 
 using CurveInterpolatorSerial =
-    ArcCoreBench<Vcurve_interpolator_serial, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
+    CurveCoreBench<Vcurve_interpolator_serial, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
 
 TEST_F(CurveInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

@@ -3,15 +3,15 @@
 // throughput over changes of kind, and latency.
 #include "Vcurve_interpolator.h"
 #include "hls/curve_kernel.hpp"
-#include "tb/support/arc_core_bench.hpp"
 #include "tb/support/core_timing.hpp"
+#include "tb/support/curve_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using CurveInterpolator =
-    ArcCoreBench<Vcurve_interpolator, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
+    CurveCoreBench<Vcurve_interpolator, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
 
 TEST_F(CurveInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

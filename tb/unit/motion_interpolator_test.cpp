@@ -12,8 +12,8 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
-#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
+#include "tb/support/core_configuration.hpp"
 #include "tb/support/legal_segments.hpp"
 #if CFG_Splines
 #include "tb/support/mixed_segments.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "Vcurve_interpolator_serial.h"
-#include "tb/support/arc_core_bench.hpp"
+#include "tb/support/curve_core_bench.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -17,7 +17,7 @@ constexpr int kStepGap = 15 * Config::kOrder + 9 * kFrames + 84;
 constexpr int kSegmentGap = 27 * Config::kOrder + 9 * kFrames + 3 * Config::kAuxAxes + 66 +
                             (CFG_Mode == 0 ? 0 : 11 * Config::kOrder + 24);
 
-using SphericalInterpolatorSerial = ArcCoreBench<Vcurve_interpolator_serial>;
+using SphericalInterpolatorSerial = CurveCoreBench<Vcurve_interpolator_serial>;
 
 TEST_F(SphericalInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

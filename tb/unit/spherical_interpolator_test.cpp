@@ -2,8 +2,8 @@
 // rtl/spherical_interpolator.sv equals hls::InterpolatorKernel, bit for bit; throughput and
 // latency.
 #include "Vspherical_interpolator.h"
-#include "tb/support/arc_core_bench.hpp"
 #include "tb/support/core_timing.hpp"
+#include "tb/support/curve_core_bench.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr int kLoadClocks = 18 + 3 * Config::kAuxAxes;
 constexpr int kStepSamples = samples_of(std::max(kArcStepClocks, kLoadClocks));
 
-using SphericalInterpolator = ArcCoreBench<Vspherical_interpolator>;
+using SphericalInterpolator = CurveCoreBench<Vspherical_interpolator>;
 
 TEST_F(SphericalInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

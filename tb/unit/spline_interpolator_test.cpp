@@ -3,15 +3,15 @@
 // throughput and latency.
 #include "Vspline_interpolator.h"
 #include "hls/spline_kernel.hpp"
-#include "tb/support/arc_core_bench.hpp"
 #include "tb/support/core_timing.hpp"
+#include "tb/support/curve_core_bench.hpp"
 #include "tb/support/spline_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using SplineInterpolator =
-    ArcCoreBench<Vspline_interpolator, hls::SplineKernel<Config>, SplineSegments<Config>, 6>;
+    CurveCoreBench<Vspline_interpolator, hls::SplineKernel<Config>, SplineSegments<Config>, 6>;
 
 TEST_F(SplineInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();

@@ -4,17 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 #include <vector>
 
 #include "Vspline_steps.h"
-#include "hls/quantise.hpp"
 #include "hls/spline_kernel.hpp"
-#include "ref/plan/spline_segment.hpp"
 #include "tb/support/clocked_dut.hpp"
 #include "tb/support/port_word.hpp"
-#include "tb/support/spline_families.hpp"
+#include "tb/support/spline_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -52,8 +49,6 @@ constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
 constexpr int kRestStates = 9 * kOrder + 32 + (kOrder == 2 ? 14 : 0);
 constexpr int kNetwork =
     9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause + (kAnchor ? kRest : kRestStates) + 1;
-// Of the planner's error bound: coarse words and low orders would take very many pieces.
-const double kLimit = std::ldexp(0.1, std::max(0, 36 - kBits) + (kOrder < 4 ? 10 : 0));
 
 class SplineSteps : public testing::Test {
   protected:
@@ -64,31 +59,16 @@ class SplineSteps : public testing::Test {
     }
 
     void make_segments() {
-        ref::WordFormat format;
-        format.order = kOrder;
-        format.coef_bits = kBits;
-        format.position_bits = kFine - kGuard;
-        format.guard_bits = kGuard;
-        SplineMaker maker(5);
         std::mt19937_64 random(6);
-        for (const SplineFamily& family : spline_families()) {
-            const auto pieces = ref::split_spline(maker.next(family), format, kLimit);
-            int taken = 0;
-            for (const ref::Segment& piece : pieces) {
-                const double reach =
-                    std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
-                if (reach > std::ldexp(0.9, kFine - kGuard - 1)) continue;
-                if (piece.kind != ref::Segment::Kind::kSpline || ++taken > 12) continue;
-                Segment words = hls::to_words<Config>(piece);
-                // Steps beyond the first dozen show nothing new.
-                words.length = std::min<std::int64_t>(
-                    words.length, std::int64_t{12} << (words.step_exponent + 16));
-                for (int axis = 3; axis < kAxes; ++axis) {
-                    words.start[axis] = from_port(random(), kFine) / 4;
-                    words.end[axis] = from_port(random(), kFine) / 4;
-                    words.advance[axis] = from_port(random(), kBits) / 2;
-                }
-                segments_.push_back(words);
+        segments_ = spline_pieces<Config>(5);
+        for (Segment& words : segments_) {
+            // Steps beyond the first dozen show nothing new.
+            words.length = std::min<std::int64_t>(words.length,
+                                                  std::int64_t{12} << (words.step_exponent + 16));
+            for (int axis = 3; axis < kAxes; ++axis) {
+                words.start[axis] = from_port(random(), kFine) / 4;
+                words.end[axis] = from_port(random(), kFine) / 4;
+                words.advance[axis] = from_port(random(), kBits) / 2;
             }
         }
     }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "hls/interpolator_kernel.hpp"
-#include "tb/support/arc_configuration.hpp"
 #include "tb/support/clocked_dut.hpp"
+#include "tb/support/core_configuration.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/port_word.hpp"
 
@@ -26,9 +26,9 @@ using Fine = std::array<int64_t, kAxes>;
 /// Rounds: of 500 samples.
 template <class Model, class Kernel = hls::SphericalKernel<Config>,
           class Shapes = LegalSegments<Config>, int Rounds = 60>
-class ArcCoreBench : public testing::Test {
+class CurveCoreBench : public testing::Test {
   protected:
-    ArcCoreBench() {
+    CurveCoreBench() {
         dut_.limit_cycles(20'000'000);
         dut_->segment_valid_i = 0;
         dut_->request_valid_i = 0;
