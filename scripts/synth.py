@@ -116,8 +116,13 @@ def main():
         given = arguments()
         output = Path(given.output).resolve()
         if given.sweep:
+            if given.set or given.top or given.speed or given.at_least:
+                raise Refused("--sweep takes its configurations from the table: leave out --set,"
+                              " --top, --speed and --at-least")
             if given.jobs < 1:
                 raise Refused(f"--jobs {given.jobs}: must be at least 1")
+            if given.profile and not (Path(given.profile) / "config.yaml").exists():
+                raise Refused(f"--profile {given.profile}: there is no config.yaml in it")
             sweep = Sweep(given.sweep, output, number_of_seeds(given.seeds))
             return sweep.run(given.jobs, given.profile, given.minutes)
         return one(given, output)
@@ -125,6 +130,9 @@ def main():
         text = str(error)
         print(text if ": error: " in text else f"synth: {text}", file=sys.stderr)
         return 2
+    except OSError as error:
+        print(f"synth: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print("synth: interrupted; what is finished is kept, the same command goes on",
               file=sys.stderr)

@@ -10,7 +10,7 @@ import hashlib
 import json
 
 from synthesis.cores import FORMS, check_parameters, parameters, sources, top_of
-from synthesis.devices import CARRY, DEVICES, HERE, device_named, speed_of
+from synthesis.devices import DEVICES, HERE, device_named, speed_of
 from synthesis.tools import tool, version
 
 
@@ -45,7 +45,7 @@ class Configuration:
     def netlist_name(self):
         """Folder in the store.  Raises Refused where a tool is missing."""
         made = digest(self.top, self.settings, self.family.yosys,
-                      digest_of([*sources(self.top), HERE / "harness.py", CARRY]),
+                      digest_of([*sources(self.top), HERE / "harness.py", *self.family.files]),
                       version(tool("yosys")))
         return f"{self.label}-{self.family.name}-{made}"
 

@@ -11,7 +11,6 @@ from synthesis.refused import Refused
 
 HERE = pathlib.Path(__file__).resolve().parent
 PINS = HERE / "pins"
-CARRY = HERE / "nexus_carry.v"  # Yosys finds it in its working folder
 
 
 @dataclasses.dataclass(frozen=True)
@@ -27,6 +26,8 @@ class Family:
     ff: tuple  # the cells' names begin so
     dsp: dict  # multipliers 18 x 18 (UP5K: 16 x 16) in a cell
     bram: tuple
+    files: tuple = ()  # that its Yosys commands read
+    routed_timing: bool = True  # nextpnr times every net after routing
 
 
 # A distributed RAM takes four LUTs for the data and two for its write port.
@@ -52,7 +53,7 @@ GOWIN = Family(
     lut={"LUT1": 1, "LUT2": 1, "LUT3": 1, "LUT4": 1, "ALU": 1, "RAM16SDP1": 1, "RAM16SDP2": 2,
          "RAM16SDP4": 4},
     ff=("DFF",), dsp={"MULT9X9": 0.5, "MULT18X18": 1, "MULT36X36": 4},
-    bram=("SP", "DP", "SDP", "pROM"))
+    bram=("SP", "DP", "SDP", "pROM"), routed_timing=False)
 
 # Yosys ties the carry into the first cell of a chain to 0, which nextpnr-nexus refuses.
 NEXUS = Family(
@@ -62,7 +63,7 @@ NEXUS = Family(
            "synth_nexus -family lifcl -top harness -run map_cells: -json {netlist}"),
     lut={"LUT4": 1, "WIDEFN9": 2, "INV": 1, "CCU2": 2, "DPR16X4": 6}, ff=("FD1P3",),
     dsp={"MULT9X9": 0.5, "MULT18X18": 1, "MULT18X36": 2, "MULT36X36": 4},
-    bram=("DP16K", "PDP16K", "PDPSC16K", "SP16K"))
+    bram=("DP16K", "PDP16K", "PDPSC16K", "SP16K"), files=(HERE / "nexus_carry.v",))
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,7 +95,7 @@ DEVICES = {
     "gw2a-18": Device(GOWIN, ("--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18",
                               "--vopt", "cst={pins}"), (),
                       {"lut4": 20736, "ff": 15552, "dsp": 48, "bram": 46},
-                      pins=PINS / "gw2a-18.cst", remark="paths through multipliers are not timed"),
+                      pins=PINS / "gw2a-18.cst", remark="nextpnr does not time multipliers, nor segment wires once routed"),
     "lifcl-40": Device(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
                               "--router", "router1"),
                        (7, 8, 9), {"lut4": 32256, "ff": 32256, "dsp": 56, "bram": 84},

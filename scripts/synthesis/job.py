@@ -23,9 +23,8 @@ def do(plan, kind, target):
     folder = Path.cwd() / target.split("/")[0]
     if wish.netlist_name() != folder.name:
         raise Refused("the sources have changed since the sweep began: start it again")
-    if kind == "netlists":
-        synthesise(wish, folder)
-    else:
+    synthesise(wish, folder)  # a placement finds it, unless another sweep has just removed it
+    if kind == "placements":
         place(wish, job["seed"], folder, plan["minutes"])
 
 

@@ -6,7 +6,6 @@ import os
 import shutil
 
 from synthesis.cores import ROOT, sources
-from synthesis.devices import CARRY
 from synthesis.harness import harness
 from synthesis.tools import alone, last_error, run, tool, work_folder, write_whole
 
@@ -22,13 +21,14 @@ class Yosys:
     """Yosys in a folder that has a copy of all it reads: names stay short, the YoWASP build sees
     no other folder, and what is changed meanwhile does no harm."""
 
-    def __init__(self, top, folder):
+    def __init__(self, top, family, folder):
         self.folder = folder
         self.paths = [path.relative_to(ROOT) for path in sources(top)]
         for path in self.paths:
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / path, folder / path)
-        shutil.copy(CARRY, folder)
+        for file in family.files:
+            shutil.copy(file, folder)
 
     def __call__(self, log, *commands):
         read = "read_verilog -sv -defer " + " ".join(map(str, self.paths))
@@ -60,7 +60,7 @@ def synthesise(wish, folder):
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
         if (folder / "netlist.json").exists():
             return
-        yosys = Yosys(wish.top, work)
+        yosys = Yosys(wish.top, wish.family, work)
         values = ", ".join(f".{name}({value})" for name, value in wish.settings.items())
         core = f"{wish.top} #({values})"
         ports, parameters = yosys.elaborate(core, folder / "elaborate.log")

@@ -21,6 +21,18 @@ def explain(lines):
     return f"nextpnr failed: {error}"
 
 
+def frequency(family, report, log):
+    """MHz of the slowest path that nextpnr times; the lower of before and after routing where it
+    leaves out nets after it."""
+    reached = [clock["achieved"] for clock in report["fmax"].values()]
+    if not family.routed_timing:
+        reached += [float(mhz) for mhz in re.findall(r"Max frequency for clock .*: ([\d.]+) MHz",
+                                                     log.read_text(errors="replace"))]
+    if not reached:
+        raise Refused(f"nextpnr timed no path, see {log}")
+    return max(reached) if family.routed_timing else min(reached)
+
+
 def place(wish, seed, folder, minutes):
     """Writes the report of a placement, which has all that is needed of the netlist too.
 
@@ -42,10 +54,8 @@ def place(wish, seed, folder, minutes):
              "--seed", str(seed), "--report", "report.json"], folder / f"{name}.log", explain,
             minutes=minutes, cwd=work)
         report = json.loads((work / "report.json").read_text())
-        if not report["fmax"]:
-            raise Refused(f"nextpnr timed no path, see {folder / name}.log")
         write_whole(folder / f"{name}.json", json.dumps({
-            "fmax_mhz": max(clock["achieved"] for clock in report["fmax"].values()),
+            "fmax_mhz": frequency(wish.family, report, folder / f"{name}.log"),
             "utilization": report.get("utilization", {}),
             "seconds": round(time.monotonic() - begin, 1),
             "cells": cells,

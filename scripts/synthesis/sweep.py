@@ -61,6 +61,9 @@ class Sweep:
             with alone(self.folder / "lock", wait=False):
                 for file in itertools.chain(*self.why.values()):
                     file.unlink(missing_ok=True)
+                for report in itertools.chain(*self.paths.values()):
+                    if not report.exists():
+                        report.with_suffix(".done").unlink(missing_ok=True)
                 self.collect()
                 if len(self.results) < len(self.runnable):
                     self.snakemake(jobs, profile, minutes)

@@ -52,6 +52,12 @@ const std::vector<BadCommand> kBadCommands{
     {"ParameterWithoutValue", {"--set", "Order"}, "synth: --set Order: must be Name=Value"},
     {"NoSeeds", {"--seeds", "0"}, "synth: seeds '0' must be in [1, 100]"},
     {"NoJobs", {"--sweep", "t.csv", "--jobs", "0"}, "synth: --jobs 0: must be at least 1"},
+    {"SettingsBesideATable",
+     {"--sweep", "t.csv", "--set", "Order=4"},
+     "synth: --sweep takes its configurations from the table"},
+    {"NoProfile",
+     {"--sweep", "t.csv", "--profile", "none"},
+     "synth: --profile none: there is no config.yaml in it"},
     {"UnknownOption", {"--devices", "up5k"}, "synth: unrecognized arguments: --devices"},
     {"NoTable", {"--sweep", "none.csv"}, "none.csv: error: No such file or directory"},
 };
@@ -135,6 +141,28 @@ TEST_P(SynthFailure, SaysWhyAndWritesNoResult) {
 
 INSTANTIATE_TEST_SUITE_P(All, SynthFailure, testing::ValuesIn(kFailures),
                          [](const auto& test) { return std::string(test.param.name); });
+
+TEST(SynthCommand, FolderThatCannotBeMadeIsAnError) {
+    const SynthRun synth;
+    synth.write("out", "");
+    const ProgramResult result = synth.synth(kOne);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_PRED_FORMAT2(IsSubstring, ": Not a directory\n", result.err);
+    EXPECT_EQ(result.err.substr(0, 7), "synth: ");
+}
+
+// The placement of Order 5 waits for the file `gate`.
+TEST(SynthCommand, InterruptedLeavesNoResult) {
+    const SynthRun synth;
+    const ProgramResult result = synth.shell(
+        "$SYNTH --build serial --seeds 1 --set Order=5 & one=$!\n"
+        "until ls out/store/*/.*work/report.json >/dev/null 2>&1; do sleep 0.05; done\n"
+        "kill -TERM $one; wait $one; status=$?; touch gate; exit $status");
+    EXPECT_EQ(result.status, 130);
+    EXPECT_EQ(result.err,
+              "synth: interrupted; what is finished is kept, the same command goes on\n");
+    EXPECT_EQ(synth.shell("ls out/*.json out/store/*/ecp5*.json").out, "");
+}
 
 TEST(SynthCommand, AnUnroutableDesignLeavesEarlierResults) {
     const SynthRun synth;

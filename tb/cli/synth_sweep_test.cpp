@@ -2,6 +2,8 @@
 // scripts/synth.sh --sweep: bad tables, failed configurations, a killed sweep, Slurm's profile.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tb/cli/synth_run.hpp"
 
 namespace curvecore::tb {
@@ -94,34 +96,50 @@ TEST(SynthSweep, FailuresAreNamedAndTheOthersFinished) {
     EXPECT_EQ(synth.runs("yosys"), 4);
 }
 
-// The placement of Order 5 waits for the file `gate`, so that the sweep is killed in the middle.
+// Placements of Order 5 wait for the file `gate`, so that the sweep is killed in the middle.
 TEST(SynthSweep, KilledAndStartedAgainDoesTheRest) {
+    const SynthRun synth;
+    synth.write("t.csv",
+                "core,build,device,Order,CoefBits\n"
+                "spherical,serial,ecp5-25,4,\n"
+                "spherical,serial,ecp5-25,5,\n"
+                "spherical,serial,ecp5-25,5,18\n");
+    const ProgramResult killed = synth.shell(
+        "$SYNTH --sweep t.csv --seeds 1 & sweep=$!\n"
+        "until ls out/t.part.csv out/store/*/.*.work/report.json >/dev/null 2>&1\n"
+        "do sleep 0.05; done; kill -9 $sweep; wait $sweep");
+    EXPECT_PRED_FORMAT2(IsSubstring, "[1/3] spherical-serial-ecp5-25-Order4: 101 MHz", killed.out);
+    EXPECT_FALSE(synth.exists("out/t.csv"));
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "Order4,spherical,serial,ecp5-25,6,1,,4,36,32,10,0,0,1,1,0,101,",
+                        synth.read("out/t.part.csv"));
+
+    const ProgramResult again =
+        synth.shell("(sleep 3; touch gate) & $SYNTH --sweep t.csv --seeds 1");
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_PRED_FORMAT2(IsSubstring, "3 of 3 placed, 0 failed; ", again.out);
+    EXPECT_FALSE(synth.exists("out/t.part.csv"));
+    // What the killed sweep had begun goes on by itself and is waited for.
+    EXPECT_EQ(synth.runs("nextpnr-ecp5"), 3);
+
+    const int runs = synth.runs("nextpnr-ecp5") + synth.runs("yosys");
+    EXPECT_EQ(synth.synth({"--sweep", "t.csv", "--seeds", "1"}).status, 0);
+    EXPECT_EQ(synth.runs("nextpnr-ecp5") + synth.runs("yosys"), runs);
+}
+
+TEST(SynthSweep, InterruptedEndsItsJobsAndKeepsWhatIsFinished) {
     const SynthRun synth;
     synth.write("t.csv", std::string(kHeader) +
                              "spherical,serial,ecp5-25,,1,,4\n"
                              "spherical,serial,ecp5-25,,1,,5\n");
-    const ProgramResult killed = synth.shell(
+    const ProgramResult result = synth.shell(
         "$SYNTH --sweep t.csv & sweep=$!\n"
-        "until ls out/store/*/ecp5*.json >/dev/null 2>&1; do sleep 0.05; done\n"
-        "sleep 0.3; kill -9 $sweep; wait $sweep; touch gate");
-    EXPECT_PRED_FORMAT2(IsSubstring, "[1/2] spherical-serial-ecp5-25-Order4: 101 MHz", killed.out);
-    EXPECT_FALSE(synth.exists("out/t.csv"));
-    EXPECT_PRED_FORMAT2(IsSubstring,
-                        "Order4,spherical,serial,ecp5-25,6,1,,4,"
-                        "36,32,10,0,0,1,1,0,101,400",
-                        synth.read("out/t.part.csv"));
-
-    const ProgramResult again = synth.synth({"--sweep", "t.csv"});
-    EXPECT_EQ(again.status, 0) << again.err;
-    EXPECT_PRED_FORMAT2(IsSubstring, "2 of 2 placed, 0 failed; ", again.out);
-    EXPECT_PRED_FORMAT2(IsSubstring, "\nspherical-serial-ecp5-25-Order5,", synth.read("out/t.csv"));
-    EXPECT_FALSE(synth.exists("out/t.part.csv"));
-    // One of each, and the interrupted one may have begun once more.
-    EXPECT_LE(synth.runs("nextpnr-ecp5"), 3);
-
-    const int runs = synth.runs("nextpnr-ecp5") + synth.runs("yosys");
-    EXPECT_EQ(synth.synth({"--sweep", "t.csv"}).status, 0);
-    EXPECT_EQ(synth.runs("nextpnr-ecp5") + synth.runs("yosys"), runs);
+        "until ls out/t.part.csv >/dev/null 2>&1; do sleep 0.05; done\n"
+        "kill -TERM $sweep; wait $sweep; status=$?; touch gate; sleep 0.2; exit $status");
+    EXPECT_EQ(result.status, 130);
+    EXPECT_PRED_FORMAT2(IsSubstring, "synth: interrupted; what is finished is kept", result.err);
+    const std::string found = synth.shell("ls out/store/*/ecp5*.json").out;
+    EXPECT_EQ(std::count(found.begin(), found.end(), '\n'), 1) << found;
 }
 
 TEST(SynthSweep, ProfileSendsEveryJobToSlurm) {
