@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import shutil
 
 from synthesis.cores import ROOT, sources
@@ -15,6 +16,16 @@ def number(value):
     if isinstance(value, str) and set(value) <= {"0", "1"}:
         return int(value, 2) - ((1 << len(value)) if value[0] == "1" else 0)
     return value
+
+
+def explain(lines):
+    """Yosys stops at a core's own refusal without its words: these stand in the source."""
+    error = last_error(lines)
+    refusal = re.match(r"(\S+):(\d+): ERROR: ?Can't resolve task name `\$fatal'", error)
+    if refusal:
+        line = (ROOT / refusal[1]).read_text().splitlines()[int(refusal[2]) - 1]
+        error = f"{refusal[1]}:{refusal[2]}: " + line.split('"')[1]
+    return f"synthesis failed: {error}"
 
 
 class Yosys:
@@ -32,8 +43,7 @@ class Yosys:
 
     def __call__(self, log, *commands):
         read = "read_verilog -sv -defer " + " ".join(map(str, self.paths))
-        run([tool("yosys"), "-p", "; ".join([read, *commands])], log,
-            lambda lines: f"synthesis failed: {last_error(lines)}", cwd=self.folder)
+        run([tool("yosys"), "-p", "; ".join([read, *commands])], log, explain, cwd=self.folder)
 
     def elaborate(self, core, log):
         """Elaborates the core alone; returns its ports and parameters."""

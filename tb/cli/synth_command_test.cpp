@@ -120,6 +120,7 @@ void PrintTo(const Failure& failure, std::ostream* out) { *out << failure.name; 
 
 const std::vector<std::string> kTools{"yosys", "nextpnr-ecp5"};
 const std::vector<Failure> kFailures{
+    {"RefusedByTheCore", kTools, "Order=8", ": Order must be in [2, 12], see "},
     {"DoesNotSynthesise", kTools, "Order=9", "synthesis failed: syntax error, unexpected TOK_ID"},
     {"Unroutable", kTools, "Order=10", "unroutable: Routing design failed, see "},
     {"TooLarge", kTools, "Order=11", "does not fit ecp5-25: 1000000 LUT4 of 24288\n"},
