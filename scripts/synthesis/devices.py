@@ -35,7 +35,7 @@ ECP5 = Family(
     name="ecp5", nextpnr="nextpnr-ecp5", form=1, freq=250,
     yosys=("synth_ecp5 -top harness -json {netlist}",),
     lut={"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6}, ff=("TRELLIS_FF",),
-    dsp={"MULT18X18D": 1}, bram=("DP16KD",))
+    dsp={"MULT18X18D": 1}, bram=("DP16KD", "PDPW16KD"))
 
 ICE40 = Family(
     name="ice40", nextpnr="nextpnr-ice40", form=0, freq=120,
