@@ -10,6 +10,7 @@ measured keeps the text it has.
 """
 
 import argparse
+import csv
 import functools
 import json
 import pathlib
@@ -114,30 +115,31 @@ def throughput():
 
 
 def synthesis():
-    rows = []
-    cores = re.compile(r"(spherical|spline|curve)-(parallel|serial)-\w+")
-    for file in sorted((BUILD / "synth").glob("*.json")):
-        if not cores.match(file.stem):
-            continue
-        r = json.loads(file.read_text())
-        interval = r["parameters"]["SampleInterval"] if "parallel" in file.stem else "20 to 50"
-        rows.append(
+    """From `scripts/synth.sh --sweep scripts/sweeps/readme.csv`."""
+    file = BUILD / "synth" / "readme.csv"
+    if not file.exists():
+        return None
+    with open(file, newline="") as stream:
+        rows = [
             (
-                file.stem,
-                "series" if int(r["parameters"]["Mode"]) == 0 else "polynomial",
-                interval,
-                f"{r['fmax_mhz']:.0f}",
+                f"{r['core']}-{r['build']}",
+                r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
+                "series" if int(r["Mode"]) == 0 else "polynomial",
+                r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
+                f"{float(r['fmax_mhz']):.0f}",
                 r["lut4"],
                 r["ff"],
                 r["dsp"],
                 r["bram"],
                 r["seeds"],
             )
-        )
+            for r in csv.DictReader(stream)
+            if not r["failed"]
+        ]
     if not rows:
         return None
-    head = ["core-build-device", "sampler", "clocks per sample", "MHz", "LUT4", "FF", "DSP", "BRAM"]
-    return table([*head, "seeds"], rows)
+    head = ["core-build", "device", "sampler", "clocks per sample"]
+    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
 
 
 def equality():

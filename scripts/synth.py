@@ -1,196 +1,143 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Place and route of a core: prints a row and writes build/synth/<core>-<build>-<device>.json.
+"""Place and route of a core, or of a table of configurations.
+
+    scripts/synth.sh --core curve --build serial --device up5k    one, by default of 3 seeds
+    scripts/synth.sh --sweep scripts/sweeps/readme.csv            a table, started again: the rest
+
+One prints a row and writes build/synth/<core>-<build>-<device>.json, with the speed grade and the
+parameters in its name where these are not the default; a table becomes build/synth/<table>.csv.
+Each placement is kept in build/synth/store and not repeated as long as sources and tools stay.
 
 The core gets a harness that feeds its inputs from one shift register and reads its outputs through
-another, so that it needs five pins; LUTs, flip-flops, DSP and RAM blocks are counted in the core
+another, so that it needs few pins; LUTs, flip-flops, DSP and RAM blocks are counted in the core
 alone.  The frequency is the best of several seeds, over all paths, the harness' included.
+
+Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the input is wrong.
 """
 
 import argparse
 import concurrent.futures
 import json
 import os
-import pathlib
-import re
-import shutil
-import subprocess
+import signal
 import sys
+from pathlib import Path
 
-from synth_harness import harness
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-TOPS = {  # module, parameters
-    ("spherical", "parallel"): ("spherical_interpolator", {}),
-    ("spline", "parallel"): ("spline_interpolator", {}),
-    ("curve", "parallel"): ("curve_interpolator", {}),
-    ("spherical", "serial"): ("curve_interpolator_serial", {}),
-    ("curve", "serial"): ("curve_interpolator_serial", {"Splines": 1, "Mode": 1}),
-}
-
-
-class Device:
-    """A target: its tools, the multiplier form that fits it, and how its cells count."""
-
-    def __init__(self, family, flags, form, freq, dsp_limit):
-        self.family = family
-        self.flags = flags
-        self.form = form  # parameter Form of rtl/arithmetic/multiplier.sv
-        self.freq = freq  # MHz asked for, above what is reached
-        self.dsp_limit = dsp_limit  # MHz: nextpnr does not time the inside of a DSP block
+from synthesis.configuration import configuration
+from synthesis.cores import BUILDS, CORES, ROOT
+from synthesis.devices import DEVICES
+from synthesis.netlist import synthesise
+from synthesis.placement import place
+from synthesis.refused import Refused
+from synthesis.result import reports, result, sentence
+from synthesis.sweep import Sweep
+from synthesis.sweep_table import number_of_seeds
+from synthesis.tools import end_all, write_whole
 
 
-def ecp5(size):
-    flags = [f"--{size}", "--package", "CABGA381", "--speed", "6", "--lpf-allow-unconstrained"]
-    return Device("ecp5", flags, 1, 250, 294)
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise Refused(message)
 
 
-DEVICES = {
-    "ecp5-25": ecp5("25k"),
-    "ecp5-45": ecp5("45k"),
-    "ecp5-85": ecp5("85k"),
-    "up5k": Device("ice40", ["--up5k", "--package", "sg48"], 2, 60, 110),
-    "hx8k": Device("ice40", ["--hx8k", "--package", "ct256"], 0, 120, None),
-}
-
-# LUTs that a cell occupies; a distributed RAM takes four for the data and two for its write port.
-LUTS = {"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6, "SB_LUT4": 1}
-
-
-def tool(name):
-    for candidate in ("yowasp-" + name, name):
-        if shutil.which(candidate):
-            return candidate
-    sys.exit(f"synth: neither yowasp-{name} nor {name} is installed: run scripts/setup.sh")
-
-
-def run(command, log):
-    with open(log, "w") as stream:
-        status = subprocess.run(command, stdout=stream, stderr=subprocess.STDOUT).returncode
-    if status != 0:
-        tail = pathlib.Path(log).read_text(errors="replace").splitlines()[-12:]
-        sys.exit("\n".join(tail) + f"\nsynth: {command[0]} failed, see {log}")
-
-
-def version(name):
-    words = subprocess.run([name, "--version"], capture_output=True, text=True)
-    found = re.search(r"(Yosys |nextpnr-)\d[\w.+-]*", words.stdout + words.stderr)
-    return f"{name}: {found[0] if found else 'version unknown'}"
-
-
-def read_sources():
-    packages = sorted(ROOT.glob("rtl/*_pkg.sv"))
-    modules = sorted(set(ROOT.glob("rtl/**/*.sv")) - set(packages))
-    return "read_verilog -sv -defer " + " ".join(
-        str(path.relative_to(ROOT)) for path in packages + modules)
-
-
-def elaborate(yosys, core, work):
-    """Elaborates the core alone; returns its ports and parameters."""
-    (work / "probe.v").write_text(f"module probe;\n  {core} dut ();\nendmodule\n")
-    run([yosys, "-q", "-p", f"{read_sources()}; read_verilog {work}/probe.v; hierarchy -top probe;"
-         f" proc; write_json {work}/probe.json"], work / "elaborate.log")
-    modules = json.loads((work / "probe.json").read_text())["modules"]
-    module = modules[modules["probe"]["cells"]["dut"]["type"]]
-    return module["ports"], module.get("parameter_default_values", {})
-
-
-def number(value):
-    """Yosys writes integers as strings of 32 bits."""
-    if isinstance(value, str) and set(value) <= {"0", "1"}:
-        return int(value, 2) - ((1 << len(value)) if value[0] == "1" else 0)
-    return value
-
-
-def synthesise(yosys, device, work):
-    """Netlist of core and harness; returns the cells of the core by type."""
-    run([yosys, "-p", f"{read_sources()}; read_verilog {work}/harness.v;"
-         f" synth_{device.family} -top harness -json {work}/netlist.json;"
-         f" tee -o {work}/stat.json stat -json"], work / "synthesise.log")
-    netlist = json.loads((work / "netlist.json").read_text())["modules"]
-    core = netlist["harness"]["cells"]["dut"]["type"]
-    modules = json.loads((work / "stat.json").read_text())["modules"]
-    return modules[core if core.startswith("$") else "\\" + core]["num_cells_by_type"]
-
-
-def place(nextpnr, device, work, seed):
-    """One place and route; returns its report."""
-    report = work / f"report{seed}.json"
-    run([nextpnr, "--json", f"{work}/netlist.json", *device.flags, "--freq", str(device.freq),
-         "--timing-allow-fail", "--seed", str(seed), "--report", str(report)],
-        work / f"place{seed}.log")
-    return json.loads(report.read_text())
-
-
-def fmax(report):
-    return max(clock["achieved"] for clock in report["fmax"].values())
-
-
-def count(cells, *prefixes):
-    return sum(n for name, n in cells.items() if name.startswith(prefixes))
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--core", choices=["spherical", "spline", "curve"],
-                        default="spherical")
-    parser.add_argument("--build", choices=["parallel", "serial"], default="parallel")
-    parser.add_argument("--device", choices=DEVICES, default="ecp5-25")
-    parser.add_argument("--set", action="append", default=[], metavar="Name=Value")
-    parser.add_argument("--seeds", type=int, default=3, metavar="N", help="the best of N (3)")
+def arguments():
+    parser = Parser(prog="synth.sh", description=__doc__,
+                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--core", metavar="CORE", default="spherical", help=", ".join(CORES))
+    parser.add_argument("--build", metavar="BUILD", default="parallel", help=", ".join(BUILDS))
+    parser.add_argument("--device", metavar="DEVICE", default="ecp5-25", help=", ".join(DEVICES))
+    parser.add_argument("--speed", metavar="GRADE",
+                        help="6, 7, 8 of ECP5; 7, 8, 9 of Nexus; the slowest unless given")
+    parser.add_argument("--set", action="append", default=[], metavar="Name=Value",
+                        help="a parameter of the core")
+    parser.add_argument("--seeds", default="3", metavar="N", help="the best of N (3)")
     parser.add_argument("--at-least", type=float, default=0, metavar="MHZ",
                         help="fail below this frequency")
     parser.add_argument("--top", metavar="MODULE", help="another module instead of a core")
-    arguments = parser.parse_args()
+    parser.add_argument("--sweep", metavar="FILE", help="a table of configurations (.csv)")
+    parser.add_argument("--jobs", type=int, default=2, metavar="N",
+                        help="of a sweep: at a time (2)")
+    parser.add_argument("--profile", metavar="DIR",
+                        help="of a sweep: Snakemake's; scripts/synthesis/slurm for Slurm")
+    parser.add_argument("--minutes", type=float, default=180, metavar="N",
+                        help="give up a placement after so long (180)")
+    parser.add_argument("--output", metavar="DIR", default=ROOT / "build" / "synth",
+                        help="folder of results (build/synth)")
+    return parser.parse_args()
 
-    device = DEVICES[arguments.device]
-    build = (arguments.core, arguments.build)
-    if not arguments.top and build not in TOPS:
-        parser.error(f"there is no {arguments.build} build of {arguments.core}")
-    top, settings = (arguments.top, {}) if arguments.top else TOPS[build]
-    row = top if arguments.top else f"{arguments.core}-{arguments.build}"
-    name = f"{row}-{arguments.device}"
-    os.chdir(ROOT)
-    work = pathlib.Path("build/synth") / name
-    work.mkdir(parents=True, exist_ok=True)
-    yosys = tool("yosys")
-    nextpnr = tool("nextpnr-" + device.family)
 
-    settings = settings | dict(item.split("=", 1) for item in arguments.set)
-    for form in {"Form", "MultiplierForm"} & elaborate(yosys, top, work)[1].keys():
-        settings.setdefault(form, device.form)
-    values = ", ".join(f".{parameter}({value})" for parameter, value in settings.items())
-    core = f"{top} #({values})"
-    ports, parameters = elaborate(yosys, core, work)
-    (work / "harness.v").write_text(harness(core, ports))
-    cells = synthesise(yosys, device, work)
+def settings(items):
+    for item in items:
+        if "=" not in item:
+            raise Refused(f"--set {item}: must be Name=Value")
+    return dict(item.split("=", 1) for item in items)
 
-    with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-        seeds = range(1, arguments.seeds + 1)
-        reports = list(pool.map(lambda seed: place(nextpnr, device, work, seed), seeds))
-    reached = [round(fmax(report), 1) for report in reports]
-    dsp = count(cells, "MULT18X18D", "SB_MAC16")
-    best = max(reached)
-    if dsp and device.dsp_limit:
-        best = min(best, device.dsp_limit)
 
-    result = {
-        "fmax_mhz": best,
-        "lut4": sum(LUTS.get(cell, 0) * n for cell, n in cells.items()),
-        "ff": count(cells, "TRELLIS_FF", "SB_DFF"),
-        "dsp": dsp,
-        "bram": count(cells, "DP16KD", "SB_RAM40"),
-        "seeds": len(reached),
-        "fmax_mhz_by_seed": reached,
-        "parameters": {key: number(value) for key, value in parameters.items()} | settings,
-        "tools": [version(yosys), version(nextpnr)],
-    }
-    path = pathlib.Path("build/synth") / f"{name}.json"
-    path.write_text(json.dumps(result, indent=2) + "\n")
-    print(f"{name}: {best} MHz (best of {len(reached)}), {result['lut4']} LUT4, {result['ff']} FF, "
-          f"{dsp} DSP, {result['bram']} RAM; {path}")
-    if best < arguments.at_least:
-        sys.exit(f"synth: {best} MHz is less than {arguments.at_least:g} MHz")
+def one(given, output):
+    """Returns the exit status."""
+    seeds = number_of_seeds(given.seeds)
+    wish = configuration(given.core, given.build, given.device, given.speed, settings(given.set),
+                         given.top)
+    try:
+        paths = reports(wish, seeds, output / "store")
+        found = result(wish, paths)
+        if not found:
+            folder = paths[0].parent
+            synthesise(wish, folder)
+            with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+                jobs = [pool.submit(place, wish, seed, folder, given.minutes)
+                        for seed in range(1, seeds + 1)]
+                try:
+                    for job in jobs:
+                        job.result()
+                except KeyboardInterrupt:
+                    end_all()
+                    raise
+            (folder / "netlist.json").unlink(missing_ok=True)
+            found = result(wish, paths)
+    except Refused as error:
+        print(f"synth: {wish.name}: {error}", file=sys.stderr)
+        return 1
+    path = output / f"{wish.name}.json"
+    write_whole(path, json.dumps(found, indent=2) + "\n")
+    print(f"{wish.name}: {sentence(found)}; {os.path.relpath(path)}")
+    if DEVICES[wish.device].remark:
+        print(f"{wish.device}: {DEVICES[wish.device].remark}")
+    if found["fmax_mhz"] < given.at_least:
+        print(f"synth: {found['fmax_mhz']} MHz is less than {given.at_least:g} MHz",
+              file=sys.stderr)
+        return 1
+    return 0
+
+
+def main():
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        given = arguments()
+        output = Path(given.output).resolve()
+        if given.sweep:
+            if given.set or given.top or given.speed or given.at_least:
+                raise Refused("--sweep takes its configurations from the table: leave out --set,"
+                              " --top, --speed and --at-least")
+            if given.jobs < 1:
+                raise Refused(f"--jobs {given.jobs}: must be at least 1")
+            if given.profile and not (Path(given.profile) / "config.yaml").exists():
+                raise Refused(f"--profile {given.profile}: there is no config.yaml in it")
+            sweep = Sweep(given.sweep, output, number_of_seeds(given.seeds))
+            return sweep.run(given.jobs, given.profile, given.minutes)
+        return one(given, output)
+    except Refused as error:
+        text = str(error)
+        print(text if ": error: " in text else f"synth: {text}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"synth: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("synth: interrupted; what is finished is kept, the same command goes on",
+              file=sys.stderr)
+        return 130
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The devices: one table of what each has, and how its tools are called.
+
+Available LUTs, flip-flops, DSP blocks (as `cells` counts them) and RAM blocks are the makers'.
+"""
+
+import dataclasses
+import pathlib
+
+from synthesis.refused import Refused
+
+HERE = pathlib.Path(__file__).resolve().parent
+PINS = HERE / "pins"
+
+
+@dataclasses.dataclass(frozen=True)
+class Family:
+    """Devices with the same netlist."""
+
+    name: str
+    nextpnr: str
+    form: int  # parameter MultiplierForm of the cores, Form of rtl/arithmetic/multiplier.sv
+    freq: int  # MHz asked for, above what is reached
+    yosys: tuple  # commands after reading the sources; {netlist} is the file to write
+    lut: dict  # LUTs that a cell occupies
+    ff: tuple  # the cells' names begin so
+    dsp: dict  # multipliers 18 x 18 (UP5K: 16 x 16) in a cell
+    bram: tuple
+    files: tuple = ()  # that its Yosys commands read
+    routed_timing: bool = True  # nextpnr times every net after routing
+
+
+# A distributed RAM takes four LUTs for the data and two for its write port.
+ECP5 = Family(
+    name="ecp5", nextpnr="nextpnr-ecp5", form=1, freq=250,
+    yosys=("synth_ecp5 -top harness -json {netlist}",),
+    lut={"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6}, ff=("TRELLIS_FF",),
+    dsp={"MULT18X18D": 1}, bram=("DP16KD", "PDPW16KD"))
+
+ICE40 = Family(
+    name="ice40", nextpnr="nextpnr-ice40", form=0, freq=120,
+    yosys=("synth_ice40 -top harness -json {netlist}",),
+    lut={"SB_LUT4": 1}, ff=("SB_DFF",), dsp={"SB_MAC16": 1}, bram=("SB_RAM40",))
+
+UP5K = dataclasses.replace(ICE40, name="ice40-up5k", form=2, freq=60)
+
+# Yosys would put pads on the ports of the core too, which stays a module of its own here.
+GOWIN = Family(
+    name="gowin", nextpnr="nextpnr-himbaechel-gowin", form=0, freq=150,
+    yosys=("synth_gowin -family gw2a -noiopads -top harness -json {netlist} -run begin:map_ffs",
+           "iopadmap -bits -inpad IBUF O:I -outpad OBUF I:O harness",
+           "synth_gowin -family gw2a -top harness -run map_ffs: -json {netlist}"),
+    lut={"LUT1": 1, "LUT2": 1, "LUT3": 1, "LUT4": 1, "ALU": 1, "RAM16SDP1": 1, "RAM16SDP2": 2,
+         "RAM16SDP4": 4},
+    ff=("DFF",), dsp={"MULT9X9": 0.5, "MULT18X18": 1, "MULT36X36": 4},
+    bram=("SP", "DP", "SDP", "pROM"), routed_timing=False)
+
+# Yosys ties the carry into the first cell of a chain to 0, which nextpnr-nexus refuses.
+NEXUS = Family(
+    name="nexus", nextpnr="nextpnr-nexus", form=0, freq=150,
+    yosys=("synth_nexus -family lifcl -top harness -run begin:map_cells",
+           "techmap -map nexus_carry.v",
+           "synth_nexus -family lifcl -top harness -run map_cells: -json {netlist}"),
+    lut={"LUT4": 1, "WIDEFN9": 2, "INV": 1, "CCU2": 2, "DPR16X4": 6}, ff=("FD1P3",),
+    dsp={"MULT9X9": 0.5, "MULT18X18": 1, "MULT18X36": 2, "MULT36X36": 4},
+    bram=("DP16K", "PDP16K", "PDPSC16K", "SP16K"), files=(HERE / "nexus_carry.v",))
+
+
+@dataclasses.dataclass(frozen=True)
+class Device:
+    family: Family
+    flags: tuple  # of nextpnr, with {speed} grade and {pins} file
+    speeds: tuple  # grades; the first is the default.  Empty: there is one
+    available: dict
+    dsp_limit: float = None  # MHz: nextpnr does not time the inside of a DSP block
+    pins: pathlib.Path = None
+    remark: str = ""
+
+
+def ecp5(size, lut, dsp, bram):
+    flags = (f"--{size}", "--package", "CABGA381", "--speed", "{speed}",
+             "--lpf-allow-unconstrained")
+    # 294 MHz: of speed 6, the slowest; no figure for 7 and 8 was at hand
+    return Device(ECP5, flags, (6, 7, 8), {"lut4": lut, "ff": lut, "dsp": dsp, "bram": bram}, 294)
+
+
+DEVICES = {
+    "ecp5-25": ecp5("25k", 24288, 28, 56),
+    "ecp5-45": ecp5("45k", 43848, 72, 108),
+    "ecp5-85": ecp5("85k", 83640, 156, 208),
+    "up5k": Device(UP5K, ("--up5k", "--package", "sg48"), (),
+                   {"lut4": 5280, "ff": 5280, "dsp": 8, "bram": 30}, 110),
+    "hx8k": Device(ICE40, ("--hx8k", "--package", "ct256"), (),
+                   {"lut4": 7680, "ff": 7680, "dsp": 0, "bram": 32}),
+    "gw2a-18": Device(GOWIN, ("--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18",
+                              "--vopt", "cst={pins}"), (),
+                      {"lut4": 20736, "ff": 15552, "dsp": 48, "bram": 46},
+                      pins=PINS / "gw2a-18.cst",
+                      remark="nextpnr does not time multipliers, nor segment wires once routed"),
+    "lifcl-40": Device(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
+                              "--router", "router1"),
+                       (7, 8, 9), {"lut4": 32256, "ff": 32256, "dsp": 56, "bram": 84},
+                       pins=PINS / "lifcl-40.pdc"),
+}
+
+
+def device_named(name):
+    if name not in DEVICES:
+        raise Refused(f"unknown device '{name}': one of {', '.join(DEVICES)}")
+    return DEVICES[name]
+
+
+def speed_of(name, text):
+    """The speed grade that `text` names; of an empty text, the device's default."""
+    speeds = device_named(name).speeds
+    if text in (None, ""):
+        return speeds[0] if speeds else None
+    if not speeds:
+        raise Refused(f"{name} has one speed grade here: leave the speed out")
+    if str(text) not in map(str, speeds):
+        raise Refused(f"speed '{text}' of {name} must be one of {', '.join(map(str, speeds))}")
+    return int(text)
+
+
+def counts(family, cells):
+    """LUTs, flip-flops, DSP and RAM blocks of a number of each type of cell."""
+    return {
+        "lut4": sum(family.lut.get(cell, 0) * n for cell, n in cells.items()),
+        "ff": sum(n for cell, n in cells.items() if cell.startswith(family.ff)),
+        "dsp": round(sum(family.dsp.get(cell, 0) * n for cell, n in cells.items()) + 0.25),
+        "bram": sum(n for cell, n in cells.items() if cell.startswith(family.bram)),
+    }
+
+
+def check_fit(name, cells):
+    """`cells`: all of the design, the harness' too.  nextpnr needs these at least."""
+    device = device_named(name)
+    needed = counts(device.family, cells)
+    words = {"lut4": "LUT4", "ff": "flip-flops", "dsp": "DSP blocks", "bram": "RAM blocks"}
+    over = [f"{needed[kind]} {words[kind]} of {device.available[kind]}"
+            for kind in words if needed[kind] > device.available[kind]]
+    if over:
+        raise Refused(f"does not fit {name}: {', '.join(over)}")

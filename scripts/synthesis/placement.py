@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One place and route of a netlist: a device, a speed grade, a seed."""
+
+import json
+import re
+import shutil
+import time
+
+from synthesis.devices import DEVICES, check_fit
+from synthesis.refused import Refused
+from synthesis.tools import alone, last_error, run, tool, version, work_folder, write_whole
+
+
+def explain(lines):
+    """Names what a user can act on: another device, or another seed."""
+    error = last_error(lines)
+    if re.search(r"no bels|[Uu]nable to (find|place)|[Ff]ailed to place|too many", error, re.I):
+        return f"does not fit: {error}"
+    if re.search(r"\brout", error, re.I):
+        return f"unroutable: {error}"
+    return f"nextpnr failed: {error}"
+
+
+def frequency(family, report, log):
+    """MHz of the slowest path that nextpnr times; the lower of before and after routing where it
+    leaves out nets after it."""
+    reached = [clock["achieved"] for clock in report["fmax"].values()]
+    if not family.routed_timing:
+        reached += [float(mhz) for mhz in re.findall(r"Max frequency for clock .*: ([\d.]+) MHz",
+                                                     log.read_text(errors="replace"))]
+    if not reached:
+        raise Refused(f"nextpnr timed no path, see {log}")
+    return max(reached) if family.routed_timing else min(reached)
+
+
+def place(wish, seed, folder, minutes):
+    """Writes the report of a placement, which has all that is needed of the netlist too.
+
+    The netlist must be there; a report that is there is kept.
+    """
+    name = wish.placement_name(seed)
+    with alone(folder / f".{name}.lock"), work_folder(folder / f".{name}.work") as work:
+        if (folder / f"{name}.json").exists():
+            return
+        cells = json.loads((folder / "cells.json").read_text())
+        check_fit(wish.device, cells["all"])
+        (work / "netlist.json").hardlink_to(folder / "netlist.json")
+        pins = DEVICES[wish.device].pins
+        if pins:
+            shutil.copy(pins, work)
+        nextpnr = tool(wish.family.nextpnr)
+        begin = time.monotonic()
+        run([nextpnr, "--json", "netlist.json", *wish.nextpnr_flags(), "--timing-allow-fail",
+             "--seed", str(seed), "--report", "report.json"], folder / f"{name}.log", explain,
+            minutes=minutes, cwd=work)
+        report = json.loads((work / "report.json").read_text())
+        write_whole(folder / f"{name}.json", json.dumps({
+            "fmax_mhz": frequency(wish.family, report, folder / f"{name}.log"),
+            "utilization": report.get("utilization", {}),
+            "seconds": round(time.monotonic() - begin, 1),
+            "cells": cells,
+            "tools": [version(tool("yosys")), version(nextpnr)],
+        }, indent=2) + "\n")

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The jobs of a sweep: what the Snakefile and its jobs read."""
+
+import dataclasses
+import json
+from pathlib import Path
+
+from synthesis.configuration import Configuration
+from synthesis.result import reports
+
+
+def targets(row, store):
+    """Names of the row's jobs: of its netlist, and of the placement of each seed."""
+    netlist = row.wish.netlist_name()
+    return netlist, [f"{netlist}/{path.stem}" for path in reports(row.wish, row.seeds, store)]
+
+
+def write_plan(file, rows, store, minutes):
+    """Each target with what makes it."""
+    plan = {"minutes": minutes, "netlists": {}, "placements": {}}
+    for row in rows:
+        wish = dataclasses.asdict(row.wish)
+        netlist, placements = targets(row, store)
+        plan["netlists"][netlist] = {"wish": wish}
+        for seed, placement in enumerate(placements, start=1):
+            plan["placements"][placement] = {"wish": wish, "seed": seed}
+    Path(file).write_text(json.dumps(plan, indent=2))
+
+
+def wish_from(fields):
+    return Configuration(**fields)
+
+
+def reason_file(store, target):
+    return Path(store) / f"{target}.reason"
