@@ -97,6 +97,7 @@ DEVICES = {
                       {"lut4": 20736, "ff": 15552, "dsp": 48, "bram": 46},
                       pins=PINS / "gw2a-18.cst",
                       remark="nextpnr does not time multipliers, nor segment wires once routed"),
+    # router2 finds no way from the clock pin to its buffer, but for the smallest designs
     "lifcl-40": Device(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
                               "--router", "router1"),
                        (7, 8, 9), {"lut4": 32256, "ff": 32256, "dsp": 56, "bram": 84},
