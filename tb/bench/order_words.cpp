@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The least multiplier bits of a parallel sampler of arcs that keeps a wish: all orders alike
-// against a width for each. Writes build/figures/order_words.json.
+// against a width for each.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -79,7 +79,11 @@ std::string widths(const Best& best) {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    CLI::App app{"Words of a width for each order of a parallel sampler, on paper"};
+    std::string output;
+    app.add_option("-o,--output", output, "the table as .json");
+    CLI11_PARSE(app, argc, argv);
     const Wish wishes[] = {
         {"1 um, R <= 300 mm, 10 m/min", 1e-3, 0.5, 300, 10e3 / 60, 100e3},
         {"1 nm, R <= 1 m, 60 m/min", 1e-6, 0.5, 1000, 1000, 100e3},
@@ -118,7 +122,8 @@ int main() {
                 own.words.max_theta, kLanes * own.bits, own_blocks, saved);
         }
     }
-    std::filesystem::create_directories("build/figures");
-    std::ofstream("build/figures/order_words.json")
-        << nlohmann::ordered_json{{"rows", rows}}.dump(1) << "\n";
+    if (!output.empty()) {
+        std::ofstream(output) << nlohmann::ordered_json{{"rows", rows}}.dump(1) << "\n";
+    }
+    return 0;
 }
