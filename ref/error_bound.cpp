@@ -17,26 +17,39 @@ namespace {
 
 constexpr double kQuantum = 1.0 / 65536;
 
-/// Steps, angle of a step and sizes of the last bits of one segment.
+/// Steps, angle of a step and sizes of the last bits of one segment, or the worst of a family's.
 struct Steps {
     double h, theta, x, m;
     double half, fine, g;
+    bool exact_shift;  // to positions
+    bool family;
 
-    Steps(const WordFormat& format, const Segment& segment)
-        : h(std::ldexp(1.0, segment.step_exponent)),
-          theta(segment.radius > 0 ? h * segment.cos_pitch / segment.radius : 0),
-          x(static_cast<double>(segment.length) * kQuantum / h),
+    Steps(const WordFormat& format, int step_exponent, double turn_per_unit, double length,
+          bool of_family)
+        : h(std::ldexp(1.0, step_exponent)),
+          theta(h * turn_per_unit),
+          x(length / h),
           m(std::max(0.0, std::ceil(x) - 1)),
           half(std::ldexp(1.0, 1 - format.coef_bits)),
           fine(std::ldexp(1.0, -format.coef_bits)),
-          g(std::ldexp(1.0, -format.guard_bits - 1)) {}
+          g(std::ldexp(1.0, -format.guard_bits - 1)),
+          exact_shift(step_exponent >= format.coef_bits - 2 - format.guard_bits),
+          family(of_family) {}
+
+    Steps(const WordFormat& format, const Segment& segment)
+        : Steps(format, segment.step_exponent,
+                segment.radius > 0 ? segment.cos_pitch / segment.radius : 0,
+                static_cast<double>(segment.length) * kQuantum, false) {}
 };
 
 /// Displacement, in units of h, after u steps of a unit error in t and in n at the start:
-/// (sin u theta + 1 - cos u theta) / theta.
-double drift(double u, double theta) {
+/// (sin u theta + 1 - cos u theta) / theta. A family's is that of the worst angle up to u theta: it
+/// grows to 1.3081 u at 1.17 rad and falls from there.
+double drift(const Steps& s, double u) {
+    const double theta = s.theta;
     const double angle = u * theta;
     if (angle < 1e-4) return u * (1 + angle / 2);
+    if (s.family && angle > 1.1) return 1.3083 * u;
     const double half_sine = std::sin(angle / 2);
     return (std::sin(angle) + 2 * half_sine * half_sine) / theta;
 }
@@ -46,7 +59,7 @@ double drift(double u, double theta) {
 double drift_sum(const Steps& s) {
     if (s.m > 32) return s.x * s.x * (0.5 + s.x * s.theta / 6);
     double sum = 0;
-    for (int j = 1; j <= static_cast<int>(s.m); ++j) sum += drift(s.x - j, s.theta);
+    for (int j = 1; j <= static_cast<int>(s.m); ++j) sum += drift(s, s.x - j);
     return sum;
 }
 
@@ -84,7 +97,7 @@ double circular_error(const WordFormat& format, const Steps& s) {
     const Roundings step = step_roundings(format, s);
     const double coefficients = step.coefficients;
     // Start words t, n: half a last bit each.
-    double error = s.h * drift(s.x, s.theta) * s.half;
+    double error = s.h * drift(s, s.x) * s.half;
     // theta: an angle error of fine per step, displacement h integral of u fine du.
     error += s.h * s.fine * s.x * s.x / 2;
     // Each completed step leaves sum(e_i) in the position and half + theta sum(e_i) in t and n.
@@ -107,6 +120,24 @@ double advance_error(const Steps& s, double advance, double half) {
     return exact ? 0 : s.h * s.x * half;
 }
 
+/// Start word, one rounding per completed step and one in the sample, unless the shift loses
+/// nothing.
+double position_error(const Steps& s) { return s.g + (s.exact_shift ? 0 : (s.m + 1) * s.g); }
+
+/// tau has W-1 bits: a cut of whole quanta below h 2^-(W-1); and the length is the difference of
+/// two rounded path lengths.
+double path_shift(const Steps& s) { return std::max(0.0, s.h * s.half - kQuantum) + kQuantum; }
+
+double truncation(const WordFormat& format, const Steps& s, double radius) {
+    double at_one = 1;  // 1 / (P+1)!
+    for (int i = 2; i <= format.order + 1; ++i) at_one /= i;
+    const double step = at_one * std::pow(s.theta, format.order + 1);
+    const double rest = step * std::pow(s.x - s.m, format.order + 1);
+    const double growth = std::exp(s.m * step);  // |T_P| <= 1 + step
+    // Radius of the ellipse that one axis sees is at most the circle's.
+    return radius * (s.m * step + rest) * growth;
+}
+
 }  // namespace
 
 // The network applies T_P(i theta), the series cut after the power P, instead of exp(i theta); they
@@ -114,14 +145,7 @@ double advance_error(const Steps& s, double advance, double half) {
 // so m steps and a fraction f differ from the circle by R (m d(theta) + d(f theta)) |T_P|^m.
 double truncation_bound(const WordFormat& format, const Segment& segment) {
     if (segment.radius <= 0) return 0;
-    const Steps s(format, segment);
-    double at_one = 1;  // 1 / (P+1)!
-    for (int i = 2; i <= format.order + 1; ++i) at_one /= i;
-    const double step = at_one * std::pow(s.theta, format.order + 1);
-    const double rest = step * std::pow(s.x - s.m, format.order + 1);
-    const double growth = std::exp(s.m * step);  // |T_P| <= 1 + step
-    // Radius of the ellipse that one axis sees is at most the circle's.
-    return segment.radius * (s.m * step + rest) * growth;
+    return truncation(format, Steps(format, segment), segment.radius);
 }
 
 double rounding_bound(const WordFormat& format, const Segment& segment) {
@@ -137,24 +161,29 @@ double rounding_bound(const WordFormat& format, const Segment& segment) {
     }
     // The product advance * tau of a line or an auxiliary axis; an arc's Horner has counted it.
     if (segment.radius <= 0) along += s.h * s.half;
-    // tau has W-1 bits: a cut of whole quanta below h 2^-(W-1); and the length is the difference of
-    // two rounded path lengths. X Y Z are at most as fast as the path, an auxiliary axis may be
-    // faster.
-    const double shift = std::max(0.0, s.h * s.half - kQuantum) + kQuantum;
+    // X Y Z are at most as fast as the path, an auxiliary axis may be faster.
+    const double shift = path_shift(s);
     for (const double advance : segment.aux_advance) {
         const double faster = std::max(0.0, std::abs(advance) - 1);
         along = std::max(along, advance_error(s, advance, s.half) + s.h * s.half + faster * shift);
     }
-    // Positions: the start word, one rounding per completed step and one in the sample, unless the
-    // shift loses nothing.
-    const bool exact_shift = segment.step_exponent >= format.coef_bits - 2 - format.guard_bits;
-    const double positions = s.g + (exact_shift ? 0 : (s.m + 1) * s.g);
-    return along + positions + shift;
+    return along + position_error(s) + shift;
 }
 
 double segment_bound(const WordFormat& format, const Segment& segment) {
     if (segment.kind == Segment::Kind::kSpline) return spline_error(format, segment).total();
     return truncation_bound(format, segment) + rounding_bound(format, segment);
+}
+
+// Term by term, each grows with the length and with theta <= h / least_radius, also the
+// coefficients' roundings: an e_i is largest at the largest theta, since a word that vanishes there
+// vanishes at any smaller one and its size grows with theta. Truncation takes that theta with
+// most_radius, though no segment has both. A line's errors, advance, last product and positions,
+// are among a helix's.
+double family_bound(const WordFormat& format, const ArcFamily& family) {
+    const Steps s(format, family.step_exponent, 1 / family.least_radius, family.length, true);
+    return truncation(format, s, family.most_radius) + circular_error(format, s) +
+           s.h * s.x * s.half + position_error(s) + path_shift(s);
 }
 
 }  // namespace curvecore::ref

@@ -34,4 +34,23 @@ double rounding_bound(const WordFormat& format, const Segment& segment);
 /// Their sum, or spline_error() of a spline: what the planner keeps below PlanOptions::error_limit.
 double segment_bound(const WordFormat& format, const Segment& segment);
 
+/// Every arc, helix and line segment, in any direction of space, whose radius is in a range.
+///
+/// | field         | unit  | domain                                                      |
+/// |---------------|-------|-------------------------------------------------------------|
+/// | least_radius  | units | > 0; lines are in every family                              |
+/// | most_radius   | units | >= least_radius                                             |
+/// | length        | units | the segment's path is at most so long, and a quarter turn   |
+/// | step_exponent |       | theta <= 2^step_exponent / least_radius <= 1/2              |
+struct ArcFamily {
+    double least_radius = 1;
+    double most_radius = 1;
+    double length = 1;
+    int step_exponent = 0;
+};
+
+/// At least segment_bound() of each segment of the family whose auxiliary axes are no faster than
+/// the path. Monotone in length, so one call proves the shorter segments too.
+double family_bound(const WordFormat& format, const ArcFamily& family);
+
 }  // namespace curvecore::ref

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The benchmarks, one run: the kernel beside the same loop by hand, arcs and the demo part through
-# the RTL at 100,000 samples a second, the papers' tables. Prints rows and writes build/bench.json.
+# the RTL at 100,000 samples a second, the papers' tables, what choose answers. Prints rows and writes build/bench.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
@@ -18,6 +18,13 @@ build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
 build/release/tb/bench/other_interpolators -o build/figures/others.json
 python3 scripts/others_figure.py
+build/release/tb/bench/order_words -o build/figures/order_words.json >/dev/null
+build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
+  -q -o build/figures/choose/up5k
+build/curvecore choose --error 1nm --radius 1m --feed 60m/min --device ecp5-25 \
+  -q -o build/figures/choose/ecp5
+build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
+  --sample-rate 500kHz >build/figures/choose/impossible.txt || [ $? = 3 ]
 for part in arcs demo; do
   for build in parallel serial; do
     rm -rf "build/bench/$part-$build"

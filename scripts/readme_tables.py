@@ -218,7 +218,95 @@ def demo():
     return text + table(head, rows)
 
 
+def length(mm):
+    for size, unit in ((1e3, "m"), (1, "mm"), (1e-3, "um"), (1e-6, "nm")):
+        if mm >= size * (1 - 5e-5):
+            return f"{mm / size:.4g} {unit}"
+    return f"{mm / 1e-6:.4g} nm"
+
+
+def choose(name):
+    data = load(f"figures/choose/{name}/choose.json")
+    if data is None:
+        return None
+    rows = []
+    for r in [data["choice"], *data["runners_up"]]:
+        p, e = r["parameters"], r["estimate"]
+        free = ("nothing", "least there is")
+        bound = [f"{k} by {v}" for k, v in r["binds"].items() if v not in free]
+        rows.append(
+            (
+                f"{r['core']} {r['build']}",
+                p["Order"],
+                p["CoefBits"],
+                p["GuardBits"],
+                p["PositionBits"],
+                p["SampleInterval"] if r["build"] == "parallel" else "",
+                length(r["unit_mm"]),
+                length(r["error_mm"]),
+                f"{r['host_words_per_s']:,.0f}",
+                f"{r['clock_needed_hz'] / 1e6:.1f}",
+                f"{e['lut4']:.0f}",
+                f"{e['ff']:.0f}",
+                e["dsp"],
+                e["bram"],
+                f"{e['fmax_mhz']:.0f}",
+                ", ".join(bound) or "-",
+            )
+        )
+    head = ["core", "order", "coef", "guard", "position", "interval", "unit", "proven error"]
+    head += ["host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz", "a bit less ruled out"]
+    error = data["choice"]["estimate"]["relative_error"]
+    text = table(head, rows) + (
+        f"\n\n{data['seconds']:.1f} s of machine time. LUT4, FF and MHz are estimates, off by"
+        f" {error['lut4']:.0%}, {error['ff']:.0%} and {error['fmax_mhz']:.0%} (root mean square;"
+        f" {data['cost_model']}); DSP and RAM are exact."
+    )
+    if "confirmed" in data:
+        c, e = data["confirmed"], data["choice"]["estimate"]
+        text += (
+            f" `--confirm` of the first row: {c['lut4']:.0f} LUT4"
+            f" ({c['lut4'] / e['lut4'] - 1:+.1%}), {c['ff']:.0f} FF"
+            f" ({c['ff'] / e['ff'] - 1:+.1%}), {c['dsp']} DSP, {c['bram']} RAM,"
+            f" {c['fmax_mhz']:.1f} MHz ({c['fmax_mhz'] / e['fmax_mhz'] - 1:+.1%}),"
+            f" best of {c['seeds']} seeds."
+        )
+    return text
+
+
+def choose_impossible():
+    file = BUILD / "figures/choose/impossible.txt"
+    return "```\n" + file.read_text().strip() + "\n```" if file.exists() else None
+
+
+def order_words():
+    data = load("figures/order_words.json")
+    if data is None:
+        return None
+    rows = [
+        (
+            r["wish"],
+            r["least_order"],
+            r["uniform"]["order"],
+            r["uniform"]["coef_bits"],
+            f"{r['uniform']['bits']} ({r['uniform']['blocks']})",
+            f"{r['own']['order']}: {r['own']['widths']}",
+            f"{r['own']['max_theta']:.2g}",
+            f"{r['own']['bits']} ({r['own']['blocks']})",
+            f"{r['saved_percent']:.0f} %",
+        )
+        for r in data["rows"]
+    ]
+    head = ["wish", "orders from", "order", "bits", "multiplier bits (18 x 18 blocks)"]
+    head += ["own widths: sum x tau"]
+    return table([*head, "theta <=", "multiplier bits (blocks)", "saved"], rows)
+
+
 TABLES = {
+    "choose_up5k": functools.partial(choose, "up5k"),
+    "choose_ecp5": functools.partial(choose, "ecp5"),
+    "choose_impossible": choose_impossible,
+    "order_words": order_words,
     "accuracy": accuracy,
     "splines": splines,
     "throughput": throughput,

@@ -17,10 +17,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuanta = 65536;   // per unit
-constexpr double kMaxTheta = 0.5;   // rad in a step
-constexpr int kMaxSteps = 1 << 12;  // steps of one segment
-constexpr double kClosing = 0.02;   // units by which a computed arc may miss its end
+constexpr double kQuanta = 65536;  // per unit
+constexpr double kClosing = 0.02;  // units by which a computed arc may miss its end
 constexpr std::string_view kNames = "XYZABCUVW";
 
 /// How a move is cut.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words | compare: parts through the cores, from the command line.
+// curvecore run | plan | words | compare | choose: parts through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// wrong, and nothing was written; 130 interrupted, nothing written (compare: what was finished).
+// wrong, and nothing was written; 3 choose: no configuration keeps the wish; 130 interrupted,
+// nothing written (compare: what was finished).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
 #include "ref/program/input_error.hpp"
+#include "tb/program/choose_command.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/compare_command.hpp"
 #include "tb/program/interrupt.hpp"
@@ -63,6 +65,9 @@ void add_common(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("--build", raw.build, "parallel or serial")
         ->type_name("BUILD")
         ->capture_default_str();
+    command.add_option("--limit", raw.limit, "derived bound of the error that every segment keeps")
+        ->type_name("UNITS")
+        ->capture_default_str();
     command
         .add_option("--set", raw.set,
                     fmt::format("a parameter of the core: {}", fmt::join(parameter_names(), ", ")))
@@ -106,6 +111,41 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     add("--samples", compare.samples, "N", "places at which each configuration is compared");
 }
 
+void add_choose(CLI::App& command, RawWish& raw, ChooseOptions& options) {
+    const auto add = [&command](const char* name, std::string& text, const char* type,
+                                const char* help) {
+        return command.add_option(name, text, help)->type_name(type)->capture_default_str();
+    };
+    add("--error", raw.error, "LENGTH",
+        "worst error of a position on any axis, as the core gives it")
+        ->required();
+    add("--feed", raw.feed, "SPEED", "along the path, where acceleration lets it: 10m/min, 100mm/s")
+        ->required();
+    add("--device", raw.device, "NAME", "up5k, hx8k, ecp5-25, ecp5-45 or ecp5-85")->required();
+    add("--radius", raw.radius, "LENGTH",
+        "largest radius of arcs and helices; lines come with them");
+    add("--least-radius", raw.least_radius, "LENGTH", "smallest radius");
+    add("--length", raw.length, "LENGTH", "longest spline");
+    add("--travel", raw.travel, "LENGTH",
+        "positions go so far to both sides; the largest radius or length when left out");
+    add("--unit", raw.unit, "LENGTH",
+        "length unit: 1nm, 10nm, 0.1um or 1um; the best one when left out");
+    add("--sample-rate", raw.sample_rate, "FREQUENCY", "samples a second");
+    add("--clock", raw.clock, "FREQUENCY", "that the core must run at; any when left out");
+    add("--host-words", raw.host_words, "N", "words of 48 bits a second that the host can send");
+    add("--build", raw.build, "BUILD", "parallel or serial; either when left out");
+    command.add_option("--machine", options.machine, "acceleration and jerk from LinuxCNC's .ini")
+        ->type_name("FILE.ini");
+    command.add_option("-o,--output", options.folder, "folder for choose.json")->type_name("DIR");
+    command.add_flag("--confirm", options.confirm,
+                     "place and route the answer with scripts/synth.sh: minutes");
+    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+    command.footer(
+        "Exit status: 0 there is one; 1 --confirm failed or is too slow; 2 the command line is "
+        "wrong; "
+        "3 no core keeps the wish, and the answer says what to give up.");
+}
+
 int dispatch(int argc, char** argv) {
     CLI::App app{"Lines, arcs, helices and splines through FPGA interpolator cores", "curvecore"};
     app.set_version_flag("--version", "curvecore " CURVECORE_VERSION);
@@ -125,6 +165,11 @@ int dispatch(int argc, char** argv) {
     RawCompareOptions raw_compare;
     CompareOptions compare_options;
     add_compare(*compare, raw, raw_compare, compare_options);
+    CLI::App* choose = app.add_subcommand(
+        "choose", "the smallest core that is proven to keep an error at a feed in a device");
+    RawWish raw_wish;
+    ChooseOptions choose_options;
+    add_choose(*choose, raw_wish, choose_options);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) {
@@ -136,6 +181,10 @@ int dispatch(int argc, char** argv) {
         interpret(raw, compare_options.common);
         interpret(raw_compare, compare_options);
         return compare_command(compare_options);
+    }
+    if (*choose) {
+        interpret(raw_wish, choose_options);
+        return choose_command(choose_options);
     }
     interpret(raw, options);
     if (*run) return run_command(options);

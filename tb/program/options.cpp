@@ -10,41 +10,11 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
+#include "tb/program/quantity.hpp"
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {
-
-/// Name and power of ten.
-using Suffix = std::pair<std::string_view, int>;
-
-std::string names(const std::vector<Suffix>& suffixes) {
-    std::string text;
-    for (std::size_t i = 0; i < suffixes.size(); ++i) {
-        text += text.empty() ? "" : i + 1 == suffixes.size() ? " or " : ", ";
-        text += suffixes[i].first;
-    }
-    return text;
-}
-
-/// A number with a unit, in the unit's base.
-double quantity(const std::string& option, const std::string& text,
-                const std::vector<Suffix>& suffixes) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
-    if (result.ec != std::errc() || !std::isfinite(value)) {
-        throw UsageError(fmt::format("{} '{}': not a number", option, text));
-    }
-    const std::string_view suffix(result.ptr, static_cast<std::size_t>(end - result.ptr));
-    for (const Suffix& known : suffixes) {
-        // By division, 100us is the double nearest to 1e-4.
-        if (suffix != known.first) continue;
-        const double power = std::pow(10.0, std::abs(known.second));
-        return known.second < 0 ? value / power : value * power;
-    }
-    throw UsageError(fmt::format("{} '{}': the unit must be {}", option, text, names(suffixes)));
-}
 
 std::uint64_t whole(const std::string& option, const std::string& text) {
     std::uint64_t value = 0;
@@ -87,15 +57,22 @@ ref::PointsOptions points_options(const RawOptions& raw, const std::string& file
     return points;
 }
 
+}  // namespace
+
 double unit_of(const std::string& text) {
     const std::vector<Suffix> units{{"1nm", -6}, {"10nm", -5}, {"0.1um", -4}, {"1um", -3}};
     for (const Suffix& unit : units) {
         if (text == unit.first) return 1 / std::pow(10.0, -unit.second);
     }
-    throw UsageError(fmt::format("--unit '{}': must be {}", text, names(units)));
+    throw UsageError(fmt::format("--unit '{}': must be {}", text, suffix_names(units)));
 }
 
-}  // namespace
+Build build_of(const std::string& text) {
+    if (text != "parallel" && text != "serial") {
+        throw UsageError(fmt::format("--build '{}': must be parallel or serial", text));
+    }
+    return text == "serial" ? Build::kSerial : Build::kParallel;
+}
 
 int Options::samples_per_tick_log2() const {
     int n = 0;
@@ -114,6 +91,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.samples_per_tick = samples_per_tick;
     plan.format = core.format();
     plan.aux_axes = core.aux_axes;
+    plan.error_limit = error_limit;
     plan.clock_hz = clock_hz;
     plan.network_latency_clocks = core.network_latency();
     plan.spline_latency_clocks = core.spline_latency();
@@ -139,10 +117,11 @@ void interpret(const RawOptions& raw, Options& options) {
     if (!(options.clock_hz >= 1e3 && options.clock_hz <= 1e10)) {
         throw UsageError("--clock must be in [1kHz, 10GHz]");
     }
-    if (raw.build != "parallel" && raw.build != "serial") {
-        throw UsageError(fmt::format("--build '{}': must be parallel or serial", raw.build));
+    options.error_limit = quantity("--limit", raw.limit, {{"", 0}});
+    if (!(options.error_limit >= 0.001 && options.error_limit <= 1e6)) {
+        throw UsageError("--limit must be in [0.001, 1e6] units");
     }
-    options.core.build = raw.build == "serial" ? Build::kSerial : Build::kParallel;
+    options.core.build = build_of(raw.build);
     for (const std::string& assignment : raw.set) {
         set_parameter(options.core, assignment);
         options.splines_set |= assignment.rfind("Splines=", 0) == 0;

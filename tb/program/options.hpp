@@ -22,6 +22,7 @@ struct Options {
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
     double clock_hz = 100e6;
+    double error_limit = 0.1;  // units: the planner keeps every segment's derived bound below it
     CoreParameters core;
     bool splines_set = false;   // by --set; otherwise if the program has splines
     bool aux_axes_set = false;  // by --set; otherwise as many as the program needs
@@ -49,11 +50,16 @@ struct RawOptions {
     std::string samples_per_tick = "1";
     std::string clock = "100MHz";
     std::string build = "parallel";
+    std::string limit = "0.1";
     std::string override_percent = "100";
     std::string stall_seed;
     std::string trace_clocks = "20000";
     std::vector<std::string> set;
 };
+
+/// Values of --unit, in mm, and of --build. @throws UsageError
+double unit_of(const std::string& text);
+Build build_of(const std::string& text);
 
 /// @throws UsageError with the option's name and the reason
 void interpret(const RawOptions& raw, Options& options);

@@ -14,9 +14,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 11> kOwnFiles{
-    "samples.csv",  "report.json", "report.html", "segments.json", "waves.fst",  "waves.gtkw",
-    "segments.hex", "profile.hex", "words.json",  "compare.json",  "compare.csv"};
+constexpr std::array<const char*, 12> kOwnFiles{
+    "samples.csv",  "report.json", "report.html", "segments.json", "waves.fst",   "waves.gtkw",
+    "segments.hex", "profile.hex", "words.json",  "compare.json",  "compare.csv", "choose.json"};
 
 }  // namespace
 

