@@ -215,7 +215,9 @@ class Walk {
             }
             sum = std::max({sum, std::abs(series_.DP[i]), std::abs(series_.Dphi[i]) / 2});
         }
-        return sum < slack / 4 && prediction_ < 1.0 / 40 &&
+        // Newton's product m = |V|^2 phi of the phi that the step before left, and its roundings.
+        const double m = speed * (1 + prediction_) + std::ldexp(2.0, -format_.coef_bits);
+        return sum < slack / 4 && prediction_ < 1.0 / 40 && m < 1 &&
                series_.six_a.cwiseAbs().maxCoeff() < slack / 4;
     }
 

@@ -15,8 +15,8 @@ namespace {
 constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
 
-/// Room for the roundings of V, m and v below 1.
-double hair(const WordFormat& format) { return std::ldexp(1.0, 4 - format.coef_bits); }
+/// Room for the roundings of V, v and phi, and so of m, below 1.
+double hair(const WordFormat& format) { return std::ldexp(1.0, 6 - format.coef_bits); }
 
 /// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
 constexpr double kLongestLine = 4;

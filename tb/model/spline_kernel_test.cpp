@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -92,6 +93,54 @@ TEST(SplineNetwork, WordsAreTheSeriesWithinTheirRoundings) {
     expect_series<Core<6, 36, SamplerMode::kPolynomial>>(300);
     expect_series<Core<2, 28, SamplerMode::kSeries>>(300);
     expect_series<Core<5, 18, SamplerMode::kSeries>>(300);
+}
+
+/// Largest m = |V|^2 phi of any step, phi as the step before left it: its word ends at 1.
+template <class C>
+double largest_newton_product(double limit) {
+    struct Kernel : hls::SplineKernel<C> {
+        using hls::SplineKernel<C>::net_;
+    };
+    ref::WordFormat format;
+    format.order = C::kOrder;
+    format.coef_bits = C::kCoefBits;
+    double largest = 0;
+    SplineMaker random(11);
+    for (const SplineFamily& family : spline_families()) {
+        for (int n = 0; n < 4; ++n) {
+            for (const ref::Segment& piece :
+                 ref::split_spline(random.next(family), format, limit)) {
+                if (piece.kind != ref::Segment::Kind::kSpline) continue;
+                Kernel kernel;
+                kernel.load(hls::to_words<C>(piece));
+                const auto steps = piece.length >> (piece.step_exponent + 16);
+                for (std::uint64_t step = 0; step < steps; ++step) {
+                    const std::int64_t phi =
+                        hls::SplineNetwork<C>::sum(kernel.net_.phi, 0, hls::SplineNetwork<C>::kTop);
+                    kernel.step();
+                    double norm = 0;
+                    for (const auto& V : kernel.net_.V) {
+                        norm +=
+                            std::pow(std::ldexp(static_cast<double>(V[0]), 1 - C::kCoefBits), 2);
+                    }
+                    largest = std::max(
+                        largest, norm * std::ldexp(static_cast<double>(phi), 2 - C::kCoefBits));
+                }
+            }
+        }
+    }
+    return largest;
+}
+
+TEST(SplineKernel, NewtonsProductIsAWord) {
+    for (const double largest :
+         {largest_newton_product<Core<3, 30, SamplerMode::kPolynomial>>(6500),
+          largest_newton_product<Core<4, 24, SamplerMode::kPolynomial>>(400),
+          largest_newton_product<Core<6, 36, SamplerMode::kPolynomial>>(0.1),
+          largest_newton_product<Core<12, 36, SamplerMode::kSeries>>(0.1)}) {
+        EXPECT_LT(largest, 1);
+        EXPECT_GT(largest, 0.99) << "no step comes near";
+    }
 }
 
 /// Pieces of a few cubics and the lines between them, as one path.
