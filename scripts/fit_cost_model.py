@@ -23,7 +23,7 @@ import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FAMILIES = {"up5k": "up5k", "hx8k": "hx8k", "ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}
+FAMILIES = {"ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}  # others: the device itself
 PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval")
 COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
 RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
@@ -110,7 +110,7 @@ def least_squares(runs, features, wanted, ridge):
     gram = [[sum(row[i] * row[j] for row in scaled) for j in count] for i in count]
     right = [sum(row[i] for row in scaled) for i in count]
     for i in count:
-        constant = features[i] in FAMILIES.values()
+        constant = features[i] in {run["family"] for run in runs}
         gram[i][i] += (1e-9 if constant else ridge) * max(gram[i][i], 1e-30)
     return solve(gram, right)
 
@@ -175,7 +175,7 @@ def read(path):
             try:
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
                 run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
-                run["family"] = FAMILIES[row["device"]]
+                run["family"] = FAMILIES.get(row["device"], row["device"])
             except (KeyError, TypeError, ValueError) as error:
                 sys.exit(f"{path}:{line}: error: not a run: {error}")
             run |= {"core": row["core"], "build": row["build"], "device": row["device"]}

@@ -8,14 +8,14 @@ namespace curvecore::ref {
 
 /// What family_bound() says of all pieces whose radius is in the range.
 ///
-/// | field          | unit   | meaning |
-/// |----------------|--------|---------------------------------------------------------------------|
-/// | longest        | units  | a piece up to this length keeps the limit; 0: none does | |
-/// step_exponent  |        | of the longest step with which a piece of that length does          |
-/// | bound          | units  | of such a piece | | shortest       | units  | of the pieces of an
-/// arc of a quarter turn or more, the planner's    | |                |        | rule being fewest
-/// pieces, all alike                                 | | steps_per_unit | 1/unit | at most, of
-/// those pieces                                            |
+/// | field          | unit   | meaning                                                          |
+/// |----------------|--------|------------------------------------------------------------------|
+/// | longest        | units  | a piece up to this length keeps the limit; 0: none does          |
+/// | step_exponent  |        | of the longest step with which a piece of that length does       |
+/// | bound          | units  | of such a piece                                                  |
+/// | shortest       | units  | of the planner's pieces of an arc of a quarter turn or more, its |
+/// |                |        | rule being fewest pieces, all alike                              |
+/// | steps_per_unit | 1/unit | at most, of those pieces                                         |
 struct ArcCover {
     double longest = 0;
     int step_exponent = 0;

@@ -20,15 +20,24 @@ using Change = std::function<void(Wish& wish, double factor)>;
 bool possible(const Wish& wish) { return Chooser(wish).possible(); }
 
 /// The factor nearest to 1 between 1 and `farthest` with which the wish is possible; 0: none is.
+/// Farther away another limit may hold again, so the search goes out step by step.
 double nearest(const Wish& wish, double farthest, const Change& change) {
     const auto with = [&](double factor) {
         Wish changed = wish;
         change(changed, factor);
         return possible(changed);
     };
-    if (!with(farthest)) return 0;
+    const double out = farthest > 1 ? 4 : 0.25;
+    const auto clamped = [&](double factor) {
+        return farthest > 1 ? std::min(factor, farthest) : std::max(factor, farthest);
+    };
     double bad = 1;
-    double good = farthest;
+    double good = clamped(out);
+    while (!with(good)) {
+        if (good == farthest) return 0;
+        bad = good;
+        good = clamped(good * out);
+    }
     while (std::abs(std::log(good / bad)) > std::log(kPrecision)) {
         const double middle = std::sqrt(good * bad);
         (with(middle) ? good : bad) = middle;
@@ -154,11 +163,6 @@ std::vector<Concession> concessions(const Wish& wish) {
                 other.travel_mm = std::max(spare * other.length_mm, other.radius_mm);
             },
             length_text);
-    }
-    if (wish.arcs()) {
-        search.number(
-            "least radius", wish.least_radius_mm, wish.radius_mm / wish.least_radius_mm,
-            [](Wish& other, double factor) { other.least_radius_mm *= factor; }, length_text);
     }
     if (wish.arcs()) {
         search.number(

@@ -69,7 +69,9 @@ void interpret(const RawWish& raw, ChooseOptions& options) {
     if (!raw.radius.empty()) {
         wish.radius_mm = length("--radius", raw.radius, 1e-3, kMostLength);
         wish.least_radius_mm =
-            std::min(wish.radius_mm, length("--least-radius", raw.least_radius, 1e-4, kMostLength));
+            raw.least_radius.empty()
+                ? std::min(wish.radius_mm, wish.least_radius_mm)
+                : length("--least-radius", raw.least_radius, 1e-4, wish.radius_mm);
     }
     if (!raw.length.empty()) wish.length_mm = length("--length", raw.length, 1e-3, kMostLength);
     wish.travel_mm = raw.travel.empty() ? std::max(wish.radius_mm, wish.length_mm)

@@ -18,7 +18,7 @@ struct ChooseOptions {
 struct RawWish {
     std::string error;
     std::string radius;
-    std::string least_radius = "10um";
+    std::string least_radius;
     std::string length;
     std::string feed;
     std::string device;

@@ -41,6 +41,7 @@ std::vector<KnownRun> runs() {
         run.device = std::find_if(kDevices.begin(), kDevices.end(), [&](const Device& device) {
             return device.name == one.at("device").get<std::string>();
         });
+        if (run.device == kDevices.end()) continue;
         run.json = one;
         all.push_back(run);
     }

@@ -11,7 +11,7 @@
 namespace curvecore::tb {
 namespace {
 
-using Wide = __int128;
+using Wide = std::int64_t;  // products of 30 bits each
 
 Wide rounded(Wide value, int shift) { return (value + (Wide(1) << (shift - 1))) >> shift; }
 

@@ -124,7 +124,7 @@ void add_choose(CLI::App& command, RawWish& raw, ChooseOptions& options) {
     add("--device", raw.device, "NAME", "up5k, hx8k, ecp5-25, ecp5-45 or ecp5-85")->required();
     add("--radius", raw.radius, "LENGTH",
         "largest radius of arcs and helices; lines come with them");
-    add("--least-radius", raw.least_radius, "LENGTH", "smallest radius");
+    add("--least-radius", raw.least_radius, "LENGTH", "smallest radius; 10um when left out");
     add("--length", raw.length, "LENGTH", "longest spline");
     add("--travel", raw.travel, "LENGTH",
         "positions go so far to both sides; the largest radius or length when left out");
