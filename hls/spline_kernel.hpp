@@ -5,7 +5,8 @@
 //     r(v) = start + 2^lambda ((a v + b) v + c) v        0 <= v < 1
 //
 // The planner guarantees 1/2 < |V| < 1 for V = dr/dv / 2^lambda, |3a v + b| < 2, |a| < 2/3, and
-// steps so short that the network's words keep their ranges (hls/spline_network.hpp).
+// steps so short that the network's words keep their ranges (hls/spline_network.hpp) and m below
+// 1, which the phi of the step before may exceed where |V| comes near 1.
 // Between steps v is the only state with Anchor = 1: position, V, W and phi are made from it.
 //
 // Every step, with A = CoefBits-2 and U = CoefBits-1 fraction bits, s = lambda - k, each line one
