@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The benchmarks, one run: the kernel beside the same loop by hand, arcs and the demo part through
-# the RTL at 100,000 samples a second, the papers' tables, what choose answers. Prints rows and
-# writes build/bench.json.
+# the RTL at 100,000 samples a second, the papers' tables, others' methods, what choose answers.
+# Prints rows and writes build/bench.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
