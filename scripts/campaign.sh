@@ -16,8 +16,10 @@ mkdir -p build/campaign build/figures
 
 mapfile -t benches < <(find build/release/tb -maxdepth 1 -name 'sample_campaign_*' -type f \
   -executable | sort)
-# The serial build needs twenty clocks and more for a sample: it gets a fifth of the others' share.
-share() { case $1 in *serial*) echo 1 ;; *) echo 5 ;; esac; }
+# The more clocks a sample takes, the fewer samples.
+share() {
+  case $1 in *serial*) echo 1 ;; *_i8) echo 5 ;; *_i4) echo 10 ;; *_i2) echo 20 ;; *) echo 32 ;; esac
+}
 shares=0
 for bench in "${benches[@]}"; do shares=$((shares + $(share "$bench"))); done
 echo "${#benches[@]} configurations, $total samples"
