@@ -18,7 +18,13 @@ mapfile -t benches < <(find build/release/tb -maxdepth 1 -name 'sample_campaign_
   -executable | sort)
 # The more clocks a sample takes, the fewer samples.
 share() {
-  case $1 in *serial*) echo 1 ;; *_i8) echo 5 ;; *_i4) echo 10 ;; *_i2) echo 20 ;; *) echo 32 ;; esac
+  case $1 in
+    *serial*) echo 1 ;;
+    *_i8) echo 5 ;;
+    *_i4) echo 10 ;;
+    *_i2) echo 20 ;;
+    *) echo 32 ;;
+  esac
 }
 shares=0
 for bench in "${benches[@]}"; do shares=$((shares + $(share "$bench"))); done
