@@ -104,27 +104,32 @@ Drift measure(const std::vector<ref::Segment>& turn, std::int64_t chain) {
     const std::size_t per_turn = turn.size();
     const std::int64_t turn_length =
         static_cast<std::int64_t>(turn.back().s_start + turn.back().length);
-    const std::int64_t window = static_cast<std::int64_t>(kWindow) * turn_length;
-    const std::int64_t total = (chain / static_cast<std::int64_t>(per_turn)) * turn_length;
+    const std::int64_t turns = chain / static_cast<std::int64_t>(per_turn);
 
     hls::MotionKernel<C> kernel;
     Drift drift;
-    std::int64_t s = 0;
+    std::int64_t turn_now = 0;
+    std::int64_t s = 0;  // into the turn
     // Incommensurate, and 1,000 turns see every part of the turn: places that compare.
     const std::int64_t ds = turn_length / 41 + turn_length / 41000 + 12345;
-    while (s + ds <= total) {
+    while (true) {
         s += ds;
+        if (s > turn_length) {
+            s -= turn_length;
+            ++turn_now;
+        }
+        if (turn_now == turns) break;
         hls::Word<C::kFineBits> fine[C::kAxes];
         kernel.sample(
             ds, [&] { return hls::to_words<C>(turn[drift.segments++ % per_turn]); }, fine);
         ++drift.samples;
-        const bool head = s <= window;
-        const bool tail = s > total - window;
+        const bool head = turn_now < kWindow;
+        const bool tail = turn_now >= turns - kWindow;
         if (!head && !tail) continue;
         const std::size_t index = (drift.segments - 1) % per_turn;
         const std::int64_t start = static_cast<std::int64_t>(turn[index].s_start);
         // The end of a turn is a point of its last segment.
-        std::int64_t local = s % turn_length - start;
+        std::int64_t local = s - start;
         if (local < 0) local += turn_length;
         const ref::Vec3 exact =
             truth.position(index, std::ldexp(static_cast<double>(local), -hls::kPathFrac));
