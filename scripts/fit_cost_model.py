@@ -22,6 +22,8 @@ import math
 import pathlib
 import sys
 
+import numpy
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAMILIES = {"ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}  # others: the device itself
 PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval")
@@ -75,21 +77,6 @@ def value(feature, names):
     return math.prod(names.get(name, 0) for name in feature.split("*"))
 
 
-def solve(matrix, right):
-    """Gauss with row pivots; the ridge makes every system regular."""
-    n = len(right)
-    rows = [list(row) + [value] for row, value in zip(matrix, right)]
-    for i in range(n):
-        pivot = max(range(i, n), key=lambda k: abs(rows[k][i]))
-        rows[i], rows[pivot] = rows[pivot], rows[i]
-        for k in range(n):
-            if k == i:
-                continue
-            factor = rows[k][i] / rows[i][i]
-            rows[k] = [a - factor * b for a, b in zip(rows[k], rows[i])]
-    return [rows[i][n] / rows[i][i] for i in range(n)]
-
-
 def fit(runs, features, wanted, ridge):
     """Coefficients, none of a width below 0, that minimise the sum of squared relative errors."""
     features = list(features)
@@ -112,7 +99,7 @@ def least_squares(runs, features, wanted, ridge):
     for i in count:
         constant = features[i] in {run["family"] for run in runs}
         gram[i][i] += (1e-9 if constant else ridge) * max(gram[i][i], 1e-30)
-    return solve(gram, right)
+    return numpy.linalg.solve(gram, right).tolist()  # the ridge makes it regular
 
 
 def predict(coefficients, features, run):

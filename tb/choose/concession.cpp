@@ -45,6 +45,15 @@ double nearest(const Wish& wish, double farthest, const Change& change) {
     return good;
 }
 
+/// Of a size, and of the travel with it, as far as the `other` size lets it.
+Change reach(double Wish::*size, double Wish::*other) {
+    return [size, other](Wish& wish, double factor) {
+        const double spare = wish.travel_mm / (wish.*size);
+        wish.*size *= factor;
+        wish.travel_mm = std::max(spare * (wish.*size), wish.*other);
+    };
+}
+
 class Search {
   public:
     explicit Search(const Wish& wish) : wish_(wish) {}
@@ -144,25 +153,13 @@ std::vector<Concession> concessions(const Wish& wish) {
         [](Wish& other, double factor) { other.error_mm *= factor; }, length_text);
     search.unit();
     if (wish.arcs()) {
-        search.number(
-            "radius", wish.radius_mm,
-            std::max(1 / kFarthest, wish.least_radius_mm / wish.radius_mm),
-            [](Wish& other, double factor) {
-                const double spare = other.travel_mm / other.radius_mm;
-                other.radius_mm *= factor;
-                other.travel_mm = std::max(spare * other.radius_mm, other.length_mm);
-            },
-            length_text);
+        search.number("radius", wish.radius_mm,
+                      std::max(1 / kFarthest, wish.least_radius_mm / wish.radius_mm),
+                      reach(&Wish::radius_mm, &Wish::length_mm), length_text);
     }
     if (wish.splines()) {
-        search.number(
-            "length", wish.length_mm, 1 / kFarthest,
-            [](Wish& other, double factor) {
-                const double spare = other.travel_mm / other.length_mm;
-                other.length_mm *= factor;
-                other.travel_mm = std::max(spare * other.length_mm, other.radius_mm);
-            },
-            length_text);
+        search.number("length", wish.length_mm, 1 / kFarthest,
+                      reach(&Wish::length_mm, &Wish::radius_mm), length_text);
     }
     if (wish.arcs()) {
         search.number(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <vector>
 
 #include "tb/compare/cost_model_data.hpp"
@@ -128,16 +129,20 @@ Core core_for(bool arcs, bool splines, Build build) {
 
 bool CostEstimate::fits(const Device& device) const { return fullest(device) <= 1; }
 
+std::array<double, 3> CostEstimate::shares(const Device& device) const {
+    return {std::max(lut4, ff) / device.lut4,
+            device.dsp > 0 ? static_cast<double>(dsp) / device.dsp : 0,
+            static_cast<double>(ram) / device.ram};
+}
+
 double CostEstimate::size(const Device& device) const {
-    const double logic = std::max(lut4, ff) / device.lut4;
-    return logic + (device.dsp > 0 ? static_cast<double>(dsp) / device.dsp : 0) +
-           static_cast<double>(ram) / device.ram;
+    const std::array<double, 3> all = shares(device);
+    return std::accumulate(all.begin(), all.end(), 0.0);
 }
 
 double CostEstimate::fullest(const Device& device) const {
-    const double logic = std::max(lut4, ff) / device.lut4;
-    const double multipliers = device.dsp > 0 ? static_cast<double>(dsp) / device.dsp : 0;
-    return std::max({logic, multipliers, static_cast<double>(ram) / device.ram});
+    const std::array<double, 3> all = shares(device);
+    return *std::max_element(all.begin(), all.end());
 }
 
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,

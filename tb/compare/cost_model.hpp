@@ -7,6 +7,7 @@
 // in. Whatever they say is an estimate: `error` is that of the model on runs it was not fitted to.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -40,10 +41,11 @@ struct CostEstimate {
     double mhz_error = 0;
 
     bool fits(const Device& device) const;
-    /// Share of the device: the larger of LUT4 and flip-flops, DSP and RAM blocks added up. What
-    /// "smallest" means.
+    /// Shares of the device: the larger of LUT4 and flip-flops, DSP blocks, RAM blocks.
+    std::array<double, 3> shares(const Device& device) const;
+    /// Their sum. What "smallest" means.
     double size(const Device& device) const;
-    /// The largest of the shares.
+    /// The largest of them.
     double fullest(const Device& device) const;
 };
 
