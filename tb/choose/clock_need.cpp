@@ -4,34 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tb/support/serial_clocks.hpp"
+
 namespace curvecore::tb {
 namespace {
 
-/// rtl/curve_interpolator_serial.sv.
-struct SerialClocks {
-    double sample, step, segment;
-
-    SerialClocks(const CoreParameters& parameters, bool splines) {
-        const int order = parameters.order;
-        const int aux = parameters.aux_axes;
-        const int groups = (aux + 2) / 3;
-        const bool series = parameters.mode == 0;
-        const int frames = (series ? order : splines ? order + 3 : 4 + order / 2) + groups;
-        sample = std::max({9 * (1 + groups), 3 * (frames + 5), 24});
-        if (splines) {
-            const int own = series ? 3 * order * (order + 11) / 2 : 0;
-            step = 4 * order * order + 39 * order + 9 * frames + 120 + own;
-            segment = 4 * order * order + 37 * order + 9 * frames + 3 * aux + 162 + own;
-        } else {
-            step = 15 * order + 9 * frames + 84;
-            segment = 27 * order + 9 * frames + 3 * aux + 66 + (series ? 0 : 11 * order + 24);
-        }
-    }
-};
-
 ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool splines,
                       double period) {
-    const SerialClocks clocks(parameters, splines);
+    const SerialClocks clocks =
+        serial_clocks(parameters.order, parameters.aux_axes, parameters.mode == 0, splines);
     const double segments = std::ceil(load.segments * period);
     const double steps = std::ceil(load.steps * period);
     const double pauses = segments * clocks.segment + std::max(0.0, steps - segments) * clocks.step;

@@ -44,18 +44,6 @@ double frequency(const std::string& option, const std::string& text, double low,
     return value;
 }
 
-const Device* device_of(const std::string& name) {
-    const auto* const found =
-        std::find_if(kDevices.begin(), kDevices.end(),
-                     [&](const Device& device) { return device.name == name; });
-    if (found != kDevices.end()) return &*found;
-    std::string names;
-    for (const Device& device : kDevices) {
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", device.name);
-    }
-    throw UsageError(fmt::format("--device '{}': must be one of {}", name, names));
-}
-
 }  // namespace
 
 void interpret(const RawWish& raw, ChooseOptions& options) {

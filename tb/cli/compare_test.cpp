@@ -89,6 +89,23 @@ TEST_F(Compare, WritesARowForEveryCombination) {
     EXPECT_NE(page.find("\"title\":\"part.ngc\""), std::string::npos);
 }
 
+TEST_F(Compare, EstimatesWhatRowsCostOnADevice) {
+    const auto rows = [this](const std::string& build, const std::string& interval) {
+        return compare({"--curves", "arcs", "--order", "6", "--coef-bits", "18,36", "--mode", "0",
+                        "--samples", "500", "--device", "ecp5-25", "--build", build, "--interval",
+                        interval});
+    };
+    const Json four = rows("parallel", "4")["rows"];
+    EXPECT_EQ(four[0]["estimate"]["dsp"], 6);  // 3 axes, passes of 4 and 2, one block each
+    EXPECT_EQ(four[1]["estimate"]["dsp"], 24);
+    EXPECT_LT(four[0]["estimate"]["lut4"], four[1]["estimate"]["lut4"]);
+    const Json one = rows("parallel", "1");
+    EXPECT_EQ(one["rows"][1]["estimate"]["dsp"], 72);
+    EXPECT_GT(one["rows"][1]["estimate"]["of_device"], 1);
+    EXPECT_EQ(one["estimate"]["device"], "ecp5-25");
+    EXPECT_EQ(rows("serial", "1")["rows"][1]["estimate"]["dsp"], 4);
+}
+
 TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
     const Json json = compare({"--order", "8", "--coef-bits", "20:36:4", "--mode", "0",
                                "--guard-bits", "12", "--samples", "4000"});

@@ -66,7 +66,17 @@ Json ranges_json(const ValueRanges& ranges) {
     return json;
 }
 
-Json row_json(const Row& row, int axes) {
+Json estimate_json(const std::optional<CostEstimate>& cost, const Device& device) {
+    if (!cost) return nullptr;
+    return {{"lut4", std::round(cost->lut4)},
+            {"ff", std::round(cost->ff)},
+            {"dsp", cost->dsp},
+            {"ram", cost->ram},
+            {"mhz", std::round(cost->mhz)},
+            {"of_device", cost->fullest(device)}};
+}
+
+Json row_json(const Row& row, int axes, const Device& device) {
     const ref::WordFormat& format = row.setting.format;
     Json json{{"order", format.order},
               {"coef_bits", format.coef_bits},
@@ -79,7 +89,8 @@ Json row_json(const Row& row, int axes) {
               {"steps", row.steps},
               {"multiplier_bits", row.cost.bits},
               {"sampler_products", row.cost.sampler_products},
-              {"integrators", row.cost.integrators}};
+              {"integrators", row.cost.integrators},
+              {"estimate", estimate_json(row.estimate, device)}};
     if (!row.drawn) return json;
     json["output"] = position_json(row.output, axes);
     json["unrounded"] = position_json(row.fine, axes);
@@ -106,7 +117,8 @@ std::string CompareReport::title() const {
 
 Json CompareReport::json() const {
     Json rows = Json::array();
-    for (const Row& row : result.rows) rows.push_back(row_json(row, axes()));
+    const Target& target = options.sweep.target;
+    for (const Row& row : result.rows) rows.push_back(row_json(row, axes(), *target.device));
     Json front = Json::array();
     for (const std::size_t index : pareto_front(result.rows)) front.push_back(index);
     return {{"title", title()},
@@ -123,6 +135,11 @@ Json CompareReport::json() const {
             {"held", held()},
             {"seconds", result.seconds},
             {"pareto", front},
+            {"estimate",
+             {{"device", target.device->name},
+              {"build", build_name(target.build)},
+              {"sample_interval", target.sample_interval},
+              {"source", cost_model_source()}}},
             {"rows", rows}};
 }
 

@@ -36,6 +36,15 @@ int single(const std::string& option, const std::string& text, int low, int high
     return numbers.front();
 }
 
+Target target_of(const RawCompareOptions& raw) {
+    Target target{device_of(raw.device), build_of(raw.build),
+                  single("--interval", raw.interval, 1, 8)};
+    if ((target.sample_interval & (target.sample_interval - 1)) != 0) {
+        throw UsageError("--interval must be 1, 2, 4 or 8");
+    }
+    return target;
+}
+
 CurveSet curve_set(const std::string& name) {
     const auto found = std::find(kCurveSets.begin(), kCurveSets.end(), name);
     if (found == kCurveSets.end()) {
@@ -88,6 +97,7 @@ void interpret(const RawCompareOptions& raw, CompareOptions& options) {
     options.sweep.limit = limit_of(raw.limit);
     options.sweep.times_segments = single("--segments", raw.segments, 1, 1000);
     options.sweep.samples = single("--samples", raw.samples, 100, 10000000);
+    options.sweep.target = target_of(raw);
     options.sweep.quiet = options.common.quiet;
 }
 

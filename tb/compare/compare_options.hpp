@@ -26,6 +26,9 @@ struct RawCompareOptions {
     std::string limit = "0.1";
     std::string segments = "4";
     std::string samples = "100000";
+    std::string device = "ecp5-85";
+    std::string build = "parallel";
+    std::string interval = "1";
 };
 
 /// `options.common` is interpreted already.

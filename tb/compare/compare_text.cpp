@@ -24,13 +24,17 @@ std::string quoted(std::string text) {
     return text.empty() ? text : '"' + text + '"';
 }
 
-std::string note(const Row& row, double limit) {
+std::string note(const Row& row, const SweepOptions& options) {
     if (!row.drawn) return "not drawable";
     std::string text;
-    if (row.missing_bits > 0) text = fmt::format("{} bits missing; ", row.missing_bits);
+    const Device& device = *options.target.device;
+    if (row.estimate && !row.estimate->fits(device)) {
+        text = fmt::format("too large for {}; ", device.name);
+    }
+    if (row.missing_bits > 0) text += fmt::format("{} bits missing; ", row.missing_bits);
     if (row.landing != 0) text += fmt::format("lands {} off; ", row.landing);
     if (row.of_bound.value_or(0) > 1) text += "BEYOND ITS BOUND; ";
-    if (row.limit != limit) text += fmt::format("planned for {:g}", row.limit);
+    if (row.limit != options.limit) text += fmt::format("planned for {:g}", row.limit);
     return text;
 }
 
@@ -82,7 +86,7 @@ std::string CompareReport::csv() const {
     }
     text +=
         ",landing,speed_error,speed_relative,bound,max_of_bound,missing_bits,multiplier_bits,"
-        "refused\n";
+        "estimated_lut4,dsp,ram,estimated_mhz,refused\n";
     for (const Row& row : result.rows) {
         const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
@@ -103,9 +107,16 @@ std::string CompareReport::csv() const {
             figures(position->along);
             figures(position->across);
         }
-        fmt::format_to(out, ",{},{:.6g},{},{},{},{},{},{}\n", row.landing, row.speed_error,
+        fmt::format_to(out, ",{},{:.6g},{},{},{},{},{},", row.landing, row.speed_error,
                        number(row.speed_relative), number(row.bound), number(row.of_bound),
-                       row.missing_bits, row.cost.bits, quoted(row.refused));
+                       row.missing_bits, row.cost.bits);
+        if (row.estimate) {
+            fmt::format_to(out, "{:.0f},{},{},{:.0f},", row.estimate->lut4, row.estimate->dsp,
+                           row.estimate->ram, row.estimate->mhz);
+        } else {
+            text += ",,,,";
+        }
+        text += quoted(row.refused) + '\n';
     }
     return text;
 }
@@ -113,9 +124,10 @@ std::string CompareReport::csv() const {
 std::string CompareReport::table() const {
     std::string text = fmt::format(
         "{:>5} {:>4} {:>5} {:10} {:10} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} "
-        "{:>7} {:>8}\n",
+        "{:>7} {:>8} {:>6} {:>4} {:>4}\n",
         "order", "coef", "guard", "mode", "scheme", "worst", "rms", "99.9 %", "unrounded", "along",
-        "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits");
+        "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits", "~LUT4", "DSP",
+        "~MHz");
     for (const Row& row : result.rows) {
         const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
@@ -133,11 +145,23 @@ std::string CompareReport::table() const {
         } else {
             fmt::format_to(out, "{:80}", "");
         }
-        fmt::format_to(out, " {:>8} {:>7} {:>8}  {}", row.segments, row.steps, row.cost.bits,
-                       note(row, options.sweep.limit));
+        fmt::format_to(out, " {:>8} {:>7} {:>8}", row.segments, row.steps, row.cost.bits);
+        if (row.estimate) {
+            fmt::format_to(out, " {:>6.0f} {:>4} {:>4.0f}", row.estimate->lut4, row.estimate->dsp,
+                           row.estimate->mhz);
+        } else {
+            fmt::format_to(out, "{:17}", "");
+        }
+        text += "  " + note(row, options.sweep);
         while (text.back() == ' ') text.pop_back();
         text += '\n';
     }
+    const Target& target = options.sweep.target;
+    text += fmt::format("~ estimated, {} build{} on {}: {}\n", build_name(target.build),
+                        target.build == Build::kParallel
+                            ? fmt::format(", SampleInterval {}", target.sample_interval)
+                            : "",
+                        target.device->name, cost_model_source());
     return text;
 }
 

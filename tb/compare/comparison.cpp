@@ -178,6 +178,21 @@ class Comparison {
     std::unique_ptr<PositionCount> output_count_ = std::make_unique<PositionCount>();
 };
 
+std::optional<CostEstimate> estimate_of(const Subject& subject, const Setting& setting) {
+    CoreParameters parameters;
+    parameters.build = subject.target.build;
+    parameters.order = setting.format.order;
+    parameters.coef_bits = setting.format.coef_bits;
+    parameters.position_bits = setting.format.position_bits;
+    parameters.guard_bits = setting.format.guard_bits;
+    parameters.aux_axes = subject.program.aux_axes;
+    parameters.splines = subject.splines ? 1 : 0;
+    parameters.mode = setting.format.polynomial ? 1 : 0;
+    parameters.sample_interval = subject.target.sample_interval;
+    return estimate(core_for(subject.arcs, subject.splines, parameters.build), parameters,
+                    *subject.target.device);
+}
+
 }  // namespace
 
 double PositionFigures::worst() const {
@@ -193,6 +208,7 @@ Row compare_setting(const Subject& subject, const Setting& setting, const Cut& c
     row.limit = cut.limit;
     row.refused = cut.refused;
     row.cost = multiplier_bits(setting, subject.arcs, subject.splines);
+    row.estimate = estimate_of(subject, setting);
     row.ranges = ValueRanges(setting.format.coef_bits);
     row.segments = cut.segments.size();
     row.drawn = !cut.segments.empty();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "tb/compare/cost_model.hpp"
 #include "tb/compare/cut.hpp"
 #include "tb/compare/error_figures.hpp"
 #include "tb/compare/exact_samples.hpp"
@@ -34,6 +35,8 @@ struct PositionFigures {
 /// | of_bound       | 1     | worst unrounded error / its segment's bound                    |
 /// | steps          |       | integration steps                                              |
 /// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
+/// | cost           |       | of any device                                                  |
+/// | estimate       |       | on Subject's device; none: no measured runs to go by           |
 struct Row {
     Setting setting;
     double limit = 0;
@@ -51,10 +54,18 @@ struct Row {
     std::optional<double> of_bound;
     int missing_bits = 0;
     MultiplierBits cost;
+    std::optional<CostEstimate> estimate;
     ValueRanges ranges{36};
 
     /// Within the derived bound, every end exact.
     bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
+};
+
+/// Whose cost is estimated.
+struct Target {
+    const Device* device = nullptr;
+    Build build = Build::kParallel;
+    int sample_interval = 1;
 };
 
 /// What all configurations share.
@@ -63,6 +74,7 @@ struct Subject {
     double unit_mm;
     bool arcs;  // or lines
     bool splines;
+    Target target;
     ExactSamples exact;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace curvecore::tb {
@@ -33,5 +34,8 @@ constexpr std::array<Device, 5> kDevices{{
     {"ecp5-45", "ecp5", 1, 43848, 72, 108, 294},
     {"ecp5-85", "ecp5", 1, 83640, 156, 208, 294},
 }};
+
+/// @throws UsageError that lists them: there is none of this name
+const Device* device_of(const std::string& name);
 
 }  // namespace curvecore::tb

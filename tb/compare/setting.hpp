@@ -28,7 +28,7 @@ bool operator==(const Setting& a, const Setting& b);
 /// Widest words there are, of this order and sampler: what exact curves are cut for.
 ref::WordFormat widest(const ref::WordFormat& format);
 
-/// An estimate of area that needs no place and route: the bits of all partial products when a
+/// A measure of area that knows no device: the bits of all partial products when a
 /// sample leaves with every clock.
 ///
 ///     W^2 for each product of the sampler, 18^2 for each integrator of the networks

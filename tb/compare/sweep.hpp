@@ -11,6 +11,7 @@ struct SweepOptions {
     double limit = 0.1;      // units: derived bound that the plans keep
     int times_segments = 4;  // of those that the widest words need
     std::int64_t samples = 100000;
+    Target target;
     bool quiet = false;  // no bar
 };
 

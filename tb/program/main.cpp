@@ -109,6 +109,10 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     add("--segments", compare.segments, "TIMES",
         "segments that a plan may have, in times of those with the widest words");
     add("--samples", compare.samples, "N", "places at which each configuration is compared");
+    add("--device", compare.device, "NAME", "whose LUT4 and MHz are estimated");
+    add("--build", compare.build, "NAME", "serial or parallel, for the estimate");
+    add("--interval", compare.interval, "CLOCKS",
+        "between samples of the parallel build, for the estimate: 1, 2, 4 or 8");
 }
 
 void add_choose(CLI::App& command, RawWish& raw, ChooseOptions& options) {

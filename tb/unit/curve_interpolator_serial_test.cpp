@@ -7,19 +7,13 @@
 #include "hls/curve_kernel.hpp"
 #include "tb/support/curve_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
+#include "tb/support/serial_clocks.hpp"
 
 namespace curvecore::tb {
 namespace {
 
-// As stated in the header of the RTL.
-constexpr int kOrder = Config::kOrder;
-constexpr int kAuxFrames = (Config::kAuxAxes + 2) / 3;
-constexpr int kFrames = (CFG_Mode == 0 ? kOrder : kOrder + 3) + kAuxFrames;
-constexpr int kSampleClocks = std::max({9 * (1 + kAuxFrames), 3 * (kFrames + 5), 24});
-constexpr int kNetwork =
-    4 * kOrder * kOrder + 37 * kOrder + (CFG_Mode == 0 ? 3 * kOrder * (kOrder + 11) / 2 : 0);
-constexpr int kStepGap = kNetwork + 2 * kOrder + 9 * kFrames + 120;
-constexpr int kSegmentGap = kNetwork + 9 * kFrames + 3 * Config::kAuxAxes + 162;
+constexpr SerialClocks kClocks =
+    serial_clocks(Config::kOrder, Config::kAuxAxes, CFG_Mode == 0, true);
 
 using CurveInterpolatorSerial =
     CurveCoreBench<Vcurve_interpolator_serial, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
@@ -50,7 +44,7 @@ TEST_F(CurveInterpolatorSerial, DrawsStepsOfAnyLength) {
 TEST_F(CurveInterpolatorSerial, GivesSamplesOfAStepInTheStatedClocks) {
     constexpr uint64_t kSamples = 60;
     SplineSegments<Config> shapes(5);
-    EXPECT_LE(clocks_within_a_step(shapes.whole(0, 1), kSamples), kSamples * kSampleClocks);
+    EXPECT_LE(clocks_within_a_step(shapes.whole(0, 1), kSamples), kSamples * kClocks.sample);
 }
 
 TEST_F(CurveInterpolatorSerial, PausesBetweenStepsAndSegmentsAsStated) {
@@ -62,10 +56,10 @@ TEST_F(CurveInterpolatorSerial, PausesBetweenStepsAndSegmentsAsStated) {
         words.length = int64_t{2} << (exponent + hls::kPathFrac);
         measure(std::vector<hls::SegmentWords<Config>>(8, words), 1 + exponent % 4, pauses);
     }
-    EXPECT_LE(pauses.step, static_cast<uint64_t>(kStepGap));
-    EXPECT_LE(pauses.segment, static_cast<uint64_t>(kSegmentGap));
-    EXPECT_GE(pauses.step, static_cast<uint64_t>(kStepGap) * 9 / 10);
-    EXPECT_GE(pauses.segment, static_cast<uint64_t>(kSegmentGap) * 9 / 10);
+    EXPECT_LE(pauses.step, static_cast<uint64_t>(kClocks.step));
+    EXPECT_LE(pauses.segment, static_cast<uint64_t>(kClocks.segment));
+    EXPECT_GE(pauses.step, static_cast<uint64_t>(kClocks.step) * 9 / 10);
+    EXPECT_GE(pauses.segment, static_cast<uint64_t>(kClocks.segment) * 9 / 10);
 }
 
 TEST_F(CurveInterpolatorSerial, HoldsItsSampleWhileStalled) { holds_its_sample_while_stalled(); }
