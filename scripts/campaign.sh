@@ -9,7 +9,7 @@ cd "$(dirname "$0")/.."
 total=${1:-1000000000}
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
-cmake --preset release >/dev/null
+cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON >/dev/null
 cmake --build --preset release -j "$(nproc)"
 rm -rf build/campaign
 mkdir -p build/campaign build/figures

@@ -230,14 +230,19 @@ set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,3
 foreach(size ${spline_sizes})
   spline_configuration(spline_interpolator ${size})
 endforeach()
-foreach(size ${spline_sizes}
-        2,36,32,10,0,1,1,1 2,18,16,2,1,1,1,2 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
-        3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1 3,24,24,4,2,0,0,8
-        4,36,32,10,3,0,1,2 4,18,20,4,1,1,0,1 4,32,28,12,0,1,1,8
-        5,30,32,8,1,1,1,4 5,20,32,2,0,1,0,1
-        6,36,32,10,0,0,1,8 6,36,16,2,0,1,1,1 6,18,16,2,5,0,1,4
-        7,27,28,7,6,1,1,1 8,35,32,11,0,0,1,2 9,34,31,11,0,1,1,2 10,33,32,9,1,0,1,4
-        11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8 12,25,22,6,2,0,1,2)
+# Samples by the million in the others too: scripts/campaign.sh.
+option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
+set(spline_campaign ${spline_sizes} 2,18,16,2,1,1,1,2 5,30,32,8,1,1,1,4 12,25,22,6,2,0,1,2)
+if(CURVECORE_FULL_CAMPAIGN)
+  list(APPEND spline_campaign
+       2,36,32,10,0,1,1,1 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
+       3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1 3,24,24,4,2,0,0,8
+       4,36,32,10,3,0,1,2 4,18,20,4,1,1,0,1 4,32,28,12,0,1,1,8
+       5,20,32,2,0,1,0,1 6,36,32,10,0,0,1,8 6,36,16,2,0,1,1,1 6,18,16,2,5,0,1,4
+       7,27,28,7,6,1,1,1 8,35,32,11,0,0,1,2 9,34,31,11,0,1,1,2 10,33,32,9,1,0,1,4
+       11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8)
+endif()
+foreach(size ${spline_campaign})
   spline_configuration(sample_campaign ${size})
 endforeach()
 illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")

@@ -4,6 +4,15 @@
 # builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
 # unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
 # reaches the test as CFG_Name.
+# Reading these is two thirds of a test's compilation: once for all.
+set(nothing ${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp)
+file(TOUCH ${nothing})
+add_library(core_test_headers OBJECT ${nothing})
+target_link_libraries(core_test_headers PRIVATE curvecore_options verilator_runtime Eigen3::Eigen
+                                                GTest::gtest_main)
+target_precompile_headers(core_test_headers PRIVATE <gtest/gtest.h> <verilated.h> <Eigen/Geometry>
+                          <algorithm> <array> <functional> <map> <random> <string> <vector>)
+
 function(core_test test configuration)
   cmake_parse_arguments(ARG "" "TOP" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
   set(target ${test}_${configuration})
@@ -14,6 +23,7 @@ function(core_test test configuration)
   endif()
   list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
   add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
+  target_precompile_headers(${target} REUSE_FROM core_test_headers)
   target_compile_definitions(${target} PRIVATE ${definitions})
   target_link_libraries(${target} PRIVATE ${model} curvecore_options curvecore_hls
                                           ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)

@@ -179,6 +179,7 @@ class Comparison {
 };
 
 std::optional<CostEstimate> estimate_of(const Subject& subject, const Setting& setting) {
+    if (subject.target.device == nullptr) return std::nullopt;
     CoreParameters parameters;
     parameters.build = subject.target.build;
     parameters.order = setting.format.order;

@@ -61,7 +61,7 @@ struct Row {
     bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
 };
 
-/// Whose cost is estimated.
+/// Whose cost is estimated; no device: nobody's.
 struct Target {
     const Device* device = nullptr;
     Build build = Build::kParallel;
@@ -74,8 +74,8 @@ struct Subject {
     double unit_mm;
     bool arcs;  // or lines
     bool splines;
-    Target target;
     ExactSamples exact;
+    Target target{};
 };
 
 /// `progress(n)`: n more samples are done.

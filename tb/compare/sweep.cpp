@@ -115,7 +115,7 @@ SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
     };
     const auto splines = std::count_if(program.moves.begin(), program.moves.end(), is_spline);
     const auto moves = static_cast<std::ptrdiff_t>(program.moves.size());
-    Subject subject{program, options.unit_mm, splines<moves, splines> 0, options.target, {}};
+    Subject subject{program, options.unit_mm, splines<moves, splines> 0, {}, options.target};
     const auto all = static_cast<std::int64_t>(settings.size() + 1) * options.samples;
     ProgressBar bar(static_cast<std::uint64_t>(all), options.quiet);
     try {
