@@ -162,6 +162,10 @@ foreach(form 1 2)
     core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
               ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
+  core_test(spherical_interpolator ${form_${form}}_t8 TOP spherical_interpolator
+            PARAMS Order=3 CoefBits=28 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
+                   SampleInterval=1 TurnBits=8 MultiplierForm=${form}
+            SOURCES ${primitives_${form}})
   core_test(spherical_interpolator_serial ${form_${form}}_serial
             TOP curve_interpolator_serial ${size} SOURCES ${primitives_${form}})
   core_test(curve_interpolator_serial ${form_${form}}_serial TOP curve_interpolator_serial
