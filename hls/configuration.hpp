@@ -2,6 +2,8 @@
 // A configuration of the cores: the parameters that change words. Same names and ranges as the RTL.
 #pragma once
 
+#include "ref/order_words.hpp"
+
 namespace curvecore {
 namespace hls {
 
@@ -16,14 +18,18 @@ enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 /// | AuxAxes      | 0 .. 6   | auxiliary linear axes                                          |
 /// | Anchor       | 0, 1     | splines: V W P from the polynomial at every step (1), or every  |
 /// |              |          | variable propagated by its series as the paper does (0)         |
+/// | TurnBits     | 0 .. 14  | 0: all orders of CoefBits. Else arcs in series mode only, whose |
+/// |              |          | steps turn by at most 2^-TurnBits rad: ref/order_words.hpp      |
 template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode,
-          bool Anchor = true>
+          bool Anchor = true, int TurnBits = 0>
 struct Configuration {
     static_assert(Order >= 2 && Order <= 12, "Order must be in [2, 12]");
     static_assert(CoefBits >= 18 && CoefBits <= 36, "CoefBits must be in [18, 36]");
     static_assert(PositionBits >= 16 && PositionBits <= 32, "PositionBits must be in [16, 32]");
     static_assert(GuardBits >= 2 && GuardBits <= 12, "GuardBits must be in [2, 12]");
     static_assert(AuxAxes >= 0 && AuxAxes <= 6, "AuxAxes must be in [0, 6]");
+    static_assert(TurnBits >= 0 && TurnBits <= 14, "TurnBits must be in [0, 14]");
+    static_assert(TurnBits == 0 || Mode == SamplerMode::kSeries, "TurnBits needs series mode");
 
     static constexpr int kOrder = Order;
     static constexpr int kCoefBits = CoefBits;
@@ -32,6 +38,7 @@ struct Configuration {
     static constexpr int kAuxAxes = AuxAxes;
     static constexpr SamplerMode kMode = Mode;
     static constexpr bool kAnchor = Anchor;
+    static constexpr int kTurnBits = TurnBits;
 
     static constexpr int kAxes = 3 + AuxAxes;
     static constexpr int kFineBits = PositionBits + GuardBits;

@@ -136,13 +136,19 @@ class SphericalKernel {
     /// Series mode: Horner in tau on the displacement's series.
     void sample_xyz(const Coef& tau, Fine* out, std::false_type /*series*/) const {
         for (int axis = 0; axis < 3; ++axis) {
-            Coef d = c_[axis][C::kOrder];
-            for (int i = C::kOrder - 1; i >= 1; --i) {
-                d = Coef(c_[axis][i] + rounded_product<C::kCoefBits, C::kUnitFrac>(d, tau));
+            Coef d = 0;
+            for (int i = C::kOrder; i >= 1; --i) {
+                d = rounded_product<C::kCoefBits, C::kUnitFrac>(Coef(c_[axis][i] + d),
+                                                                tau_of(tau, i));
             }
-            d = rounded_product<C::kCoefBits, C::kUnitFrac>(d, tau);
             out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
         }
+    }
+
+    /// tau with the bits that stage i of a core has; its sums fit theirs (ref/order_words.hpp).
+    static Coef tau_of(const Coef& tau, int i) {
+        const int cut = C::kCoefBits - ref::tau_bits(C::kCoefBits, C::kTurnBits, i);
+        return Coef(Coef(tau >> cut) << cut);
     }
 
     /// Polynomial mode: r0 cos + f0 sin, from the two series of the angle in q = tau^2:

@@ -15,15 +15,21 @@ namespace curvecore::ref {
 /// | position_bits | 16..32 | whole length units of a position                              |
 /// | guard_bits    | 2..12  | G: fraction bits of a position inside                         |
 /// | polynomial    |        | arcs as tangent * sine + normal * cosine instead of 3 series  |
+/// | turn_bits     | 0..14  | above 0: a width for each order, ref/order_words.hpp; arcs in |
+/// |               |        | series mode only                                              |
 struct WordFormat {
     int order = 6;
     int coef_bits = 36;
     int position_bits = 32;
     int guard_bits = 10;
     bool polynomial = false;
+    int turn_bits = 0;
 };
 
 constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
+
+/// Rad in a step of an arc, at most.
+double max_theta(const WordFormat& format);
 
 /// Errors of arcs and lines per axis, in length units, before the final rounding, at any path
 /// length of the segment. Read from the segment: radius, cos_pitch, advance, aux_advance, length,
@@ -41,7 +47,7 @@ double segment_bound(const WordFormat& format, const Segment& segment);
 /// | least_radius  | units | > 0; lines are in every family                              |
 /// | most_radius   | units | >= least_radius                                             |
 /// | length        | units | the segment's path is at most so long, and a quarter turn   |
-/// | step_exponent |       | theta <= 2^step_exponent / least_radius <= 1/2              |
+/// | step_exponent |       | theta <= 2^step_exponent / least_radius <= max_theta()      |
 struct ArcFamily {
     double least_radius = 1;
     double most_radius = 1;

@@ -1,51 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a width of their own for each order of the sampler: what they cost and what they save.
+// Words of a width of their own for each order of the sampler: the one rule, in integers. C++14,
+// for hls/. Twin: rtl/curvecore_pkg.sv.
+//
+// Series mode, arcs, steps of theta <= 2^-T rad: a sample is Horner's rule
+// (hls/spherical_kernel.hpp)
+//
+//     p_i = round((N_i + p_(i+1)) tau)        i = P .. 1        |N_j| <= theta^(j-1) / j!
+//
+// with words of W-2 fraction bits, tau of W-1; half = 2^-(W-1) is half a last bit of a word and a
+// last bit of tau. The sum of stage i >= 2 is at most
+//
+//     A_i = g (theta^(i-1) / i! + .. + theta^(P-1) / P!) + roundings,    g: how much n and t grow
+//
+// and that is below 2^(1-r) with r = T (i-1) + ceil(log2 i!), since i! is well above a power of two
+// for i > 2 (tb/model/order_words_test.cpp: for every configuration). So the top r bits are copies
+// of the sign, W - r bits hold the very same word. Cutting t low bits of tau in that stage moves
+// the sample by less than A_i 2^t half, times tau <= 1 on its way out: with t = r - kSpare by less
+// than 2^(1-kSpare) half. Stage 1 keeps all its bits: |N_1 + advance| < 2, and an error of its tau
+// is one along the path.
+//
+// | parameter | range    | meaning                                                  |
+// |-----------|----------|----------------------------------------------------------|
+// | coef_bits | 18 .. 36 | W                                                        |
+// | turn_bits | 0 .. 14  | T; 0: steps of at most 1/2 rad, all orders of W bits     |
+// | i         | 1 .. 12  | order                                                    |
 #pragma once
 
-#include <array>
+namespace curvecore {
+namespace ref {
 
-#include "ref/error_bound.hpp"
+constexpr int kMostTurnBits = 14;
+constexpr int kLeastWord = 18;  // one block of a multiplier, and the least of the cores
+constexpr int kSpare = 1;       // bits of tau
 
-namespace curvecore::ref {
+/// ceil(log2(i!)).
+constexpr int factorial_bits(int i) {
+    constexpr int kBits[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19, 22, 26, 29};
+    return kBits[i];
+}
 
-/// A study, no core has them. Series mode, arcs: a sample is Horner's rule
-/// (hls/spherical_kernel.hpp)
-///
-///     p_i = round((N_i + p_(i+1)) tau)        i = P .. 1        |N_j| <= theta^(j-1) / j!
-///
-/// with words of W-2 fraction bits, tau of W-1. The sum of stage i is at most
-///
-///     A_i = theta^(i-1) / i! + .. + theta^(P-1) / P! + 3 (P - i + 1) half       i >= 2
-///
-/// (coefficients and products are rounded), so that its top r_i = floor(1 - log2 A_i) bits are
-/// copies of the sign: W - r_i bits hold the very same word. Cutting t_i low bits of tau in that
-/// stage moves the sample by less than A_i 2^t_i last bits of tau, that is 2 A_i 2^t_i of a
-/// coefficient's half last bits (half = 2^-(W-1)), each times tau <= 1 on its way out. Stage 1
-/// keeps all its bits: |N_1 + advance| < 2, and an error of its tau is one along the path.
-///
-/// | field     | meaning                                                                      |
-/// |-----------|------------------------------------------------------------------------------|
-/// | max_theta | steps turn by no more: the planner's kMaxTheta for such a core               |
-/// | extra     | half last bits that a sample loses against the uniform words                 |
-/// | sum_bits  | W - r_i, by order                                                            |
-/// | tau_bits  | W - t_i, by order, sign included                                             |
-struct OrderWords {
-    double max_theta = 0.5;
-    double extra = 0;
-    std::array<int, 13> sum_bits{};
-    std::array<int, 13> tau_bits{};
-};
+/// Copies of the sign in front of the sum of stage i.
+constexpr int sign_copies(int turn_bits, int i) {
+    return turn_bits > 0 && i > 1 ? turn_bits * (i - 1) + factorial_bits(i) : 0;
+}
 
-/// Of orders 1 .. order; each stage may lose 2^-spare half last bits.
-OrderWords order_words(const WordFormat& format, double max_theta, int spare);
+/// Bits of coefficients, sums and products of stage i.
+constexpr int sum_bits(int coef_bits, int turn_bits, int i) {
+    const int bits = coef_bits - sign_copies(turn_bits, i);
+    return bits < kLeastWord ? kLeastWord : bits;
+}
 
-/// Products of one lane: sum over the orders of sum_bits tau_bits; uniform words: order W^2.
-int lane_bits(const WordFormat& format, const OrderWords& words);
+/// Bits of tau in stage i, its sign included.
+constexpr int tau_bits(int coef_bits, int turn_bits, int i) {
+    if (turn_bits == 0 || i == 1) return coef_bits;
+    const int bits = coef_bits - sign_copies(turn_bits, i) + kSpare;
+    return bits < kLeastWord ? kLeastWord : bits;
+}
 
-/// The same in blocks of 18 x 18 bits.
-int lane_blocks(const WordFormat& format, const OrderWords& words);
-
-/// All orders alike.
-OrderWords uniform_words(const WordFormat& format);
-
-}  // namespace curvecore::ref
+}  // namespace ref
+}  // namespace curvecore

@@ -17,6 +17,8 @@
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
+// TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
+// has words of its own width (ref/order_words.hpp).
 // Reset: two clocks or more.  Segments of a kind that is not in Curves are drawn as the other.
 // Formats: hls/words.hpp.
 `default_nettype none
@@ -30,6 +32,7 @@ module curve_interpolator #(
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int Anchor         = 1,   // of splines: 0, 1
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -62,6 +65,11 @@ module curve_interpolator #(
   initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial if (TurnBits < 0 || TurnBits > 14) $fatal(1, "TurnBits must be in [0, 14]");
+  initial if (TurnBits > 0 && Curves != 1) $fatal(1, "TurnBits works with Curves 1 only");
+  initial if (TurnBits > 0 && Mode != 0) $fatal(1, "TurnBits works with Mode 0 only");
+  initial
+    if (TurnBits > 0 && SampleInterval != 1) $fatal(1, "TurnBits works with SampleInterval 1 only");
   initial
     if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
   initial
@@ -295,6 +303,7 @@ module curve_interpolator #(
       .CoefBits(CoefBits),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
+      .TurnBits(TurnBits),
       .TagBits(TagBits),
       .MultiplierForm(MultiplierForm)
   ) u_sampler (

@@ -5,9 +5,10 @@
     scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
 
 Columns: core, build, device, speed, Order, CoefBits, PositionBits, GuardBits, AuxAxes, Mode,
-SampleInterval, lut4, ff, dsp, bram, fmax_mhz (empty: synthesised, not placed), and holdout: runs
-with 1 there are not fitted but predicted, and their error is the model's.  Where there are fewer
-than three of them, each run is predicted from the fit to all others instead.
+SampleInterval, TurnBits (0 where it is missing), lut4, ff, dsp, bram, fmax_mhz (empty: synthesised,
+not placed), and holdout: runs with 1 there are not fitted but predicted, and their error is the
+model's.  Where there are fewer than three of them, each run is predicted from the fit to all others
+instead.
 
 LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
 build by least squares of the relative error.  A little ridge, not on the families' own constants,
@@ -26,7 +27,8 @@ import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAMILIES = {"ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}  # others: the device itself
-PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval")
+PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval",
+              "TurnBits")
 COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
 RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
 # `*` multiplies; `family` stands for each family in the runs in turn, which is 1 in its rows.
@@ -44,12 +46,22 @@ def stages(passes, interval):
     return -(-passes // interval)
 
 
+def own_widths(run):
+    """Sum and tau of each order in halves of CoefBits, as ref/order_words.hpp has them."""
+    width = run["CoefBits"]
+    for i in range(1, run["Order"] + 1):
+        copies = run["TurnBits"] * (i - 1) + (math.factorial(i) - 1).bit_length() if i > 1 else 0
+        yield (max(18, width - copies) + max(18, min(width, width - copies + 1))) / (2 * width)
+
+
 def wide_multipliers(run):
-    """As count_multipliers in tb/compare/cost_structure.cpp."""
+    """As mean_wide in tb/compare/cost_structure.cpp."""
     if run["build"] == "serial":
         return 1
     interval, order = run["SampleInterval"], run["Order"]
-    if run["Mode"] == 0:
+    if run["TurnBits"] > 0:
+        count = 3 * sum(own_widths(run))
+    elif run["Mode"] == 0:
         count = 3 * stages(order, interval)
     else:
         count = 0
@@ -160,6 +172,7 @@ def read(path):
     with open(path, newline="") as stream:
         for line, row in enumerate(csv.DictReader(stream), 2):
             try:
+                row.setdefault("TurnBits", "0")
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
                 run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
                 run["family"] = FAMILIES.get(row["device"], row["device"])

@@ -242,6 +242,7 @@ def choose(name):
                 p["GuardBits"],
                 p["PositionBits"],
                 p["SampleInterval"] if r["build"] == "parallel" else "",
+                p["TurnBits"] if r["build"] == "parallel" else "",
                 length(r["unit_mm"]),
                 length(r["error_mm"]),
                 f"{r['host_words_per_s']:,.0f}",
@@ -254,8 +255,9 @@ def choose(name):
                 ", ".join(bound) or "-",
             )
         )
-    head = ["core", "order", "coef", "guard", "position", "interval", "unit", "proven error"]
-    head += ["host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz", "a bit less ruled out"]
+    head = ["core", "order", "coef", "guard", "position", "interval", "turn", "unit"]
+    head += ["proven error", "host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
+    head += ["a bit less ruled out"]
     error = data["choice"]["estimate"]["relative_error"]
     text = table(head, rows) + (
         f"\n\n{data['seconds']:.1f} s of machine time. LUT4, FF and MHz are estimates, off by"
@@ -283,23 +285,28 @@ def order_words():
     data = load("figures/order_words.json")
     if data is None:
         return None
+
+    def core(words):
+        turn = f", TurnBits {words['turn_bits']}" if words["turn_bits"] else ""
+        return f"Order {words['order']}, CoefBits {words['coef_bits']}{turn}"
+
     rows = [
         (
             r["wish"],
             r["least_order"],
-            r["uniform"]["order"],
-            r["uniform"]["coef_bits"],
-            f"{r['uniform']['bits']} ({r['uniform']['blocks']})",
-            f"{r['own']['order']}: {r['own']['widths']}",
-            f"{r['own']['max_theta']:.2g}",
-            f"{r['own']['bits']} ({r['own']['blocks']})",
-            f"{r['saved_percent']:.0f} %",
+            core(r["alike"]),
+            r["alike"]["blocks"],
+            r["alike"]["bits"],
+            core(r["own"]),
+            r["own"]["widths"],
+            r["own"]["blocks"],
+            r["own"]["bits"],
         )
         for r in data["rows"]
     ]
-    head = ["wish", "orders from", "order", "bits", "multiplier bits (18 x 18 blocks)"]
-    head += ["own widths: sum x tau"]
-    return table([*head, "theta <=", "multiplier bits (blocks)", "saved"], rows)
+    head = ["wish", "orders from", "all alike", "18 x 18 blocks", "multiplier bits"]
+    head += ["a width for each", "sum x tau, by order", "18 x 18 blocks", "multiplier bits"]
+    return table(head, rows)
 
 
 TABLES = {

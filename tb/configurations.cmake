@@ -162,6 +162,10 @@ foreach(form 1 2)
     core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
               ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
+  core_test(spherical_interpolator ${form_${form}}_t8 TOP spherical_interpolator
+            PARAMS Order=3 CoefBits=28 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
+                   SampleInterval=1 TurnBits=8 MultiplierForm=${form}
+            SOURCES ${primitives_${form}})
   core_test(spherical_interpolator_serial ${form_${form}}_serial
             TOP curve_interpolator_serial ${size} SOURCES ${primitives_${form}})
   core_test(curve_interpolator_serial ${form_${form}}_serial TOP curve_interpolator_serial
@@ -216,6 +220,29 @@ foreach(core spherical_interpolator spline_interpolator curve_interpolator
   illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
   illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
 endforeach()
+
+# The same with a width for each order: order, coefficient, position, guard bits, auxiliary axes,
+# turn bits. Widths above 18 in up to four orders, and tau of 19 beside sums of 18.
+foreach(size 2,28,32,10,0,9 3,36,32,12,1,4 6,36,32,10,0,2 4,33,28,8,2,1 12,36,32,12,6,3
+        2,23,31,3,0,10)
+  read_row(${size} order coef position guard aux turn)
+  set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_t${turn})
+  foreach(test spherical_interpolator sample_campaign)
+    core_test(${test} ${name} TOP spherical_interpolator LIBRARIES Eigen3::Eigen
+              PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                     AuxAxes=${aux} Mode=0 SampleInterval=1 TurnBits=${turn})
+  endforeach()
+endforeach()
+foreach(core spherical_interpolator curve_interpolator horner)
+  illegal_parameter_test(${core} TurnBits=15 "TurnBits must be in .0, 14.")
+endforeach()
+illegal_parameter_test(horner TurnBits=1,Interval=2 "TurnBits works with Interval 1 and Shift")
+illegal_parameter_test(horner TurnBits=1,Shift=34 "TurnBits works with Interval 1 and Shift")
+illegal_parameter_test(spherical_interpolator TurnBits=1,Mode=1 "TurnBits works with Mode 0 only")
+illegal_parameter_test(spherical_interpolator TurnBits=1,SampleInterval=4
+                       "TurnBits works with SampleInterval 1 only")
+illegal_parameter_test(curve_interpolator TurnBits=1,Curves=2 "TurnBits works with Curves 1 only")
+illegal_parameter_test(curve_interpolator TurnBits=1 "TurnBits works with Curves 1 only")
 
 # The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval.
 function(spline_configuration test size)
@@ -285,3 +312,5 @@ endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")
+illegal_parameter_test(motion_interpolator Build=1,TurnBits=1 "Build 1 works with TurnBits 0 only")
+illegal_parameter_test(motion_interpolator Splines=1,TurnBits=1 "TurnBits works with Curves 1 only")

@@ -15,9 +15,8 @@ constexpr double kLonger = 1.25;
 
 class Search {
   public:
-    Search(const WordFormat& format, const OrderWords& words, double least_radius,
-           double most_radius, double limit)
-        : format_(format), words_(words), least_(least_radius), most_(most_radius), limit_(limit) {}
+    Search(const WordFormat& format, double least_radius, double most_radius, double limit)
+        : format_(format), least_(least_radius), most_(most_radius), limit_(limit) {}
 
     ArcCover run() {
         const double quarter = M_PI_2 * most_;
@@ -36,8 +35,7 @@ class Search {
 
   private:
     double bound(double length, int step_exponent) const {
-        return family_bound(format_, {least_, most_, length, step_exponent}) +
-               std::ldexp(words_.extra, step_exponent + 1 - format_.coef_bits);
+        return family_bound(format_, {least_, most_, length, step_exponent});
     }
 
     /// Whether pieces up to this length keep the limit; the longest step into `cover`.
@@ -45,7 +43,7 @@ class Search {
         const int longest =
             std::clamp(static_cast<int>(std::ceil(std::log2(length))), 0, kMaxStepExponent);
         for (int k = longest; k >= 0 && std::ldexp(kMaxSteps, k) > length; --k) {
-            if (std::ldexp(1 / least_, k) > words_.max_theta) continue;
+            if (std::ldexp(1 / least_, k) > max_theta(format_)) continue;
             const double error = bound(length, k);
             if (error > limit_) continue;
             // A piece of half the length is too short for a step that is longer than it.
@@ -89,7 +87,6 @@ class Search {
     }
 
     const WordFormat& format_;
-    const OrderWords& words_;
     const double least_, most_, limit_;
 };
 
@@ -97,12 +94,7 @@ class Search {
 
 ArcCover arc_cover(const WordFormat& format, double least_radius, double most_radius,
                    double limit) {
-    return arc_cover(format, uniform_words(format), least_radius, most_radius, limit);
-}
-
-ArcCover arc_cover(const WordFormat& format, const OrderWords& words, double least_radius,
-                   double most_radius, double limit) {
-    return Search(format, words, least_radius, most_radius, limit).run();
+    return Search(format, least_radius, most_radius, limit).run();
 }
 
 }  // namespace curvecore::ref

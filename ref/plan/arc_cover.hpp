@@ -2,7 +2,7 @@
 // How the planner cuts arcs, helices and lines of a range of radii: proven for every one of them.
 #pragma once
 
-#include "ref/order_words.hpp"
+#include "ref/error_bound.hpp"
 
 namespace curvecore::ref {
 
@@ -29,9 +29,5 @@ struct ArcCover {
 /// longest > 0 proves that the planner refuses none of these moves (with pieces of that length or
 /// shorter its search ends) and that every segment it makes keeps the limit.
 ArcCover arc_cover(const WordFormat& format, double least_radius, double most_radius, double limit);
-
-/// The same if the sampler had these words.
-ArcCover arc_cover(const WordFormat& format, const OrderWords& words, double least_radius,
-                   double most_radius, double limit);
 
 }  // namespace curvecore::ref

@@ -58,7 +58,7 @@ Cut best_step(Segment segment, const WordFormat& format, double limit) {
         segment.step_exponent = k;
         const double theta =
             segment.radius > 0 ? std::ldexp(segment.cos_pitch, k) / segment.radius : 0;
-        if (theta > kMaxTheta) continue;
+        if (theta > max_theta(format)) continue;
         const double bound = segment_bound(format, segment);
         if (bound < cut.bound) {
             cut.bound = bound;

@@ -7,7 +7,6 @@
 
 namespace curvecore::ref {
 
-constexpr double kMaxTheta = 0.5;   // rad in a step of an arc
 constexpr int kMaxSteps = 1 << 12;  // steps of one segment of an arc or a line
 
 /// A line or an arc that has a length, or a stretch of a spline.

@@ -15,6 +15,7 @@ module curve_sampler #(
     parameter int CoefBits       = 36,  // [18, 36]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
+    parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int TagBits        = 5,   // the low two are the bank
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -83,6 +84,7 @@ module curve_sampler #(
         .Order(Order),
         .CoefBits(CoefBits),
         .SampleInterval(SampleInterval),
+        .TurnBits(TurnBits),
         .TagBits(TagBits),
         .MultiplierForm(MultiplierForm)
     ) u_sampler (

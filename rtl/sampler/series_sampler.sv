@@ -3,7 +3,8 @@
 //
 //     d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau,   c_1 = x[1] + advance,  c_i = x[i]
 //
-// Splines have no advance (linear_i = 0).  Twins: hls/spherical_kernel.hpp and
+// Splines have no advance (linear_i = 0).  TurnBits > 0: arcs only, whose steps turn by at most
+// 2^-TurnBits rad; every order has words of its own width.  Twins: hls/spherical_kernel.hpp and
 // hls/spline_kernel.hpp, series mode.
 //
 //   clock           0           Latency, that of `horner` with Passes = Order
@@ -14,6 +15,7 @@ module series_sampler #(
     parameter int Order          = 6,   // [2, 12]
     parameter int CoefBits       = 36,  // [18, 36]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
+    parameter int TurnBits       = 0,   // [0, 14]; above 0: SampleInterval 1
     parameter int TagBits        = 5,   // the low two are the bank
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -103,6 +105,7 @@ module series_sampler #(
       .Bits(CoefBits),
       .Shift(CoefBits - 1),
       .Interval(SampleInterval),
+      .TurnBits(TurnBits),
       .BankBits(2),
       .TagBits(TagBits),
       .Form(MultiplierForm)

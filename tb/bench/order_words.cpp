@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least multiplier bits of a parallel sampler of arcs that keeps a wish: all orders alike
-// against a width for each.
+// The fewest multiplier blocks of a parallel sampler of arcs that keeps a wish: all orders alike
+// against a width for each (TurnBits).
+#include "ref/order_words.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ref/plan/arc_cover.hpp"
 
@@ -25,11 +28,11 @@ struct Wish {
 
 /// Every radius from 10 um up, each as fast as 5 m/s^2 and 100 m/s^3 let it go
 /// (ref/plan/limits.cpp).
-bool keeps(const Wish& wish, const ref::WordFormat& format, const ref::OrderWords& words) {
+bool keeps(const Wish& wish, const ref::WordFormat& format) {
     const double ratio = std::sqrt(2.0);
     for (double high = wish.radius_mm; high > 0.01; high /= ratio) {
-        const ref::ArcCover cover = ref::arc_cover(format, words, high / ratio / wish.unit_mm,
-                                                   high / wish.unit_mm, wish.limit);
+        const ref::ArcCover cover =
+            ref::arc_cover(format, high / ratio / wish.unit_mm, high / wish.unit_mm, wish.limit);
         if (cover.longest == 0) return false;
         const double speed = std::min({wish.feed, std::sqrt(0.866 * 5000 * high),
                                        std::cbrt(0.4 * 1e5 * high * high)}) /
@@ -40,47 +43,73 @@ bool keeps(const Wish& wish, const ref::WordFormat& format, const ref::OrderWord
     return true;
 }
 
-struct Best {
-    ref::WordFormat format;
-    ref::OrderWords words;
-    int bits = 1 << 30;
-};
+int sum_bits(const ref::WordFormat& format, int i) {
+    return ref::sum_bits(format.coef_bits, format.turn_bits, i);
+}
 
-/// The narrowest words of each order; `thetas` empty: all orders alike.
-Best search(const Wish& wish, const std::vector<double>& thetas, int least_order) {
-    Best best;
-    const auto consider = [&](const ref::WordFormat& format, const ref::OrderWords& words) {
-        const int bits = ref::lane_bits(format, words);
-        if (bits >= best.bits || !keeps(wish, format, words)) return;
-        best = {format, words, bits};
-    };
+int tau_bits(const ref::WordFormat& format, int i) {
+    return ref::tau_bits(format.coef_bits, format.turn_bits, i);
+}
+
+/// Of the sampler's multipliers, axes and orders: 18 x 18 blocks, then bits.
+std::pair<int, int> cost(const ref::WordFormat& format) {
+    const auto halves = [](int bits) { return bits > 18 ? 2 : 1; };
+    std::pair<int, int> sum;
+    for (int i = 1; i <= format.order; ++i) {
+        const int sums = sum_bits(format, i);
+        const int taus = tau_bits(format, i);
+        sum.first += kLanes * halves(sums) * halves(taus);
+        sum.second += kLanes * sums * taus;
+    }
+    return sum;
+}
+
+/// The cheapest; of orders from `least_order` on and turn bits up to `most_turn_bits`.
+ref::WordFormat search(const Wish& wish, int least_order, int most_turn_bits) {
+    ref::WordFormat best;
+    std::pair<int, int> least{1 << 30, 0};
     for (int order = least_order; order <= 8; ++order) {
         for (int width = 18; width <= 36; ++width) {
-            const ref::WordFormat format{order, width, 32, 12, false};
-            if (thetas.empty()) consider(format, ref::uniform_words(format));
-            for (const double theta : thetas) {
-                for (const int spare : {0, 1, 2, 3}) {
-                    consider(format, ref::order_words(format, theta, spare));
-                }
+            for (int turn = 0; turn <= most_turn_bits; ++turn) {
+                const ref::WordFormat format{order, width, 32, 12, false, turn};
+                const auto its = cost(format);
+                if (its >= least || !keeps(wish, format)) continue;
+                best = format;
+                least = its;
             }
         }
     }
     return best;
 }
 
-std::string widths(const Best& best) {
+std::string widths(const ref::WordFormat& format) {
     std::string text;
-    for (std::size_t i = 1; i <= static_cast<std::size_t>(best.format.order); ++i) {
-        text += fmt::format("{}{}x{}", i > 1 ? " " : "", best.words.sum_bits[i],
-                            best.words.tau_bits[i]);
+    for (int i = 1; i <= format.order; ++i) {
+        text += fmt::format("{}{}x{}", i > 1 ? " " : "", sum_bits(format, i), tau_bits(format, i));
     }
     return text;
+}
+
+nlohmann::ordered_json json(const ref::WordFormat& format) {
+    const auto [blocks, bits] = cost(format);
+    return {{"order", format.order},
+            {"coef_bits", format.coef_bits},
+            {"turn_bits", format.turn_bits},
+            {"widths", widths(format)},
+            {"bits", bits},
+            {"blocks", blocks}};
+}
+
+std::string text(const ref::WordFormat& format) {
+    const auto [blocks, bits] = cost(format);
+    return fmt::format("Order={} CoefBits={} TurnBits={} ({}): {} blocks, {} bits", format.order,
+                       format.coef_bits, format.turn_bits, widths(format), blocks, bits);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Words of a width for each order of a parallel sampler, on paper"};
+    CLI::App app{"Words of a width for each order of a parallel sampler against words alike"};
     std::string output;
     app.add_option("-o,--output", output, "the table as .json");
     CLI11_PARSE(app, argc, argv);
@@ -89,37 +118,17 @@ int main(int argc, char** argv) {
         {"1 nm, R <= 1 m, 60 m/min", 1e-6, 0.5, 1000, 1000, 100e3},
         {"1 nm, R <= 1 m, 60 m/min, host 10,000 words/s", 1e-6, 0.5, 1000, 1000, 10e3},
     };
-    std::vector<double> thetas;
-    for (int n = 1; n <= 14; ++n) thetas.push_back(std::ldexp(1.0, -n));
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const Wish& wish : wishes) {
         for (const int least_order : {2, 4, 6}) {
-            const Best alike = search(wish, {}, least_order);
-            const Best own = search(wish, thetas, least_order);
-            const double saved = 100 * (1 - static_cast<double>(own.bits) / alike.bits);
-            const int alike_blocks = kLanes * ref::lane_blocks(alike.format, alike.words);
-            const int own_blocks = kLanes * ref::lane_blocks(own.format, own.words);
+            const ref::WordFormat alike = search(wish, least_order, 0);
+            const ref::WordFormat own = search(wish, least_order, ref::kMostTurnBits);
             rows.push_back({{"wish", wish.text},
                             {"least_order", least_order},
-                            {"uniform",
-                             {{"order", alike.format.order},
-                              {"coef_bits", alike.format.coef_bits},
-                              {"bits", kLanes * alike.bits},
-                              {"blocks", alike_blocks}}},
-                            {"own",
-                             {{"order", own.format.order},
-                              {"coef_bits", own.format.coef_bits},
-                              {"widths", widths(own)},
-                              {"max_theta", own.words.max_theta},
-                              {"bits", kLanes * own.bits},
-                              {"blocks", own_blocks}}},
-                            {"saved_percent", saved}});
-            fmt::print(
-                "{}, order >= {}: alike order {} x {} bits: {} ({} blocks); own order {}, {}"
-                " (theta <= {:g}): {} ({} blocks); saved {:.1f} %\n",
-                wish.text, least_order, alike.format.order, alike.format.coef_bits,
-                kLanes * alike.bits, alike_blocks, own.format.order, widths(own),
-                own.words.max_theta, kLanes * own.bits, own_blocks, saved);
+                            {"alike", json(alike)},
+                            {"own", json(own)}});
+            fmt::print("{}, order >= {}\n    alike {}\n    own   {}\n", wish.text, least_order,
+                       text(alike), text(own));
         }
     }
     if (!output.empty()) {

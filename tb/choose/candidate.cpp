@@ -8,6 +8,7 @@
 namespace curvecore::tb {
 namespace {
 
+constexpr std::array<int, 7> kTurnBits{0, 2, 4, 6, 8, 10, 12};
 constexpr double kLeastLimit = 1e-3;  // units: below it no segment can be planned
 
 /// Every value of a core's parameters that choose varies.
@@ -23,7 +24,10 @@ void each_core(const Wish& wish, Visit visit) {
             parameters.sample_interval = interval;
             for (parameters.mode = 0; parameters.mode <= 1; ++parameters.mode) {
                 for (parameters.order = 2; parameters.order <= 12; ++parameters.order) {
-                    visit(parameters);
+                    for (const int turn_bits : kTurnBits) {
+                        parameters.turn_bits = turn_bits;
+                        if (turn_bits == 0 || takes_turn_bits(parameters)) visit(parameters);
+                    }
                 }
             }
         }

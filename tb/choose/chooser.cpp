@@ -82,7 +82,7 @@ bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
         if (!least.drawable() || least.segments() > most.segments) return true;
     }
     const CoreParameters& p = candidate.parameters;
-    const std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order}];
+    const std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order, p.turn_bits}];
     return std::any_of(known.begin(), known.end(), [&](const Known& one) {
         return one.coef_bits >= p.coef_bits && one.guard_bits >= p.guard_bits &&
                (!one.demand.drawable() || one.demand.segments() > most.segments);
@@ -92,7 +92,7 @@ bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
 const Demand& Chooser::demand(const Candidate& candidate, const Load& most) {
     InterruptGuard::check();
     const CoreParameters& p = candidate.parameters;
-    std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order}];
+    std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order, p.turn_bits}];
     for (Known& one : known) {
         if (one.coef_bits != p.coef_bits || one.guard_bits != p.guard_bits) continue;
         const bool complete =

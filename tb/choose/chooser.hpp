@@ -54,7 +54,7 @@ class Chooser {
     Reason judge(const Candidate& candidate, Choice& choice);
 
   private:
-    using Group = std::tuple<double, int, int>;  // unit, mode, order
+    using Group = std::tuple<double, int, int, int>;  // unit, mode, order, turn bits
     struct Known {
         int coef_bits, guard_bits;
         Load most;  // within which it was looked for

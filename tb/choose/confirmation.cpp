@@ -44,6 +44,7 @@ std::string arguments(const Candidate& candidate, const Device& device) {
         p.position_bits, p.guard_bits, p.mode);
     if (p.build == Build::kParallel)
         text += fmt::format(" --set SampleInterval={}", p.sample_interval);
+    if (p.turn_bits > 0) text += fmt::format(" --set TurnBits={}", p.turn_bits);
     return text;
 }
 

@@ -76,7 +76,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: --build 'folded': must be parallel or serial"},
     {"SetUnknown", with({"--set", "Width=36"}),
      "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
-     "GuardBits, AuxAxes, Splines, Mode, SampleInterval"},
+     "GuardBits, AuxAxes, Splines, Mode, SampleInterval, TurnBits"},
     {"SetWithoutValue", with({"--set", "Order"}),
      "curvecore: error: --set Order: Name=Value is expected"},
     {"SetNotANumber", with({"--set", "Order=six"}),
@@ -97,12 +97,21 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetModeUnknown", with({"--set", "Mode=2"}), "curvecore: error: Mode must be in [0, 1]"},
     {"SetIntervalThree", with({"--set", "SampleInterval=3"}),
      "curvecore: error: SampleInterval must be 1, 2, 4 or 8"},
+    {"SetTurnBitsTooMany", with({"--set", "TurnBits=15"}),
+     "curvecore: error: TurnBits must be in [0, 14]"},
+    {"SetTurnBitsOfPolynomials", with({"--set", "TurnBits=4", "--set", "Mode=1"}),
+     "curvecore: error: TurnBits works with --build parallel, Splines=0, Mode=0 and "
+     "SampleInterval=1 only"},
+    {"SetTurnBitsOfTheSerialBuild", with({"--set", "TurnBits=4", "--build", "serial"}),
+     "curvecore: error: TurnBits works with --build parallel, Splines=0, Mode=0 and "
+     "SampleInterval=1 only"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
      "curvecore: error: GuardBits must be in [2, 12]"},
     {"NotCompiled", run_with({"--set", "Order=11"}),
      "curvecore: error: no compiled core parallel Order=11 CoefBits=36 PositionBits=32 "
      "GuardBits=10 "
-     "AuxAxes=0 Splines=0 Mode=0 SampleInterval=1; tb/program/compiled_cores.cmake makes these:"},
+     "AuxAxes=0 Splines=0 Mode=0 SampleInterval=1 TurnBits=0; tb/program/compiled_cores.cmake "
+     "makes these:"},
     {"OverrideZero", run_with({"--override", "0"}),
      "curvecore: error: --override must be in [1, 100] percent"},
     {"OverrideTooHigh", run_with({"--override", "101"}),

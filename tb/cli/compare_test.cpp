@@ -129,6 +129,20 @@ TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
     EXPECT_NEAR(rows[4]["output"]["x"]["rms"].get<double>(), 0.2887, 0.02);  // 1 / sqrt 12
 }
 
+TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
+    const Json rows = compare({"--curves", "arcs", "--order", "3", "--coef-bits", "28", "--mode",
+                               "0", "--turn-bits", "0,4,8", "--samples", "4000"})["rows"];
+    ASSERT_EQ(rows.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(rows[i]["turn_bits"], 4 * i);
+        EXPECT_LE(rows[i]["max_of_bound"], 1);
+        EXPECT_GT(rows[i]["max_of_bound"], 0.1);
+        EXPECT_EQ(rows[i]["landing"], 0);
+        EXPECT_EQ(rows[i]["missing_bits"], 0);
+        if (i > 0) EXPECT_LT(rows[i]["multiplier_bits"], rows[i - 1]["multiplier_bits"]);
+    }
+}
+
 TEST_F(Compare, RefusalsSayWhy) {
     program_.write("part.ngc", kPart);
     const Json rows = compare({"part.ngc", "--order", "6", "--coef-bits", "18", "--mode", "1",

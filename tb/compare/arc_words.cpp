@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tb/compare/arc_words.hpp"
 
+#include "ref/order_words.hpp"
+
 namespace curvecore::tb {
 
 ArcWords::ArcWords(const Setting& setting, int axes, ValueRanges& ranges)
@@ -9,7 +11,13 @@ ArcWords::ArcWords(const Setting& setting, int axes, ValueRanges& ranges)
       order_(setting.format.order),
       ranges_(ranges),
       unit_(setting.format.coef_bits - 1),
-      coef_(setting.format.coef_bits - 2) {}
+      coef_(setting.format.coef_bits - 2) {
+    const ref::WordFormat& format = setting.format;
+    for (int i = 1; i <= order_; ++i) {
+        const int cut = format.coef_bits - ref::tau_bits(format.coef_bits, format.turn_bits, i);
+        tau_kept_[i] = -(RunWord(1) << cut);
+    }
+}
 
 void ArcWords::load(const RunSegment& segment) {
     const int bits = setting_.format.coef_bits;
@@ -86,15 +94,14 @@ void ArcWords::sample(RunWord sigma, RunWord* out) const {
 }
 
 void ArcWords::sample_series(RunWord tau, RunWord* out) const {
-    RunWord d[3] = {c_[order_][0], c_[order_][1], c_[order_][2]};
-    for (int i = order_ - 1; i >= 1; --i) {
+    RunWord d[3] = {};
+    for (int i = order_; i >= 1; --i) {
+        const RunWord kept = tau & tau_kept_[i];
         for (int axis = 0; axis < 3; ++axis) {
-            d[axis] = c_[i][axis] + unit_.product(d[axis], tau);
+            d[axis] = unit_.product(c_[i][axis] + d[axis], kept);
         }
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        out[axis] = position_[axis] + to_fine_(unit_.product(d[axis], tau));
-    }
+    for (int axis = 0; axis < 3; ++axis) out[axis] = position_[axis] + to_fine_(d[axis]);
 }
 
 RunWord ArcWords::by_twos(const RunWord* series, int first, int last, RunWord q) const {

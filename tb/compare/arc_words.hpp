@@ -35,8 +35,9 @@ class ArcWords {
     const int axes_;
     const int order_;
     ValueRanges& ranges_;
-    const Rounding unit_;  // CoefBits-1
-    const Rounding coef_;  // CoefBits-2
+    const Rounding unit_;                 // CoefBits-1
+    const Rounding coef_;                 // CoefBits-2
+    RunWord tau_kept_[kMostOrders] = {};  // by order: the bits of tau that its stage has
     int k_ = 0;
     FineShift to_fine_;
     RunWord theta_ = 0;

@@ -83,6 +83,7 @@ Json row_json(const Row& row, int axes, const Device& device) {
               {"guard_bits", format.guard_bits},
               {"mode", row.setting.mode()},
               {"scheme", row.setting.scheme()},
+              {"turn_bits", format.turn_bits},
               {"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
               {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
               {"segments", row.segments},

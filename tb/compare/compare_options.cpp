@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ref/order_words.hpp"
 #include "tb/compare/number_list.hpp"
 #include "tb/program/usage_error.hpp"
 
@@ -58,9 +59,10 @@ CurveSet curve_set(const std::string& name) {
 
 std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vector<int>& coef_bits,
                                   const std::vector<int>& guard_bits, const std::vector<int>& modes,
+                                  const std::vector<int>& turn_bits,
                                   const std::vector<int>& anchors) {
-    const std::size_t count =
-        orders.size() * coef_bits.size() * guard_bits.size() * modes.size() * anchors.size();
+    const std::size_t count = orders.size() * coef_bits.size() * guard_bits.size() * modes.size() *
+                              turn_bits.size() * anchors.size();
     if (count > kMostSettings) {
         throw UsageError(
             fmt::format("{} configurations are asked for, {} are the most", count, kMostSettings));
@@ -70,9 +72,12 @@ std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vec
     for (const int order : orders) {
         for (const int mode : modes) {
             for (const int guard : guard_bits) {
-                for (const int width : coef_bits) {
-                    for (const int anchor : anchors) {
-                        settings.push_back({{order, width, 32, guard, mode == 1}, anchor == 1});
+                for (const int turn : turn_bits) {
+                    for (const int width : coef_bits) {
+                        for (const int anchor : anchors) {
+                            settings.push_back(
+                                {{order, width, 32, guard, mode == 1, turn}, anchor == 1});
+                        }
                     }
                 }
             }
@@ -82,10 +87,19 @@ std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vec
 }
 
 void interpret(const RawCompareOptions& raw, CompareOptions& options) {
-    options.settings = all_settings(
-        number_list("--order", raw.order, 2, 12), number_list("--coef-bits", raw.coef_bits, 18, 36),
-        number_list("--guard-bits", raw.guard_bits, 2, 12), number_list("--mode", raw.mode, 0, 1),
-        number_list("--anchor", raw.anchor, 0, 1));
+    const std::vector<int> modes = number_list("--mode", raw.mode, 0, 1);
+    const std::vector<int> turn_bits =
+        number_list("--turn-bits", raw.turn_bits, 0, ref::kMostTurnBits);
+    const auto above_0 = [](const std::vector<int>& list) {
+        return std::any_of(list.begin(), list.end(), [](int value) { return value > 0; });
+    };
+    if (above_0(turn_bits) && above_0(modes)) {
+        throw UsageError("--turn-bits above 0 works with --mode 0 only");
+    }
+    options.settings = all_settings(number_list("--order", raw.order, 2, 12),
+                                    number_list("--coef-bits", raw.coef_bits, 18, 36),
+                                    number_list("--guard-bits", raw.guard_bits, 2, 12), modes,
+                                    turn_bits, number_list("--anchor", raw.anchor, 0, 1));
     options.curves = curve_set(raw.curves);
     if (!options.common.file.empty() && raw.curves != RawCompareOptions().curves) {
         throw UsageError("--curves is for a comparison without FILE");

@@ -190,6 +190,8 @@ std::optional<CostEstimate> estimate_of(const Subject& subject, const Setting& s
     parameters.splines = subject.splines ? 1 : 0;
     parameters.mode = setting.format.polynomial ? 1 : 0;
     parameters.sample_interval = subject.target.sample_interval;
+    parameters.turn_bits = setting.format.turn_bits;
+    if (parameters.turn_bits > 0 && !takes_turn_bits(parameters)) return std::nullopt;
     return estimate(core_for(subject.arcs, subject.splines, parameters.build), parameters,
                     *subject.target.device);
 }

@@ -36,7 +36,7 @@ struct PositionFigures {
 /// | steps          |       | integration steps                                              |
 /// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
 /// | cost           |       | of any device                                                  |
-/// | estimate       |       | on Subject's device; none: no measured runs to go by           |
+/// | estimate       |       | on Subject's device; none: no measured runs, or no such core     |
 struct Row {
     Setting setting;
     double limit = 0;

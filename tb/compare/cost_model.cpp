@@ -157,7 +157,7 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kFineBits] = parameters.position_bits + parameters.guard_bits;
     values[kArcs] = core == Core::kSpline ? 0 : 1;
     values[kSplines] = core == Core::kSpherical ? 0 : 1;
-    values[kWide] = count_multipliers(core, parameters).wide;
+    values[kWide] = mean_wide(core, parameters);
     CostEstimate cost;
     cost.lut4 = models.lut4->predict(device.family, values);
     cost.ff = models.ff->predict(device.family, values);

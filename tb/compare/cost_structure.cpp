@@ -2,16 +2,27 @@
 // Multipliers and block memories of a core, counted as the RTL instantiates them.
 #include "tb/compare/cost_structure.hpp"
 
+#include "ref/order_words.hpp"
+
 namespace curvecore::tb {
 namespace {
 
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
-/// rtl/arithmetic/multiplier.sv, of CoefBits x CoefBits.
-int wide_multiplier(int coef_bits, const Device& device) {
-    if (device.form == 1) return coef_bits > 18 ? 4 : 1;
-    if (device.form == 2) return coef_bits > 32 ? 8 : 4;
+/// rtl/arithmetic/multiplier.sv.
+int multiplier(int a_bits, int b_bits, const Device& device) {
+    if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
+    if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
     return 0;
+}
+
+/// Each order's word in a sampler of arcs with a width for each.
+template <class Visit>
+void each_stage(const CoreParameters& p, Visit visit) {
+    for (int i = 1; i <= p.order; ++i) {
+        visit(ref::sum_bits(p.coef_bits, p.turn_bits, i),
+              ref::tau_bits(p.coef_bits, p.turn_bits, i));
+    }
 }
 
 }  // namespace
@@ -41,8 +52,24 @@ MultiplierCount count_multipliers(Core core, const CoreParameters& parameters) {
 
 int count_dsp(Core core, const CoreParameters& parameters, const Device& device) {
     const MultiplierCount count = count_multipliers(core, parameters);
-    return count.wide * wide_multiplier(parameters.coef_bits, device) +
-           (device.form == 1 ? count.narrow : 0);
+    const int bits = parameters.coef_bits;
+    int wide = count.wide;
+    int narrowed = 0;
+    if (parameters.turn_bits > 0) {
+        wide -= 3 * parameters.order;
+        each_stage(parameters,
+                   [&](int sum, int tau) { narrowed += 3 * multiplier(sum, tau, device); });
+    }
+    return wide * multiplier(bits, bits, device) + narrowed + (device.form == 1 ? count.narrow : 0);
+}
+
+double mean_wide(Core core, const CoreParameters& parameters) {
+    double wide = count_multipliers(core, parameters).wide;
+    if (parameters.turn_bits == 0) return wide;
+    each_stage(parameters, [&](int sum, int tau) {
+        wide -= 3 * (1 - (sum + tau) / (2.0 * parameters.coef_bits));
+    });
+    return wide;
 }
 
 int count_ram(Core core, const CoreParameters& parameters, const Device& device) {

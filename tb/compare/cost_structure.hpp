@@ -7,6 +7,9 @@
 namespace curvecore::tb {
 
 int count_dsp(Core core, const CoreParameters& parameters, const Device& device);
+/// Multipliers of CoefBits as wide in all as those that there are: the same count but with
+/// TurnBits.
+double mean_wide(Core core, const CoreParameters& parameters);
 int count_ram(Core core, const CoreParameters& parameters, const Device& device);
 
 }  // namespace curvecore::tb

@@ -5,19 +5,22 @@
 
 #include <algorithm>
 
+#include "ref/order_words.hpp"
+
 namespace curvecore::tb {
 
 std::string Setting::text() const {
-    return fmt::format("Order={} CoefBits={} GuardBits={} Mode={} Anchor={}", format.order,
-                       format.coef_bits, format.guard_bits, format.polynomial ? 1 : 0,
-                       anchor ? 1 : 0);
+    return fmt::format("Order={} CoefBits={} GuardBits={} Mode={} Anchor={} TurnBits={}",
+                       format.order, format.coef_bits, format.guard_bits, format.polynomial ? 1 : 0,
+                       anchor ? 1 : 0, format.turn_bits);
 }
 
 bool operator==(const Setting& a, const Setting& b) {
     return a.format.order == b.format.order && a.format.coef_bits == b.format.coef_bits &&
            a.format.position_bits == b.format.position_bits &&
            a.format.guard_bits == b.format.guard_bits &&
-           a.format.polynomial == b.format.polynomial && a.anchor == b.anchor;
+           a.format.polynomial == b.format.polynomial && a.format.turn_bits == b.format.turn_bits &&
+           a.anchor == b.anchor;
 }
 
 ref::WordFormat widest(const ref::WordFormat& format) {
@@ -42,7 +45,12 @@ MultiplierBits multiplier_bits(const Setting& setting, bool arcs, bool splines) 
     }
     cost.integrators = (arcs ? kArcIntegrators : 0) + (splines ? kSplineIntegrators : 0);
     const int width = setting.format.coef_bits;
+    const int turn = setting.format.turn_bits;
     cost.bits = cost.sampler_products * width * width + cost.integrators * 18 * 18;
+    for (int i = 1; i <= order && turn > 0; ++i) {
+        cost.bits -=
+            3 * (width * width - ref::sum_bits(width, turn, i) * ref::tau_bits(width, turn, i));
+    }
     return cost;
 }
 

@@ -19,7 +19,7 @@ struct Setting {
 
     const char* mode() const { return format.polynomial ? "polynomial" : "series"; }
     const char* scheme() const { return anchor ? "anchored" : "propagated"; }
-    /// "Order=6 CoefBits=36 GuardBits=10 Mode=1 Anchor=1"
+    /// "Order=6 CoefBits=36 GuardBits=10 Mode=1 Anchor=1 TurnBits=0"
     std::string text() const;
 };
 
@@ -31,7 +31,8 @@ ref::WordFormat widest(const ref::WordFormat& format);
 /// A measure of area that knows no device: the bits of all partial products when a
 /// sample leaves with every clock.
 ///
-///     W^2 for each product of the sampler, 18^2 for each integrator of the networks
+///     W^2 for each product of the sampler (with TurnBits, of each order's own widths), 18^2 for
+///     each integrator of the networks
 ///
 /// with CoefBits W; the parallel build's networks work digit by digit, one 18 x 18 multiplier each.
 /// A core that draws both kinds shares the sampler of Mode 0 and has both of Mode 1.

@@ -125,6 +125,19 @@ INSTANTIATE_TEST_SUITE_P(Model, Choose,
                                          NamedWish{"Both", 2e-5, 50, 50, 50, "ecp5-45"}),
                          [](const auto& test) { return test.param.name; });
 
+TEST(ChooseOwnWidths, AreTheSmallestForASampleAClock) {
+    Wish wish = NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.wish();
+    wish.sample_period_s = 10e-9;
+    const std::vector<Choice> choices = Chooser(wish).smallest(1);
+    ASSERT_FALSE(choices.empty());
+    const Candidate& candidate = choices.front().candidate;
+    EXPECT_GT(candidate.parameters.turn_bits, 0);
+    const Row row = draw(wish, candidate, 0);
+    EXPECT_LE(row.output.worst() * candidate.unit_mm, wish.error_mm);
+    EXPECT_LE(row.of_bound.value_or(2), 1);
+    EXPECT_EQ(row.missing_bits, 0);
+}
+
 /// Planned for the answer's words, drawn with two bits less, an error is beyond its bound.
 TEST(ChooseControl, NarrowerWordsBreakTheProof) {
     const Wish wish = NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.wish();

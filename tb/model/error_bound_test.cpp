@@ -20,8 +20,12 @@ using hls::SamplerMode;
 
 template <class C>
 ref::WordFormat format_of() {
-    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial};
+    return {C::kOrder,
+            C::kCoefBits,
+            C::kPositionBits,
+            C::kGuardBits,
+            C::kMode == SamplerMode::kPolynomial,
+            C::kTurnBits};
 }
 
 /// Worst error of the kernel in a segment, before the final rounding, over random samples of every
@@ -154,6 +158,26 @@ TEST(ErrorBound, CoversAndIsTightAtOrder8) { expect_tight<Core<8, 36, 10>>(1000,
 TEST(ErrorBound, CoversAtOrder12) { expect_tight<Core<12, 36, 12>>(1000, 0.1, 60, 16); }
 TEST(ErrorBound, CoversAndIsTightAt28Bits) { expect_tight<Core<6, 28, 10>>(100, 0.1, 30); }
 TEST(ErrorBound, CoversAndIsTightAt18Bits) { expect_tight<Core<4, 18, 4>>(0.3, 0.2, 40); }
+
+/// A width for each order.
+template <int P, int W, int G, int Turn>
+using Own = hls::Configuration<P, W, 32, G, 0, SamplerMode::kSeries, true, Turn>;
+
+TEST(ErrorBound, CoversAndIsTightWithAWidthForEachOrder) {
+    expect_tight<Own<6, 36, 10, 2>>(100, 0.1, 30);
+    expect_tight<Own<3, 36, 12, 6>>(100, 0.1, 30);
+    expect_tight<Own<2, 28, 8, 9>>(10, 0.1, 20);
+    expect_tight<Own<4, 24, 6, 1>>(1, 0.2, 30);
+}
+TEST(ErrorBound, IsLeftByACutOfTauThatItDoesNotKnow) {
+    std::mt19937_64 random(1);
+    ProgramBuilder builder;
+    builder.arc({25, 0, 0}, {0, 0, 1}, 6, 0, 100);
+    const ref::Plan plan = make_plan(builder.program(), wide_machine(), {});
+    const auto honest = [](auto&) {};
+    EXPECT_GT((worst_error<Own<6, 36, 10, 6>>(plan.segments[0], random, honest)),
+              plan.segments[0].bound);
+}
 
 // Controls: a core that is worse than its words must leave the bound.
 TEST(ErrorBound, IsLeftByACoreOfALowerOrder) {

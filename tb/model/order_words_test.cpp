@@ -1,91 +1,94 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a width of their own for each order: Horner's rule in them stays within what the study
-// says, and a bit less does not.
+// Words of a width of their own for each order: in real numbers every sum fits its word, of every
+// configuration, and would not fit one that is a bit narrower; what a cut of tau loses.
 #include "ref/order_words.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace curvecore::tb {
 namespace {
 
-using Wide = std::int64_t;  // products of 30 bits each
+constexpr double kMostSteps = 4096;  // of a segment, ref/plan/geometry.hpp
 
-Wide rounded(Wide value, int shift) { return (value + (Wide(1) << (shift - 1))) >> shift; }
-
-struct Worst {
-    double error = 0;  // half last bits of a coefficient
-    int beyond = 0;    // sums that their word cannot hold
-};
-
-/// Horner in these words against the exact sum, over random series of an arc.
-Worst evaluate(const ref::WordFormat& format, const ref::OrderWords& words) {
-    std::mt19937_64 random(5);
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * std::generate_canonical<double, 53>(random);
-    };
-    const int frac = format.coef_bits - 2;
-    Worst worst;
-    for (int n = 0; n < 100000; ++n) {
-        const double theta = words.max_theta * (n % 2 == 0 ? 1 : uniform(0, 1));
-        const int tau_frac = format.coef_bits - 1;
-        const auto tau = static_cast<std::int64_t>(uniform(n % 3 == 0 ? 0.99 : 0, 1) *
-                                                   std::ldexp(1.0, tau_frac));
-        Wide sum = 0;
-        long double exact = 0;
-        const long double real_tau = std::ldexp(static_cast<long double>(tau), -tau_frac);
-        for (int i = format.order; i >= 1; --i) {
-            double size = 1;
-            for (int j = 2; j <= i; ++j) size *= theta / j;
-            const std::int64_t word =
-                std::llround(size * (n % 5 == 0 ? 1 : uniform(-1, 1)) * std::ldexp(1.0, frac));
-            sum += word;
-            exact = (exact + static_cast<long double>(word)) * real_tau;
-            const auto order = static_cast<std::size_t>(i);
-            const Wide limit = Wide(1) << (words.sum_bits[order] - 1);
-            if (sum >= limit || sum < -limit) ++worst.beyond;
-            const int cut = format.coef_bits - words.tau_bits[order];
-            sum = rounded(sum * ((tau >> cut) << cut), tau_frac);
-        }
-        const double error =
-            2 * static_cast<double>(std::abs(static_cast<long double>(sum) - exact));
-        worst.error = std::max(worst.error, error);
+TEST(OrderWords, FactorialBitsAreThoseOfTheFactorial) {
+    for (int i = 1; i <= 12; ++i) {
+        EXPECT_EQ(ref::factorial_bits(i), std::ceil(std::log2(std::tgamma(i + 1.0)))) << i;
     }
-    return worst;
 }
 
-TEST(OrderWords, HoldEverySumAndLoseNoMoreThanSaid) {
-    for (const int order : {2, 3, 4, 6, 8}) {
-        for (const double theta : {0.5, 0.125, 1.0 / 64}) {
-            for (const int spare : {1, 3}) {
-                const ref::WordFormat format{order, 30, 32, 10, false};
-                const ref::OrderWords words = ref::order_words(format, theta, spare);
-                const Worst worst = evaluate(format, words);
-                EXPECT_EQ(worst.beyond, 0);
-                EXPECT_LE(worst.error, order + words.extra);
-                EXPECT_LT(ref::lane_bits(format, words), order * 30 * 30);
+/// Of the words of stage i at a step of theta: t and n as long as a quarter turn lets them grow, 2
+/// half last bits for a coefficient's rounding and one for a product's.
+double most_sum(int order, int coef_bits, double theta, int i) {
+    const double half = std::ldexp(1.0, 1 - coef_bits);
+    const double steps = std::min(kMostSteps, std::ceil(M_PI_2 / theta));
+    const double last = std::pow(theta, order + 1) / std::tgamma(order + 2.0);
+    const double growth = std::exp(steps * (last + half + theta * 2 * order * half));
+    double sum = 0;
+    for (int j = order; j >= i; --j) {
+        sum += growth * std::pow(theta, j - 1) / std::tgamma(j + 1.0) + 3 * half;
+    }
+    return sum;
+}
+
+template <class Visit>
+void each_stage(Visit visit) {
+    for (int turn_bits = 1; turn_bits <= ref::kMostTurnBits; ++turn_bits) {
+        for (int order = 2; order <= 12; ++order) {
+            for (int coef_bits = 18; coef_bits <= 36; ++coef_bits) {
+                for (int i = 2; i <= order; ++i) visit(turn_bits, order, coef_bits, i);
             }
         }
     }
 }
 
-TEST(OrderWords, ABitLessDoesNotHoldTheSums) {
-    const ref::WordFormat format{4, 30, 32, 10, false};
-    ref::OrderWords words = ref::order_words(format, 0.5, 3);
-    for (std::size_t i = 2; i <= 4; ++i) {
-        ref::OrderWords narrow = words;
-        narrow.sum_bits[i] -= 2;
-        EXPECT_GT(evaluate(format, narrow).beyond, 0) << i;
-    }
+TEST(OrderWords, HoldEverySumOfEveryConfiguration) {
+    int stages = 0;
+    each_stage([&](int turn_bits, int order, int coef_bits, int i) {
+        const int bits = ref::sum_bits(coef_bits, turn_bits, i);
+        EXPECT_GE(bits, 18);
+        EXPECT_LE(bits, coef_bits);
+        const double range = std::ldexp(1.0, bits - 1 - (coef_bits - 2));
+        for (const double part : {1.0, 0.7, 0.3, 0.01, 1e-4}) {
+            const double theta = std::ldexp(part, -turn_bits);
+            ASSERT_LT(most_sum(order, coef_bits, theta, i), range)
+                << turn_bits << ' ' << order << ' ' << coef_bits << ' ' << i;
+        }
+        ++stages;
+    });
+    EXPECT_EQ(stages, 14 * 19 * 66);
 }
 
-TEST(OrderWords, ATauCutByMoreLosesMore) {
-    const ref::WordFormat format{4, 30, 32, 10, false};
-    ref::OrderWords words = ref::order_words(format, 0.5, 3);
-    words.tau_bits[2] -= 6;
-    EXPECT_GT(evaluate(format, words).error, 4 + words.extra);
+TEST(OrderWords, AreOfNoUseABitNarrower) {
+    int narrowed = 0;
+    each_stage([&](int turn_bits, int, int coef_bits, int i) {
+        const int bits = ref::sum_bits(coef_bits, turn_bits, i);
+        if (bits == 18 || bits == coef_bits) return;
+        const double coefficient = std::ldexp(1.0, -turn_bits * (i - 1)) / std::tgamma(i + 1.0);
+        EXPECT_GE(coefficient, std::ldexp(1.0, bits - 2 - (coef_bits - 2)));
+        ++narrowed;
+    });
+    EXPECT_GT(narrowed, 1000);
+}
+
+TEST(OrderWords, ACutOfTauLosesLessThanARounding) {
+    each_stage([&](int turn_bits, int order, int coef_bits, int i) {
+        const int cut = coef_bits - ref::tau_bits(coef_bits, turn_bits, i);
+        if (cut == 0) return;
+        const double sum = most_sum(order, coef_bits, std::ldexp(1.0, -turn_bits), i);
+        EXPECT_LT(std::ldexp(sum, cut), 1) << turn_bits << ' ' << order << ' ' << i;
+    });
+}
+
+TEST(OrderWords, AreAllAlikeWithoutTurnBits) {
+    for (int i = 1; i <= 12; ++i) {
+        EXPECT_EQ(ref::sum_bits(30, 0, i), 30);
+        EXPECT_EQ(ref::tau_bits(30, 0, i), 30);
+    }
+    EXPECT_EQ(ref::sum_bits(30, 5, 1), 30);
+    EXPECT_EQ(ref::tau_bits(30, 5, 1), 30);
 }
 
 }  // namespace

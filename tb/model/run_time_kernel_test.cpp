@@ -17,7 +17,7 @@ using hls::SamplerMode;
 template <class C>
 Setting setting_of() {
     return {{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-             C::kMode == SamplerMode::kPolynomial},
+             C::kMode == SamplerMode::kPolynomial, C::kTurnBits},
             C::kAnchor};
 }
 
@@ -44,8 +44,9 @@ RunSegment run_segment(const hls::SegmentWords<C>& words) {
 template <class C>
 class RunTimeKernelOf : public testing::Test {};
 
-template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0>
-using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor>;
+template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
+          int Turn = 0>
+using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn>;
 constexpr SamplerMode kSer = SamplerMode::kSeries;
 constexpr SamplerMode kPol = SamplerMode::kPolynomial;
 
@@ -55,7 +56,9 @@ using Cores = testing::Types<
     Core<5, 24, 6, kPol, true, 32, 2>, Core<6, 36, 10, kSer, true>, Core<6, 36, 10, kPol, true>,
     Core<6, 36, 10, kSer, false>, Core<6, 36, 10, kPol, false>, Core<6, 28, 10, kPol, true, 20>,
     Core<7, 35, 11, kPol, false>, Core<8, 30, 10, kSer, true, 32, 6>, Core<8, 31, 9, kPol, true>,
-    Core<11, 34, 12, kSer, false>, Core<12, 36, 12, kSer, true>, Core<12, 18, 2, kPol, true>>;
+    Core<2, 23, 3, kSer, true, 32, 0, 10>, Core<6, 36, 10, kSer, true, 32, 0, 2>,
+    Core<12, 31, 9, kSer, true, 32, 1, 1>, Core<11, 34, 12, kSer, false>,
+    Core<12, 36, 12, kSer, true>, Core<12, 18, 2, kPol, true>>;
 TYPED_TEST_SUITE(RunTimeKernelOf, Cores);
 
 TYPED_TEST(RunTimeKernelOf, DrawsTheSameSamples) {

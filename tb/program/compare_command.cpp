@@ -4,12 +4,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "tb/compare/compare_report.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/interrupt.hpp"
 #include "tb/program/output_folder.hpp"
+#include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
+namespace {
+
+void check_turn_bits(const ref::Program& program, const std::vector<Setting>& settings) {
+    const bool splines =
+        std::any_of(program.moves.begin(), program.moves.end(),
+                    [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
+    const bool own_widths =
+        std::any_of(settings.begin(), settings.end(),
+                    [](const Setting& setting) { return setting.format.turn_bits > 0; });
+    if (splines && own_widths) {
+        throw UsageError("--turn-bits above 0 is for lines and arcs: there are splines");
+    }
+}
+
+}  // namespace
 
 int compare_command(const CompareOptions& options) {
     Job job;
@@ -19,6 +37,7 @@ int compare_command(const CompareOptions& options) {
     } else {
         job = read_job(options.common);
     }
+    check_turn_bits(job.program, options.settings);
     const InterruptGuard guard;
     OutputFolder folder(options.common.folder);
     const SweepResult result = sweep(job.program, job.machine, options.settings, options.sweep);

@@ -61,6 +61,7 @@ CompiledCore CFG_FUNCTION() {
     parameters.splines = CFG_Splines;
     parameters.mode = CFG_Mode;
     parameters.sample_interval = CFG_SampleInterval;
+    parameters.turn_bits = CFG_TurnBits;
     return {parameters, &run};
 }
 

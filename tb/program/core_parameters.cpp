@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 
+#include "ref/order_words.hpp"
 #include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
@@ -19,7 +20,7 @@ struct Parameter {
     int high;
 };
 
-constexpr std::array<Parameter, 8> kParameters{{
+constexpr std::array<Parameter, 9> kParameters{{
     {"Order", &CoreParameters::order, 2, 12},
     {"CoefBits", &CoreParameters::coef_bits, 18, 36},
     {"PositionBits", &CoreParameters::position_bits, 16, 32},
@@ -28,6 +29,7 @@ constexpr std::array<Parameter, 8> kParameters{{
     {"Splines", &CoreParameters::splines, 0, 1},
     {"Mode", &CoreParameters::mode, 0, 1},
     {"SampleInterval", &CoreParameters::sample_interval, 1, 8},
+    {"TurnBits", &CoreParameters::turn_bits, 0, ref::kMostTurnBits},
 }};
 
 }  // namespace
@@ -35,7 +37,7 @@ constexpr std::array<Parameter, 8> kParameters{{
 const char* build_name(Build build) { return build == Build::kParallel ? "parallel" : "serial"; }
 
 ref::WordFormat CoreParameters::format() const {
-    return {order, coef_bits, position_bits, guard_bits, mode == 1};
+    return {order, coef_bits, position_bits, guard_bits, mode == 1, turn_bits};
 }
 
 int CoreParameters::network_latency() const {
@@ -89,6 +91,18 @@ std::vector<std::string> parameter_names() {
     names.reserve(kParameters.size());
     for (const Parameter& parameter : kParameters) names.emplace_back(parameter.name);
     return names;
+}
+
+bool takes_turn_bits(const CoreParameters& parameters) {
+    return parameters.build == Build::kParallel && parameters.splines == 0 &&
+           parameters.mode == 0 && parameters.sample_interval == 1;
+}
+
+void check_turn_bits(const CoreParameters& parameters) {
+    if (parameters.turn_bits > 0 && !takes_turn_bits(parameters)) {
+        throw UsageError(
+            "TurnBits works with --build parallel, Splines=0, Mode=0 and SampleInterval=1 only");
+    }
 }
 
 void set_parameter(CoreParameters& parameters, const std::string& assignment) {

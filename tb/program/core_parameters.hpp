@@ -23,6 +23,7 @@ struct CoreParameters {
     int splines = 0;          // 1: draws splines besides lines and arcs
     int mode = 0;             // 0 series, 1 polynomial
     int sample_interval = 1;  // clocks per sample of the parallel build
+    int turn_bits = 0;        // above 0: a width for each order, ref/order_words.hpp
 
     int axes() const { return 3 + aux_axes; }
     ref::WordFormat format() const;
@@ -41,6 +42,11 @@ const char* build_name(Build build);
 
 /// Names as --set takes them, in order.
 std::vector<std::string> parameter_names();
+
+/// Whether TurnBits may be above 0: lines and arcs in series mode, a sample a clock.
+bool takes_turn_bits(const CoreParameters& parameters);
+/// @throws UsageError: it is, and may not
+void check_turn_bits(const CoreParameters& parameters);
 
 /// Name=Value.
 /// @throws UsageError: unknown name, not a number, out of range

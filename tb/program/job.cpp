@@ -31,6 +31,10 @@ void set_splines(Job& job) {
     if (job.options.splines_set && job.options.core.splines == 0) {
         throw ref::InputError(job.options.file, first->line, "a spline, and --set Splines=0");
     }
+    if (job.options.core.turn_bits != 0) {
+        throw ref::InputError(job.options.file, first->line,
+                              "a spline, and --set TurnBits is for lines and arcs");
+    }
     job.options.core.splines = 1;
 }
 

@@ -133,5 +133,6 @@ int main() {
     }
     print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries, false>>(true);
     print_samples<Configuration<5, 33, 32, 8, 0, SamplerMode::kPolynomial, false>>(true);
+    print_samples<Configuration<3, 30, 32, 8, 1, SamplerMode::kSeries, true, 6>>(false);
     print_path();
 }

@@ -13,6 +13,10 @@
 #define CFG_SampleInterval 1
 #endif
 
+#ifndef CFG_TurnBits
+#define CFG_TurnBits 0
+#endif
+
 #ifndef CFG_Anchor
 #define CFG_Anchor 1
 #endif
@@ -21,7 +25,7 @@ namespace curvecore::tb {
 
 using Config =
     hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                       static_cast<hls::SamplerMode>(CFG_Mode), CFG_Anchor != 0>;
+                       static_cast<hls::SamplerMode>(CFG_Mode), CFG_Anchor != 0, CFG_TurnBits>;
 constexpr bool kPortable = CFG_MultiplierForm == 0;  // models of DSP primitives simulate slowly
 constexpr int kAxes = Config::kAxes;
 constexpr int kFineBits = Config::kFineBits;
