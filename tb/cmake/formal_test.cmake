@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # formal_test(tb/formal/<module>_formal.sv): tests formal.<module>.proved, .covered and one
-# .catches.<NAME> for every line `// control: NAME ...` of the wrapper.
+# .catches.<NAME> for every line `// control: NAME ...` of the wrapper, one .proved.<NAME> for every
+# line `// configuration: NAME ...`.
 function(formal_test wrapper)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${wrapper})
   cmake_path(GET wrapper STEM module)
@@ -22,5 +23,14 @@ function(formal_test wrapper)
              COMMAND ${prove} control ${wrapper} ${control} ${sources})
     list(APPEND tests ${name}.catches.${control})
   endforeach()
-  set_tests_properties(${tests} PROPERTIES LABELS formal TIMEOUT 600)
+  file(STRINGS ${wrapper} configurations REGEX "^// configuration: ")
+  foreach(configuration ${configurations})
+    string(REGEX REPLACE "^// configuration: ([A-Za-z0-9_]+).*" "\\1" configuration
+           ${configuration})
+    add_test(NAME ${name}.proved.${configuration}
+             COMMAND ${prove} prove ${wrapper} ${configuration} ${sources})
+    list(APPEND tests ${name}.proved.${configuration})
+  endforeach()
+  set_tests_properties(${tests} PROPERTIES LABELS formal TIMEOUT 600
+                       ENVIRONMENT STATE_SEARCH=$<TARGET_FILE:state_search>)
 endfunction()

@@ -1,12 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # prove.sh prove|cover|control WRAPPER NAME SOURCE... : an unbounded proof with Yosys and ABC.
-#   prove    every assertion of WRAPPER holds in every reachable state, from any start before reset
+#   prove    every assertion of WRAPPER holds in every reachable state, from any start before reset;
+#            in the configuration NAME, `// configuration: NAME Parameter=Value ...`, unless it is -
 #   cover    every cover statement of WRAPPER is reached
 #   control  with the defect NAME built in, the proof fails: a test of the proof itself.  WRAPPER
 #            declares it in a line `// control: NAME` (NAME is defined for the preprocessor), or
 #            `// control: NAME s/old/new/` (a change of the module under proof).
 # WRAPPER is tb/formal/<module>_formal.sv and assumes the reset in its first cycle.
+# With lines `// forget: REGISTER ... unless GUARD`, rules of tb/formal/search, that program
+# (STATE_SEARCH) goes through all reachable states, in place of ABC.
 set -euo pipefail
 mode=$1 wrapper=$2 name=$3
 shift 3
@@ -35,23 +38,40 @@ case $mode in
   *) select="chformal -cover -remove" ;;
 esac
 define=$([ "$mode" = control ] && echo "-D$name" || true)
+parameters=$(sed -n "s/^\/\/ configuration: $name //p" "$wrapper" |
+  sed -E 's/([A-Za-z]+)=([0-9]+)/-chparam \1 \2/g')
+forget=()
+while IFS= read -r rule; do
+  forget+=(--forget "$rule")
+done < <(sed -n 's|^// forget: ||p' "$wrapper")
+if [ ${#forget[@]} -gt 0 ]; then
+  # Three values: what is unknown stays so, in plain gates; registers keep their names.
+  unknown=-anyconst
+  gates="setundef $unknown; aigmap; opt_clean; write_aiger -I -B -symbols $work/model.aig"
+else
+  unknown=-anyseq
+  gates="abc -g AND -fast; opt_clean; write_aiger -I -B -zinit $work/model.aig"
+fi
 
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -formal -DFORMAL $define -defer ${sources[*]}
+  read_verilog -sv -formal -defer $(dirname "$0")/environment/*.sv
   read_verilog -sv -formal -DFORMAL $define $wrapper
-  prep -top $top -flatten; setattr -mod -unset keep_hierarchy; flatten; opt_clean
+  hierarchy -top $top $parameters; prep -top $top -flatten
+  setattr -mod -unset keep_hierarchy; flatten; opt_clean
   memory_map -formal; async2sync
   chformal -early; $select; tee -o $work/count select -count t:\$assert
-  setundef -undriven -anyseq; setattr -unset keep; delete -output
-  opt -full; techmap; opt -fast; dffunmap; abc -g AND -fast; opt_clean
-  write_aiger -I -B -zinit $work/model.aig"
+  setundef -undriven $unknown; setattr -unset keep; delete -output
+  opt -full; techmap; opt -fast; dffunmap; $gates"
 count=$(grep -oE '^[0-9]+' "$work/count" | tail -n 1)
 if [ "$count" = 0 ]; then
   echo "$top: nothing to $mode"
   exit 1
 fi
 
-if [ "$mode" = cover ]; then
+if [ ${#forget[@]} -gt 0 ]; then
+  "$STATE_SEARCH" "$mode" "$work/model.aig" "${forget[@]}"
+elif [ "$mode" = cover ]; then
   yosys-abc -c "read_aiger $work/model.aig; fold; strash; bmc3 -a -F 200 -T 120" \
     >"$work/log" || true
   reached=$(grep -c 'was asserted in frame' "$work/log" || true)

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A circuit of and gates and latches, from a file in the binary AIGER format 1.9
+// (fmv.jku.at/aiger).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace curvecore::formal {
+
+/// Twice the variable, and one more for its inverse. Variable 0 is false; then come the inputs, the
+/// latches and the gates, in this order.
+using Literal = unsigned;
+
+enum class Start { kZero, kOne, kAny };
+
+struct Latch {
+    Literal next;
+    Start start;
+    std::vector<std::string> names;  ///< of the register's bit: "u_dut.place_q[3]"
+};
+
+struct Gate {
+    Literal left, right;  ///< of variables before the gate's own
+};
+
+struct Circuit {
+    std::size_t inputs = 0;
+    std::vector<Latch> latches;
+    std::vector<Gate> gates;
+    std::vector<Literal> bad;          ///< assertions that fail, or covers that are reached
+    std::vector<Literal> constraints;  ///< hold in every clock
+
+    std::size_t first_latch() const { return 1 + inputs; }
+    std::size_t first_gate() const { return first_latch() + latches.size(); }
+    std::size_t variables() const { return first_gate() + gates.size(); }
+};
+
+/// Throws std::runtime_error if the file is no such circuit.
+Circuit read_circuit(const std::string& path);
+
+/// The same circuit without what neither a bad literal nor a constraint depends on.
+Circuit cone_of_influence(const Circuit& circuit);
+
+}  // namespace curvecore::formal
