@@ -172,7 +172,7 @@ def read(path):
     with open(path, newline="") as stream:
         for line, row in enumerate(csv.DictReader(stream), 2):
             try:
-                row.setdefault("TurnBits", "0")
+                row["TurnBits"] = row.get("TurnBits") or "0"
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
                 run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
                 run["family"] = FAMILIES.get(row["device"], row["device"])

@@ -171,12 +171,18 @@ TEST(ErrorBound, CoversAndIsTightWithAWidthForEachOrder) {
 }
 TEST(ErrorBound, IsLeftByACutOfTauThatItDoesNotKnow) {
     std::mt19937_64 random(1);
-    ProgramBuilder builder;
-    builder.arc({25, 0, 0}, {0, 0, 1}, 6, 0, 100);
-    const ref::Plan plan = make_plan(builder.program(), wide_machine(), {});
+    ref::Segment segment;
+    segment.radius = 25e6;
+    segment.cos_pitch = 1;
+    segment.tangent = {0, 1, 0};
+    segment.normal = {1, 0, 0};
+    segment.end = segment.start = ref::Vec3::Zero();
+    segment.step_exponent = 23;
+    segment.length = std::uint64_t{3} << 39;
     const auto honest = [](auto&) {};
-    EXPECT_GT((worst_error<Own<6, 36, 10, 6>>(plan.segments[0], random, honest)),
-              plan.segments[0].bound);
+    const double bound = ref::segment_bound(format_of<Own<8, 36, 12, 0>>(), segment);
+    EXPECT_LE((worst_error<Own<8, 36, 12, 0>>(segment, random, honest)), bound);
+    EXPECT_GT((worst_error<Own<8, 36, 12, 8>>(segment, random, honest)), 4 * bound);
 }
 
 // Controls: a core that is worse than its words must leave the bound.
