@@ -114,32 +114,58 @@ def throughput():
     return table(["what", "measured"], [(r["what"], r["measured"]) for r in bench["rows"]])
 
 
-def synthesis():
-    """From `scripts/synth.sh --sweep scripts/sweeps/readme.csv`."""
-    file = BUILD / "synth" / "readme.csv"
+def placed(sweep):
+    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
+    file = BUILD / "synth" / f"{sweep}.csv"
     if not file.exists():
-        return None
+        return []
     with open(file, newline="") as stream:
-        rows = [
-            (
-                f"{r['core']}-{r['build']}",
-                r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
-                "series" if int(r["Mode"]) == 0 else "polynomial",
-                r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
-                f"{float(r['fmax_mhz']):.0f}",
-                r["lut4"],
-                r["ff"],
-                r["dsp"],
-                r["bram"],
-                r["seeds"],
-            )
-            for r in csv.DictReader(stream)
-            if not r["failed"]
-        ]
+        return [row for row in csv.DictReader(stream) if not row["failed"]]
+
+
+def synthesis():
+    rows = [
+        (
+            f"{r['core']}-{r['build']}",
+            r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
+            "series" if int(r["Mode"]) == 0 else "polynomial",
+            r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
+            f"{float(r['fmax_mhz']):.0f}",
+            r["lut4"],
+            r["ff"],
+            r["dsp"],
+            r["bram"],
+            r["seeds"],
+        )
+        for r in placed("readme")
+    ]
     if not rows:
         return None
     head = ["core-build", "device", "sampler", "clocks per sample"]
     return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
+
+
+def order_words_placed():
+    """Pairs: all orders alike, then a width for each."""
+    found = placed("order_words")
+    if not found:
+        return None
+
+    def against(before, after, what):
+        saved = 1 - int(after[what]) / int(before[what])
+        return f"{before[what]} -> {after[what]} ({-100 * saved:+.0f} %)"
+
+    rows = [
+        (
+            f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
+            a["device"],
+            *(against(a, b, what) for what in ("dsp", "lut4", "ff")),
+            f"{float(a['fmax_mhz']):.0f} -> {float(b['fmax_mhz']):.0f}",
+            a["seeds"],
+        )
+        for a, b in zip(found[::2], found[1::2])
+    ]
+    return table(["core", "device", "DSP", "LUT4", "FF", "MHz", "seeds"], rows)
 
 
 def equality():
@@ -314,6 +340,7 @@ TABLES = {
     "choose_ecp5": functools.partial(choose, "ecp5"),
     "choose_impossible": choose_impossible,
     "order_words": order_words,
+    "order_words_placed": order_words_placed,
     "accuracy": accuracy,
     "splines": splines,
     "throughput": throughput,
