@@ -139,7 +139,9 @@ TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
         EXPECT_GT(rows[i]["max_of_bound"], 0.1);
         EXPECT_EQ(rows[i]["landing"], 0);
         EXPECT_EQ(rows[i]["missing_bits"], 0);
-        if (i > 0) EXPECT_LT(rows[i]["multiplier_bits"], rows[i - 1]["multiplier_bits"]);
+        if (i > 0) {
+            EXPECT_LT(rows[i]["multiplier_bits"], rows[i - 1]["multiplier_bits"]);
+        }
     }
 }
 
