@@ -4,11 +4,9 @@
 
     scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
 
-Columns: core, build, device, speed, Order, CoefBits, PositionBits, GuardBits, AuxAxes, Mode,
-SampleInterval, TurnBits (0 where it is missing), lut4, ff, dsp, bram, fmax_mhz (empty: synthesised,
-not placed), and holdout: runs with 1 there are not fitted but predicted, and their error is the
-model's.  Where there are fewer than three of them, each run is predicted from the fit to all others
-instead.
+RUNS.csv is what `scripts/synth.sh --sweep scripts/sweeps/cost_model.csv` writes.  Runs whose note is
+`holdout` are not fitted but predicted, and their error is the model's.  Where a build has fewer than
+three of them, each run is predicted from the fit to all others instead.
 
 LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
 build by least squares of the relative error.  A little ridge, not on the families' own constants,
@@ -27,6 +25,7 @@ import numpy
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FAMILIES = {"ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}  # others: the device itself
+SLOWEST = {"ecp5": "6", "lifcl-40": "7"}  # speed grade, where there are several
 PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval",
               "TurnBits")
 COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
@@ -129,7 +128,7 @@ def rms(errors):
 
 def model(build, name, runs):
     wanted = quantity_of(name)
-    runs = [r for r in runs if r["build"] == build and r[COUNTS[name]] is not None]
+    runs = [r for r in runs if r["build"] == build]
     fitted = [r for r in runs if not r["holdout"]]
     held = [r for r in runs if r["holdout"]]
     if not fitted:
@@ -172,15 +171,17 @@ def read(path):
     with open(path, newline="") as stream:
         for line, row in enumerate(csv.DictReader(stream), 2):
             try:
-                row["TurnBits"] = row.get("TurnBits") or "0"
+                if row["failed"]:
+                    continue
+                row["TurnBits"] = row["TurnBits"] or "0"  # the serial build has none
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
-                run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
+                run["fmax_mhz"] = float(row["fmax_mhz"])
                 run["family"] = FAMILIES.get(row["device"], row["device"])
             except (KeyError, TypeError, ValueError) as error:
                 sys.exit(f"{path}:{line}: error: not a run: {error}")
             run |= {"core": row["core"], "build": row["build"], "device": row["device"]}
-            run["holdout"] = (row.get("holdout") or "0") == "1"
-            if (row.get("speed") or "6") == "6":
+            run["holdout"] = row["note"] == "holdout"
+            if row["speed"] in ("", SLOWEST.get(run["family"])):
                 runs.append(run)
     if not runs:
         sys.exit(f"{path}: error: no runs")
@@ -195,7 +196,6 @@ def main():
     runs = read(arguments.runs)
     models = [model(build, name, runs) for build in ("serial", "parallel") for name in COUNTS]
     models = [m for m in models if m]
-    placed = sum(r["fmax_mhz"] is not None for r in runs)
     held = sum(r["holdout"] for r in runs)
     fitted = len(runs) - held
     checks = []
@@ -209,10 +209,7 @@ def main():
             {k: one[k] for k in ("core", "build", "device", *PARAMETERS, "lut4", "ff", "dsp")}
             | {"bram": one["bram"], "predicted": predictions}
         )
-    text = (
-        f"fitted to {fitted} runs, {placed} of {len(runs)} placed and routed;"
-        f" {held} held out"
-    )
+    text = f"fitted to {fitted} runs, placed and routed; {held} held out"
     lines = [f'{{"source": {json.dumps(text)},', ' "models": [']
     lines.append(",\n".join("  " + json.dumps(m) for m in models))
     lines.append(' ],\n "runs": [')
