@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tb/program/interrupt.hpp"
+#include "tb/command/interrupt.hpp"
 
 namespace curvecore::tb {
 namespace {

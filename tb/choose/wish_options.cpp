@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "tb/choose/candidate.hpp"
-#include "tb/program/options.hpp"
-#include "tb/program/quantity.hpp"
-#include "tb/program/usage_error.hpp"
+#include "tb/command/options.hpp"
+#include "tb/command/quantity.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

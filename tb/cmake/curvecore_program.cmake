@@ -37,7 +37,7 @@ function(curvecore_program target)
   configure_file(${PROJECT_SOURCE_DIR}/tb/program/compiled_cores.cpp.in ${list} @ONLY)
   add_executable(${target} ${list})
   target_link_libraries(${target} PRIVATE ${cores} curvecore_commands curvecore_choose
-                                          curvecore_compare curvecore_parameters curvecore_options
+                                          curvecore_compare curvecore_command curvecore_options
                                           curvecore_ref curvecore_hls nlohmann_json::nlohmann_json
                                           fmt::fmt CLI11::CLI11 Threads::Threads)
 endfunction()

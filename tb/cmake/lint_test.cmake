@@ -50,7 +50,7 @@ function(add_lint_tests)
   endforeach()
   # hls has headers only: they are seen through these. Not the tests: GoogleTest's macros take
   # clang-tidy half a minute a file.
-  foreach(tree ref rtl tb/program tb/compare tb/campaign)
+  foreach(tree ref rtl tb/command tb/program tb/compare tb/choose tb/campaign)
     string(REPLACE "/" "." name ${tree})
     lint_test(${name}.tidy ${PROJECT_SOURCE_DIR}/tb/lint/clang_tidy.sh ${CLANG_TIDY}
               ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/${tree})

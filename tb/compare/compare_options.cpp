@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "ref/order_words.hpp"
+#include "tb/command/usage_error.hpp"
 #include "tb/compare/number_list.hpp"
-#include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -2,9 +2,9 @@
 // What the command line of `curvecore compare` asks for.
 #pragma once
 
+#include "tb/command/options.hpp"
 #include "tb/compare/built_in_curves.hpp"
 #include "tb/compare/sweep.hpp"
-#include "tb/program/options.hpp"
 
 namespace curvecore::tb {
 

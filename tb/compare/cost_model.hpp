@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "tb/command/core_parameters.hpp"
 #include "tb/compare/device.hpp"
-#include "tb/program/core_parameters.hpp"
 
 namespace curvecore::tb {
 

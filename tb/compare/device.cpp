@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "tb/program/usage_error.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 

@@ -9,8 +9,8 @@
 #include <mutex>
 #include <thread>
 
-#include "tb/program/interrupt.hpp"
-#include "tb/program/progress_bar.hpp"
+#include "tb/command/interrupt.hpp"
+#include "tb/command/progress_bar.hpp"
 
 namespace curvecore::tb {
 namespace {

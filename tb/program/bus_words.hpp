@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ref/plan/segment.hpp"
-#include "tb/program/core_parameters.hpp"
+#include "tb/command/core_parameters.hpp"
 
 namespace curvecore::tb {
 

@@ -8,7 +8,7 @@
 #include <chrono>
 
 #include "tb/choose/choose_report.hpp"
-#include "tb/program/interrupt.hpp"
+#include "tb/command/interrupt.hpp"
 #include "tb/program/output_folder.hpp"
 
 namespace curvecore::tb {

@@ -2,8 +2,8 @@
 // The subcommands: each returns the exit status 0 (every check held) or 1 (one failed).
 #pragma once
 
+#include "tb/command/options.hpp"
 #include "tb/program/job.hpp"
-#include "tb/program/options.hpp"
 
 namespace curvecore::tb {
 

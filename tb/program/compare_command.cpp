@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
+#include "tb/command/interrupt.hpp"
+#include "tb/command/usage_error.hpp"
 #include "tb/compare/compare_report.hpp"
 #include "tb/program/commands.hpp"
-#include "tb/program/interrupt.hpp"
 #include "tb/program/output_folder.hpp"
-#include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

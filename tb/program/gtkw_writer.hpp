@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tb/program/core_parameters.hpp"
+#include "tb/command/core_parameters.hpp"
 
 namespace curvecore::tb {
 

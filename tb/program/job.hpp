@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ref/plan/limit_report.hpp"
-#include "tb/program/options.hpp"
+#include "tb/command/options.hpp"
 
 namespace curvecore::tb {
 

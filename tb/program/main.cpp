@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 
 #include "ref/program/input_error.hpp"
+#include "tb/command/interrupt.hpp"
+#include "tb/command/usage_error.hpp"
 #include "tb/program/choose_command.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/compare_command.hpp"
-#include "tb/program/interrupt.hpp"
-#include "tb/program/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/program/usage_error.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 

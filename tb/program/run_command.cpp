@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore run`: plan, words, RTL, every sample checked, report.
+#include "tb/command/interrupt.hpp"
+#include "tb/command/progress_bar.hpp"
 #include "tb/program/commands.hpp"
 #include "tb/program/gtkw_writer.hpp"
-#include "tb/program/interrupt.hpp"
 #include "tb/program/output_folder.hpp"
 #include "tb/program/path_source.hpp"
-#include "tb/program/progress_bar.hpp"
 #include "tb/program/publish.hpp"
 
 namespace curvecore::tb {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/options.hpp"
+#include "tb/command/options.hpp"
 
 #include <fmt/format.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
-#include "tb/program/quantity.hpp"
-#include "tb/program/usage_error.hpp"
+#include "tb/command/quantity.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

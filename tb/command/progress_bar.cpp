@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/progress_bar.hpp"
+#include "tb/command/progress_bar.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

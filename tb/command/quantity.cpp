@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/quantity.hpp"
+#include "tb/command/quantity.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 
-#include "tb/program/usage_error.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 

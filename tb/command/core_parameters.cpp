@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/core_parameters.hpp"
+#include "tb/command/core_parameters.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "ref/order_words.hpp"
-#include "tb/program/usage_error.hpp"
+#include "tb/command/usage_error.hpp"
 
 namespace curvecore::tb {
 namespace {

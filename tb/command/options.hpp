@@ -9,7 +9,7 @@
 
 #include "ref/plan/planner.hpp"
 #include "ref/program/points_reader.hpp"
-#include "tb/program/core_parameters.hpp"
+#include "tb/command/core_parameters.hpp"
 
 namespace curvecore::tb {
 
