@@ -17,7 +17,8 @@
 //   | 17 .. | start, end, advance for each auxiliary axis                                     |
 //
 // theta is the angle of one integration step of 2^k length units: theta = 2^k cos(pitch) / R.
-// A line has theta = tangent = normal = 0: it is all advance.
+// A line has theta = tangent = normal = 0: it is all advance. With TurnBits theta is at most
+// 2^-TurnBits: beyond it sums leave their words, and no core says so.
 //
 // A spline has the same words in the same places, with another meaning:
 //

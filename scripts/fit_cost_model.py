@@ -4,9 +4,9 @@
 
     scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
 
-RUNS.csv is what `scripts/synth.sh --sweep scripts/sweeps/cost_model.csv` writes.  Runs whose note is
-`holdout` are not fitted but predicted, and their error is the model's.  Where a build has fewer than
-three of them, each run is predicted from the fit to all others instead.
+RUNS.csv is what `scripts/synth.sh --sweep scripts/sweeps/cost_model.csv` writes.  Runs whose note
+is `holdout` are not fitted but predicted, and their error is the model's.  Where a build has fewer
+than three of them, each run is predicted from the fit to all others instead.
 
 LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
 build by least squares of the relative error.  A little ridge, not on the families' own constants,
