@@ -33,10 +33,12 @@ RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
 # `*` multiplies; `family` stands for each family in the runs in turn, which is 1 in its rows.
 FEATURES = {
     ("serial", "lut4"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits", "order"),
-    ("serial", "ff"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits"),
+    ("serial", "ff"): ("coef_bits", "fine_bits", "axes*fine_bits", "splines", "splines*coef_bits"),
     ("serial", "period_ns"): ("family*coef_bits", "family*splines"),
-    ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits", "fine_bits"),
-    ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits", "fine_bits"),
+    ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
+                           "axes*fine_bits", "axes*fine_bits*samples"),
+    ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
+                         "axes*fine_bits", "arcs*order"),
     ("parallel", "period_ns"): ("family*coef_bits", "family*splines"),
 }
 
@@ -78,6 +80,8 @@ def base(run):
         "order": run["Order"],
         "coef_bits": run["CoefBits"],
         "fine_bits": run["PositionBits"] + run["GuardBits"],
+        "axes": 3 + run["AuxAxes"],
+        "samples": 1 / run["SampleInterval"],  # a clock
         "arcs": int(run["core"] != "spline"),
         "splines": int(run["core"] != "spherical"),
         "wide": wide_multipliers(run),

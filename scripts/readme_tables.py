@@ -10,31 +10,12 @@ measured keeps the text it has.
 """
 
 import argparse
-import csv
 import functools
-import json
-import pathlib
 import re
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-BUILD = ROOT / "build"
-
-
-def load(path):
-    file = BUILD / path
-    return json.loads(file.read_text()) if file.exists() else None
-
-
-def table(header, rows):
-    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
-    return "\n".join(lines)
-
-
-def short(value):
-    return f"{value:.3g}"
-
+from placed_tables import cost_model, order_words_placed, synthesis
+from readme_table import BUILD, ROOT, load, short, table
 
 def accuracy():
     data = load("figures/accuracy.json")
@@ -112,60 +93,6 @@ def throughput():
     if bench is None:
         return None
     return table(["what", "measured"], [(r["what"], r["measured"]) for r in bench["rows"]])
-
-
-def placed(sweep):
-    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
-    file = BUILD / "synth" / f"{sweep}.csv"
-    if not file.exists():
-        return []
-    with open(file, newline="") as stream:
-        return [row for row in csv.DictReader(stream) if not row["failed"]]
-
-
-def synthesis():
-    rows = [
-        (
-            f"{r['core']}-{r['build']}",
-            r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
-            "series" if int(r["Mode"]) == 0 else "polynomial",
-            r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
-            f"{float(r['fmax_mhz']):.0f}",
-            r["lut4"],
-            r["ff"],
-            r["dsp"],
-            r["bram"],
-            r["seeds"],
-        )
-        for r in placed("readme")
-    ]
-    if not rows:
-        return None
-    head = ["core-build", "device", "sampler", "clocks per sample"]
-    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
-
-
-def order_words_placed():
-    """Pairs: all orders alike, then a width for each."""
-    found = placed("order_words")
-    if not found:
-        return None
-
-    def against(before, after, what):
-        saved = 1 - int(after[what]) / int(before[what])
-        return f"{before[what]} -> {after[what]} ({-100 * saved:+.0f} %)"
-
-    rows = [
-        (
-            f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
-            a["device"],
-            *(against(a, b, what) for what in ("dsp", "lut4", "ff")),
-            f"{float(a['fmax_mhz']):.0f} -> {float(b['fmax_mhz']):.0f}",
-            a["seeds"],
-        )
-        for a, b in zip(found[::2], found[1::2])
-    ]
-    return table(["core", "device", "DSP", "LUT4", "FF", "MHz", "seeds"], rows)
 
 
 def equality():
@@ -348,6 +275,7 @@ TABLES = {
     "paper_table": paper_table,
     "demo": demo,
     "equality": equality,
+    "cost_model": cost_model,
     "others": others,
 }
 for name in ("tick", "period", "order", "vertex", "drift"):

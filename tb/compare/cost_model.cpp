@@ -12,10 +12,21 @@
 namespace curvecore::tb {
 namespace {
 
-enum Base { kOrder, kCoefBits, kFineBits, kArcs, kSplines, kWide, kFamily, kBases };
+enum Base {
+    kOrder,
+    kCoefBits,
+    kFineBits,
+    kAxes,
+    kSamples,  // a clock
+    kArcs,
+    kSplines,
+    kWide,
+    kFamily,
+    kBases
+};
 using Values = std::array<double, kBases>;
-constexpr std::array<std::string_view, kFamily> kBaseNames{"order", "coef_bits", "fine_bits",
-                                                           "arcs",  "splines",   "wide"};
+constexpr std::array<std::string_view, kFamily> kBaseNames{
+    "order", "coef_bits", "fine_bits", "axes", "samples", "arcs", "splines", "wide"};
 
 struct Term {
     std::string family;  // 1 in this family, 0 in others; empty: no factor
@@ -155,6 +166,8 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kOrder] = parameters.order;
     values[kCoefBits] = parameters.coef_bits;
     values[kFineBits] = parameters.position_bits + parameters.guard_bits;
+    values[kAxes] = parameters.axes();
+    values[kSamples] = 1.0 / parameters.sample_interval;
     values[kArcs] = core == Core::kSpline ? 0 : 1;
     values[kSplines] = core == Core::kSpherical ? 0 : 1;
     values[kWide] = mean_wide(core, parameters);

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""README.md's tables of what was placed and routed."""
+
+import csv
+import json
+
+from readme_table import BUILD, ROOT, table
+
+
+def placed(sweep):
+    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
+    file = BUILD / "synth" / f"{sweep}.csv"
+    if not file.exists():
+        return []
+    with open(file, newline="") as stream:
+        return [row for row in csv.DictReader(stream) if not row["failed"]]
+
+
+def synthesis():
+    rows = [
+        (
+            f"{r['core']}-{r['build']}",
+            r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
+            "series" if int(r["Mode"]) == 0 else "polynomial",
+            r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
+            f"{float(r['fmax_mhz']):.0f}",
+            r["lut4"],
+            r["ff"],
+            r["dsp"],
+            r["bram"],
+            r["seeds"],
+        )
+        for r in placed("readme")
+    ]
+    if not rows:
+        return None
+    head = ["core-build", "device", "sampler", "clocks per sample"]
+    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
+
+
+def order_words_placed():
+    """Pairs: all orders alike, then a width for each."""
+    found = placed("order_words")
+    if not found:
+        return None
+
+    def against(before, after, what):
+        saved = 1 - int(after[what]) / int(before[what])
+        return f"{before[what]} -> {after[what]} ({-100 * saved:+.0f} %)"
+
+    rows = [
+        (
+            f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
+            a["device"],
+            *(against(a, b, what) for what in ("dsp", "lut4", "ff")),
+            f"{float(a['fmax_mhz']):.0f} -> {float(b['fmax_mhz']):.0f}",
+            a["seeds"],
+        )
+        for a, b in zip(found[::2], found[1::2])
+    ]
+    return table(["core", "device", "DSP", "LUT4", "FF", "MHz", "seeds"], rows)
+
+
+def cost_model():
+    data = json.loads((ROOT / "tb/compare/cost_model.json").read_text())
+    names = {"lut4": "LUT4", "ff": "flip-flops", "period_ns": "clock period"}
+    rows = [
+        (
+            m["build"],
+            names[m["quantity"]],
+            m["runs"],
+            f"{100 * m['fitted']:.1f} %",
+            m["held_out"],
+            f"{100 * m['error']:.1f} %",
+            f"{100 * m['worst']:.1f} %",
+        )
+        for m in data["models"]
+    ]
+    head = ["build", "estimate", "runs fitted", "rms", "runs held out", "rms", "worst"]
+    return table(head, rows)
