@@ -11,6 +11,7 @@ measured keeps the text it has.
 
 import argparse
 import functools
+import pathlib
 import re
 import sys
 
