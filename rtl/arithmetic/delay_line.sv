@@ -31,7 +31,7 @@ module delay_line #(
     localparam int PlaceBits = $clog2(Clocks - 1);
     localparam logic [PlaceBits-1:0] Top = PlaceBits'(Clocks - 2);
     logic [PlaceBits-1:0] place_q;
-    logic [     Bits-1:0] ring    [2**PlaceBits];
+    (* ram_style = "distributed" *)logic [     Bits-1:0] ring    [2**PlaceBits];
     always_ff @(posedge clk_i) begin
       if (!rst_ni) place_q <= '0;
       else if (en_i) place_q <= (place_q == Top) ? '0 : place_q + PlaceBits'(1);
