@@ -8,11 +8,14 @@
 // control: WAIT_MISSING s/61'h101501a01a0b801b/61'h001501a01a0b801b/
 // control: MARK_MISSING s/61'h0c1101b0a0081501/61'h041101b0a0081501/
 // control: TENTH_CLOCK
-// forget: u_dut.net_place_q u_dut.net_frame_q u_dut.net_order_q unless u_dut.net_busy_o
-// forget: u_dut.follow_q unless u_dut.slice_q
-// forget: u_dut.fetched u_dut.fetched_net_q u_dut.fetched_context_q unless u_dut.fetched_valid_q
-// forget: u_dut.fetched_i_q unless u_dut.fetched_valid_q
-// forget: u_dut.word u_dut.net_q u_dut.context_q u_dut.i_q unless u_dut.valid_q
+// forget: u_core.u_dut.net_place_q u_core.u_dut.net_frame_q unless u_core.u_dut.net_busy_o
+// forget: u_core.u_dut.net_order_q unless u_core.u_dut.net_busy_o
+// forget: u_core.u_dut.follow_q unless u_core.u_dut.slice_q
+// forget: u_core.u_dut.fetched u_core.u_dut.fetched_net_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.fetched_context_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.fetched_i_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.word u_core.u_dut.net_q u_core.u_dut.context_q unless u_core.u_dut.valid_q
+// forget: u_core.u_dut.i_q unless u_core.u_dut.valid_q
 `default_nettype none
 module serial_program_formal #(
     parameter int Order   = 3,
@@ -34,17 +37,7 @@ module serial_program_formal #(
 `endif
   localparam int ClocksOfC = 4;
 
-  logic net_start;
-  logic [6+Splines:0] net_entry;
-  logic [3:0] net_order;
-  logic busy;
   logic spline;
-  logic sample;
-  logic take;
-  logic free;
-  logic issued;
-  logic quiet;
-  logic [1:0] held;
   logic [Bits-1:0] a_address;
   logic [Bits-1:0] b_address;
   logic [Bits-1:0] c_address;
@@ -52,52 +45,30 @@ module serial_program_formal #(
   logic more;
   logic [1:0] target;
   serial_environment #(
-      .Order  (Order),
-      .Splines(Splines)
-  ) u_environment (
-      .clk_i,
-      .rst_ni,
-      .act_i,
-      .take_i(user_take_i),
-      .net_start_o(net_start),
-      .net_entry_o(net_entry),
-      .net_order_o(net_order),
-      .net_busy_i(busy),
-      .spline_o(spline),
-      .sample_o(sample),
-      .sample_take_i(take),
-      .free_i(free),
-      .quiet_i(quiet),
-      .issued_i(issued),
-      .held_o(held)
-  );
-  serial_sequencer #(
       .Order(Order),
       .AuxAxes(AuxAxes),
       .Mode(Mode),
       .Splines(Splines)
-  ) u_dut (
+  ) u_core (
       .clk_i,
       .rst_ni,
-      .net_start_i(net_start),
-      .net_entry_i(net_entry),
-      .net_order_i(net_order),
-      .net_busy_o(busy),
-      .spline_i(spline),
-      .sample_i(sample),
+      .act_i,
       .land_i(1'b0),
-      .sample_take_o(take),
+      .take_i(user_take_i),
+      .net_start_o(),
+      .net_busy_o(),
+      .spline_o(spline),
+      .sample_o(),
+      .sample_take_o(),
       .context_o(),
-      .free_o(free),
-      .room_i(!held[1]),
-      .issued_o(issued),
-      .quiet_o(quiet),
+      .free_o(),
+      .quiet_o(),
+      .issued_o(),
+      .held_o(),
       .a_address_o(a_address),
       .b_address_o(b_address),
       .c_address_o(c_address),
       .d_address_o(d_address),
-      .scale_o(),
-      .first_o(),
       .more_o(more),
       .target_o(target)
   );

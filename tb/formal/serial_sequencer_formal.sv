@@ -22,14 +22,17 @@
 // control: QUIET_EARLY s/fetch || active_q != '0) drain_q/fetch) drain_q/
 // control: STALE_ENTRY s/Splines != 0 \&\& net_start_i/1'b0/
 // control: NO_RESET s/      active_q  <= '0;//
-// forget: u_dut.net_place_q u_dut.net_frame_q u_dut.net_order_q unless u_dut.net_busy_o
-// forget: u_dut.follow_q unless u_dut.slice_q
-// forget: u_dut.fetched u_dut.fetched_net_q u_dut.fetched_context_q unless u_dut.fetched_valid_q
-// forget: u_dut.fetched_i_q u_dut.fetched_flag_q unless u_dut.fetched_valid_q
-// forget: u_dut.word u_dut.net_q u_dut.context_q u_dut.i_q u_dut.flag_q unless u_dut.valid_q
-// forget: u_dut.land_q[0] unless u_dut.active_q[0]
-// forget: u_dut.land_q[1] unless u_dut.active_q[1]
-// forget: u_dut.land_q[2] unless u_dut.active_q[2]
+// forget: u_core.u_dut.net_place_q u_core.u_dut.net_frame_q unless u_core.u_dut.net_busy_o
+// forget: u_core.u_dut.net_order_q unless u_core.u_dut.net_busy_o
+// forget: u_core.u_dut.follow_q unless u_core.u_dut.slice_q
+// forget: u_core.u_dut.fetched u_core.u_dut.fetched_net_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.fetched_context_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.fetched_i_q u_core.u_dut.fetched_flag_q unless u_core.u_dut.fetched_valid_q
+// forget: u_core.u_dut.word u_core.u_dut.net_q u_core.u_dut.context_q unless u_core.u_dut.valid_q
+// forget: u_core.u_dut.i_q u_core.u_dut.flag_q unless u_core.u_dut.valid_q
+// forget: u_core.u_dut.land_q[0] unless u_core.u_dut.active_q[0]
+// forget: u_core.u_dut.land_q[1] unless u_core.u_dut.active_q[1]
+// forget: u_core.u_dut.land_q[2] unless u_core.u_dut.active_q[2]
 `default_nettype none
 module serial_sequencer_formal #(
     parameter int Order   = 3,
@@ -47,8 +50,6 @@ module serial_sequencer_formal #(
   localparam int Groups = 1 + (AuxAxes + 2) / 3;  // frames with three results each
 
   logic net_start;
-  logic [6+Splines:0] net_entry;
-  logic [3:0] net_order;
   logic busy;
   logic spline;
   logic sample;
@@ -63,52 +64,30 @@ module serial_sequencer_formal #(
   logic [7+Splines:0] d_address;
   logic [1:0] target;
   serial_environment #(
-      .Order  (Order),
-      .Splines(Splines)
-  ) u_environment (
-      .clk_i,
-      .rst_ni,
-      .act_i,
-      .take_i(user_take_i),
-      .net_start_o(net_start),
-      .net_entry_o(net_entry),
-      .net_order_o(net_order),
-      .net_busy_i(busy),
-      .spline_o(spline),
-      .sample_o(sample),
-      .sample_take_i(take),
-      .free_i(free),
-      .quiet_i(quiet),
-      .issued_i(issued),
-      .held_o(held)
-  );
-  serial_sequencer #(
       .Order(Order),
       .AuxAxes(AuxAxes),
       .Mode(Mode),
       .Splines(Splines)
-  ) u_dut (
+  ) u_core (
       .clk_i,
       .rst_ni,
-      .net_start_i(net_start),
-      .net_entry_i(net_entry),
-      .net_order_i(net_order),
-      .net_busy_o(busy),
-      .spline_i(spline),
-      .sample_i(sample),
+      .act_i,
       .land_i,
+      .take_i(user_take_i),
+      .net_start_o(net_start),
+      .net_busy_o(busy),
+      .spline_o(spline),
+      .sample_o(sample),
       .sample_take_o(take),
       .context_o(free_context),
       .free_o(free),
-      .room_i(!held[1]),
-      .issued_o(issued),
       .quiet_o(quiet),
+      .issued_o(issued),
+      .held_o(held),
       .a_address_o(a_address),
       .b_address_o(b_address),
       .c_address_o(),
       .d_address_o(d_address),
-      .scale_o(),
-      .first_o(),
       .more_o(),
       .target_o(target)
   );
