@@ -35,9 +35,9 @@ inline Word<Bits> over_order(const Word<Bits>& d, int i) {
 }
 
 /// A word with `Lift` more fraction bits, divided by 2^shift, shift in [0, 57], rounded once.
-template <int Bits, int Lift>
-inline Word<Bits> scaled_down(const Word<Bits>& x, int shift) {
-    return Word<Bits>(round_shift<58>(Word<58>(Word<58>(x) * (1 << Lift)), shift));
+template <int Bits, int Lift, int OutBits = Bits>
+inline Word<OutBits> scaled_down(const Word<Bits>& x, int shift) {
+    return Word<OutBits>(round_shift<58>(Word<58>(Word<58>(x) * (1 << Lift)), shift));
 }
 
 }  // namespace hls

@@ -7,7 +7,8 @@
 // The planner guarantees 1/2 < |V| < 1 for V = dr/dv / 2^lambda, |3a v + b| < 2, |a| < 2/3, and
 // steps so short that the network's words keep their ranges (hls/spline_network.hpp) and m below
 // 1, which the phi of the step before may exceed where |V| comes near 1.
-// Between steps v is the only state with Anchor = 1: position, V, W and phi are made from it.
+// Between steps v is the only state with Anchor = 1: position, V, W and phi are made from it. It
+// adds up with G = ParameterGuard fraction bits more than the products have of it.
 //
 // Every step, with A = CoefBits-2 and U = CoefBits-1 fraction bits, s = lambda - k, each line one
 // rounding (to nearest, ties up) of a full product or sum:
@@ -22,7 +23,8 @@
 //   |  8 | m = N phi (U);  z = 1 - m phi (CoefBits+3);  phi <- phi + z phi / 2 (A)    Newton     |
 //   |  9 | S = phi^2 (CoefBits-3);  Q = -S phi (CoefBits-4);  R = -3 S (CoefBits-5)              |
 //   | 10 | the network's orders                                                                  |
-//   | 11 | next: v <- v + q(1) / 2^s (U), phi <- phi(1): sums of words, only the shift rounds    |
+//   | 11 | next: v <- v + q(1) / 2^s (U + G), then rounded (U) for lines 2 .. 6;                |
+//   |    | phi <- phi(1): sums of words                                                          |
 //
 // Products of a step in polynomial mode with Anchor = 1: lines 2..9 are 23, the network makes it
 //
@@ -58,6 +60,7 @@ class SplineKernel {
     static constexpr int kBits = C::kCoefBits;
     using Coef = Word<kBits>;
     using Fine = Word<C::kFineBits>;
+    using FineParameter = Word<kBits + C::kParameterGuard>;
     using Network = SplineNetwork<C>;
 
     /// Opens a segment at its first step.
@@ -65,6 +68,7 @@ class SplineKernel {
         k_ = segment.step_exponent;
         lambda_ = segment.lambda;
         v_ = 0;
+        fine_v_ = 0;
         net_.phi[0] = segment.theta;
         for (int axis = 0; axis < C::kAxes; ++axis) {
             start_[axis] = segment.start[axis];
@@ -85,7 +89,10 @@ class SplineKernel {
     /// Goes on to the next integration step.
     void step() {
         const Coef moved = Network::sum(net_.q, 1, C::kOrder);
-        v_ = Coef(v_ + scaled_down<kBits, 1>(moved, lambda_ - k_));
+        constexpr int kGuard = C::kParameterGuard;
+        fine_v_ = FineParameter(
+            fine_v_ + scaled_down<kBits, 1 + kGuard, kBits + kGuard>(moved, lambda_ - k_));
+        v_ = Coef(round_shift<kBits + kGuard, kGuard>(fine_v_));
         net_.phi[0] = Network::sum(net_.phi, 0, Network::kTop);
         for (int axis = 3; axis < C::kAxes; ++axis) {
             position_[axis] = Fine(position_[axis] + to_fine<C>(advance_[axis], k_));
@@ -200,6 +207,7 @@ class SplineKernel {
 
     int k_ = 0;
     int lambda_ = 0;
+    FineParameter fine_v_ = 0;
     Coef v_ = 0;
     Coef a_[3] = {};
     Coef three_a_[3] = {};

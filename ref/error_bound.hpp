@@ -17,6 +17,8 @@ namespace curvecore::ref {
 /// | polynomial    |        | arcs as tangent * sine + normal * cosine instead of 3 series  |
 /// | turn_bits     | 0..14  | above 0: a width for each order, ref/order_words.hpp; arcs in |
 /// |               |        | series mode only                                              |
+/// | parameter_guard | 0..8 | a spline's parameter adds up with W-1 and so many more        |
+/// |               |        | fraction bits                                                 |
 struct WordFormat {
     int order = 6;
     int coef_bits = 36;
@@ -24,7 +26,10 @@ struct WordFormat {
     int guard_bits = 10;
     bool polynomial = false;
     int turn_bits = 0;
+    int parameter_guard = 0;
 };
+
+constexpr int kMostParameterGuard = 8;
 
 constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
 

@@ -8,6 +8,10 @@
 // does not contain s: a shift along the path stays as long as it is, however fast the curve goes
 // on. So the shifts of all steps add up, and an axis sees |T_axis| of them. All other errors belong
 // to one sample: the anchor makes each step's curve afresh from the polynomial.
+//
+// With ParameterGuard v adds up finely and a step starts d away from it, where v is rounded for the
+// products. That is a shift of this step alone; but it keeps its length in path and is put back as
+// a length in v, so that unit d (|V| - |V at the step's end|) of it stays.
 #include "ref/spline_bound.hpp"
 
 #include <algorithm>
@@ -91,22 +95,29 @@ class Walk {
         }
         sample(f, q_end, cut, words * speed * h_, speed, velocity, velocity_end);
 
-        // On to the next step: the same at f = 1, and v rounded once unless the shift is exact.
+        // On to the next step: the same at f = 1.
         shift_truncation_ += cut;
         shift_rounding_ += words * speed * h_;
-        if (segment_.lambda > segment_.step_exponent + 1) {
-            shift_rounding_ += unit_ * half_bit(format_.coef_bits - 1) * velocity_end.norm();
-        }
-        prediction_ = 0;
-        for (int i = 0; i < order; ++i) {
-            prediction_ += roundings_.phi[static_cast<std::size_t>(i)];
-        }
-        for (int i = order; i <= top; ++i) {
-            prediction_ += std::abs(series_.phi[static_cast<std::size_t>(i)]);
-        }
-        prediction_ *= velocity_end.norm();
         v_ = next;
+        round_parameter(velocity.norm(), velocity_end.norm());
         return true;
+    }
+
+    /// v rounded, unless the shift is exact; and how far phi's prediction then is from 1 / |V|.
+    void round_parameter(double from_speed, double speed) {
+        const int guard = format_.parameter_guard;
+        const int shift = segment_.lambda - segment_.step_exponent - 1;
+        const double half = shift > 0 ? half_bit(format_.coef_bits - 1) : 0;
+        if (shown_rounding_ > 0) shift_rounding_ += unit_ * half * std::abs(from_speed - speed);
+        if (shift > guard) shift_rounding_ += std::ldexp(unit_ * half * speed, -guard);
+        shown_rounding_ = guard > 0 ? unit_ * half * speed : 0;
+        const double bend = (2 * segment_.b + 6 * v_ * segment_.a).norm();
+        prediction_ = (guard > 0 ? 2 : 1) * half * bend / speed;
+        const auto order = static_cast<std::size_t>(format_.order);
+        for (std::size_t i = 0; i <= order + kTail; ++i) {
+            const bool made = i < order;
+            prediction_ += speed * (made ? roundings_.phi[i] : std::abs(series_.phi[i]));
+        }
     }
 
     void sample(double f, double q, double cut, double words, double speed, const Vec3& velocity,
@@ -116,7 +127,7 @@ class Walk {
         const double fine = half_bit(width - 1);
         // tau is cut to W-1 bits, of whole quanta; the length is a difference of rounded lengths.
         const double along = std::max(0.0, h_ * 2 * fine - kQuantum) + kQuantum + shift_rounding_ +
-                             words +
+                             shown_rounding_ + words +
                              (format_.polynomial ? roundings_.words * half * speed * h_ : 0);
         result_.along_rounding = std::max(result_.along_rounding, along);
         result_.along = std::max(result_.along, along + shift_truncation_ + cut);
@@ -250,6 +261,7 @@ class Walk {
     double prediction_ = 0;
     double shift_truncation_ = 0;
     double shift_rounding_ = 0;
+    double shown_rounding_ = 0;  // of v in this step's products
     SplineSeries series_;
     SplineRoundings roundings_;
     SplineError result_;

@@ -19,6 +19,8 @@
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
 // TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
 // has words of its own width (ref/order_words.hpp).
+// ParameterGuard: fraction bits below the words' in which a spline's parameter adds up from step to
+// step (hls/spline_kernel.hpp); the planner must know them, as it must know TurnBits.
 // Reset: two clocks or more.  Segments of a kind that is not in Curves are drawn as the other.
 // Formats: hls/words.hpp.
 `default_nettype none
@@ -32,6 +34,7 @@ module curve_interpolator #(
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int Anchor         = 1,   // of splines: 0, 1
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
+    parameter int ParameterGuard = 0,   // [0, 8], of splines
     parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -65,6 +68,8 @@ module curve_interpolator #(
   initial if (AuxAxes < 0 || AuxAxes > 6) $fatal(1, "AuxAxes must be in [0, 6]");
   initial if (Mode < 0 || Mode > 1) $fatal(1, "Mode must be 0 or 1");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
+  initial
+    if (ParameterGuard < 0 || ParameterGuard > 8) $fatal(1, "ParameterGuard must be in [0, 8]");
   initial if (TurnBits < 0 || TurnBits > 14) $fatal(1, "TurnBits must be in [0, 14]");
   initial if (TurnBits > 0 && Curves != 1) $fatal(1, "TurnBits works with Curves 1 only");
   initial if (TurnBits > 0 && Mode != 0) $fatal(1, "TurnBits works with Mode 0 only");
@@ -235,6 +240,7 @@ module curve_interpolator #(
         .GuardBits(GuardBits),
         .AuxAxes(AuxAxes),
         .Mode(Mode),
+        .ParameterGuard(ParameterGuard),
         .Anchor(Anchor),
         .Form(MultiplierForm % 2)
     ) u_steps (

@@ -28,6 +28,7 @@ module motion_interpolator #(
     parameter int Mode              = 0,    // 0 series, 1 polynomial
     parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Build 0 only
     parameter int SampleInterval    = 1,    // 1, 2, 4, 8 clocks
+    parameter int ParameterGuard    = 0,    // of splines: [0, 8]; above 0 with Build 0 only
     parameter int TurnBits          = 0,    // [0, 14]; above 0: as curve_interpolator's, Build 0
     parameter int MultiplierForm    = 0,    // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 256,  // [2, 65536], a power of two
@@ -77,6 +78,8 @@ module motion_interpolator #(
   initial if (Build < 0 || Build > 1) $fatal(1, "Build must be 0 or 1");
   initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
   initial if (Build == 1 && Anchor != 1) $fatal(1, "Build 1 works with Anchor 1 only");
+  initial
+    if (Build == 1 && ParameterGuard != 0) $fatal(1, "Build 1 works with ParameterGuard 0 only");
   initial if (Build == 1 && TurnBits != 0) $fatal(1, "Build 1 works with TurnBits 0 only");
 
   // A serial core takes its time: one multiplier does for its path.
@@ -331,6 +334,7 @@ module motion_interpolator #(
         .Mode(Mode),
         .Anchor(Anchor),
         .SampleInterval(SampleInterval),
+        .ParameterGuard(ParameterGuard),
         .TurnBits(TurnBits),
         .MultiplierForm(MultiplierForm)
     ) u_core (

@@ -16,6 +16,8 @@
 //   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
+// ParameterGuard: fraction bits below the words' in which the spline's parameter adds up from step
+// to step (hls/spline_kernel.hpp); the planner must know them.
 // Segments of other kinds are not for this core.  Reset: two clocks or more.
 // Formats: hls/words.hpp.
 `default_nettype none
@@ -27,6 +29,7 @@ module spline_interpolator #(
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 1,   // 0 series, 1 polynomial
     parameter int Anchor         = 1,   // 0, 1
+    parameter int ParameterGuard = 0,   // [0, 8]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -61,6 +64,7 @@ module spline_interpolator #(
       .AuxAxes(AuxAxes),
       .Mode(Mode),
       .Anchor(Anchor),
+      .ParameterGuard(ParameterGuard),
       .SampleInterval(SampleInterval),
       .MultiplierForm(MultiplierForm)
   ) u_curves (

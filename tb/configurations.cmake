@@ -61,28 +61,31 @@ illegal_parameter_test(spline_network Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_network Guest=2 "Guest must be 0 or 1")
 illegal_parameter_test(spline_network Guest=1,Anchor=0 "Guest 1 works with Anchor 1 only")
 
-# The start of a spline's step: word, anchor, form.
-foreach(size 36,1,0 36,1,1 36,0,0 29,1,0 18,1,0)
-  read_row(${size} coef anchor form)
-  core_test(spline_anchor w${coef}_n${anchor}_${form_${form}} TOP spline_anchor
-            PARAMS CoefBits=${coef} Anchor=${anchor} Form=${form})
+# The start of a spline's step: word, parameter guard, anchor, form.
+foreach(size 36,0,1,0 36,0,1,1 36,0,0,0 29,0,1,0 18,0,1,0 36,8,1,0 18,3,1,0 27,1,0,0)
+  read_row(${size} coef parameter anchor form)
+  core_test(spline_anchor w${coef}_u${parameter}_n${anchor}_${form_${form}} TOP spline_anchor
+            PARAMS CoefBits=${coef} ParameterGuard=${parameter} Anchor=${anchor} Form=${form})
 endforeach()
 
 illegal_parameter_test(spline_anchor CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(spline_anchor ParameterGuard=9 "ParameterGuard must be in .0, 8.")
 illegal_parameter_test(spline_anchor Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_anchor Own=2 "Own must be 0 or 1")
 illegal_parameter_test(spline_anchor Form=2 "Form must be 0 or 1")
 
-# Steps of splines: order, word, fine position, guard bits, auxiliary axes, mode, anchor, form.
-foreach(size 6,36,42,10,0,1,1,1 6,36,42,10,2,1,1,0 6,36,42,10,0,0,1,0 6,36,42,10,0,1,0,0
-        2,36,42,10,0,1,1,0 4,29,34,8,0,1,1,0 5,33,38,7,0,1,0,0 8,36,44,12,6,1,1,0
-        12,36,42,10,1,0,1,0 2,33,39,9,0,1,0,0 6,36,42,10,2,0,0,0 3,24,30,6,0,0,0,1
-        2,36,42,10,1,0,0,0)
-  read_row(${size} order coef fine guard aux mode anchor form)
-  core_test(spline_steps p${order}_w${coef}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
+# Steps of splines: order, word, parameter guard, fine position, guard bits, auxiliary axes, mode,
+# anchor, form.
+foreach(size 6,36,0,42,10,0,1,1,1 6,36,0,42,10,2,1,1,0 6,36,0,42,10,0,0,1,0 6,36,0,42,10,0,1,0,0
+        2,36,0,42,10,0,1,1,0 4,29,0,34,8,0,1,1,0 5,33,0,38,7,0,1,0,0 8,36,8,44,12,6,1,1,0
+        12,36,0,42,10,1,0,1,0 2,33,0,39,9,0,1,0,0 6,36,0,42,10,2,0,0,0 3,24,5,30,6,0,0,0,1
+        2,36,0,42,10,1,0,0,0 4,28,4,42,10,0,1,1,0)
+  read_row(${size} order coef parameter fine guard aux mode anchor form)
+  core_test(spline_steps
+            p${order}_w${coef}_u${parameter}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
             TOP spline_steps LIBRARIES curvecore_ref
-            PARAMS Order=${order} CoefBits=${coef} FineBits=${fine} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
+            PARAMS Order=${order} CoefBits=${coef} ParameterGuard=${parameter} FineBits=${fine}
+                   GuardBits=${guard} AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
 endforeach()
 illegal_parameter_test(spline_steps Order=1 "Order must be in .2, 12.")
 illegal_parameter_test(spline_steps CoefBits=37 "CoefBits must be in .18, 36.")
@@ -244,22 +247,28 @@ illegal_parameter_test(spherical_interpolator TurnBits=1,SampleInterval=4
 illegal_parameter_test(curve_interpolator TurnBits=1,Curves=2 "TurnBits works with Curves 1 only")
 illegal_parameter_test(curve_interpolator TurnBits=1 "TurnBits works with Curves 1 only")
 
-# The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval.
+# The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval
+# and, where there is one, parameter guard.
 function(spline_configuration test size)
-  read_row(${size} order coef position guard aux mode anchor interval)
+  read_row(${size},0 order coef position guard aux mode anchor interval parameter)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
+  if(parameter)
+    string(APPEND name _u${parameter})
+  endif()
   core_test(${test} ${name} TOP spline_interpolator LIBRARIES curvecore_ref
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
+                   ParameterGuard=${parameter})
 endfunction()
 set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
-                 6,36,32,10,0,0,0,1 6,36,32,10,1,0,0,4 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4)
+                 6,36,32,10,0,0,0,1 6,36,32,10,1,0,0,4 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4
+                 4,28,32,10,0,1,1,1,4 6,33,32,10,0,0,0,2,8)
 foreach(size ${spline_sizes})
   spline_configuration(spline_interpolator ${size})
 endforeach()
 # Samples by the million in the others too: scripts/campaign.sh.
 option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
-set(spline_campaign ${spline_sizes} 2,18,16,2,1,1,1,2 5,30,32,8,1,1,1,4 12,25,22,6,2,0,1,2)
+set(spline_campaign ${spline_sizes} 2,18,16,2,1,1,1,2,1 5,30,32,8,1,1,1,4 12,25,22,6,2,0,1,2)
 if(CURVECORE_FULL_CAMPAIGN)
   list(APPEND spline_campaign
        2,36,32,10,0,1,1,1 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
@@ -273,6 +282,7 @@ foreach(size ${spline_campaign})
   spline_configuration(sample_campaign ${size})
 endforeach()
 illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
+illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must be in .0, 8.")
 
 # The core for both kinds: the same.
 foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
@@ -312,5 +322,7 @@ endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")
+illegal_parameter_test(motion_interpolator Build=1,ParameterGuard=1
+                       "Build 1 works with ParameterGuard 0 only")
 illegal_parameter_test(motion_interpolator Build=1,TurnBits=1 "Build 1 works with TurnBits 0 only")
 illegal_parameter_test(motion_interpolator Splines=1,TurnBits=1 "TurnBits works with Curves 1 only")

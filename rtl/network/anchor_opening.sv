@@ -12,17 +12,19 @@
 //   c        b: axis, c: 4 + axis, 2c: 8 + axis, phi: 12
 `default_nettype none
 module anchor_opening #(
-    parameter int Bits = 36  // [18, 36]
+    parameter int Bits           = 36,  // [18, 36]
+    parameter int ParameterGuard = 0    // [0, 8]
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic                   begin_i,
-    input wire logic        [     7:0] time_i,
-    input wire logic                   fresh_i,    // v = 0, phi = theta
-    input wire logic signed [Bits-1:0] theta_i,
-    input wire logic signed [Bits-1:0] phi_end_i,
-    input wire logic signed [Bits-1:0] moved_i,    // in time 6: what v grows by
+    input wire logic                                  begin_i,
+    input wire logic        [                    7:0] time_i,
+    input wire logic                                  fresh_i,    // v = 0, phi = theta
+    input wire logic signed [               Bits-1:0] theta_i,
+    input wire logic signed [               Bits-1:0] phi_end_i,
+    // In time 6: what v grows by, with ParameterGuard fraction bits more
+    input wire logic signed [Bits+ParameterGuard-1:0] moved_i,
 
     output logic             [     1:0] axis_o,
     input  wire logic signed [Bits-1:0] a_i,
@@ -55,8 +57,6 @@ module anchor_opening #(
   logic signed [Bits-1:0] c_q;
   logic signed [Bits-1:0] twice_a;
   logic signed [Bits-1:0] twice_c;
-  logic signed [Bits-1:0] v_q;
-  logic signed [Bits-1:0] v_moved;
   logic signed [Bits-1:0] phi;
   logic                   v_now_q;
   logic                   v_there_q;
@@ -69,9 +69,16 @@ module anchor_opening #(
       .data_i(time_i),
       .data_o(time_copy)
   );
+  // v and a half of its last bit in the products: there it is rounded by what is cut off.
+  localparam int FineBits = Bits + ParameterGuard;
+  localparam logic [FineBits-1:0] One = {{(FineBits - 1) {1'b0}}, 1'b1};
+  localparam logic signed [FineBits-1:0] Half = (One << ParameterGuard) >> 1;
+  logic signed [FineBits-1:0] v_q;
+  logic signed [FineBits-1:0] v_moved;
+  assign v_moved = v_q + moved_i;
+
   assign twice_a = {a_o[Bits-2:0], 1'b0};
   assign twice_c = {c_q[Bits-2:0], 1'b0};
-  assign v_moved = v_q + moved_i;
   assign phi     = fresh_i ? theta_i : phi_end_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) open_q <= 1'b0;
@@ -98,7 +105,7 @@ module anchor_opening #(
     v_now_q         <= time_copy == 8'd4;
     v_there_q       <= v_now_q;
     phi_there_q     <= time_copy == 8'd9;
-    if (v_now_q) v_q <= fresh_i ? '0 : v_moved;
+    if (v_now_q) v_q <= fresh_i ? Half : v_moved;
   end
 
   assign row = before_turn_q - 2'd1;
@@ -117,7 +124,7 @@ module anchor_opening #(
       a_place_o <= {row, there_axis_o};
       a_word_o  <= a_there_o ? a_o : three_a_o;
       b_place_o <= 3'd3;
-      b_word_o  <= v_q;
+      b_word_o  <= v_q[FineBits-1:ParameterGuard];
       c_place_o <= (before_turn_q == 2'd0) ? {2'd2, there_axis_o} : {row, there_axis_o};
       c_word_o  <= (before_turn_q == 2'd0) ? twice_c : a_there_o ? c_q : b_q;
     end

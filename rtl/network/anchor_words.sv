@@ -9,10 +9,12 @@
 //   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
 //   slope_there_i with result_i           1                 load_w, word_o
 //
-// scaled_o: moved_i / 2^s in cycle 6 of time_i.  start_o in cycle 92; with quiet_i in cycle 3.
+// scaled_o: moved_i / 2^s in cycle 6 of time_i, with ParameterGuard fraction bits more.  start_o in
+// cycle 92; with quiet_i in cycle 3.
 `default_nettype none
 module anchor_words #(
-    parameter int CoefBits = 36  // [18, 36]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int ParameterGuard = 0    // [0, 8]
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -22,12 +24,12 @@ module anchor_words #(
     input wire logic        [         4:0] s_i,
     input wire logic signed [CoefBits-1:0] moved_i,
 
-    input  wire logic                       three_a_there_i,
-    input  wire logic                       a_there_i,
-    input  wire logic        [         1:0] open_axis_i,
-    input  wire logic signed [CoefBits-1:0] three_a_i,
-    input  wire logic signed [CoefBits-1:0] a_i,
-    output logic signed      [CoefBits-1:0] scaled_o,
+    input  wire logic                                      three_a_there_i,
+    input  wire logic                                      a_there_i,
+    input  wire logic        [                        1:0] open_axis_i,
+    input  wire logic signed [               CoefBits-1:0] three_a_i,
+    input  wire logic signed [               CoefBits-1:0] a_i,
+    output logic signed      [CoefBits+ParameterGuard-1:0] scaled_o,
 
     input wire logic                       v_there_i,
     input wire logic                       slope_there_i,
@@ -57,22 +59,29 @@ module anchor_words #(
   // One scale for all.
   logic signed [Bits-1:0] x;
   logic        [     5:0] shift;
-  logic                   wide;
+  localparam int Lift = (ParameterGuard > 3) ? 1 + ParameterGuard : 4;
+  logic [3:0] less;
   always_comb begin
     x     = moved_i;
     shift = {1'b0, s_i};
-    wide  = slope_there_i || three_a_there_i;
+    less  = 4'(Lift - 1 - ParameterGuard);
+    if (slope_there_i || three_a_there_i) less = 4'(Lift - 4);
     if (slope_there_i) x = result_i;
     if (three_a_there_i) x = three_a_i;
-    if (a_there_i) x = a_i;
+    if (a_there_i) begin
+      x    = a_i;
+      less = 4'(Lift - 1);
+    end
     if (three_a_there_i || a_there_i) shift = {s_i, 1'b0};
   end
   step_scale #(
-      .Bits(Bits)
+      .Bits(Bits),
+      .Lift(Lift),
+      .OutBits(Bits + ParameterGuard)
   ) u_scale (
       .clk_i,
       .x_i(x),
-      .wide_i(wide),
+      .less_i(less),
       .shift_i(shift),
       .y_o(scaled_o)
   );
@@ -153,7 +162,7 @@ module anchor_words #(
   end
   always_ff @(posedge clk_i) begin
     word_o <= result_i;
-    if (from_scale) word_o <= scaled_o;
+    if (from_scale) word_o <= scaled_o[Bits-1:0];
     if (three_there_q) word_o <= minus_three[Bits+1:2];
   end
 

@@ -22,10 +22,11 @@
 // pass in cycles 9 to 128.
 `default_nettype none
 module spline_anchor #(
-    parameter int CoefBits = 36,  // [18, 36]
-    parameter int Anchor   = 1,   // 0: V W phi Q R are loaded with a segment only
-    parameter int Own      = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
-    parameter int Form     = 0    // 0 portable, 1 ECP5
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int ParameterGuard = 0,   // [0, 8]
+    parameter int Anchor         = 1,   // 0: V W phi Q R are loaded with a segment only
+    parameter int Own            = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
+    parameter int Form           = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -64,6 +65,8 @@ module spline_anchor #(
 );
 
   initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
+  initial
+    if (ParameterGuard < 0 || ParameterGuard > 8) $fatal(1, "ParameterGuard must be in [0, 8]");
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
   initial if (Own < 0 || Own > 1) $fatal(1, "Own must be 0 or 1");
   initial if (Form < 0 || Form > 1) $fatal(1, "Form must be 0 or 1");
@@ -248,23 +251,24 @@ module spline_anchor #(
   end
 
   // Into the memories: at first the segment's words, then the results.
-  logic signed [Bits-1:0] scaled;
-  logic                   three_a_there;
-  logic                   a_there;
-  logic        [     1:0] there_axis;
-  logic signed [Bits-1:0] three_a;
-  logic signed [Bits-1:0] segment_a;
-  logic                   open_a;
-  logic        [     3:0] open_a_place;
-  logic signed [Bits-1:0] open_a_word;
-  logic                   open_b;
-  logic        [     2:0] open_b_place;
-  logic signed [Bits-1:0] open_b_word;
-  logic                   open_c;
-  logic        [     3:0] open_c_place;
-  logic signed [Bits-1:0] open_c_word;
+  logic signed [Bits+ParameterGuard-1:0] scaled;
+  logic                                  three_a_there;
+  logic                                  a_there;
+  logic        [                    1:0] there_axis;
+  logic signed [               Bits-1:0] three_a;
+  logic signed [               Bits-1:0] segment_a;
+  logic                                  open_a;
+  logic        [                    3:0] open_a_place;
+  logic signed [               Bits-1:0] open_a_word;
+  logic                                  open_b;
+  logic        [                    2:0] open_b_place;
+  logic signed [               Bits-1:0] open_b_word;
+  logic                                  open_c;
+  logic        [                    3:0] open_c_place;
+  logic signed [               Bits-1:0] open_c_word;
   anchor_opening #(
-      .Bits(Bits)
+      .Bits(Bits),
+      .ParameterGuard(ParameterGuard)
   ) u_opening (
       .clk_i,
       .rst_ni,
@@ -332,7 +336,8 @@ module spline_anchor #(
   end
 
   anchor_words #(
-      .CoefBits(CoefBits)
+      .CoefBits(CoefBits),
+      .ParameterGuard(ParameterGuard)
   ) u_words (
       .clk_i,
       .rst_ni,

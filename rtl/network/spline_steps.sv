@@ -20,14 +20,15 @@
 // theta_i, k_i and lambda_i a clock after start_i.
 `default_nettype none
 module spline_steps #(
-    parameter int Order     = 6,   // [2, 12]
-    parameter int CoefBits  = 36,  // [18, 36]
-    parameter int FineBits  = 42,  // [18, 44]
-    parameter int GuardBits = 10,  // [2, 12]
-    parameter int AuxAxes   = 0,   // [0, 6]
-    parameter int Mode      = 1,   // 0 series, 1 polynomial
-    parameter int Anchor    = 1,   // 0, 1
-    parameter int Form      = 0    // 0 portable, 1 ECP5
+    parameter int Order          = 6,   // [2, 12]
+    parameter int CoefBits       = 36,  // [18, 36]
+    parameter int FineBits       = 42,  // [18, 44]
+    parameter int GuardBits      = 10,  // [2, 12]
+    parameter int AuxAxes        = 0,   // [0, 6]
+    parameter int Mode           = 1,   // 0 series, 1 polynomial
+    parameter int ParameterGuard = 0,   // [0, 8]
+    parameter int Anchor         = 1,   // 0, 1
+    parameter int Form           = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -129,6 +130,7 @@ module spline_steps #(
   assign difference = lambda_i - k_i;
   spline_anchor #(
       .CoefBits(CoefBits),
+      .ParameterGuard(ParameterGuard),
       .Anchor(Anchor),
       .Own(1 - Guest),
       .Form(Form)

@@ -9,7 +9,21 @@ namespace curvecore::tb {
 namespace {
 
 constexpr std::array<int, 7> kTurnBits{0, 2, 4, 6, 8, 10, 12};
+constexpr std::array<int, 2> kParameterGuards{0, 4};
 constexpr double kLeastLimit = 1e-3;  // units: below it no segment can be planned
+
+/// With those parameters that few cores have.
+template <class Visit>
+void each_special(CoreParameters parameters, Visit visit) {
+    for (const int guard : kParameterGuards) {
+        parameters.parameter_guard = guard;
+        if (guard > 0 && !takes_parameter_guard(parameters)) break;
+        for (const int turn_bits : kTurnBits) {
+            parameters.turn_bits = turn_bits;
+            if (turn_bits == 0 || takes_turn_bits(parameters)) visit(parameters);
+        }
+    }
+}
 
 /// Every value of a core's parameters that choose varies.
 template <class Visit>
@@ -24,10 +38,7 @@ void each_core(const Wish& wish, Visit visit) {
             parameters.sample_interval = interval;
             for (parameters.mode = 0; parameters.mode <= 1; ++parameters.mode) {
                 for (parameters.order = 2; parameters.order <= 12; ++parameters.order) {
-                    for (const int turn_bits : kTurnBits) {
-                        parameters.turn_bits = turn_bits;
-                        if (turn_bits == 0 || takes_turn_bits(parameters)) visit(parameters);
-                    }
+                    each_special(parameters, visit);
                 }
             }
         }
@@ -76,7 +87,7 @@ std::vector<Candidate> all_candidates(const Wish& wish) {
     const auto rank = [](const Candidate& candidate) {
         const CoreParameters& p = candidate.parameters;
         return std::make_tuple(candidate.size, p.coef_bits, p.position_bits + p.guard_bits, p.order,
-                               candidate.limit);
+                               p.parameter_guard, candidate.limit);
     };
     std::stable_sort(all.begin(), all.end(),
                      [&](const Candidate& a, const Candidate& b) { return rank(a) < rank(b); });

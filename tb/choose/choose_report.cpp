@@ -78,6 +78,9 @@ std::string set_text(const CoreParameters& p) {
     if (p.build == Build::kParallel) {
         text += fmt::format(" --set SampleInterval={}", p.sample_interval);
         if (p.turn_bits > 0) text += fmt::format(" --set TurnBits={}", p.turn_bits);
+        if (p.parameter_guard > 0) {
+            text += fmt::format(" --set ParameterGuard={}", p.parameter_guard);
+        }
     }
     return text;
 }
@@ -102,11 +105,12 @@ void add_row(std::string& text, const Choice& choice) {
     const CoreParameters& p = choice.candidate.parameters;
     const CostEstimate& cost = choice.candidate.cost;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>8}",
+    fmt::format_to(out, "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>4} {:>8}",
                    core_name(choice.candidate.core), build_name(p.build), p.order, p.coef_bits,
                    p.guard_bits, p.position_bits, p.mode,
                    p.build == Build::kParallel ? std::to_string(p.sample_interval) : "",
                    p.build == Build::kParallel ? std::to_string(p.turn_bits) : "",
+                   p.build == Build::kParallel ? std::to_string(p.parameter_guard) : "",
                    unit_text(choice.candidate.unit_mm));
     fmt::format_to(out, " {:>9} {:>8.0f} {:>9.3g} | {:>6.0f} {:>6.0f} {:>4} {:>4} {:>5.0f}  {}\n",
                    length_text(proven_error(choice)), choice.demand.segments() * kSegmentWords,
@@ -125,13 +129,13 @@ std::string ChooseReport::text() const {
         if (concessions.empty()) text += "    no wish alone helps: two must be given up\n";
         return text;
     }
-    fmt::format_to(out, "{:84} | {}\n", "", "estimate");
+    fmt::format_to(out, "{:89} | {}\n", "", "estimate");
     fmt::format_to(out,
-                   "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>8} {:>9} {:>8} {:>9} | "
-                   "{:>6} {:>6} {:>4} {:>4} {:>5}  {}\n",
+                   "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>4} {:>8} {:>9} {:>8} "
+                   "{:>9} | {:>6} {:>6} {:>4} {:>4} {:>5}  {}\n",
                    "core", "build", "order", "coef", "guard", "pos", "mode", "clk/sa", "turn",
-                   "unit", "error <=", "words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz",
-                   "a bit less is ruled out by");
+                   "par", "unit", "error <=", "words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM",
+                   "MHz", "a bit less is ruled out by");
     for (const Choice& choice : choices) add_row(text, choice);
     const Choice& winner = choices.front();
     const CostEstimate& cost = winner.candidate.cost;

@@ -58,6 +58,11 @@ const char* reason_name(Reason reason) {
     }
 }
 
+Chooser::Group Chooser::group(const Candidate& candidate) {
+    const CoreParameters& p = candidate.parameters;
+    return {candidate.unit_mm, p.mode, p.order, p.turn_bits, p.parameter_guard};
+}
+
 /// The largest load that a build can serve at this clock and the host can send.
 Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
     const CoreParameters& parameters = candidate.parameters;
@@ -82,7 +87,7 @@ bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
         if (!least.drawable() || least.segments() > most.segments) return true;
     }
     const CoreParameters& p = candidate.parameters;
-    const std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order, p.turn_bits}];
+    const std::vector<Known>& known = known_[group(candidate)];
     return std::any_of(known.begin(), known.end(), [&](const Known& one) {
         return one.coef_bits >= p.coef_bits && one.guard_bits >= p.guard_bits &&
                (!one.demand.drawable() || one.demand.segments() > most.segments);
@@ -92,7 +97,7 @@ bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
 const Demand& Chooser::demand(const Candidate& candidate, const Load& most) {
     InterruptGuard::check();
     const CoreParameters& p = candidate.parameters;
-    std::vector<Known>& known = known_[{candidate.unit_mm, p.mode, p.order, p.turn_bits}];
+    std::vector<Known>& known = known_[group(candidate)];
     for (Known& one : known) {
         if (one.coef_bits != p.coef_bits || one.guard_bits != p.guard_bits) continue;
         const bool complete =

@@ -54,13 +54,15 @@ class Chooser {
     Reason judge(const Candidate& candidate, Choice& choice);
 
   private:
-    using Group = std::tuple<double, int, int, int>;  // unit, mode, order, turn bits
+    // Unit, Mode, Order, TurnBits, ParameterGuard
+    using Group = std::tuple<double, int, int, int, int>;
     struct Known {
         int coef_bits, guard_bits;
         Load most;  // within which it was looked for
         Demand demand;
     };
 
+    static Group group(const Candidate& candidate);
     Load most_load(const Candidate& candidate, double clock_hz) const;
     const Demand& demand(const Candidate& candidate, const Load& most);
     bool hopeless(const Candidate& candidate, const Load& most);

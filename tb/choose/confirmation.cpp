@@ -45,6 +45,7 @@ std::string arguments(const Candidate& candidate, const Device& device) {
     if (p.build == Build::kParallel)
         text += fmt::format(" --set SampleInterval={}", p.sample_interval);
     if (p.turn_bits > 0) text += fmt::format(" --set TurnBits={}", p.turn_bits);
+    if (p.parameter_guard > 0) text += fmt::format(" --set ParameterGuard={}", p.parameter_guard);
     return text;
 }
 

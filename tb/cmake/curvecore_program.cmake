@@ -15,7 +15,7 @@ function(curvecore_program target)
     string(COMPARE EQUAL ${build} serial params)
     set(params Build=${params})
     foreach(parameter Order CoefBits PositionBits GuardBits AuxAxes Splines Mode SampleInterval
-                      TurnBits)
+                      TurnBits ParameterGuard)
       list(POP_FRONT words value)
       list(APPEND params ${parameter}=${value})
     endforeach()

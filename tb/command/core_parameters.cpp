@@ -20,7 +20,7 @@ struct Parameter {
     int high;
 };
 
-constexpr std::array<Parameter, 9> kParameters{{
+constexpr std::array<Parameter, 10> kParameters{{
     {"Order", &CoreParameters::order, 2, 12},
     {"CoefBits", &CoreParameters::coef_bits, 18, 36},
     {"PositionBits", &CoreParameters::position_bits, 16, 32},
@@ -30,6 +30,7 @@ constexpr std::array<Parameter, 9> kParameters{{
     {"Mode", &CoreParameters::mode, 0, 1},
     {"SampleInterval", &CoreParameters::sample_interval, 1, 8},
     {"TurnBits", &CoreParameters::turn_bits, 0, ref::kMostTurnBits},
+    {"ParameterGuard", &CoreParameters::parameter_guard, 0, ref::kMostParameterGuard},
 }};
 
 }  // namespace
@@ -37,7 +38,7 @@ constexpr std::array<Parameter, 9> kParameters{{
 const char* build_name(Build build) { return build == Build::kParallel ? "parallel" : "serial"; }
 
 ref::WordFormat CoreParameters::format() const {
-    return {order, coef_bits, position_bits, guard_bits, mode == 1, turn_bits};
+    return {order, coef_bits, position_bits, guard_bits, mode == 1, turn_bits, parameter_guard};
 }
 
 int CoreParameters::network_latency() const {
@@ -98,10 +99,18 @@ bool takes_turn_bits(const CoreParameters& parameters) {
            parameters.mode == 0 && parameters.sample_interval == 1;
 }
 
-void check_turn_bits(const CoreParameters& parameters) {
+bool takes_parameter_guard(const CoreParameters& parameters) {
+    return parameters.build == Build::kParallel && parameters.splines == 1;
+}
+
+void check_combination(const CoreParameters& parameters) {
     if (parameters.turn_bits > 0 && !takes_turn_bits(parameters)) {
         throw UsageError(
             "TurnBits works with --build parallel, Splines=0, Mode=0 and SampleInterval=1 only");
+    }
+    // Splines is set by the program, if it is not said.
+    if (parameters.parameter_guard > 0 && parameters.build != Build::kParallel) {
+        throw UsageError("ParameterGuard works with --build parallel only");
     }
 }
 

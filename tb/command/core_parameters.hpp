@@ -24,6 +24,7 @@ struct CoreParameters {
     int mode = 0;             // 0 series, 1 polynomial
     int sample_interval = 1;  // clocks per sample of the parallel build
     int turn_bits = 0;        // above 0: a width for each order, ref/order_words.hpp
+    int parameter_guard = 0;  // fraction bits of a spline's parameter below those of tau
 
     int axes() const { return 3 + aux_axes; }
     ref::WordFormat format() const;
@@ -45,8 +46,10 @@ std::vector<std::string> parameter_names();
 
 /// Whether TurnBits may be above 0: lines and arcs in series mode, a sample a clock.
 bool takes_turn_bits(const CoreParameters& parameters);
-/// @throws UsageError: it is, and may not
-void check_turn_bits(const CoreParameters& parameters);
+/// Whether ParameterGuard may be: the parallel build with splines.
+bool takes_parameter_guard(const CoreParameters& parameters);
+/// @throws UsageError: one of them is, and may not
+void check_combination(const CoreParameters& parameters);
 
 /// Name=Value.
 /// @throws UsageError: unknown name, not a number, out of range

@@ -127,7 +127,7 @@ void interpret(const RawOptions& raw, Options& options) {
         options.splines_set |= assignment.rfind("Splines=", 0) == 0;
         options.aux_axes_set |= assignment.rfind("AuxAxes=", 0) == 0;
     }
-    check_turn_bits(options.core);
+    check_combination(options.core);
     options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});
     if (!(options.override_percent >= 1 && options.override_percent <= 100)) {
         throw UsageError("--override must be in [1, 100] percent");

@@ -84,6 +84,7 @@ Json row_json(const Row& row, int axes, const Device& device) {
               {"mode", row.setting.mode()},
               {"scheme", row.setting.scheme()},
               {"turn_bits", format.turn_bits},
+              {"parameter_guard", format.parameter_guard},
               {"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
               {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
               {"segments", row.segments},

@@ -60,9 +60,10 @@ CurveSet curve_set(const std::string& name) {
 std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vector<int>& coef_bits,
                                   const std::vector<int>& guard_bits, const std::vector<int>& modes,
                                   const std::vector<int>& turn_bits,
+                                  const std::vector<int>& parameter_guards,
                                   const std::vector<int>& anchors) {
     const std::size_t count = orders.size() * coef_bits.size() * guard_bits.size() * modes.size() *
-                              turn_bits.size() * anchors.size();
+                              turn_bits.size() * parameter_guards.size() * anchors.size();
     if (count > kMostSettings) {
         throw UsageError(
             fmt::format("{} configurations are asked for, {} are the most", count, kMostSettings));
@@ -73,10 +74,13 @@ std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vec
         for (const int mode : modes) {
             for (const int guard : guard_bits) {
                 for (const int turn : turn_bits) {
-                    for (const int width : coef_bits) {
-                        for (const int anchor : anchors) {
-                            settings.push_back(
-                                {{order, width, 32, guard, mode == 1, turn}, anchor == 1});
+                    for (const int parameter_guard : parameter_guards) {
+                        for (const int width : coef_bits) {
+                            for (const int anchor : anchors) {
+                                settings.push_back(
+                                    {{order, width, 32, guard, mode == 1, turn, parameter_guard},
+                                     anchor == 1});
+                            }
                         }
                     }
                 }
@@ -96,10 +100,11 @@ void interpret(const RawCompareOptions& raw, CompareOptions& options) {
     if (above_0(turn_bits) && above_0(modes)) {
         throw UsageError("--turn-bits above 0 works with --mode 0 only");
     }
-    options.settings = all_settings(number_list("--order", raw.order, 2, 12),
-                                    number_list("--coef-bits", raw.coef_bits, 18, 36),
-                                    number_list("--guard-bits", raw.guard_bits, 2, 12), modes,
-                                    turn_bits, number_list("--anchor", raw.anchor, 0, 1));
+    options.settings = all_settings(
+        number_list("--order", raw.order, 2, 12), number_list("--coef-bits", raw.coef_bits, 18, 36),
+        number_list("--guard-bits", raw.guard_bits, 2, 12), modes, turn_bits,
+        number_list("--parameter-guard", raw.parameter_guard, 0, ref::kMostParameterGuard),
+        number_list("--anchor", raw.anchor, 0, 1));
     options.curves = curve_set(raw.curves);
     if (!options.common.file.empty() && raw.curves != RawCompareOptions().curves) {
         throw UsageError("--curves is for a comparison without FILE");

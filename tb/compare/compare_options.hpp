@@ -24,6 +24,7 @@ struct RawCompareOptions {
     std::string mode = "0,1";
     std::string anchor = "1";
     std::string turn_bits = "0";
+    std::string parameter_guard = "0";
     std::string limit = "0.1";
     std::string segments = "4";
     std::string samples = "100000";
@@ -40,6 +41,7 @@ void interpret(const RawCompareOptions& raw, CompareOptions& options);
 std::vector<Setting> all_settings(const std::vector<int>& orders, const std::vector<int>& coef_bits,
                                   const std::vector<int>& guard_bits, const std::vector<int>& modes,
                                   const std::vector<int>& turn_bits,
+                                  const std::vector<int>& parameter_guards,
                                   const std::vector<int>& anchors);
 
 }  // namespace curvecore::tb

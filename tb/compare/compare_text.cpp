@@ -75,7 +75,8 @@ std::vector<std::size_t> pareto_front(const std::vector<Row>& rows) {
 }
 
 std::string CompareReport::csv() const {
-    std::string text = "order,coef_bits,guard_bits,mode,scheme,turn_bits,limit,segments,steps";
+    std::string text =
+        "order,coef_bits,guard_bits,mode,scheme,turn_bits,parameter_guard,limit,segments,steps";
     const auto columns = [&](const std::string& name) {
         text += fmt::format(",{0}_worst,{0}_rms,{0}_p999", name);
     };
@@ -90,10 +91,10 @@ std::string CompareReport::csv() const {
     for (const Row& row : result.rows) {
         const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
-        fmt::format_to(out, "{},{},{},{},{},{},{},{},{}", format.order, format.coef_bits,
+        fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", format.order, format.coef_bits,
                        format.guard_bits, row.setting.mode(), row.setting.scheme(),
-                       format.turn_bits, row.drawn ? fmt::format("{:g}", row.limit) : "",
-                       row.segments, row.steps);
+                       format.turn_bits, format.parameter_guard,
+                       row.drawn ? fmt::format("{:g}", row.limit) : "", row.segments, row.steps);
         const auto figures = [&](const ErrorFigures& f) {
             if (!row.drawn) {
                 text += ",,,";
@@ -124,17 +125,18 @@ std::string CompareReport::csv() const {
 
 std::string CompareReport::table() const {
     std::string text = fmt::format(
-        "{:>5} {:>4} {:>5} {:10} {:10} {:>4} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} "
+        "{:>5} {:>4} {:>5} {:10} {:10} {:>4} {:>4} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} "
+        "{:>8} "
         "{:>8} {:>7} {:>8} {:>6} {:>4} {:>4}\n",
-        "order", "coef", "guard", "mode", "scheme", "turn", "worst", "rms", "99.9 %", "unrounded",
-        "along", "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits", "~LUT4",
-        "DSP", "~MHz");
+        "order", "coef", "guard", "mode", "scheme", "turn", "par", "worst", "rms", "99.9 %",
+        "unrounded", "along", "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits",
+        "~LUT4", "DSP", "~MHz");
     for (const Row& row : result.rows) {
         const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
-        fmt::format_to(out, "{:>5} {:>4} {:>5} {:10} {:10} {:>4}", format.order, format.coef_bits,
-                       format.guard_bits, row.setting.mode(), row.setting.scheme(),
-                       format.turn_bits);
+        fmt::format_to(out, "{:>5} {:>4} {:>5} {:10} {:10} {:>4} {:>4}", format.order,
+                       format.coef_bits, format.guard_bits, row.setting.mode(),
+                       row.setting.scheme(), format.turn_bits, format.parameter_guard);
         if (row.drawn) {
             const ErrorFigures worst = worst_axis(row.output);
             const auto three = [](double value) { return fmt::format("{:.3g}", value); };

@@ -191,7 +191,11 @@ std::optional<CostEstimate> estimate_of(const Subject& subject, const Setting& s
     parameters.mode = setting.format.polynomial ? 1 : 0;
     parameters.sample_interval = subject.target.sample_interval;
     parameters.turn_bits = setting.format.turn_bits;
-    if (parameters.turn_bits > 0 && !takes_turn_bits(parameters)) return std::nullopt;
+    parameters.parameter_guard = setting.format.parameter_guard;
+    if ((parameters.turn_bits > 0 && !takes_turn_bits(parameters)) ||
+        (parameters.parameter_guard > 0 && !takes_parameter_guard(parameters))) {
+        return std::nullopt;
+    }
     return estimate(core_for(subject.arcs, subject.splines, parameters.build), parameters,
                     *subject.target.device);
 }

@@ -10,9 +10,10 @@
 namespace curvecore::tb {
 
 std::string Setting::text() const {
-    return fmt::format("Order={} CoefBits={} GuardBits={} Mode={} Anchor={} TurnBits={}",
-                       format.order, format.coef_bits, format.guard_bits, format.polynomial ? 1 : 0,
-                       anchor ? 1 : 0, format.turn_bits);
+    return fmt::format(
+        "Order={} CoefBits={} GuardBits={} Mode={} Anchor={} TurnBits={} ParameterGuard={}",
+        format.order, format.coef_bits, format.guard_bits, format.polynomial ? 1 : 0,
+        anchor ? 1 : 0, format.turn_bits, format.parameter_guard);
 }
 
 bool operator==(const Setting& a, const Setting& b) {
@@ -20,7 +21,7 @@ bool operator==(const Setting& a, const Setting& b) {
            a.format.position_bits == b.format.position_bits &&
            a.format.guard_bits == b.format.guard_bits &&
            a.format.polynomial == b.format.polynomial && a.format.turn_bits == b.format.turn_bits &&
-           a.anchor == b.anchor;
+           a.format.parameter_guard == b.format.parameter_guard && a.anchor == b.anchor;
 }
 
 ref::WordFormat widest(const ref::WordFormat& format) {

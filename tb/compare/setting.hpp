@@ -10,8 +10,8 @@ namespace curvecore::tb {
 
 /// | field  | meaning                                                                      |
 /// |--------|------------------------------------------------------------------------------|
-/// | format | order, widths and sampler, hls/configuration.hpp; weights, tau, path and the |
-/// |        | curve's parameter have CoefBits-1 fraction bits                              |
+/// | format | order, widths and sampler, hls/configuration.hpp; weights, tau and path have |
+/// |        | CoefBits-1 fraction bits, a spline's parameter ParameterGuard more           |
 /// | anchor | splines: anchored at every step, or all variables propagated as in the paper |
 struct Setting {
     ref::WordFormat format;
@@ -19,7 +19,7 @@ struct Setting {
 
     const char* mode() const { return format.polynomial ? "polynomial" : "series"; }
     const char* scheme() const { return anchor ? "anchored" : "propagated"; }
-    /// "Order=6 CoefBits=36 GuardBits=10 Mode=1 Anchor=1 TurnBits=0"
+    /// "Order=6 CoefBits=36 GuardBits=10 Mode=1 Anchor=1 TurnBits=0 ParameterGuard=0"
     std::string text() const;
 };
 

@@ -19,6 +19,7 @@ void SplineWords::load(const RunSegment& segment) {
     step_to_fine_ = FineShift(setting_.format, k_);
     curve_to_fine_ = FineShift(setting_.format, lambda_);
     v_ = 0;
+    fine_v_ = 0;
     net_.phi[0] = segment.theta;
     for (int axis = 0; axis < axes_; ++axis) {
         start_[axis] = segment.start[axis];
@@ -44,7 +45,9 @@ void SplineWords::expand() {
 
 void SplineWords::step() {
     const RunWord moved = SplineSeriesWords::sum(net_.q, 1, order_);
-    v_ = ranges_.keep(Variable::kParameter, 0, v_ + scaled_down(moved, 1, lambda_ - k_));
+    const int guard = setting_.format.parameter_guard;
+    fine_v_ = wrapped(fine_v_ + scaled_down(moved, 1 + guard, lambda_ - k_), bits_ + guard);
+    v_ = ranges_.keep(Variable::kParameter, 0, Rounding(guard)(fine_v_));
     net_.phi[0] = wrapped(SplineSeriesWords::sum(net_.phi, 0, net_.top()), bits_);
     for (int axis = 3; axis < axes_; ++axis) {
         position_[axis] += step_to_fine_(advance_[axis]);

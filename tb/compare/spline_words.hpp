@@ -84,6 +84,7 @@ class SplineWords {
     int lambda_ = 0;
     FineShift step_to_fine_;
     FineShift curve_to_fine_;
+    RunWord fine_v_ = 0;
     RunWord v_ = 0;
     RunWord a_[3] = {};
     RunWord three_a_[3] = {};

@@ -17,7 +17,7 @@ using hls::SamplerMode;
 template <class C>
 Setting setting_of() {
     return {{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-             C::kMode == SamplerMode::kPolynomial, C::kTurnBits},
+             C::kMode == SamplerMode::kPolynomial, C::kTurnBits, C::kParameterGuard},
             C::kAnchor};
 }
 
@@ -45,8 +45,8 @@ template <class C>
 class RunTimeKernelOf : public testing::Test {};
 
 template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
-          int Turn = 0>
-using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn>;
+          int Turn = 0, int Guard = 0>
+using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn, Guard>;
 constexpr SamplerMode kSer = SamplerMode::kSeries;
 constexpr SamplerMode kPol = SamplerMode::kPolynomial;
 
@@ -57,8 +57,9 @@ using Cores = testing::Types<
     Core<6, 36, 10, kSer, false>, Core<6, 36, 10, kPol, false>, Core<6, 28, 10, kPol, true, 20>,
     Core<7, 35, 11, kPol, false>, Core<8, 30, 10, kSer, true, 32, 6>, Core<8, 31, 9, kPol, true>,
     Core<2, 23, 3, kSer, true, 32, 0, 10>, Core<6, 36, 10, kSer, true, 32, 0, 2>,
-    Core<12, 31, 9, kSer, true, 32, 1, 1>, Core<11, 34, 12, kSer, false>,
-    Core<12, 36, 12, kSer, true>, Core<12, 18, 2, kPol, true>>;
+    Core<12, 31, 9, kSer, true, 32, 1, 1>, Core<4, 20, 8, kPol, true, 32, 0, 0, 8>,
+    Core<6, 36, 10, kSer, true, 32, 0, 0, 1>, Core<5, 28, 9, kPol, false, 32, 1, 0, 4>,
+    Core<11, 34, 12, kSer, false>, Core<12, 36, 12, kSer, true>, Core<12, 18, 2, kPol, true>>;
 TYPED_TEST_SUITE(RunTimeKernelOf, Cores);
 
 TYPED_TEST(RunTimeKernelOf, DrawsTheSameSamples) {

@@ -20,8 +20,13 @@ using hls::SamplerMode;
 
 template <class C>
 ref::WordFormat format_of() {
-    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial};
+    return {C::kOrder,
+            C::kCoefBits,
+            C::kPositionBits,
+            C::kGuardBits,
+            C::kMode == SamplerMode::kPolynomial,
+            0,
+            C::kParameterGuard};
 }
 
 /// Worst error per axis in a segment, before the final rounding, in units.
@@ -90,8 +95,8 @@ void expect_tight(double limit, int curves, double largest = 1e9, double factor 
     }
 }
 
-template <int P, int W, int G, SamplerMode Mode, int Position = 32>
-using Core = hls::Configuration<P, W, Position, G, 0, Mode>;
+template <int P, int W, int G, SamplerMode Mode, int ParameterGuard = 0>
+using Core = hls::Configuration<P, W, 32, G, 0, Mode, true, 0, ParameterGuard>;
 constexpr SamplerMode kSeries = SamplerMode::kSeries;
 constexpr SamplerMode kPolynomial = SamplerMode::kPolynomial;
 
@@ -114,6 +119,24 @@ TEST(SplineBound, CoversAndIsTightAt28Bits) {
 }
 TEST(SplineBound, CoversAndIsTightAt18Bits) {
     expect_tight<Core<4, 18, 4, kPolynomial>>(0.5, 6, 50e3);
+}
+TEST(SplineBound, CoversAndIsTightWithAFineParameter) {
+    expect_tight<Core<4, 32, 10, kPolynomial, 4>>(0.1, 6);
+    expect_tight<Core<3, 24, 8, kSeries, 8>>(0.2, 3, 300e3);
+    expect_tight<Core<4, 18, 4, kPolynomial, 1>>(0.5, 6, 50e3);
+}
+// What the finer sum is for: segments as few as the cubic's words allow, not the sum's roundings.
+TEST(SplineBound, AFineParameterNeedsFewerSegments) {
+    std::size_t segments[2] = {0, 0};
+    for (const int guard : {0, 4}) {
+        ref::WordFormat format = format_of<Core<4, 32, 10, kPolynomial>>();
+        format.parameter_guard = guard;
+        for (const SplineFamily& family : spline_families()) {
+            SplineMaker random(5);
+            segments[guard > 0] += ref::split_spline(random.next(family), format, 0.1).size();
+        }
+    }
+    EXPECT_LT(segments[1], 0.9 * static_cast<double>(segments[0]));
 }
 
 }  // namespace

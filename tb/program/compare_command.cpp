@@ -15,7 +15,7 @@
 namespace curvecore::tb {
 namespace {
 
-void check_turn_bits(const ref::Program& program, const std::vector<Setting>& settings) {
+void check_kinds(const ref::Program& program, const std::vector<Setting>& settings) {
     const bool splines =
         std::any_of(program.moves.begin(), program.moves.end(),
                     [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
@@ -24,6 +24,12 @@ void check_turn_bits(const ref::Program& program, const std::vector<Setting>& se
                     [](const Setting& setting) { return setting.format.turn_bits > 0; });
     if (splines && own_widths) {
         throw UsageError("--turn-bits above 0 is for lines and arcs: there are splines");
+    }
+    const bool fine_parameter =
+        std::any_of(settings.begin(), settings.end(),
+                    [](const Setting& setting) { return setting.format.parameter_guard > 0; });
+    if (!splines && fine_parameter) {
+        throw UsageError("--parameter-guard above 0 is for splines: there are none");
     }
 }
 
@@ -37,7 +43,7 @@ int compare_command(const CompareOptions& options) {
     } else {
         job = read_job(options.common);
     }
-    check_turn_bits(job.program, options.settings);
+    check_kinds(job.program, options.settings);
     const InterruptGuard guard;
     OutputFolder folder(options.common.folder);
     const SweepResult result = sweep(job.program, job.machine, options.settings, options.sweep);

@@ -62,6 +62,7 @@ CompiledCore CFG_FUNCTION() {
     parameters.mode = CFG_Mode;
     parameters.sample_interval = CFG_SampleInterval;
     parameters.turn_bits = CFG_TurnBits;
+    parameters.parameter_guard = CFG_ParameterGuard;
     return {parameters, &run};
 }
 

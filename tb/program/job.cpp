@@ -27,7 +27,10 @@ void set_splines(Job& job) {
     const auto first =
         std::find_if(job.program.moves.begin(), job.program.moves.end(),
                      [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
-    if (first == job.program.moves.end()) return;
+    if (first == job.program.moves.end()) {
+        if (job.options.core.parameter_guard == 0) return;
+        throw ref::InputError(job.options.file, 0, "no spline, which --set ParameterGuard is for");
+    }
     if (job.options.splines_set && job.options.core.splines == 0) {
         throw ref::InputError(job.options.file, first->line, "a spline, and --set Splines=0");
     }

@@ -99,15 +99,17 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     };
     add("--curves", compare.curves, "NAME",
         fmt::format("without FILE, built-in curves: {}", fmt::join(kCurveSets, ", ")));
-    add("--order", compare.order, "LIST", "4,6 or 4:8 or 4:8:2; the same for the next five");
+    add("--order", compare.order, "LIST", "4,6 or 4:8 or 4:8:2; the same for the next six");
     add("--coef-bits", compare.coef_bits, "LIST",
-        "width of coefficients; weights and parameters (u, tau) have a bit of fraction less");
+        "width of coefficients; weights and tau have as much, of it a bit more of fraction");
     add("--guard-bits", compare.guard_bits, "LIST", "fraction bits of a position inside");
     add("--mode", compare.mode, "LIST", "sampler: 0 series, 1 polynomial");
     add("--anchor", compare.anchor, "LIST", "splines: 1 anchored, 0 propagated as in the paper");
     add("--turn-bits", compare.turn_bits, "LIST",
         "of arcs with --mode 0: steps of at most 2^-N rad, and a width for each order; 0: all "
         "alike");
+    add("--parameter-guard", compare.parameter_guard, "LIST",
+        "of splines: fraction bits in which the parameter (u) adds up, below those of tau");
     add("--limit", compare.limit, "UNITS", "derived bound that plans keep if they can");
     add("--segments", compare.segments, "TIMES",
         "segments that a plan may have, in times of those with the widest words");

@@ -17,15 +17,19 @@
 #define CFG_TurnBits 0
 #endif
 
+#ifndef CFG_ParameterGuard
+#define CFG_ParameterGuard 0
+#endif
+
 #ifndef CFG_Anchor
 #define CFG_Anchor 1
 #endif
 
 namespace curvecore::tb {
 
-using Config =
-    hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                       static_cast<hls::SamplerMode>(CFG_Mode), CFG_Anchor != 0, CFG_TurnBits>;
+using Config = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits,
+                                  CFG_AuxAxes, static_cast<hls::SamplerMode>(CFG_Mode),
+                                  CFG_Anchor != 0, CFG_TurnBits, CFG_ParameterGuard>;
 constexpr bool kPortable = CFG_MultiplierForm == 0;  // models of DSP primitives simulate slowly
 constexpr int kAxes = Config::kAxes;
 constexpr int kFineBits = Config::kFineBits;

@@ -24,8 +24,8 @@ constexpr bool kSeries = CFG_Mode == 0;
 constexpr bool kAnchor = CFG_Anchor != 0;
 using Config =
     hls::Configuration<kOrder, kBits, kFine - kGuard, kGuard, CFG_AuxAxes,
-                       kSeries ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial,
-                       kAnchor>;
+                       kSeries ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial, kAnchor,
+                       0, CFG_ParameterGuard>;
 constexpr int kAxes = Config::kAxes;
 using Coef = hls::Word<kBits>;
 using Segment = hls::SegmentWords<Config>;
