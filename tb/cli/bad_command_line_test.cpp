@@ -76,7 +76,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: --build 'folded': must be parallel or serial"},
     {"SetUnknown", with({"--set", "Width=36"}),
      "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
-     "GuardBits, AuxAxes, Splines, Mode, SampleInterval, TurnBits"},
+     "GuardBits, AuxAxes, Splines, Mode, SampleInterval, TurnBits, ParameterGuard"},
     {"SetWithoutValue", with({"--set", "Order"}),
      "curvecore: error: --set Order: Name=Value is expected"},
     {"SetNotANumber", with({"--set", "Order=six"}),
@@ -105,13 +105,19 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetTurnBitsOfTheSerialBuild", with({"--set", "TurnBits=4", "--build", "serial"}),
      "curvecore: error: TurnBits works with --build parallel, Splines=0, Mode=0 and "
      "SampleInterval=1 only"},
+    {"SetParameterGuardTooMuch", with({"--set", "ParameterGuard=9"}),
+     "curvecore: error: ParameterGuard must be in [0, 8]"},
+    {"SetParameterGuardOfTheSerialBuild", with({"--set", "ParameterGuard=4", "--build", "serial"}),
+     "curvecore: error: ParameterGuard works with --build parallel only"},
+    {"SetParameterGuardWithoutSplines", with({"--set", "ParameterGuard=4"}),
+     "part.ngc: error: no spline, which --set ParameterGuard is for"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
      "curvecore: error: GuardBits must be in [2, 12]"},
     {"NotCompiled", run_with({"--set", "Order=11"}),
      "curvecore: error: no compiled core parallel Order=11 CoefBits=36 PositionBits=32 "
      "GuardBits=10 "
-     "AuxAxes=0 Splines=0 Mode=0 SampleInterval=1 TurnBits=0; tb/program/compiled_cores.cmake "
-     "makes these:"},
+     "AuxAxes=0 Splines=0 Mode=0 SampleInterval=1 TurnBits=0 ParameterGuard=0; "
+     "tb/program/compiled_cores.cmake makes these:"},
     {"OverrideZero", run_with({"--override", "0"}),
      "curvecore: error: --override must be in [1, 100] percent"},
     {"OverrideTooHigh", run_with({"--override", "101"}),

@@ -145,6 +145,19 @@ TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
     }
 }
 
+TEST_F(Compare, AFineParameterNeedsFewerSegments) {
+    const Json rows = compare({"--curves", "splines", "--order", "4", "--coef-bits", "32", "--mode",
+                               "1", "--parameter-guard", "0,4", "--samples", "4000"})["rows"];
+    ASSERT_EQ(rows.size(), 2U);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(rows[i]["parameter_guard"], 4 * i);
+        EXPECT_LE(rows[i]["max_of_bound"], 1);
+        EXPECT_EQ(rows[i]["landing"], 0);
+        EXPECT_EQ(rows[i]["missing_bits"], 0);
+    }
+    EXPECT_LT(rows[1]["segments"], rows[0]["segments"]);
+}
+
 TEST_F(Compare, RefusalsSayWhy) {
     program_.write("part.ngc", kPart);
     const Json rows = compare({"part.ngc", "--order", "6", "--coef-bits", "18", "--mode", "1",

@@ -88,6 +88,19 @@ TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
 
 INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns, testing::Values("Mode=0", "Mode=1", "AuxAxes=3"));
 
+TEST_F(SplineCommands, RunsWithAFineParameter) {
+    const ProgramResult result =
+        program_.run({"run", "part.ngc", "-q", "-o", "out", "--set", "Order=4", "--set",
+                      "CoefBits=28", "--set", "Mode=1", "--set", "ParameterGuard=4"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["parameters"]["ParameterGuard"], 4);
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_EQ(report["landing_lsb"], 0);
+    EXPECT_LE(report["unrounded"]["max_of_bound"], 1);
+    EXPECT_GT(report["unrounded"]["max_of_bound"], 0.1);
+}
+
 TEST_F(SplineCommands, NoSplinesAreForACoreWithout) {
     const ProgramResult result =
         program_.run({"run", "part.ngc", "-o", "out", "--set", "Splines=0"});
