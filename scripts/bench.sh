@@ -21,11 +21,15 @@ build/release/tb/bench/other_interpolators -o build/figures/others.json
 python3 scripts/others_figure.py
 build/release/tb/bench/order_words -o build/figures/order_words.json >/dev/null
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
-  -q -o build/figures/choose/up5k
+  --confirm -q -o build/figures/choose/up5k
 build/curvecore choose --error 1nm --radius 1m --feed 60m/min --device ecp5-25 \
   -q -o build/figures/choose/ecp5
+build/curvecore choose --error 1nm --length 10mm --feed 1m/min --device ecp5-25 \
+  --build parallel -q -o build/figures/choose/splines
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
   --sample-rate 500kHz >build/figures/choose/impossible.txt || [ $? = 3 ]
+build/curvecore compare --curves splines --order 4 --coef-bits 24:36:4 --mode 1 \
+  --parameter-guard 0,4,8 --segments 1000 -q -o build/figures/parameter_guard
 for part in arcs demo; do
   for build in parallel serial; do
     rm -rf "build/bench/$part-$build"

@@ -21,6 +21,7 @@ def synthesis():
         (
             f"{r['core']}-{r['build']}",
             r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
+            f"{r['Order']} / {r['CoefBits']} / {r['PositionBits']}.{r['GuardBits']}",
             "series" if int(r["Mode"]) == 0 else "polynomial",
             r["SampleInterval"] if r["build"] == "parallel" else "20 to 50",
             f"{float(r['fmax_mhz']):.0f}",
@@ -34,13 +35,13 @@ def synthesis():
     ]
     if not rows:
         return None
-    head = ["core-build", "device", "sampler", "clocks per sample"]
+    head = ["core-build", "device", "Order / CoefBits / position", "sampler", "clocks per sample"]
     return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
 
 
-def order_words_placed():
-    """Pairs: all orders alike, then a width for each."""
-    found = placed("order_words")
+def pairs(sweep, name):
+    """A table of a sweep's rows two by two: one core, then another that does as well."""
+    found = placed(sweep)
     if not found:
         return None
 
@@ -50,7 +51,7 @@ def order_words_placed():
 
     rows = [
         (
-            f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
+            name(a, b),
             a["device"],
             *(against(a, b, what) for what in ("dsp", "lut4", "ff")),
             f"{float(a['fmax_mhz']):.0f} -> {float(b['fmax_mhz']):.0f}",
@@ -59,6 +60,21 @@ def order_words_placed():
         for a, b in zip(found[::2], found[1::2])
     ]
     return table(["core", "device", "DSP", "LUT4", "FF", "MHz", "seeds"], rows)
+
+
+def order_words_placed():
+    return pairs(
+        "order_words",
+        lambda a, b: f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
+    )
+
+
+def parameter_guard_placed():
+    return pairs(
+        "parameter_guard",
+        lambda a, b: f"Order {a['Order']}, CoefBits {a['CoefBits']}.{a['GuardBits']} ->"
+        f" {b['CoefBits']}.{b['GuardBits']}, ParameterGuard {b['ParameterGuard']}",
+    )
 
 
 def cost_model():

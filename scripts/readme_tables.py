@@ -15,7 +15,7 @@ import pathlib
 import re
 import sys
 
-from placed_tables import cost_model, order_words_placed, synthesis
+from placed_tables import cost_model, order_words_placed, parameter_guard_placed, synthesis
 from readme_table import BUILD, ROOT, load, short, table
 
 def accuracy():
@@ -183,8 +183,10 @@ def choose(name):
     data = load(f"figures/choose/{name}/choose.json")
     if data is None:
         return None
+    answers = [data["choice"], *data["runners_up"]]
+    fine = any(r["parameters"]["ParameterGuard"] for r in answers)
     rows = []
-    for r in [data["choice"], *data["runners_up"]]:
+    for r in answers:
         p, e = r["parameters"], r["estimate"]
         free = ("nothing", "least there is")
         bound = [f"{k} by {v}" for k, v in r["binds"].items() if v not in free]
@@ -196,6 +198,7 @@ def choose(name):
                 p["GuardBits"],
                 p["PositionBits"],
                 p["SampleInterval"] if r["build"] == "parallel" else "",
+                *[p[name] for name in (["ParameterGuard"] if fine else [])],
                 p["TurnBits"] if r["build"] == "parallel" else "",
                 length(r["unit_mm"]),
                 length(r["error_mm"]),
@@ -209,7 +212,8 @@ def choose(name):
                 ", ".join(bound) or "-",
             )
         )
-    head = ["core", "order", "coef", "guard", "position", "interval", "turn", "unit"]
+    head = ["core", "order", "coef", "guard", "position", "interval"]
+    head += [*(["parameter guard"] if fine else []), "turn", "unit"]
     head += ["proven error", "host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
     head += ["a bit less ruled out"]
     error = data["choice"]["estimate"]["relative_error"]
@@ -228,6 +232,17 @@ def choose(name):
             f" best of {c['seeds']} seeds."
         )
     return text
+
+
+def parameter_guard():
+    data = load("figures/parameter_guard/compare.json")
+    if data is None:
+        return None
+    guards = sorted({row["parameter_guard"] for row in data["rows"]})
+    cell = {(row["coef_bits"], row["parameter_guard"]): row for row in data["rows"]}
+    widths = sorted({width for width, _ in cell})
+    rows = [[width, *(f"{cell[width, g]['segments']:,}" for g in guards)] for width in widths]
+    return table(["CoefBits", *(f"segments, ParameterGuard {g}" for g in guards)], rows)
 
 
 def choose_impossible():
@@ -266,9 +281,12 @@ def order_words():
 TABLES = {
     "choose_up5k": functools.partial(choose, "up5k"),
     "choose_ecp5": functools.partial(choose, "ecp5"),
+    "choose_splines": functools.partial(choose, "splines"),
+    "parameter_guard": parameter_guard,
     "choose_impossible": choose_impossible,
     "order_words": order_words,
     "order_words_placed": order_words_placed,
+    "parameter_guard_placed": parameter_guard_placed,
     "accuracy": accuracy,
     "splines": splines,
     "throughput": throughput,
