@@ -141,7 +141,7 @@ Core core_for(bool arcs, bool splines, Build build) {
 bool CostEstimate::fits(const Device& device) const { return fullest(device) <= 1; }
 
 std::array<double, 3> CostEstimate::shares(const Device& device) const {
-    return {std::max(lut4, ff) / device.lut4,
+    return {std::max(lut4 / device.lut4, ff / device.ff),
             device.dsp > 0 ? static_cast<double>(dsp) / device.dsp : 0,
             static_cast<double>(ram) / device.ram};
 }

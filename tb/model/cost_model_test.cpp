@@ -97,7 +97,7 @@ TEST(CostModel, IsWithinAFifthOfTheRuns) {
 TEST(CostModel, SaysWhenItKnowsNothing) {
     CoreParameters parameters;
     EXPECT_FALSE(
-        estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 0, 10, 0}));
+        estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 1000, 0, 10, 0}));
 }
 
 TEST(CostModel, SizeIsTheSumOfTheShares) {
