@@ -50,6 +50,9 @@ const std::vector<BadWish> kBadWishes{
     {"BuildNotMeasured",
      {"--build", "parallel"},
      "--device up5k: there are no measured runs of the parallel build for it yet"},
+    {"BuildNotMeasuredThere",
+     {"--device", "gw2a-18", "--build", "parallel"},
+     "--device gw2a-18: there are no measured runs of the parallel build for it yet"},
     {"OptionOfCompare", {"--order", "6"}, "The following arguments were not expected: 6 --order"},
 };
 

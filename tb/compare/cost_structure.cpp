@@ -9,6 +9,8 @@
 namespace curvecore::tb {
 namespace {
 
+constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a block of a GW2A
+
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
 /// rtl/arithmetic/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
@@ -17,8 +19,9 @@ int portable(int a_bits, int b_bits, const Device& device) {
     const int a_low = a_bits - 18;
     const int b_low = b_bits - 18;
     const int lows = std::min(a_low, b_low);
-    if (device.family == "gw2a-18") {  // narrow ones are LUTs; up to 9 x 9 half a block
-        return 1 + (a_low >= 3 ? 1 : 0) + (b_low >= 3 ? 1 : 0) + (lows >= 4 ? 1 : 0);
+    if (device.family == "gw2a-18") {  // up to 9 x 9 it is half a block
+        return 1 + (a_low >= kGowinLeast ? 1 : 0) + (b_low >= kGowinLeast ? 1 : 0) +
+               (lows > kGowinLeast ? 1 : 0);
     }
     if (device.family == "lifcl-40") {  // 18 bits signed by 18 unsigned: MULT18X36, two blocks
         const auto crossed = [](int low) { return low == 18 ? 2 : low > 0 ? 1 : 0; };
@@ -88,6 +91,18 @@ double mean_wide(Core core, const CoreParameters& parameters) {
         wide -= 3 * (1 - (sum + tau) / (2.0 * parameters.coef_bits));
     });
     return wide;
+}
+
+int soft_bits(const CoreParameters& parameters, const Device& device) {
+    const int bits = parameters.coef_bits;
+    const int low = bits - 18;
+    if (device.family == "hx8k") return bits * bits;
+    if (device.family != "gw2a-18" || low > kGowinLeast) return 0;
+    return low == kGowinLeast ? low * low : bits * bits - 18 * 18;
+}
+
+bool wide_block(const CoreParameters& parameters, const Device& device) {
+    return device.family == "lifcl-40" && parameters.coef_bits == 36;
 }
 
 int count_ram(Core core, const CoreParameters& parameters, const Device& device) {

@@ -16,7 +16,7 @@ namespace curvecore::tb {
 /// | lut4, ff  | what it has of them                                                           |
 /// | dsp       | multipliers, 18 x 18 bits (UP5K: 16 x 16)                                     |
 /// | ram       | block memories                                                                |
-/// | dsp_mhz   | limit of a DSP block, which place and route does not time; 0: none is known   |
+/// | dsp_mhz   | limit of a DSP block, where place and route does not time it; 0: none known   |
 ///
 /// scripts/synthesis/devices.py has the same numbers; tb/cli/device_test.cpp holds them equal.
 struct Device {
