@@ -6,7 +6,8 @@
 
 RUNS.csv is what `scripts/synth.sh --sweep scripts/sweeps/cost_model.csv` writes.  Runs whose note
 is `holdout` are not fitted but predicted, and their error is the model's.  Where a build has fewer
-than three of them, each run is predicted from the fit to all others instead.
+than three of them, each run is predicted from the fit to all others instead.  A family whose runs
+are off by more than that has an error of its own.
 
 LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
 build by least squares of the relative error.  A little ridge, not on the families' own constants,
@@ -32,9 +33,10 @@ COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: colu
 RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
 # `*` multiplies; `family` stands for each family in the runs in turn, which is 1 in its rows.
 FEATURES = {
-    ("serial", "lut4"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits", "order"),
-    ("serial", "ff"): ("coef_bits", "fine_bits", "axes*fine_bits", "splines", "splines*coef_bits"),
-    ("serial", "period_ns"): ("family*coef_bits", "family*splines"),
+    ("serial", "lut4"): ("coef_bits", "fine_bits", "splines", "splines*coef_bits", "order", "soft"),
+    ("serial", "ff"): ("family*coef_bits", "fine_bits", "axes*fine_bits", "splines",
+                       "splines*coef_bits"),
+    ("serial", "period_ns"): ("family*coef_bits", "family*splines", "wide_block"),
     ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
                            "axes*fine_bits", "axes*fine_bits*samples"),
     ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
@@ -74,6 +76,21 @@ def wide_multipliers(run):
     return count + run["AuxAxes"]
 
 
+def soft_bits(run):
+    """As in tb/compare/cost_structure.cpp."""
+    width, low = run["CoefBits"], run["CoefBits"] - 18
+    if run["family"] == "hx8k":
+        return width * width
+    if run["family"] == "gw2a-18" and low <= 3:
+        return low * low if low == 3 else width * width - 18 * 18
+    return 0
+
+
+def wide_block(run):
+    """As in tb/compare/cost_structure.cpp."""
+    return int(run["family"] == "lifcl-40" and run["CoefBits"] == 36)
+
+
 def base(run):
     return {
         run["family"]: 1,
@@ -85,6 +102,8 @@ def base(run):
         "arcs": int(run["core"] != "spline"),
         "splines": int(run["core"] != "spherical"),
         "wide": wide_multipliers(run),
+        "soft": soft_bits(run),
+        "wide_block": wide_block(run),
     }
 
 
@@ -163,6 +182,8 @@ def model(build, name, runs):
         "terms": [[f, float(f"{c:.6g}")] for f, c in zip(features, coefficients)],
         "error": round(rms(errors), 4),
         "worst": round(max(map(abs, errors)), 4),
+        "families": {f: round(rms([error(r, coefficients) for r in runs if r["family"] == f]), 4)
+                     for f in families},
         "fitted": round(rms([error(r, coefficients) for r in fitted]), 4),
         "checked": kind,
         "runs": len(fitted),

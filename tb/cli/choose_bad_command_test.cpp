@@ -30,7 +30,8 @@ const std::vector<BadWish> kBadWishes{
     {"FeedNegative", {"--feed", "-10mm/s"}, "--feed must be in [0.001, 1e9] mm/min"},
     {"DeviceUnknown",
      {"--device", "ecp5-12"},
-     "--device 'ecp5-12': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85"},
+     "--device 'ecp5-12': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
+     "gw2a-18, lifcl-40"},
     {"RadiusZero", {"--radius", "0mm"}, "--radius must be in [0.001, 100000] mm"},
     {"RadiusTooLarge", {"--radius", "1000m"}, "--radius must be in [0.001, 100000] mm"},
     {"LeastRadiusZero", {"--least-radius", "0um"}, "--least-radius must be in [0.0001, 300] mm"},
@@ -49,6 +50,9 @@ const std::vector<BadWish> kBadWishes{
     {"BuildNotMeasured",
      {"--build", "parallel"},
      "--device up5k: there are no measured runs of the parallel build for it yet"},
+    {"BuildNotMeasuredThere",
+     {"--device", "gw2a-18", "--build", "parallel"},
+     "--device gw2a-18: there are no measured runs of the parallel build for it yet"},
     {"OptionOfCompare", {"--order", "6"}, "The following arguments were not expected: 6 --order"},
 };
 

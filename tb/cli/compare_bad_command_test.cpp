@@ -129,7 +129,8 @@ const std::vector<BadComparison> kBadComparisons{
      "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .csv are read"},
     {"UnknownDevice",
      {"--device", "ecp5-26"},
-     "curvecore: error: --device 'ecp5-26': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85"},
+     "curvecore: error: --device 'ecp5-26': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
+     "gw2a-18, lifcl-40"},
     {"UnknownBuild",
      {"--build", "folded"},
      "curvecore: error: --build 'folded': must be parallel or serial"},

@@ -106,6 +106,22 @@ TEST_F(Compare, EstimatesWhatRowsCostOnADevice) {
     EXPECT_EQ(rows("serial", "1")["rows"][1]["estimate"]["dsp"], 4);
 }
 
+TEST_F(Compare, SaysWhereNothingIsKnownOfADevice) {
+    const auto printed = [this](const std::string& build) {
+        return program_
+            .run({"compare", "--curves", "arcs", "--order", "6", "--coef-bits", "20", "--mode", "0",
+                  "--samples", "100", "--device", "gw2a-18", "--build", build, "-o", build})
+            .out;
+    };
+    const std::string parallel = printed("parallel");
+    const std::string serial = printed("serial");
+    EXPECT_NE(parallel.find("no estimates: no measured runs of the parallel build for gw2a-18"),
+              std::string::npos)
+        << parallel;
+    EXPECT_EQ(serial.find("no estimates"), std::string::npos) << serial;
+    EXPECT_NE(serial.find("~ estimated, serial build on gw2a-18"), std::string::npos) << serial;
+}
+
 TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
     const Json json = compare({"--order", "8", "--coef-bits", "20:36:4", "--mode", "0",
                                "--guard-bits", "12", "--samples", "4000"});

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <sstream>
 
 #include "tb/cli/synth_run.hpp"
 
@@ -164,6 +166,41 @@ TEST(SynthSweep, TablesThatShipAreRight) {
         EXPECT_PRED_FORMAT2(IsSubstring, ": tool missing: ", result.err);
         EXPECT_PRED_FORMAT2(IsNotSubstring, ": error: ", result.err);
     }
+}
+
+/// The configuration of each row of a table of results, in its order; an empty cell is 0.
+std::vector<std::string> configurations(const std::string& results) {
+    const auto cells = [](const std::string& line) {  // those before any with a comma in it
+        std::istringstream text(line);
+        std::vector<std::string> all;
+        for (std::string cell; std::getline(text, cell, ',');) all.push_back(cell);
+        return all;
+    };
+    std::istringstream text(results);
+    std::string line;
+    std::getline(text, line);
+    const std::vector<std::string> header = cells(line);
+    std::vector<std::string> rows;
+    while (std::getline(text, line)) {
+        const std::vector<std::string> row = cells(line);
+        rows.emplace_back();
+        for (const char* name :
+             {"core", "build", "device", "speed", "seeds", "note", "Order", "CoefBits",
+              "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval", "TurnBits"}) {
+            const auto column = std::find(header.begin(), header.end(), name) - header.begin();
+            rows.back() += (row.at(column).empty() ? "0" : row[column]) + ',';
+        }
+    }
+    return rows;
+}
+
+TEST(SynthSweep, TheCostModelsRunsAreThoseOfItsTable) {
+    const SynthRun synth(std::vector<std::string>{});
+    synth.synth({"--sweep", SYNTH_TABLES "/cost_model.csv"});
+    std::ifstream file(SYNTH_FOLDER "/cost_runs.csv");
+    const std::string runs{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_GT(configurations(runs).size(), 60U);
+    EXPECT_EQ(configurations(synth.read("out/cost_model.csv")), configurations(runs));
 }
 
 }  // namespace

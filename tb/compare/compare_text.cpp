@@ -161,6 +161,10 @@ std::string CompareReport::table() const {
         text += '\n';
     }
     const Target& target = options.sweep.target;
+    if (!cost_is_known(target.build, *target.device)) {
+        return text + fmt::format("no estimates: no measured runs of the {} build for {} yet\n",
+                                  build_name(target.build), target.device->name);
+    }
     text += fmt::format("~ estimated, {} build{} on {}: {}\n", build_name(target.build),
                         target.build == Build::kParallel
                             ? fmt::format(", SampleInterval {}", target.sample_interval)

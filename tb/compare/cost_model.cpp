@@ -2,6 +2,8 @@
 #include "tb/compare/cost_model.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <vector>
@@ -21,12 +23,15 @@ enum Base {
     kArcs,
     kSplines,
     kWide,
+    kSoft,
+    kWideBlock,
     kFamily,
     kBases
 };
 using Values = std::array<double, kBases>;
 constexpr std::array<std::string_view, kFamily> kBaseNames{
-    "order", "coef_bits", "fine_bits", "axes", "samples", "arcs", "splines", "wide"};
+    "order", "coef_bits", "fine_bits", "axes", "samples",
+    "arcs",  "splines",   "wide",      "soft", "wide_block"};
 
 struct Term {
     std::string family;  // 1 in this family, 0 in others; empty: no factor
@@ -39,6 +44,11 @@ struct Model {
     std::string quantity;
     std::vector<Term> terms;
     double error;
+    std::map<std::string, double, std::less<>> family_errors;
+
+    double error_in(std::string_view family) const {
+        return std::max(error, family_errors.find(family)->second);
+    }
 
     bool knows(std::string_view family) const {
         return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
@@ -82,7 +92,8 @@ struct ModelFile {
         const auto json = nlohmann::json::parse(kCostModel);
         source = json.at("source");
         for (const auto& one : json.at("models")) {
-            Model model{one.at("build"), one.at("quantity"), {}, one.at("error")};
+            Model model{one.at("build"), one.at("quantity"), {}, one.at("error"), {}};
+            one.at("families").get_to(model.family_errors);
             for (const auto& term : one.at("terms")) {
                 model.terms.push_back(read_term(term.at(0), term.at(1)));
             }
@@ -120,6 +131,12 @@ struct BuildModels {
     }
 };
 
+const BuildModels& models_of(Build build) {
+    static const BuildModels serial(Build::kSerial);
+    static const BuildModels parallel(Build::kParallel);
+    return build == Build::kSerial ? serial : parallel;
+}
+
 }  // namespace
 
 const char* core_name(Core core) {
@@ -141,7 +158,7 @@ Core core_for(bool arcs, bool splines, Build build) {
 bool CostEstimate::fits(const Device& device) const { return fullest(device) <= 1; }
 
 std::array<double, 3> CostEstimate::shares(const Device& device) const {
-    return {std::max(lut4, ff) / device.lut4,
+    return {std::max(lut4 / device.lut4, ff / device.ff),
             device.dsp > 0 ? static_cast<double>(dsp) / device.dsp : 0,
             static_cast<double>(ram) / device.ram};
 }
@@ -156,12 +173,14 @@ double CostEstimate::fullest(const Device& device) const {
     return *std::max_element(all.begin(), all.end());
 }
 
+bool cost_is_known(Build build, const Device& device) {
+    return models_of(build).know(device.family);
+}
+
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
                                      const Device& device) {
-    static const BuildModels serial(Build::kSerial);
-    static const BuildModels parallel(Build::kParallel);
-    const BuildModels& models = parameters.build == Build::kSerial ? serial : parallel;
-    if (!models.know(device.family)) return std::nullopt;
+    if (!cost_is_known(parameters.build, device)) return std::nullopt;
+    const BuildModels& models = models_of(parameters.build);
     Values values{};
     values[kOrder] = parameters.order;
     values[kCoefBits] = parameters.coef_bits;
@@ -171,6 +190,8 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kArcs] = core == Core::kSpline ? 0 : 1;
     values[kSplines] = core == Core::kSpherical ? 0 : 1;
     values[kWide] = mean_wide(core, parameters);
+    values[kSoft] = soft_bits(parameters, device);
+    values[kWideBlock] = wide_block(parameters, device) ? 1 : 0;
     CostEstimate cost;
     cost.lut4 = models.lut4->predict(device.family, values);
     cost.ff = models.ff->predict(device.family, values);
@@ -178,9 +199,9 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     cost.dsp = count_dsp(core, parameters, device);
     cost.ram = count_ram(core, parameters, device);
     if (cost.dsp > 0 && device.dsp_mhz > 0) cost.mhz = std::min(cost.mhz, device.dsp_mhz);
-    cost.lut4_error = models.lut4->error;
-    cost.ff_error = models.ff->error;
-    cost.mhz_error = models.period->error;
+    cost.lut4_error = models.lut4->error_in(device.family);
+    cost.ff_error = models.ff->error_in(device.family);
+    cost.mhz_error = models.period->error_in(device.family);
     return cost;
 }
 

@@ -29,7 +29,8 @@ Core core_for(bool arcs, bool splines, Build build);
 /// | lut4, ff     | estimates, of the core alone                                           |
 /// | mhz          | estimate of what place and route reaches, at most the DSP blocks' limit |
 /// | dsp, ram     | exact                                                                  |
-/// | lut4_error.. | relative error of the estimate: root mean square over runs left out     |
+/// | lut4_error.. | relative error of the estimate: root mean square over runs left out, or |
+/// |              | over those of the device's family where that is more                    |
 struct CostEstimate {
     double lut4 = 0;
     double ff = 0;
@@ -49,7 +50,10 @@ struct CostEstimate {
     double fullest(const Device& device) const;
 };
 
-/// Nothing when there were no runs of this build in the device's family.
+/// Whether there were runs of this build in the device's family.
+bool cost_is_known(Build build, const Device& device);
+
+/// Nothing when there were none.
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
                                      const Device& device);
 

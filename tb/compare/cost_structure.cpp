@@ -2,18 +2,39 @@
 // Multipliers and block memories of a core, counted as the RTL instantiates them.
 #include "tb/compare/cost_structure.hpp"
 
+#include <algorithm>
+
 #include "ref/order_words.hpp"
 
 namespace curvecore::tb {
 namespace {
 
+constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a block of a GW2A
+
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
+
+/// rtl/arithmetic/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
+/// signed, and one for every pair with a low half, which is unsigned and what is above 18 bits.
+int portable(int a_bits, int b_bits, const Device& device) {
+    const int a_low = a_bits - 18;
+    const int b_low = b_bits - 18;
+    const int lows = std::min(a_low, b_low);
+    if (device.family == "gw2a-18") {  // up to 9 x 9 it is half a block
+        return 1 + (a_low >= kGowinLeast ? 1 : 0) + (b_low >= kGowinLeast ? 1 : 0) +
+               (lows > kGowinLeast ? 1 : 0);
+    }
+    if (device.family == "lifcl-40") {  // 18 bits signed by 18 unsigned: MULT18X36, two blocks
+        const auto crossed = [](int low) { return low == 18 ? 2 : low > 0 ? 1 : 0; };
+        return 1 + crossed(a_low) + crossed(b_low) + (lows > 0 ? 1 : 0);
+    }
+    return 0;
+}
 
 /// rtl/arithmetic/multiplier.sv.
 int multiplier(int a_bits, int b_bits, const Device& device) {
     if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
     if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
-    return 0;
+    return portable(a_bits, b_bits, device);
 }
 
 /// Each order's word in a sampler of arcs with a width for each.
@@ -72,12 +93,24 @@ double mean_wide(Core core, const CoreParameters& parameters) {
     return wide;
 }
 
+int soft_bits(const CoreParameters& parameters, const Device& device) {
+    const int bits = parameters.coef_bits;
+    const int low = bits - 18;
+    if (device.family == "hx8k") return bits * bits;
+    if (device.family != "gw2a-18" || low > kGowinLeast) return 0;
+    return low == kGowinLeast ? low * low : bits * bits - 18 * 18;
+}
+
+bool wide_block(const CoreParameters& parameters, const Device& device) {
+    return device.family == "lifcl-40" && parameters.coef_bits == 36;
+}
+
 int count_ram(Core core, const CoreParameters& parameters, const Device& device) {
     if (parameters.build == Build::kParallel) return 0;  // its memories are distributed
     // Three copies of the words, the program and, where there is no distributed memory, two of
     // points. Of the program's 61 bits some are alike.
     const bool splines = core == Core::kCurve;
-    if (device.family == "ecp5") return 3 + 2;
+    if (device.family != "up5k" && device.family != "hx8k") return 3 + 2;  // words of 36 bits
     const int words = blocks(parameters.coef_bits, splines ? 8 : 16);
     const int points = blocks(parameters.position_bits + parameters.guard_bits, 16);
     return 3 * words + 2 * points + (splines ? 4 : 3);

@@ -10,6 +10,10 @@ int count_dsp(Core core, const CoreParameters& parameters, const Device& device)
 /// Multipliers of CoefBits as wide in all as those that there are: the same count but with
 /// TurnBits.
 double mean_wide(Core core, const CoreParameters& parameters);
+/// Of the serial build's multiplier: pairs of bits, one of each operand, that LUTs multiply.
+int soft_bits(const CoreParameters& parameters, const Device& device);
+/// Whether it takes blocks of more than 18 x 18 bits, which are slower.
+bool wide_block(const CoreParameters& parameters, const Device& device);
 int count_ram(Core core, const CoreParameters& parameters, const Device& device);
 
 }  // namespace curvecore::tb

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tb/compare/cost_structure.hpp"
+
 namespace curvecore::tb {
 namespace {
 
@@ -74,6 +76,26 @@ TEST(CostModel, CountsTheBlocksOfEachOrdersWords) {
     EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 26);
 }
 
+/// What Yosys made of rtl/arithmetic/multiplier.sv alone, of these widths.
+TEST(CostModel, CountsTheBlocksOfThePortableMultiplier) {
+    struct Made {
+        const char* device;
+        int bits;
+        int dsp;
+    };
+    for (const Made& made :
+         {Made{"gw2a-18", 18, 1}, Made{"gw2a-18", 20, 1}, Made{"gw2a-18", 21, 3},
+          Made{"gw2a-18", 22, 4}, Made{"gw2a-18", 36, 4}, Made{"lifcl-40", 18, 1},
+          Made{"lifcl-40", 19, 4}, Made{"lifcl-40", 35, 4}, Made{"lifcl-40", 36, 6},
+          Made{"hx8k", 36, 0}}) {
+        CoreParameters parameters;
+        parameters.build = Build::kSerial;
+        parameters.coef_bits = made.bits;
+        EXPECT_EQ(count_dsp(Core::kSpherical, parameters, *device_of(made.device)), made.dsp)
+            << made.device << ' ' << made.bits;
+    }
+}
+
 TEST(CostModel, PredictsWhatTheScriptPredicts) {
     EXPECT_GE(runs().size(), 9U);
     for (const KnownRun& run : runs()) {
@@ -82,22 +104,35 @@ TEST(CostModel, PredictsWhatTheScriptPredicts) {
         EXPECT_NEAR(cost->lut4, predicted.at("lut4").get<double>(), 0.01);
         EXPECT_NEAR(cost->ff, predicted.at("ff").get<double>(), 0.01);
         const double mhz = 1000 / predicted.at("period_ns").get<double>();
-        EXPECT_NEAR(cost->mhz, std::min(mhz, run.device->dsp_mhz), 0.01);
+        const double limit = run.device->dsp_mhz;
+        EXPECT_NEAR(cost->mhz, limit > 0 ? std::min(mhz, limit) : mhz, 0.01);
     }
 }
 
-TEST(CostModel, IsWithinAFifthOfTheRuns) {
+TEST(CostModel, IsNearTheRuns) {
     for (const KnownRun& run : runs()) {
+        const double most = run.parameters.build == Build::kSerial ? 0.1 : 0.2;
         const auto cost = estimate(run.core, run.parameters, *run.device);
-        EXPECT_NEAR(cost->lut4 / run.json.at("lut4").get<double>(), 1, 0.2) << run.json;
-        EXPECT_NEAR(cost->ff / run.json.at("ff").get<double>(), 1, 0.2) << run.json;
+        EXPECT_NEAR(cost->lut4 / run.json.at("lut4").get<double>(), 1, most) << run.json;
+        EXPECT_NEAR(cost->ff / run.json.at("ff").get<double>(), 1, most) << run.json;
     }
+}
+
+/// Clocks of GW2A-18 scatter more than those of all families together.
+TEST(CostModel, HasTheErrorOfTheDevicesFamilyWhereThatIsMore) {
+    CoreParameters parameters;
+    parameters.build = Build::kSerial;
+    const auto error = [&](const char* device) {
+        return estimate(Core::kSpherical, parameters, *device_of(device))->mhz_error;
+    };
+    EXPECT_GT(error("gw2a-18"), 1.5 * error("ecp5-25"));
+    EXPECT_GE(error("lifcl-40"), error("ecp5-25"));
 }
 
 TEST(CostModel, SaysWhenItKnowsNothing) {
     CoreParameters parameters;
     EXPECT_FALSE(
-        estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 0, 10, 0}));
+        estimate(Core::kSpherical, parameters, Device{"other", "other", 0, 1000, 1000, 0, 10, 0}));
 }
 
 TEST(CostModel, SizeIsTheSumOfTheShares) {

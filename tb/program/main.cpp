@@ -130,7 +130,9 @@ void add_choose(CLI::App& command, RawWish& raw, ChooseOptions& options) {
         ->required();
     add("--feed", raw.feed, "SPEED", "along the path, where acceleration lets it: 10m/min, 100mm/s")
         ->required();
-    add("--device", raw.device, "NAME", "up5k, hx8k, ecp5-25, ecp5-45 or ecp5-85")->required();
+    add("--device", raw.device, "NAME",
+        "up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, gw2a-18 or lifcl-40")
+        ->required();
     add("--radius", raw.radius, "LENGTH",
         "largest radius of arcs and helices; lines come with them");
     add("--least-radius", raw.least_radius, "LENGTH", "smallest radius; 10um when left out");
