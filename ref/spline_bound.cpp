@@ -99,20 +99,26 @@ class Walk {
         shift_truncation_ += cut;
         shift_rounding_ += words * speed * h_;
         v_ = next;
-        round_parameter(velocity.norm(), velocity_end.norm());
+        const double end_speed = velocity_end.norm();
+        const double rounded = round_parameter(velocity.norm(), end_speed);
+        predict(rounded + (words * h_ + cut / speed) / unit_, end_speed);
         return true;
     }
 
-    /// v rounded, unless the shift is exact; and how far phi's prediction then is from 1 / |V|.
-    void round_parameter(double from_speed, double speed) {
+    /// v rounded, unless the shift is exact. How far it then is from where phi is predicted.
+    double round_parameter(double from_speed, double speed) {
         const int guard = format_.parameter_guard;
         const int shift = segment_.lambda - segment_.step_exponent - 1;
         const double half = shift > 0 ? half_bit(format_.coef_bits - 1) : 0;
         if (shown_rounding_ > 0) shift_rounding_ += unit_ * half * std::abs(from_speed - speed);
         if (shift > guard) shift_rounding_ += std::ldexp(unit_ * half * speed, -guard);
         shown_rounding_ = guard > 0 ? unit_ * half * speed : 0;
-        const double bend = (2 * segment_.b + 6 * v_ * segment_.a).norm();
-        prediction_ = (guard > 0 ? 2 : 1) * half * bend / speed;
+        return guard > 0 ? 2 * half : half;
+    }
+
+    /// How far the phi of the series' end is from 1 / |V| of a v that is `aside` of it, relatively.
+    void predict(double aside, double speed) {
+        prediction_ = aside * bend() / speed;
         const auto order = static_cast<std::size_t>(format_.order);
         for (std::size_t i = 0; i <= order + kTail; ++i) {
             const bool made = i < order;
@@ -226,8 +232,11 @@ class Walk {
             }
             sum = std::max({sum, std::abs(series_.DP[i]), std::abs(series_.Dphi[i]) / 2});
         }
-        // Newton's product m = |V|^2 phi of the phi that the step before left, and its roundings.
-        const double m = speed * (1 + prediction_) + std::ldexp(2.0, -format_.coef_bits);
+        // Newton's product m = |V|^2 phi of the phi that the step before left: |V| of the v that
+        // the kernel has, by now as far off as the shifts, with its words' roundings.
+        const double drift = (shift_truncation_ + shift_rounding_ + shown_rounding_) / unit_;
+        const double fastest = speed + bend() * drift / speed + V_error(v_).norm();
+        const double m = fastest * (1 + prediction_) + std::ldexp(12.0, -format_.coef_bits);
         return sum < slack / 4 && prediction_ < 1.0 / 40 && m < 1 &&
                series_.six_a.cwiseAbs().maxCoeff() < slack / 4;
     }
@@ -250,6 +259,7 @@ class Walk {
         return sum;
     }
 
+    double bend() const { return (2 * segment_.b + 6 * v_ * segment_.a).norm(); }  // |dV/dv|
     Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
     Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }
 

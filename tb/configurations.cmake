@@ -286,13 +286,14 @@ illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must
 
 # The core for both kinds: the same.
 foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
-        6,36,32,10,0,1,0,2 6,36,32,10,0,0,0,1 3,30,28,8,1,1,1,8 8,36,32,12,6,0,1,2)
-  read_row(${size} order coef position guard aux mode anchor interval)
+        6,36,32,10,0,1,0,2 6,36,32,10,0,0,0,1 3,30,28,8,1,1,1,8,5 8,36,32,12,6,0,1,2)
+  read_row(${size},0 order coef position guard aux mode anchor interval parameter)
   set(name both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
   foreach(test curve_interpolator sample_campaign)
     core_test(${test} ${name} TOP curve_interpolator LIBRARIES curvecore_ref
               PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                     AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval})
+                     AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
+                     ParameterGuard=${parameter})
   endforeach()
 endforeach()
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
@@ -309,15 +310,16 @@ illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
-# The whole core: build, auxiliary axes, splines, mode, anchor, interval.
-foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4 0,1,1,0,0,4 1,0,0,0,1,1
+# The whole core: build, auxiliary axes, splines, mode, anchor, interval and, where there is one,
+# parameter guard.
+foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4,8 0,1,1,0,0,4 1,0,0,0,1,1
         1,0,1,1,1,1)
-  read_row(${size} build aux splines mode anchor interval)
+  read_row(${size},0 build aux splines mode anchor interval parameter)
   core_test(motion_interpolator build${build}_a${aux}_s${splines}_m${mode}_n${anchor}_i${interval}
             TOP motion_interpolator LIBRARIES curvecore_ref
             PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
                    Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                   ProfileQueueWords=512)
+                   ParameterGuard=${parameter} ProfileQueueWords=512)
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")

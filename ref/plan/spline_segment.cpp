@@ -15,8 +15,11 @@ namespace {
 constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
 
-/// Room for the roundings of V, v and phi, and so of m, below 1.
+/// Roundings of the cubic's words and of what is made of them.
 double hair(const WordFormat& format) { return std::ldexp(1.0, 6 - format.coef_bits); }
+
+/// Room below 1 for the |V| of a v that has drifted along the path, and so for Newton's m.
+constexpr double kRoom = 1.0 / 1024;
 
 /// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
 constexpr double kLongestLine = 4;
@@ -86,7 +89,7 @@ struct Splitter {
 }  // namespace
 
 Segment spline_segment(const Cubic& piece, const WordFormat& format) {
-    const double fastest = speed_range(piece).max * (1 + hair(format));
+    const double fastest = speed_range(piece).max * (1 + kRoom + hair(format));
     Segment segment;
     segment.kind = Segment::Kind::kSpline;
     segment.start = piece.d;

@@ -12,7 +12,7 @@ namespace curvecore::ref {
 
 /// A cubic of 0 <= u <= 1, in length units, in a core's scale: v = beta u, lengths over 2^lambda.
 ///
-///     beta = max |dr/du| / 2^lambda (a hair more, so that |V| < 1)       lambda >= 0, least
+///     beta = max |dr/du| / 2^lambda (a little more, so that |V| < 1)       lambda >= 0, least
 ///
 /// | field    | set here                                                  |
 /// |----------|-----------------------------------------------------------|

@@ -18,9 +18,11 @@ struct Shrinkable {
     int CoreParameters::*value;
     int least;
 };
-constexpr std::array<Shrinkable, 3> kShrinkable{{{"CoefBits", &CoreParameters::coef_bits, 18},
-                                                 {"GuardBits", &CoreParameters::guard_bits, 2},
-                                                 {"Order", &CoreParameters::order, 2}}};
+constexpr std::array<Shrinkable, 4> kShrinkable{
+    {{"CoefBits", &CoreParameters::coef_bits, 18},
+     {"GuardBits", &CoreParameters::guard_bits, 2},
+     {"Order", &CoreParameters::order, 2},
+     {"ParameterGuard", &CoreParameters::parameter_guard, 0}}};
 
 /// Of the widths, few enough to try all of them many times.
 bool coarse(const CoreParameters& parameters) {
@@ -168,7 +170,8 @@ std::vector<Choice> Chooser::smallest(std::size_t count) {
             other = choice;
             continue;
         }
-        ++looked_at;
+        // With a finer parameter the same core stands there again.
+        if (candidate.parameters.parameter_guard == 0) ++looked_at;
         if (std::all_of(choices.begin(), choices.end(),
                         [&](const Choice& smaller) { return better_somehow(choice, smaller); })) {
             choices.push_back(choice);

@@ -110,7 +110,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetParameterGuardOfTheSerialBuild", with({"--set", "ParameterGuard=4", "--build", "serial"}),
      "curvecore: error: ParameterGuard works with --build parallel only"},
     {"SetParameterGuardWithoutSplines", with({"--set", "ParameterGuard=4"}),
-     "part.ngc: error: no spline, which --set ParameterGuard is for"},
+     "part.ngc: error: no spline, which --set ParameterGuard is for, nor --set Splines=1"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
      "curvecore: error: GuardBits must be in [2, 12]"},
     {"NotCompiled", run_with({"--set", "Order=11"}),

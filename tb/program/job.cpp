@@ -28,8 +28,9 @@ void set_splines(Job& job) {
         std::find_if(job.program.moves.begin(), job.program.moves.end(),
                      [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
     if (first == job.program.moves.end()) {
-        if (job.options.core.parameter_guard == 0) return;
-        throw ref::InputError(job.options.file, 0, "no spline, which --set ParameterGuard is for");
+        if (job.options.core.parameter_guard == 0 || job.options.core.splines != 0) return;
+        throw ref::InputError(job.options.file, 0,
+                              "no spline, which --set ParameterGuard is for, nor --set Splines=1");
     }
     if (job.options.splines_set && job.options.core.splines == 0) {
         throw ref::InputError(job.options.file, first->line, "a spline, and --set Splines=0");

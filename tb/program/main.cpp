@@ -101,7 +101,7 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
         fmt::format("without FILE, built-in curves: {}", fmt::join(kCurveSets, ", ")));
     add("--order", compare.order, "LIST", "4,6 or 4:8 or 4:8:2; the same for the next six");
     add("--coef-bits", compare.coef_bits, "LIST",
-        "width of coefficients; weights and tau have as much, of it a bit more of fraction");
+        "width of coefficients; weights and tau have a bit of fraction less");
     add("--guard-bits", compare.guard_bits, "LIST", "fraction bits of a position inside");
     add("--mode", compare.mode, "LIST", "sampler: 0 series, 1 polynomial");
     add("--anchor", compare.anchor, "LIST", "splines: 1 anchored, 0 propagated as in the paper");

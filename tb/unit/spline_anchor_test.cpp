@@ -62,7 +62,7 @@ class SplineAnchor : public testing::Test {
             segment_.advance[axis] = std::llround(segment_.advance[axis] * speed / std::sqrt(norm));
         }
         segment_.theta = std::llround(std::ldexp(1 / speed, kBits - 2));
-        const int s = 4 + static_cast<int>(random_() % 8);
+        const int s = 4 + static_cast<int>(random_() % 24);
         segment_.lambda = s + static_cast<int>(random_() % static_cast<unsigned>(28 - s));
         segment_.step_exponent = segment_.lambda - s;
     }
