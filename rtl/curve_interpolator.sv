@@ -135,7 +135,7 @@ module curve_interpolator #(
       .segment_data_i,
       .empty_segments_o,
       .room_i(room),
-      .ready_i(ready == 2'b11),
+      .ready_i(ready == 2'b11 && !done[0]),  // a spline is done before it is ready
       .done_i(done != 2'b00),
       .start_o(start),
       .fresh_o(fresh),

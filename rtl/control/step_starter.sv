@@ -6,9 +6,9 @@
 //   start_o   1, fresh_o        theta_o, k_o, lambda_o, spline_o and the reads are the step's
 //
 // A step starts when there is room for it and none is under way: start_o[0] that of a line or arc,
-// start_o[1] that of a spline.  Both are registers, for they reach far.  Reads follow their axis in
-// the same clock, until the next start.  Segments of a kind that is not in Curves are taken for the
-// other.  With done_i, last_o, offset_o and stride_o are the step's.
+// start_o[1] that of a spline.  Both are registers, for they reach far.  Until the next start rates
+// follow their axis in the same clock, points a clock later.  Segments of a kind that is not in
+// Curves are taken for the other.  With done_i, last_o, offset_o and stride_o are the step's.
 `default_nettype none
 module step_starter #(
     parameter int Curves   = 3,   // 1 lines and arcs, 2 splines, 3 both
@@ -26,7 +26,7 @@ module step_starter #(
 
     // Steps
     input  wire logic                               room_i,
-    input  wire logic                               ready_i,   // none is under way
+    input  wire logic                               ready_i,   // none is under way, nor done now
     input  wire logic                               done_i,
     output logic      [                        1:0] start_o,
     output logic                                    fresh_o,   // the first of its segment
@@ -59,7 +59,7 @@ module step_starter #(
   logic                go;
   logic                spline_q;
   logic                next_spline;
-  assign go = ready_i && !done_i && start_o == 2'b00 && room_i && (there || !fresh_o);
+  assign go = ready_i && start_o == 2'b00 && room_i && (there || !fresh_o);
   assign next_spline = (Curves == 3) ? (fresh_o ? kind : spline_q) : Curves == 2;
   assign spline_o    = (Curves == 3) ? spline_q : Curves == 2;
   always_ff @(posedge clk_i) begin
@@ -80,6 +80,13 @@ module step_starter #(
       lambda_o <= lambda;
       spline_q <= kind;
     end
+  end
+
+  logic signed [FineBits-1:0] point;
+  logic signed [FineBits-1:0] end_point;
+  always_ff @(posedge clk_i) begin
+    point_o <= point;
+    end_o   <= end_point;
   end
 
   segment_loader #(
@@ -105,8 +112,8 @@ module step_starter #(
       .normal_o,
       .advance_o,
       .point_axis_i,
-      .start_o(point_o),
-      .end_o
+      .start_o(point),
+      .end_o(end_point)
   );
 
   step_meter u_meter (

@@ -13,7 +13,7 @@
 //                    is that of the angle's sine (odd orders) or cosine (even orders)
 //   done_o           with the last collect_o
 //
-// The segment's words follow segment_axis_o and segment_point_o in the same clock
+// The segment's words follow segment_axis_o in the same clock and segment_point_o a clock later
 // (rtl/control/step_starter.sv), theta_i and k_i a clock after start_i.
 `default_nettype none
 module spherical_steps #(
@@ -106,6 +106,7 @@ module spherical_steps #(
 
   logic                       rate_valid;
   logic                       point_write;
+  logic        [         3:0] point_axis;
   logic signed [FineBits-1:0] origin;
 
   // While the axes pass by, their unit vectors are loaded, a clock later.
@@ -185,8 +186,9 @@ module spherical_steps #(
       .rate_axis_o(segment_axis_o),
       .sum_i(sum),
       .advance_i,
+      .read_axis_o(segment_point_o),
       .write_o(point_write),
-      .point_axis_o(segment_point_o),
+      .point_axis_o(point_axis),
       .segment_start_i(start_point_i),
       .origin_o(origin)
   );
@@ -204,7 +206,7 @@ module spherical_steps #(
   always_ff @(posedge clk_i) begin
     rate_axis_o  <= segment_axis_o;
     advance_o    <= advance_i;
-    point_axis_o <= segment_point_o;
+    point_axis_o <= point_axis;
     origin_o     <= origin;
     end_o        <= end_point_i;
   end

@@ -7,7 +7,7 @@
 //
 //   cycle           0                  2                        4
 //   there_i         1, axis_i, d_i
-//   read_axis_o                        axis                     segment_start_i of it: in cycle 2
+//   read_axis_o               axis                              segment_start_i of it: in cycle 2
 //   write_o                                                     1, point_axis_o, origin_o
 `default_nettype none
 module spline_origin #(
@@ -83,7 +83,7 @@ module spline_origin #(
   logic signed [FineBits:0] base_half;
   logic signed [FineBits:0] twice_q;
   assign write_o      = there_q[3];
-  assign read_axis_o  = axis_q[1];
+  assign read_axis_o  = axis_q[0];
   assign point_axis_o = axis_q[3];
   assign base_half    = {base_q, 1'b1};
   assign origin_o     = (fresh_i && aux_q[3]) ? start_q[1] : twice_q[FineBits:1];

@@ -16,8 +16,8 @@
 //
 // The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
 // and Anchor 1 they are 306.  The next step begins 2 clocks after done_o.  The segment's words
-// follow segment_axis_o and segment_point_o in the same clock (rtl/control/step_starter.sv),
-// theta_i, k_i and lambda_i a clock after start_i.
+// follow segment_axis_o in the same clock and segment_point_o a clock later
+// (rtl/control/step_starter.sv), theta_i, k_i and lambda_i a clock after start_i.
 `default_nettype none
 module spline_steps #(
     parameter int Order          = 6,   // [2, 12]

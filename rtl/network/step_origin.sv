@@ -10,8 +10,8 @@
 //   cycle          0      1      Axes         6      Axes + 5
 //   start_i        1                                              fresh_i: a new segment
 //   rate_axis_o           0  ..  Axes - 1                         sum_i, advance_i of that axis
-//   point_axis_o                              0  ..  Axes - 1     segment_start_i of that axis
-//   write_o                                   1  ..  1            origin_o
+//   read_axis_o                        0      1  ..             segment_start_i of it, a clock on
+//   write_o                                   1  ..  1            point_axis_o, origin_o
 `default_nettype none
 module step_origin #(
     parameter int CoefBits  = 36,  // [18, 36]
@@ -31,6 +31,7 @@ module step_origin #(
     input  wire logic signed [CoefBits-1:0] sum_i,
     input  wire logic signed [CoefBits-1:0] advance_i,
 
+    output logic             [         3:0] read_axis_o,
     output logic                            write_o,
     output logic             [         3:0] point_axis_o,
     input  wire logic signed [FineBits-1:0] segment_start_i,
@@ -101,6 +102,7 @@ module step_origin #(
   logic signed [  FineBits:0] twice_q;
   assign old_half     = {old_q, 1'b1};
   assign write_o      = valid_q[Clocks-1];
+  assign read_axis_o  = axis_q[Clocks-2];
   assign point_axis_o = axis_q[Clocks-1];
   assign origin_o     = fresh_q ? segment_start_i : twice_q[FineBits:1];
   always_ff @(posedge clk_i) begin

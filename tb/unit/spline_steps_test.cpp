@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "Vspline_steps.h"
@@ -81,7 +82,7 @@ class SplineSteps : public testing::Test {
         dut_->start_i = 0;
     }
 
-    /// The segment's words, as the RTL asks for them.
+    /// The segment's words, as the RTL asks for them: once a clock, for points come a clock later.
     void answer(const Segment& segment) {
         const auto mask = [](std::int64_t word, int bits) { return to_port(word, bits); };
         dut_->theta_i = mask(segment.theta, kBits);
@@ -89,7 +90,7 @@ class SplineSteps : public testing::Test {
         dut_->lambda_i = static_cast<unsigned char>(segment.lambda);
         dut_.settle();
         const int axis = dut_->segment_axis_o;
-        const int point = dut_->segment_point_o;
+        const int point = std::exchange(point_, dut_->segment_point_o);
         dut_->a_i = axis < 3 ? mask(segment.tangent[axis], kBits) : 0;
         dut_->b_i = axis < 3 ? mask(segment.normal[axis], kBits) : 0;
         dut_->c_i = axis < kAxes ? mask(segment.advance[axis], kBits) : 0;
@@ -155,6 +156,7 @@ class SplineSteps : public testing::Test {
     }
 
     ClockedDut<Vspline_steps> dut_;
+    int point_ = 0;  // asked for in the clock before
     Kernel kernel_;
     std::vector<Segment> segments_;
 };
