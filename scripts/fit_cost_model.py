@@ -37,9 +37,9 @@ FEATURES = {
     ("serial", "ff"): ("family*coef_bits", "fine_bits", "axes*fine_bits", "splines",
                        "splines*coef_bits"),
     ("serial", "period_ns"): ("family*coef_bits", "family*splines", "wide_block"),
-    ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
+    ("parallel", "lut4"): ("wide*coef_bits", "arcs*coef_bits", "narrow*coef_bits", "splines",
                            "axes*fine_bits", "axes*fine_bits*samples"),
-    ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "splines*coef_bits",
+    ("parallel", "ff"): ("wide*coef_bits", "arcs*coef_bits", "narrow*coef_bits", "splines",
                          "axes*fine_bits", "arcs*order"),
     ("parallel", "period_ns"): ("family*coef_bits", "family*splines"),
 }
@@ -76,6 +76,13 @@ def wide_multipliers(run):
     return count + run["AuxAxes"]
 
 
+def narrow_multipliers(run):
+    """As count_multipliers in tb/compare/cost_structure.cpp."""
+    if run["build"] == "serial" or run["core"] == "spherical":
+        return 0
+    return 8 + (3 if run["Mode"] == 0 else 0)
+
+
 def soft_bits(run):
     """As in tb/compare/cost_structure.cpp."""
     width, low = run["CoefBits"], run["CoefBits"] - 18
@@ -102,6 +109,7 @@ def base(run):
         "arcs": int(run["core"] != "spline"),
         "splines": int(run["core"] != "spherical"),
         "wide": wide_multipliers(run),
+        "narrow": narrow_multipliers(run),
         "soft": soft_bits(run),
         "wide_block": wide_block(run),
     }

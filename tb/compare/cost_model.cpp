@@ -23,6 +23,7 @@ enum Base {
     kArcs,
     kSplines,
     kWide,
+    kNarrow,
     kSoft,
     kWideBlock,
     kFamily,
@@ -30,8 +31,8 @@ enum Base {
 };
 using Values = std::array<double, kBases>;
 constexpr std::array<std::string_view, kFamily> kBaseNames{
-    "order", "coef_bits", "fine_bits", "axes", "samples",
-    "arcs",  "splines",   "wide",      "soft", "wide_block"};
+    "order",   "coef_bits", "fine_bits", "axes", "samples",   "arcs",
+    "splines", "wide",      "narrow",    "soft", "wide_block"};
 
 struct Term {
     std::string family;  // 1 in this family, 0 in others; empty: no factor
@@ -190,6 +191,7 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kArcs] = core == Core::kSpline ? 0 : 1;
     values[kSplines] = core == Core::kSpherical ? 0 : 1;
     values[kWide] = mean_wide(core, parameters);
+    values[kNarrow] = count_multipliers(core, parameters).narrow;
     values[kSoft] = soft_bits(parameters, device);
     values[kWideBlock] = wide_block(parameters, device) ? 1 : 0;
     CostEstimate cost;
