@@ -105,6 +105,9 @@ module curve_interpolator #(
   logic signed [CoefBits-1:0] tangent;
   logic signed [CoefBits-1:0] normal;
   logic signed [CoefBits-1:0] advance;
+  logic signed [CoefBits-1:0] cubic_a;
+  logic signed [CoefBits-1:0] cubic_b;
+  logic signed [CoefBits-1:0] cubic_c;
   logic signed [FineBits-1:0] start_point;
   logic signed [FineBits-1:0] end_point;
 
@@ -146,10 +149,14 @@ module curve_interpolator #(
       .theta_o(theta),
       .k_o(k),
       .lambda_o(lambda),
-      .rate_axis_i(spline ? spline_segment_axis : arc_segment_axis),
+      .rate_axis_i(arc_segment_axis),
       .tangent_o(tangent),
       .normal_o(normal),
       .advance_o(advance),
+      .cubic_axis_i(spline_segment_axis),
+      .a_o(cubic_a),
+      .b_o(cubic_b),
+      .c_o(cubic_c),
       .point_axis_i(spline ? spline_segment_point : arc_segment_point),
       .point_o(start_point),
       .end_o(end_point)
@@ -208,6 +215,8 @@ module curve_interpolator #(
         .angle_o(angle)
     );
   end else begin : g_no_arcs
+    logic unused;
+    assign unused                                            = &{tangent, normal, advance};
     assign ready[0]                                          = 1'b1;
     assign done[0]                                           = 1'b0;
     assign arc_segment_axis                                  = '0;
@@ -254,9 +263,9 @@ module curve_interpolator #(
         .k_i(k),
         .lambda_i(lambda[4:0]),
         .segment_axis_o(spline_segment_axis),
-        .a_i(tangent),
-        .b_i(normal),
-        .c_i(advance),
+        .a_i(cubic_a),
+        .b_i(cubic_b),
+        .c_i(cubic_c),
         .segment_point_o(spline_segment_point),
         .start_point_i(start_point),
         .end_point_i(end_point),
@@ -280,7 +289,7 @@ module curve_interpolator #(
     );
   end else begin : g_no_splines
     logic unused;
-    assign unused = &{start[1], lambda};
+    assign unused = &{start[1], lambda, cubic_a, cubic_b, cubic_c};
     assign ready[1] = 1'b1;
     assign done[1] = 1'b0;
     assign spline_segment_axis = '0;

@@ -43,6 +43,10 @@ module step_starter #(
     output logic signed [CoefBits-1:0] tangent_o,
     output logic signed [CoefBits-1:0] normal_o,
     output logic signed [CoefBits-1:0] advance_o,
+    input  wire logic   [         3:0] cubic_axis_i,
+    output logic signed [CoefBits-1:0] a_o,
+    output logic signed [CoefBits-1:0] b_o,
+    output logic signed [CoefBits-1:0] c_o,
     input  wire logic   [         3:0] point_axis_i,
     output logic signed [FineBits-1:0] point_o,
     output logic signed [FineBits-1:0] end_o
@@ -111,6 +115,10 @@ module step_starter #(
       .tangent_o,
       .normal_o,
       .advance_o,
+      .cubic_axis_i,
+      .a_o,
+      .b_o,
+      .c_o,
       .point_axis_i,
       .start_o(point),
       .end_o(end_point)

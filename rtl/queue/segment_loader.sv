@@ -7,7 +7,9 @@
 //   take_i            it becomes the present one: from the next clock the reads below show it, and
 //                     the other bank takes words
 //
-// A segment of length zero is consumed and counted.  Reads follow their axis in the same clock.
+// A segment of length zero is consumed and counted.  Reads follow their axis in the same clock; the
+// words of rate_axis_i and cubic_axis_i are the same, read twice, so that lines and arcs on the one
+// hand and splines on the other do not wait for a choice between their axes.
 `default_nettype none
 module segment_loader #(
     parameter int CoefBits = 36,  // [18, 36]
@@ -35,6 +37,10 @@ module segment_loader #(
     output logic signed [CoefBits-1:0] tangent_o,
     output logic signed [CoefBits-1:0] normal_o,
     output logic signed [CoefBits-1:0] advance_o,
+    input  wire logic   [         3:0] cubic_axis_i,
+    output logic signed [CoefBits-1:0] a_o,
+    output logic signed [CoefBits-1:0] b_o,
+    output logic signed [CoefBits-1:0] c_o,
     input  wire logic   [         3:0] point_axis_i,
     output logic signed [FineBits-1:0] start_o,
     output logic signed [FineBits-1:0] end_o
@@ -140,13 +146,17 @@ module segment_loader #(
   logic signed [CoefBits-1:0] normal_memory [ 8];
   logic signed [CoefBits-1:0] advance_memory[32];
   logic        [         4:0] rate;
+  logic        [         4:0] cubic;
   logic        [         4:0] point;
   logic        [         2:0] fill_xyz;
   logic        [         2:0] rate_xyz;
-  assign rate     = {!bank_q, rate_axis_i};
-  assign point    = {!bank_q, point_axis_i};
-  assign fill_xyz = {fill_q[4], fill_q[1:0]};
-  assign rate_xyz = {!bank_q, rate_axis_i[1:0]};
+  logic        [         2:0] cubic_xyz;
+  assign rate      = {!bank_q, rate_axis_i};
+  assign cubic     = {!bank_q, cubic_axis_i};
+  assign point     = {!bank_q, point_axis_i};
+  assign fill_xyz  = {fill_q[4], fill_q[1:0]};
+  assign rate_xyz  = {!bank_q, rate_axis_i[1:0]};
+  assign cubic_xyz = {!bank_q, cubic_axis_i[1:0]};
   always_ff @(posedge clk_i) begin
     if (write_q && write_field_q == Start) start_memory[fill_q] <= data_q[FineBits-1:0];
     if (write_q && write_field_q == End) end_memory[fill_q] <= data_q[FineBits-1:0];
@@ -157,6 +167,9 @@ module segment_loader #(
   assign tangent_o = tangent_memory[rate_xyz];
   assign normal_o  = normal_memory[rate_xyz];
   assign advance_o = advance_memory[rate];
+  assign a_o       = tangent_memory[cubic_xyz];
+  assign b_o       = normal_memory[cubic_xyz];
+  assign c_o       = advance_memory[cubic];
   assign start_o   = start_memory[point];
   assign end_o     = end_memory[point];
 

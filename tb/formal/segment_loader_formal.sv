@@ -71,6 +71,10 @@ module segment_loader_formal (
       .tangent_o(tangent),
       .normal_o(normal),
       .advance_o(advance),
+      .cubic_axis_i('0),
+      .a_o(),
+      .b_o(),
+      .c_o(),
       .point_axis_i(axis),
       .start_o(start),
       .end_o(last)

@@ -52,6 +52,10 @@ module step_starter_formal (
       .tangent_o(),
       .normal_o(),
       .advance_o(),
+      .cubic_axis_i('0),
+      .a_o(),
+      .b_o(),
+      .c_o(),
       .point_axis_i,
       .point_o(),
       .end_o()
