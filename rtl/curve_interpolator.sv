@@ -19,8 +19,7 @@
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
 // TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
 // has words of its own width (ref/order_words.hpp).
-// ParameterGuard: fraction bits below the words' in which a spline's parameter adds up from step to
-// step (hls/spline_kernel.hpp); the planner must know them, as it must know TurnBits.
+// ParameterGuard: fraction bits below the words' in which a spline's parameter adds up.
 // Reset: two clocks or more.  Segments of a kind that is not in Curves are drawn as the other.
 // Formats: hls/words.hpp.
 `default_nettype none
@@ -105,9 +104,7 @@ module curve_interpolator #(
   logic signed [CoefBits-1:0] tangent;
   logic signed [CoefBits-1:0] normal;
   logic signed [CoefBits-1:0] advance;
-  logic signed [CoefBits-1:0] cubic_a;
-  logic signed [CoefBits-1:0] cubic_b;
-  logic signed [CoefBits-1:0] cubic_c;
+  logic signed [CoefBits-1:0] cubic_a, cubic_b, cubic_c;
   logic signed [FineBits-1:0] start_point;
   logic signed [FineBits-1:0] end_point;
 
@@ -120,10 +117,8 @@ module curve_interpolator #(
   logic        [         1:0] point_write;
   logic        [         3:0] arc_point_axis;
   logic        [         3:0] spline_point_axis;
-  logic        [FineBits-1:0] arc_origin;
-  logic        [FineBits-1:0] spline_origin;
-  logic        [FineBits-1:0] arc_segment_end;
-  logic        [FineBits-1:0] spline_segment_end;
+  logic [FineBits-1:0] arc_origin, spline_origin;
+  logic [FineBits-1:0] arc_segment_end, spline_segment_end;
 
   step_starter #(
       .Curves  (Curves),
