@@ -95,12 +95,9 @@ std::vector<Candidate> all_candidates(const Wish& wish) {
 }
 
 bool cost_is_known(const Wish& wish) {
-    bool known = false;
-    each_core(wish, [&](const CoreParameters& parameters) {
-        const Core core = core_for(wish.arcs(), wish.splines(), parameters.build);
-        known = known || estimate(core, parameters, *wish.device).has_value();
-    });
-    return known;
+    const auto known = [&](Build build) { return cost_is_known(build, *wish.device); };
+    if (wish.build) return known(*wish.build);
+    return known(Build::kSerial) || known(Build::kParallel);
 }
 
 }  // namespace curvecore::tb
