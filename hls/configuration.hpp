@@ -2,40 +2,35 @@
 // A configuration of the cores: the parameters that change words. Same names and ranges as the RTL.
 #pragma once
 
-#include "ref/order_words.hpp"
+#include "hls/storage.hpp"
+#include "ref/format/order_words.hpp"
+#include "ref/format/parameters.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 
-/// | parameter      | range    | meaning                                                       |
-/// |----------------|----------|---------------------------------------------------------------|
-/// | Order          | 2 .. 12  | highest power of the series                                   |
-/// | CoefBits       | 18 .. 36 | coefficients, weights, tau, unit vectors: every multiplier    |
-/// |                |          | word                                                          |
-/// | PositionBits   | 16 .. 32 | positions in whole length units                               |
-/// | GuardBits      | 2 .. 12  | fraction bits below the length unit inside the core           |
-/// | AuxAxes        | 0 .. 6   | auxiliary linear axes                                         |
-/// | Anchor         | 0, 1     | splines: V W P from the polynomial at every step (1), or      |
-/// |                |          | every variable propagated by its series as the paper does (0) |
-/// | TurnBits       | 0 .. 14  | 0: all orders of CoefBits. Else arcs in series mode only, so  |
-/// |                |          | short steps that they turn by at most 2^-TurnBits rad:        |
-/// |                |          | ref/order_words.hpp                                           |
-/// | ParameterGuard | 0 .. 8   | splines: fraction bits of the parameter below those of tau,   |
-/// |                |          | in which it adds up from step to step; products have it       |
-/// |                |          | rounded                                                       |
+/// Their ranges and meanings: ref/format/parameters.def.
 template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode,
           bool Anchor = true, int TurnBits = 0, int ParameterGuard = 0>
 struct Configuration {
-    static_assert(Order >= 2 && Order <= 12, "Order must be in [2, 12]");
-    static_assert(CoefBits >= 18 && CoefBits <= 36, "CoefBits must be in [18, 36]");
-    static_assert(PositionBits >= 16 && PositionBits <= 32, "PositionBits must be in [16, 32]");
-    static_assert(GuardBits >= 2 && GuardBits <= 12, "GuardBits must be in [2, 12]");
-    static_assert(AuxAxes >= 0 && AuxAxes <= 6, "AuxAxes must be in [0, 6]");
-    static_assert(TurnBits >= 0 && TurnBits <= 14, "TurnBits must be in [0, 14]");
+    static_assert(ref::parameter_of(&ref::CoreParameters::order).holds(Order), "Order: its range");
+    static_assert(ref::parameter_of(&ref::CoreParameters::coef_bits).holds(CoefBits),
+                  "CoefBits: its range");
+    static_assert(ref::parameter_of(&ref::CoreParameters::position_bits).holds(PositionBits),
+                  "PositionBits: its range");
+    static_assert(ref::parameter_of(&ref::CoreParameters::guard_bits).holds(GuardBits),
+                  "GuardBits: its range");
+    static_assert(ref::parameter_of(&ref::CoreParameters::aux_axes).holds(AuxAxes),
+                  "AuxAxes: its range");
     static_assert(TurnBits == 0 || Mode == SamplerMode::kSeries, "TurnBits needs series mode");
-    static_assert(ParameterGuard >= 0 && ParameterGuard <= 8, "ParameterGuard must be in [0, 8]");
+    static_assert(ref::parameter_of(&ref::CoreParameters::turn_bits).holds(TurnBits),
+                  "TurnBits: its range");
+    static_assert(ref::parameter_of(&ref::CoreParameters::parameter_guard).holds(ParameterGuard),
+                  "ParameterGuard: its range");
 
     static constexpr int kOrder = Order;
     static constexpr int kCoefBits = CoefBits;
@@ -56,12 +51,14 @@ struct Configuration {
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;
 using DefaultSplineConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
 
-/// Formats that no parameter changes.
-constexpr int kPathFrac = 16;         // a path quantum is 2^-16 length unit
+/// Formats that no parameter changes; two of them the planner knows too.
+using ref::kBusLengthBits;
+using ref::kPathFrac;
 constexpr int kMaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
-constexpr int kLengthBits = 48;       // a segment's length, in quanta
+constexpr int kLengthBits = 48;       // path lengths inside the core, in quanta
 constexpr int kPathBits = 64;         // program-wide path length, in quanta
 constexpr int kBusBits = 48;          // one word of the segment and profile streams
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

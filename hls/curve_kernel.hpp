@@ -8,6 +8,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 template <class C>
 class CurveKernel {
@@ -33,5 +34,6 @@ class CurveKernel {
 template <class C>
 using MotionKernel = InterpolatorKernel<C, CurveKernel<C>>;
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

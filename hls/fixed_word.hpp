@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words and the one rounding. Twin: rtl/curvecore_pkg.sv, rtl/arithmetic/.
 //
-// A word is a two's complement integer; its format is in its user's comment. The storage is chosen
-// once for all kernels: native integers (default), ac_int (CURVECORE_AC_INT) or ap_int
-// (CURVECORE_AP_INT); the three give the same bits.
+// A word is a two's complement integer; its format is in its user's comment, its storage that of
+// hls/storage.hpp.
 #pragma once
 
 #include <cstdint>
+
+#include "hls/storage.hpp"
 
 #if defined(CURVECORE_AC_INT)
 #include <ac_int.h>
 #elif defined(CURVECORE_AP_INT)
 #include <ap_int.h>
+#elif defined(CURVECORE_CHECKED)
+#include <stdexcept>
+#include <string>
 #endif
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 #if defined(CURVECORE_AC_INT)
 template <int Bits>
@@ -30,6 +35,31 @@ using Word = ap_int<Bits>;
 template <int Bits>
 inline std::int64_t to_int(const Word<Bits>& word) {
     return word.to_int64();
+}
+#elif defined(CURVECORE_CHECKED)
+__extension__ using Wide = __int128;
+
+/// Arithmetic is that of a wide integer; what is put into a word must fit.
+template <int Bits>
+class Word {
+  public:
+    Word() = default;
+    /// @throws std::range_error
+    Word(Wide value) : value_(value) {
+        const Wide limit = Wide(1) << (Bits - 1);
+        if (value < -limit || value >= limit) {
+            throw std::range_error("a value needs more than the " + std::to_string(Bits) +
+                                   " bits of its word");
+        }
+    }
+    operator Wide() const { return value_; }
+
+  private:
+    Wide value_ = 0;
+};
+template <int Bits>
+inline std::int64_t to_int(const Word<Bits>& word) {
+    return static_cast<std::int64_t>(static_cast<Wide>(word));
 }
 #else
 namespace detail {
@@ -80,5 +110,6 @@ constexpr std::int64_t reciprocal(int i) {
     return ((std::int64_t(1) << (Frac + 1)) / i + 1) / 2;
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

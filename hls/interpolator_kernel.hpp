@@ -11,6 +11,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// Kernel: load(words), step(), sample(sigma, out), as SphericalKernel has them.
 template <class C, class Kernel = SphericalKernel<C>>
@@ -87,5 +88,6 @@ inline Word<C::kPositionBits> to_position(const Word<C::kFineBits>& fine) {
     return Word<C::kPositionBits>(round_shift<C::kFineBits, C::kGuardBits>(fine));
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

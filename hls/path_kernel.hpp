@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words of the path generator: path increments tick by tick, from pieces of constant jerk, and
-// their even share among the samples of a tick. The acceleration block of [Obukhov]. Twin:
-// rtl/path/path_generator.sv.
+// their even share among the samples of a tick. Twin: rtl/path/path_generator.sv.
 //
 // Time runs at a rate r (0 .. 1, 16 fraction bits), so a hold or an override scales time inside a
 // piece and leaves the path as it is. Within a piece the path is evaluated from the piece's start
@@ -12,6 +11,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// s(tau) - s0 of a piece at `time` ticks (16 fraction bits), in quanta. Rounding: one per product,
 /// one to quanta.
@@ -35,12 +35,12 @@ class PathKernel {
 
     /// Advances time by rate / 2^16 ticks, rate in [0, 2^16]; returns the path increment in quanta.
     /// `next_piece(words)` delivers the next piece or returns false; without one, time waits at the
-    /// present piece's end.
+    /// present piece's end. No program begins in a tick that is held, one with target 0.
     template <class NextPiece>
-    Length tick(std::int32_t rate, NextPiece&& next_piece) {
+    Length tick(std::int32_t rate, NextPiece&& next_piece, bool held = false) {
         Length increment = 0;
         if (!active_) {
-            if (!next_piece(piece_)) {
+            if (held || !next_piece(piece_)) {
                 return increment;
             }
             begin_piece(rate);
@@ -113,5 +113,6 @@ class SampleShare {
     Length fraction_ = 0;
 };
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -6,10 +6,11 @@
 #include <stdexcept>
 
 #include "hls/words.hpp"
-#include "ref/plan/segment.hpp"
+#include "ref/curve/segment.hpp"
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// value * 2^frac to nearest, as a word of `bits`.
 /// @throws std::range_error when the word cannot hold it: the planner has promised that it can.
@@ -20,6 +21,13 @@ inline std::int64_t quantise(double value, int frac, int bits) {
         throw std::range_error("a planned value does not fit its word");
     }
     return static_cast<std::int64_t>(scaled);
+}
+
+/// Unsigned, of `bits`.
+/// @throws std::range_error when the word cannot hold it
+inline std::int64_t whole(std::uint64_t value, int bits) {
+    if (value >> bits != 0) throw std::range_error("a planned length does not fit its word");
+    return static_cast<std::int64_t>(value);
 }
 
 /// What only a spline has.
@@ -41,9 +49,11 @@ inline SegmentWords<C> to_words(const ref::Segment& segment) {
     const double theta = segment.radius > 0
                              ? std::ldexp(segment.cos_pitch / segment.radius, segment.step_exponent)
                              : 0.0;
-    words.length = static_cast<std::int64_t>(segment.length);
+    words.length = whole(segment.length, kBusLengthBits);
     words.theta = quantise(theta, C::kUnitFrac, C::kCoefBits);
     words.step_exponent = segment.step_exponent;
+    words.ticks = segment.ticks;
+    words.last = segment.last;
     for (int axis = 0; axis < C::kAxes; ++axis) {
         const bool aux = axis >= 3;
         const std::size_t a = static_cast<std::size_t>(aux ? axis - 3 : 0);
@@ -73,12 +83,13 @@ inline ProfileWords to_words(const ref::ProfilePiece& piece) {
     words.time_exponent = piece.time_exponent;
     words.exponent = piece.exponent;
     words.final = piece.final;
-    words.ds = static_cast<std::int64_t>(piece.ds);
+    words.ds = whole(piece.ds, kBusLengthBits);
     for (std::size_t i = 0; i < 3; ++i) {
         words.c[i] = piece.c[i];
     }
     return words;
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -7,6 +7,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// Displacement d (CoefBits, in units of 2^k) as a position word with GuardBits fraction bits.
 template <class C>
@@ -30,5 +31,6 @@ inline Word<C::kCoefBits> to_tau(const Word<kLengthBits + 1>& sigma, int k) {
     return Word<C::kCoefBits>(fraction >> (kStepBits - C::kUnitFrac));
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

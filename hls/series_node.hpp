@@ -13,6 +13,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// Sum of u[j] ds[i - j] for j in [0, i), rounded once. At most 13 products.
 template <int Bits, int Shift>
@@ -40,5 +41,6 @@ inline Word<OutBits> scaled_down(const Word<Bits>& x, int shift) {
     return Word<OutBits>(round_shift<58>(Word<58>(Word<58>(x) * (1 << Lift)), shift));
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -22,6 +22,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 /// One step of the sine/cosine network ([Chikurov] Fig. 2), two Riemann integrators, scaled by the
 /// step: y_1 = z, z_1 = -y, y_i = (theta/i) z_{i-1}, z_i = -(theta/i) y_{i-1}. The spherical
@@ -145,28 +146,29 @@ class SphericalKernel {
         }
     }
 
-    /// tau with the bits that stage i of a core has; its sums fit theirs (ref/order_words.hpp).
+    /// tau with the bits that stage i of a core has; its sums fit theirs
+    /// (ref/format/order_words.hpp).
     static Coef tau_of(const Coef& tau, int i) {
         const int cut = C::kCoefBits - ref::tau_bits(C::kCoefBits, C::kTurnBits, i);
         return Coef(Coef(tau >> cut) << cut);
     }
 
-    /// Polynomial mode: r0 cos + f0 sin, from the two series of the angle in q = tau^2:
-    ///     d = (t (y_1 + y_3 q + ..) + advance) tau + n (z_2 q + z_4 q^2 + ..)
+    /// Polynomial mode: r0 cos + f0 sin, from the two series of the angle in tau2 = tau^2:
+    ///     d = (t (y_1 + y_3 tau2 + ..) + advance) tau + n (z_2 tau2 + z_4 tau2^2 + ..)
     void sample_xyz(const Coef& tau, Fine* out, std::true_type /*polynomial*/) const {
         constexpr int kOdd = C::kOrder % 2 == 1 ? C::kOrder : C::kOrder - 1;
         constexpr int kEven = C::kOrder % 2 == 0 ? C::kOrder : C::kOrder - 1;
-        const Coef q = rounded_product<C::kCoefBits, C::kUnitFrac>(tau, tau);
+        const Coef tau2 = rounded_product<C::kCoefBits, C::kUnitFrac>(tau, tau);
         Coef sine = angle_.y_coef[kOdd];
         for (int i = kOdd - 2; i >= 1; i -= 2) {
-            sine = Coef(angle_.y_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(sine, q));
+            sine = Coef(angle_.y_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(sine, tau2));
         }
         Coef versine = angle_.z_coef[kEven];
         for (int i = kEven - 2; i >= 2; i -= 2) {
             versine =
-                Coef(angle_.z_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(versine, q));
+                Coef(angle_.z_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(versine, tau2));
         }
-        versine = rounded_product<C::kCoefBits, C::kUnitFrac>(versine, q);
+        versine = rounded_product<C::kCoefBits, C::kUnitFrac>(versine, tau2);
         for (int axis = 0; axis < 3; ++axis) {
             const Coef rate = Coef(advance_[axis] +
                                    rounded_product<C::kCoefBits, C::kCoefFrac>(xyz_[axis].z, sine));
@@ -186,5 +188,6 @@ class SphericalKernel {
     Coef c_[3][C::kOrder + 1] = {};
 };
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

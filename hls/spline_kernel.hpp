@@ -53,6 +53,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 template <class C>
 class SplineKernel {
@@ -125,7 +126,9 @@ class SplineKernel {
             const Word<2 * kBits> bend = Word<2 * kBits>(three_a_[axis]) * Word<2 * kBits>(v_);
             const Coef slope = Coef(b + round_shift<2 * kBits, kBits - 1>(bend));
             const Coef mean = Coef(b + round_shift<2 * kBits, kBits>(bend));
-            const Coef velocity = Coef(2 * c + rounded_product<kBits, kBits - 3>(mean, v_));
+            // 2 M v alone may be beyond 1: it wraps, and V does so back.
+            const Word<2 * kBits> change = Word<2 * kBits>(mean) * Word<2 * kBits>(v_);
+            const Coef velocity = Coef(2 * c + round_shift<2 * kBits, kBits - 3>(change));
             net_.V[axis][0] = velocity;
             net_.W[axis][0] = scaled_down<kBits, 4>(slope, lambda_ - k_);
             norm =
@@ -220,5 +223,6 @@ class SplineKernel {
     Network net_;
 };
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -37,6 +37,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 template <class C>
 struct SplineNetwork {
@@ -88,23 +89,25 @@ struct SplineNetwork {
         }
     }
 
-    /// The state a step farther on: the sum of a series' orders first .. last.
+    /// The state a step farther on: the sum of a series' orders first .. last. What it is on the
+    /// way may wrap in a register of CoefBits: the sum is the same.
     static Coef sum(const Coef* series, int first, int last) {
-        Coef total = 0;
+        Word<kBits + 4> total = 0;
         for (int i = first; i <= last; ++i) {
-            total = Coef(total + series[i]);
+            total = Word<kBits + 4>(total + series[i]);
         }
-        return total;
+        return Coef(total);
     }
 
   private:
     void phi_order(int i) {
-        dp_[i] = 0;
+        Word<kBits + 2> dp = 0;
         for (int axis = 0; axis < 3; ++axis) {
             dv_[axis][i] = convolve<kBits, kBits - 2>(W[axis], dq_, i);
-            dp_[i] = Coef(dp_[i] + convolve<kBits, kBits - 1>(V[axis], dv_[axis], i));
+            dp = Word<kBits + 2>(dp + convolve<kBits, kBits - 1>(V[axis], dv_[axis], i));
             V[axis][i] = over_order<kBits, 2>(dv_[axis][i], i);
         }
+        dp_[i] = Coef(dp);
         dphi_[i] = convolve<kBits, kBits - 3>(Q, dp_, i);
         phi[i] = over_order<kBits, 2>(dphi_[i], i);
     }
@@ -127,5 +130,6 @@ struct SplineNetwork {
     Coef dphi_[C::kOrder + 1] = {};
 };
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -1,41 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
-// What travels to the cores: segment and profile words. THE word formats; hardware, kernel and host
-// read them here (rtl/curvecore_pkg.sv repeats the field positions, held equal by test).
+// What travels to the cores: segment and profile words. THE word formats: kernel and host read the
+// fields here, and rtl/queue/words_pkg.sv is made from them.
 //
-// Segment, one field per 48-bit bus word, sign-extended, in this order:
+// Every bus word has 48 bits: a tag [47:44] that says which word of a frame it is, and 44 bits.
+// Fields fill up from bit 0; bits without a field are 0.
 //
-//   | word  | field         | format                                                          |
-//   |-------|---------------|-----------------------------------------------------------------|
-//   | 0     | length        | unsigned, path quanta (2^-16 length unit); 0: consumed, counted  |
-//   | 1     | theta, k      | theta [CoefBits-1:0], CoefBits-1 fraction bits; k [40:36]        |
-//   | 2 ..  | start         | FineBits, GuardBits fraction bits, length units                 |
-//   |       | end           | as start                                                        |
-//   |       | tangent       | CoefBits, CoefBits-2 fraction bits: (B x r / R) cos(pitch)       |
-//   |       | normal        | as tangent: (r / R) cos(pitch), r from the centre               |
-//   |       | advance       | as tangent: linear rate per unit of path                        |
-//   |       |               | five words for X, five for Y, five for Z                        |
-//   | 17 .. | start, end, advance for each auxiliary axis                                     |
+// Segment:
+//
+//   | tag       | word         | fields                                                         |
+//   |-----------|--------------|----------------------------------------------------------------|
+//   | 1         | length       | [43:0] unsigned, path quanta (2^-16 length unit); 0: consumed,  |
+//   |           |              | counted                                                        |
+//   | 2         | theta        | theta [35:0], CoefBits-1 fraction bits; kind [37:36];           |
+//   |           |              | k [42:38]; last [43]: the program's last segment               |
+//   | 3 .. 7    | start        | [43:0] FineBits, GuardBits fraction bits, length units          |
+//   | for X,    | end          | as start                                                       |
+//   | for Y,    | tangent      | [35:0] CoefBits, CoefBits-2 fraction bits: (B x r / R) cos(pitch)
+//   | | for Z     | normal       | as tangent: (r / R) cos(pitch), r from the centre              |
+//   |           | advance      | as tangent: linear rate per unit of path                       |
+//   | 3, 4, 7   | start, end, advance for each auxiliary axis                                   |
+//
+//   of X in the tangent's word: sequence [43:36], one more than in the segment before, from 0
+//   of X in the normal's word:  lambda [41:36]
+//   of Y and Z in the tangent's and normal's words: ticks, a byte [43:36] each, low byte first:
+//   the time of the profile in which the segment is drawn; a program's ticks are those of its
+//   pieces, together
 //
 // theta is the angle of one integration step of 2^k length units: theta = 2^k cos(pitch) / R.
 // A line has theta = tangent = normal = 0: it is all advance. With TurnBits theta is at most
-// 2^-TurnBits: beyond it sums leave their words, and no core says so.
+// 2^-TurnBits.
 //
-// A spline has the same words in the same places, with another meaning:
+// A spline (kind 1) has the same words in the same places, with another meaning:
 //
-//   | word  | field         | format                                                          |
-//   |-------|---------------|-----------------------------------------------------------------|
-//   | 1     | phi, k,       | phi [CoefBits-1:0] 2^lambda / |V(0)|, CoefBits-2 fraction bits;  |
-//   |       | lambda, kind  | k [40:36]; lambda [46:41]; kind [47] = 1                        |
-//   | 2 ..  | a, b, c       | in the places of tangent, normal, advance, CoefBits-2 fraction  |
-//   |       |               | bits: r(v) = start + 2^lambda ((a v + b) v + c) v               |
+//   | tag     | word    | fields                                                                |
+//   |---------|---------|-----------------------------------------------------------------------|
+//   | 2       | phi     | in theta's place: 2^lambda / |V(0)| in [1, 2), CoefBits-2 fraction bits |
+//   | 5, 6, 7 | a, b, c | in the places of tangent, normal, advance, CoefBits-2 fraction bits:    |
+//   |         |         | r(v) = start + 2^lambda ((a v + b) v + c) v;  k <= lambda               |
 //
-// Profile piece (constant jerk), five bus words:
+// Profile piece (constant jerk):
 //
-//   | word | field                                                                            |
-//   |------|----------------------------------------------------------------------------------|
-//   | 0    | ticks [19:0] 1..2^19, m [24:20] 0..19, e [30:25] 0..46, final [31]                 |
-//   | 1    | ds, unsigned, path quanta                                                        |
-//   | 2..4 | c1 c2 c3: 36 bits, 34 fraction bits, in 2^e quanta                                |
+//   | tag      | word     | fields                                                              |
+//   |----------|----------|---------------------------------------------------------------------|
+//   | 8        | piece    | ticks [19:0] 1..2^m; m [24:20] 0..19; e [30:25] 0..46; final [31];   |
+//   |          |          | sequence [39:32], one more than in the piece before, from 0         |
+//   | 9        | ds       | [43:0] unsigned, path quanta                                        |
+//   | 10 .. 12 | c1 c2 c3 | [35:0] 34 fraction bits, in 2^e quanta                               |
+//
+// A program ends with a last segment and a final piece, both at the same path. No word of zeros and
+// no word of ones is legal.
 #pragma once
 
 #include "hls/configuration.hpp"
@@ -43,6 +56,7 @@
 
 namespace curvecore {
 namespace hls {
+inline namespace CURVECORE_STORAGE {
 
 enum class SegmentKind { kArc = 0, kSpline = 1 };  // a line is an arc without a circle
 
@@ -52,7 +66,9 @@ struct SegmentWords {
     Word<kLengthBits + 1> length = 0;
     Word<C::kCoefBits> theta = 0;  // of a spline: phi
     int step_exponent = 0;
-    int lambda = 0;  // 0 for arcs
+    int lambda = 0;           // 0 for arcs
+    std::uint32_t ticks = 0;  // of the profile, in which it is drawn
+    bool last = false;        // of its program
     Word<C::kFineBits> start[C::kAxes] = {};
     Word<C::kFineBits> end[C::kAxes] = {};
     Word<C::kCoefBits> tangent[3] = {};         // of a spline: a
@@ -75,47 +91,101 @@ struct ProfileWords {
     Word<kProfileBits> c[3] = {};
 };
 
+/// Bits [low + bits - 1 : low] of a bus word.
+struct Field {
+    int low;
+    int bits;
+};
+
+constexpr int kWordsVersion = 2;  // of these formats; every file of words says it
+
+enum class Tag {
+    kLength = 1,
+    kTheta,
+    kStart,
+    kEnd,
+    kTangent,
+    kNormal,
+    kAdvance,
+    kPiece,
+    kDs,
+    kC1,
+    kC2,
+    kC3
+};
+constexpr Field kTagField{44, 4};
+constexpr Field kLengthField{0, ref::kBusLengthBits};  // also ds
+constexpr Field kPointField{0, 44};
+constexpr Field kCoefField{0, 36};
+constexpr Field kKindField{36, 2};
+constexpr Field kStepExponentField{38, 5};
+constexpr Field kLastField{43, 1};
+constexpr Field kSequenceField{36, 8};
+constexpr Field kLambdaField{36, 6};
+constexpr Field kTicksByteField{36, 8};
+constexpr Field kPieceTicksField{0, 20};
+constexpr Field kTimeExponentField{20, 5};
+constexpr Field kExponentField{25, 6};
+constexpr Field kFinalField{31, 1};
+constexpr Field kPieceSequenceField{32, 8};
+
+constexpr std::uint64_t mask(Field field) { return (std::uint64_t(1) << field.bits) - 1; }
+constexpr std::uint64_t put(Field field, std::int64_t value) {
+    return (static_cast<std::uint64_t>(value) & mask(field)) << field.low;
+}
+constexpr std::uint64_t get(Field field, std::uint64_t word) {
+    return (word >> field.low) & mask(field);
+}
+
 template <class C>
 constexpr int segment_bus_words() {
     return 17 + 3 * C::kAuxAxes;
 }
 constexpr int kProfileBusWords = 5;
 
-constexpr std::uint64_t kBusMask = (std::uint64_t(1) << kBusBits) - 1;
+namespace detail {
+template <int Bits>
+inline std::uint64_t bus_word(Tag tag, Field field, const Word<Bits>& word) {
+    return put(kTagField, static_cast<int>(tag)) | put(field, to_int<Bits>(word));
+}
+}  // namespace detail
 
 /// A segment as the bus and the memory file carry it; `out` has segment_bus_words<C>() words.
 template <class C>
-inline void pack(const SegmentWords<C>& segment, std::uint64_t* out) {
-    const std::uint64_t theta_mask = (std::uint64_t(1) << C::kCoefBits) - 1;
-    *out++ = static_cast<std::uint64_t>(to_int<kLengthBits + 1>(segment.length)) & kBusMask;
-    *out++ = (static_cast<std::uint64_t>(to_int<C::kCoefBits>(segment.theta)) & theta_mask) |
-             (static_cast<std::uint64_t>(segment.step_exponent) << 36) |
-             (static_cast<std::uint64_t>(segment.lambda) << 41) |
-             (static_cast<std::uint64_t>(segment.kind) << 47);
+inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out) {
+    constexpr int kCoef = C::kCoefBits;
+    constexpr int kFine = C::kFineBits;
+    *out++ = detail::bus_word<kLengthBits + 1>(Tag::kLength, kLengthField, segment.length);
+    *out++ = detail::bus_word<kCoef>(Tag::kTheta, kCoefField, segment.theta) |
+             put(kKindField, static_cast<int>(segment.kind)) |
+             put(kStepExponentField, segment.step_exponent) | put(kLastField, segment.last);
     for (int axis = 0; axis < C::kAxes; ++axis) {
-        *out++ = static_cast<std::uint64_t>(to_int<C::kFineBits>(segment.start[axis])) & kBusMask;
-        *out++ = static_cast<std::uint64_t>(to_int<C::kFineBits>(segment.end[axis])) & kBusMask;
+        *out++ = detail::bus_word<kFine>(Tag::kStart, kPointField, segment.start[axis]);
+        *out++ = detail::bus_word<kFine>(Tag::kEnd, kPointField, segment.end[axis]);
         if (axis < 3) {
+            const std::int64_t ticks = axis == 0 ? 0 : segment.ticks >> (16 * (axis - 1));
+            *out++ = detail::bus_word<kCoef>(Tag::kTangent, kCoefField, segment.tangent[axis]) |
+                     (axis == 0 ? put(kSequenceField, sequence) : put(kTicksByteField, ticks));
             *out++ =
-                static_cast<std::uint64_t>(to_int<C::kCoefBits>(segment.tangent[axis])) & kBusMask;
-            *out++ =
-                static_cast<std::uint64_t>(to_int<C::kCoefBits>(segment.normal[axis])) & kBusMask;
+                detail::bus_word<kCoef>(Tag::kNormal, kCoefField, segment.normal[axis]) |
+                (axis == 0 ? put(kLambdaField, segment.lambda) : put(kTicksByteField, ticks >> 8));
         }
-        *out++ = static_cast<std::uint64_t>(to_int<C::kCoefBits>(segment.advance[axis])) & kBusMask;
+        *out++ = detail::bus_word<kCoef>(Tag::kAdvance, kCoefField, segment.advance[axis]);
     }
 }
 
 /// A profile piece as the bus and the memory file carry it; `out` has kProfileBusWords words.
-inline void pack(const ProfileWords& piece, std::uint64_t* out) {
-    out[0] = static_cast<std::uint64_t>(piece.ticks) |
-             (static_cast<std::uint64_t>(piece.time_exponent) << 20) |
-             (static_cast<std::uint64_t>(piece.exponent) << 25) |
-             (static_cast<std::uint64_t>(piece.final) << 31);
-    out[1] = static_cast<std::uint64_t>(to_int<kLengthBits + 1>(piece.ds)) & kBusMask;
+inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* out) {
+    out[0] = put(kTagField, static_cast<int>(Tag::kPiece)) | put(kPieceTicksField, piece.ticks) |
+             put(kTimeExponentField, piece.time_exponent) | put(kExponentField, piece.exponent) |
+             put(kFinalField, piece.final) | put(kPieceSequenceField, sequence);
+    out[1] = detail::bus_word<kLengthBits + 1>(Tag::kDs, kLengthField, piece.ds);
     for (int i = 0; i < 3; ++i) {
-        out[2 + i] = static_cast<std::uint64_t>(to_int<kProfileBits>(piece.c[i])) & kBusMask;
+        const Tag tag = static_cast<Tag>(static_cast<int>(Tag::kC1) + i);
+        out[2 + i] = detail::bus_word<kProfileBits>(tag, kCoefField, piece.c[i]);
     }
 }
 
+}  // namespace CURVECORE_STORAGE
 }  // namespace hls
 }  // namespace curvecore

@@ -8,19 +8,19 @@
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
 // order.  It waits until the step it leads to is there.  Nothing is lost at a change of kind.
 //
-//   clocks                            value
+//   clocks (hls/clocks.hpp)           value
 //   between samples                   SampleInterval
 //   request to sample                 12 + 3 SampleInterval + curvecore_pkg::sampler_latency, and
 //                                     up to SampleInterval - 1 more
 //   of an integration step            rtl/network/spherical_steps.sv; spline_steps.sv and 2 more
-//   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
+//   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
 // TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
-// has words of its own width (ref/order_words.hpp).
+// has words of its own width (ref/format/order_words.hpp).
 // ParameterGuard: fraction bits below the words' in which a spline's parameter adds up.
-// Reset: two clocks or more.  Segments of a kind that is not in Curves are drawn as the other.
+// Segments of a kind that is not in Curves are drawn as the other.
 // Formats: hls/words.hpp.
 `default_nettype none
 module curve_interpolator #(
@@ -84,6 +84,16 @@ module curve_interpolator #(
   localparam int StepBits = curvecore_pkg::StepBits;
   localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
 
+  logic rst_n;
+  reset_stretcher u_reset (
+      .clk_i,
+      .rst_ni,
+      .rst_no(rst_n)
+  );
+  logic segment_ready, request_ready;
+  assign segment_ready_o = segment_ready && rst_n;
+  assign request_ready_o = request_ready && rst_n;
+
   // The present segment's words.
   logic                       room;
   logic        [         1:0] ready;
@@ -108,17 +118,15 @@ module curve_interpolator #(
   logic signed [FineBits-1:0] start_point;
   logic signed [FineBits-1:0] end_point;
 
-  // What the steps of either kind say of the axes.
-  logic        [         1:0] rate_valid;
-  logic        [         3:0] arc_rate_axis;
-  logic        [         3:0] spline_rate_axis;
-  logic        [CoefBits-1:0] arc_rate;
-  logic        [CoefBits-1:0] spline_rate;
-  logic        [         1:0] point_write;
-  logic        [         3:0] arc_point_axis;
-  logic        [         3:0] spline_point_axis;
-  logic [FineBits-1:0] arc_origin, spline_origin;
-  logic [FineBits-1:0] arc_segment_end, spline_segment_end;
+  // What the steps of either kind write into the banks.
+  localparam int WordsBits = bank_pkg::Lanes * CoefBits;
+  logic [2:0] write_step;
+  logic [CoefBits+4:0] arc_rate, spline_rate, rate;  // {there, axis, rate}
+  logic [2*FineBits+4:0] arc_point, spline_point, point;  // {there, axis, end, origin}
+  logic [bank_pkg::Bits-1:0] arc_write, spline_write;
+  logic [WordsBits-1:0] arc_words, spline_words;
+  assign rate  = (Curves == 1 || arc_rate[CoefBits+4]) ? arc_rate : spline_rate;
+  assign point = (Curves == 1 || arc_point[2*FineBits+4]) ? arc_point : spline_point;
 
   step_starter #(
       .Curves  (Curves),
@@ -127,9 +135,9 @@ module curve_interpolator #(
       .AuxAxes (AuxAxes)
   ) u_starter (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .segment_valid_i,
-      .segment_ready_o,
+      .segment_ready_o(segment_ready),
       .segment_data_i,
       .empty_segments_o,
       .room_i(room),
@@ -157,16 +165,6 @@ module curve_interpolator #(
       .end_o(end_point)
   );
 
-  logic                       zeroth;
-  logic                       collect;
-  logic        [         3:0] order;
-  logic signed [CoefBits-1:0] x;
-  logic signed [CoefBits-1:0] y;
-  logic signed [CoefBits-1:0] z;
-  logic signed [CoefBits-1:0] f;
-  logic signed [CoefBits-1:0] g;
-  logic signed [CoefBits-1:0] h;
-  logic signed [CoefBits-1:0] angle;
   if (Curves != 2) begin : g_arcs
     spherical_steps #(
         .Order(Order),
@@ -177,7 +175,7 @@ module curve_interpolator #(
         .Mode(Mode)
     ) u_steps (
         .clk_i,
-        .rst_ni,
+        .rst_ni(rst_n),
         .start_i(start[0]),
         .fresh_i(fresh),
         .ready_o(ready[0]),
@@ -191,51 +189,22 @@ module curve_interpolator #(
         .segment_point_o(arc_segment_point),
         .start_point_i(start_point),
         .end_point_i(end_point),
-        .rate_valid_o(rate_valid[0]),
-        .rate_axis_o(arc_rate_axis),
-        .advance_o(arc_rate),
-        .point_write_o(point_write[0]),
-        .point_axis_o(arc_point_axis),
-        .origin_o(arc_origin),
-        .end_o(arc_segment_end),
-        .zeroth_o(zeroth),
-        .collect_o(collect),
-        .order_o(order),
-        .x_o(x),
-        .y_o(y),
-        .z_o(z),
-        .f_o(f),
-        .g_o(g),
-        .h_o(h),
-        .angle_o(angle)
+        .bank_i(write_step[1:0]),
+        .rate_o(arc_rate),
+        .point_o(arc_point),
+        .write_o(arc_write),
+        .words_o(arc_words)
     );
   end else begin : g_no_arcs
     logic unused;
-    assign unused                                            = &{tangent, normal, advance};
-    assign ready[0]                                          = 1'b1;
-    assign done[0]                                           = 1'b0;
-    assign arc_segment_axis                                  = '0;
-    assign arc_segment_point                                 = '0;
-    assign rate_valid[0]                                     = 1'b0;
-    assign arc_rate_axis                                     = '0;
-    assign arc_rate                                          = '0;
-    assign point_write[0]                                    = 1'b0;
-    assign arc_point_axis                                    = '0;
-    assign arc_origin                                        = '0;
-    assign arc_segment_end                                   = '0;
-    assign {zeroth, collect, order, x, y, z, f, g, h, angle} = '0;
+    assign unused                                      = &{start[0], tangent, normal, advance};
+    assign ready[0]                                    = 1'b1;
+    assign done[0]                                     = 1'b0;
+    assign arc_segment_axis                            = '0;
+    assign arc_segment_point                           = '0;
+    assign {arc_rate, arc_point, arc_write, arc_words} = '0;
   end
 
-  logic [           2:0] a_write;
-  logic [  CoefBits-1:0] a;
-  logic [           2:0] v_write;
-  logic [3*CoefBits-1:0] v;
-  logic [           2:0] b_write;
-  logic [3*CoefBits-1:0] b;
-  logic [  CoefBits+4:0] q_term;
-  logic [  CoefBits+4:0] x_term;
-  logic [  CoefBits+4:0] y_term;
-  logic [  CoefBits+4:0] z_term;
   if (Curves != 1) begin : g_splines
     spline_steps #(
         .Order(Order),
@@ -249,7 +218,7 @@ module curve_interpolator #(
         .Form(MultiplierForm % 2)
     ) u_steps (
         .clk_i,
-        .rst_ni,
+        .rst_ni(rst_n),
         .start_i(start[1]),
         .fresh_i(fresh),
         .ready_o(ready[1]),
@@ -264,23 +233,11 @@ module curve_interpolator #(
         .segment_point_o(spline_segment_point),
         .start_point_i(start_point),
         .end_point_i(end_point),
-        .rate_valid_o(rate_valid[1]),
-        .rate_axis_o(spline_rate_axis),
-        .advance_o(spline_rate),
-        .point_write_o(point_write[1]),
-        .point_axis_o(spline_point_axis),
-        .origin_o(spline_origin),
-        .end_o(spline_segment_end),
-        .a_write_o(a_write),
-        .a_o(a),
-        .v_write_o(v_write),
-        .v_o(v),
-        .b_write_o(b_write),
-        .b_o(b),
-        .q_o(q_term),
-        .x_o(x_term),
-        .y_o(y_term),
-        .z_o(z_term)
+        .bank_i(write_step[1:0]),
+        .rate_o(spline_rate),
+        .point_o(spline_point),
+        .write_o(spline_write),
+        .words_o(spline_words)
     );
   end else begin : g_no_splines
     logic unused;
@@ -289,17 +246,9 @@ module curve_interpolator #(
     assign done[1] = 1'b0;
     assign spline_segment_axis = '0;
     assign spline_segment_point = '0;
-    assign rate_valid[1] = 1'b0;
-    assign spline_rate_axis = '0;
-    assign spline_rate = '0;
-    assign point_write[1] = 1'b0;
-    assign spline_point_axis = '0;
-    assign spline_origin = '0;
-    assign spline_segment_end = '0;
-    assign {a_write, a, v_write, v, b_write, b, q_term, x_term, y_term, z_term} = '0;
+    assign {spline_rate, spline_point, spline_write, spline_words} = '0;
   end
 
-  logic [           2:0] write_step;
   logic [           2:0] tau_phase;
   logic                  tau_valid;
   logic [  CoefBits-1:0] tau;
@@ -318,33 +267,12 @@ module curve_interpolator #(
       .MultiplierForm(MultiplierForm)
   ) u_sampler (
       .clk_i,
-      .rst_ni,
-      .bank_i(write_step[1:0]),
-      .spline_i(spline),
-      .step_done_i(done != 2'b00),
-      .rate_valid_i(rate_valid[0]),
-      .rate_axis_i(arc_rate_axis),
-      .advance_i(arc_rate),
-      .zeroth_i(zeroth),
-      .collect_i(collect),
-      .order_i(order),
-      .x_i(x),
-      .y_i(y),
-      .z_i(z),
-      .f_i(f),
-      .g_i(g),
-      .h_i(h),
-      .angle_i(angle),
-      .a_write_i(a_write),
-      .a_i(a),
-      .v_write_i(v_write),
-      .v_i(v),
-      .b_write_i(b_write),
-      .b_i(b),
-      .q_term_i(q_term),
-      .x_term_i(x_term),
-      .y_term_i(y_term),
-      .z_term_i(z_term),
+      .rst_ni(rst_n),
+      .rate_i(arc_rate),
+      .arc_write_i(arc_write),
+      .arc_words_i(arc_words),
+      .spline_write_i(spline_write),
+      .spline_words_i(spline_words),
       .phase_i(tau_phase),
       .valid_i(tau_valid),
       .tau_i(tau),
@@ -364,7 +292,7 @@ module curve_interpolator #(
       .MultiplierForm(MultiplierForm)
   ) u_side (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .room_o(room),
       .write_step_o(write_step),
       .step_done_i(done != 2'b00),
@@ -372,15 +300,10 @@ module curve_interpolator #(
       .k_i(k),
       .offset_i(offset),
       .stride_i(stride),
-      .rate_valid_i(rate_valid != 2'b00),
-      .rate_axis_i(spline ? spline_rate_axis : arc_rate_axis),
-      .advance_i(spline ? spline_rate : arc_rate),
-      .point_write_i(point_write != 2'b00),
-      .point_axis_i(spline ? spline_point_axis : arc_point_axis),
-      .origin_i(spline ? spline_origin : arc_origin),
-      .end_i(spline ? spline_segment_end : arc_segment_end),
+      .rate_i(rate),
+      .point_i(point),
       .request_valid_i,
-      .request_ready_o,
+      .request_ready_o(request_ready),
       .request_ds_i,
       .phase_o(tau_phase),
       .tau_valid_o(tau_valid),

@@ -10,25 +10,20 @@
 // serial/spline_program.hpp) for one multiplier and one word memory.  Up to three samples are under
 // way at a time.
 //
-//   clocks                          value (Frames = Order series, 4 + floor(Order / 2) polynomial,
-//                                   Order + 3 polynomial of splines, and ceil(AuxAxes / 3) more)
-//   between samples of a step       on average at most
-//                                   max(9 (1 + ceil(AuxAxes / 3)), 3 (Frames + 5), 24)
-//   from a step's last sample to    at most 15 Order + 9 Frames + 84
-//   the first of the next step
-//   the same of the next segment    at most 27 Order + 9 Frames + 3 AuxAxes + 66, polynomial
-//                                   11 Order + 24 more, if its words come without a pause
-//   of splines: the next step       at most 4 Order^2 + 39 Order + 9 Frames + 120
-//   the next segment                at most 4 Order^2 + 37 Order + 9 Frames + 3 AuxAxes + 162;
-//                                   both 3 Order (Order + 11) / 2 more with series
+//   clocks at most, of Order 6 without        arcs, series    splines, polynomial
+//   auxiliary axes; of any: hls/clocks.hpp
+//   between samples of a step, on average     24              33
+//   from a step's last sample to the first    219             579
+//   of the next step
+//   the same of the next segment, if its      273             609
+//   words come without a pause
 //
 // One multiplier does the network's work and the samples': a change of step waits for the samples
-// under way, and a segment's words are taken when the path has left the segment before.  (Order 6,
-// no auxiliary axes: arcs, series, 22 clocks within a step, 219 at a step, 273 at a segment;
-// splines, polynomial, 42, 579 and 597.)
+// under way, and a segment's words are taken when the path has left the segment before.  Two
+// samples that are not taken yet are held, while requests wait.
 //
-// A reset of two clocks or more starts afresh; the program's constants come with the device's
-// configuration (serial/word_memory.sv), so memories must be initialised.
+// The program's constants come with the device's configuration (serial/word_memory.sv), so memories
+// must be initialised.
 //
 // SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp; a
 // segment's kind counts with Splines only.
@@ -82,6 +77,17 @@ module curve_interpolator_serial #(
 
   localparam int FineBits = PositionBits + GuardBits;
 
+  logic rst_n;
+  reset_stretcher u_reset (
+      .clk_i,
+      .rst_ni,
+      .rst_no(rst_n)
+  );
+  logic segment_ready;
+  logic request_ready;
+  assign segment_ready_o = segment_ready && rst_n;
+  assign request_ready_o = request_ready && rst_n;
+
   logic                write;
   logic                write_ready;
   logic [ 7+Splines:0] write_address;
@@ -112,13 +118,13 @@ module curve_interpolator_serial #(
       .Splines(Splines)
   ) u_tracker (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .segment_valid_i,
-      .segment_ready_o,
+      .segment_ready_o(segment_ready),
       .segment_data_i,
       .empty_segments_o,
       .request_valid_i,
-      .request_ready_o,
+      .request_ready_o(request_ready),
       .request_ds_i,
       .write_o(write),
       .write_ready_i(write_ready),
@@ -148,7 +154,7 @@ module curve_interpolator_serial #(
   logic       taken;
   logic [1:0] held_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) held_q <= 2'd0;
+    if (!rst_n) held_q <= 2'd0;
     else if (issued && !taken) held_q <= held_q + 2'd1;
     else if (taken && !issued) held_q <= held_q - 2'd1;
   end
@@ -168,7 +174,7 @@ module curve_interpolator_serial #(
       .Splines(Splines)
   ) u_sequencer (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .net_start_i(net_start),
       .net_entry_i(net_entry),
       .net_order_i(net_order),
@@ -201,7 +207,7 @@ module curve_interpolator_serial #(
       .MultiplierForm(MultiplierForm)
   ) u_datapath (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .a_address_i(a_address),
       .b_address_i(b_address),
       .c_address_i(c_address),
@@ -227,7 +233,7 @@ module curve_interpolator_serial #(
       .Splines(Splines)
   ) u_lander (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .write_start_i(write_start),
       .write_end_i(write_end),
       .write_axis_i(write_axis),

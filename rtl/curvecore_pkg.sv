@@ -15,7 +15,7 @@ package curvecore_pkg;
     weight_digits = (bits + 1) / 2;
   endfunction
 
-  // Enabled clocks of an evaluation (rtl/arithmetic/horner.sv).
+  // Enabled clocks of an evaluation (rtl/arithmetic/horner.sv).  Twin: hls/clocks.hpp.
   function automatic int horner_loop(input int interval);
     case (interval)
       1: horner_loop = MultiplierLatency + 1;
@@ -29,7 +29,7 @@ package curvecore_pkg;
   endfunction
 
   // Widths of the pass of order `i` in an arc's series whose steps turn by at most 2^-turn rad,
-  // turn >= 1; turn = 0: all orders alike.  Twin: ref/order_words.hpp, which says why.
+  // turn >= 1; turn = 0: all orders alike.  Twin: ref/format/order_words.hpp, which says why.
   function automatic int factorial_bits(input int i);  // ceil(log2 i!)
     case (i)
       2: factorial_bits = 1;

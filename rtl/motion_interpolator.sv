@@ -8,31 +8,50 @@
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick of time. Its rate
 // follows override_i, or stops for hold_i, kill_i and underrun, with bounded first and second
 // differences; time stops, the geometry stays. Inputs beside the streams belong to that request.
+// While they stop time no program begins. kill_i is a hold for good: killed_o rises at once,
+// standing_o when the machine stands. The first request after a reset sets the rate at once.
+//
+// Settings are taken while nothing is under way. With settings outside their ranges time does not
+// run; they are reported when a program waits for them, and so is a change while one is under way.
 //
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
 //   request to path increment, clocks    about 60; to sample: plus the core's
 //
-// Reset: two clocks or more, in which the settings stand still. It empties the queues.
+// A reset empties the queues.
 //
-// Word formats: hls/words.hpp. Whoever feeds the profile keeps more ticks queued than
-// 2 stop_ticks_i + 8, or the final piece; else underrun_o tells that time was stopped meanwhile.
+// Word formats: hls/words.hpp.  A stream that starves is no fault: time stops while queued words
+// still cover the stop, underrun_o tells, and goes on when they cover two, or a queue is full.  A
+// program begins when its words cover as much.  So a program whose full queues do not cover a stop
+// (stop_ticks_i + 10 ticks) cannot be drawn: fault.
+//
+// Faults are sticky until reset.  Those of words cut the streams: further words are taken and
+// dropped, what is queued is drawn to a stop.
+//
+//   fault_o[0]  a segment word that cannot be: lost, doubled, foreign, out of range
+//   fault_o[1]  a segment is missing or came twice
+//   fault_o[2]  a profile word that cannot be
+//   fault_o[3]  a piece is missing or came twice
+//   fault_o[4]  segments and pieces of a program end apart, in path or ticks
+//   fault_o[5]  a full queue does not cover a stop
+//   fault_o[6]  settings that cannot be, or that changed in motion: not obeyed
+//   fault_o[7]  no sample of a program for 2^13 clocks: words lied, positions cannot be trusted
 `default_nettype none
 module motion_interpolator #(
-    parameter int Build             = 0,    // 0 parallel, 1 serial
-    parameter int Order             = 6,    // [2, 12]
-    parameter int CoefBits          = 36,   // [18, 36]
-    parameter int PositionBits      = 32,   // [16, 32]
-    parameter int GuardBits         = 10,   // [2, 12]
-    parameter int AuxAxes           = 0,    // [0, 6]
-    parameter int Splines           = 0,    // 1: segments of splines too
-    parameter int Mode              = 0,    // 0 series, 1 polynomial
-    parameter int Anchor            = 1,    // of splines: 0, 1; 0 with Build 0 only
-    parameter int SampleInterval    = 1,    // 1, 2, 4, 8 clocks
-    parameter int ParameterGuard    = 0,    // of splines: [0, 8]; above 0 with Build 0 only
-    parameter int TurnBits          = 0,    // [0, 14]; above 0: as curve_interpolator's, Build 0
-    parameter int MultiplierForm    = 0,    // 0 portable, 1 ECP5, 2 UP5K
-    parameter int SegmentQueueWords = 256,  // [2, 65536], a power of two
-    parameter int ProfileQueueWords = 512   // [16, 4096], a power of two
+    parameter int Build             = 0,     // 0 parallel, 1 serial
+    parameter int Order             = 6,     // [2, 12]
+    parameter int CoefBits          = 36,    // [18, 36]
+    parameter int PositionBits      = 32,    // [16, 32]
+    parameter int GuardBits         = 10,    // [2, 12]
+    parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Splines           = 0,     // 1: segments of splines too
+    parameter int Mode              = 0,     // 0 series, 1 polynomial
+    parameter int Anchor            = 1,     // of splines: 0, 1; 0 with Build 0 only
+    parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
+    parameter int ParameterGuard    = 0,     // of splines: [0, 8]; above 0 with Build 0 only
+    parameter int TurnBits          = 0,     // [0, 14]; above 0: as curve_interpolator's, Build 0
+    parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -52,11 +71,11 @@ module motion_interpolator #(
     input  wire logic [16:0] override_i,              // 65536 = 100 %
     input  wire logic        kill_i,                  // stops for good
 
-    // Settings, which stand still
-    input wire logic [ 3:0] samples_per_tick_log2_i,
-    input wire logic [31:0] hold_acceleration_i,      // second difference of time, 2^-32 per tick^2
-    input wire logic [32:0] hold_slope_i,             // first difference, a multiple of it
-    input wire logic [31:0] stop_ticks_i,             // from full rate, within these bounds
+    // Settings
+    input wire logic [3:0] samples_per_tick_log2_i,
+    input wire logic [31:0] hold_acceleration_i,  // [1, 2^31] second difference of time, 2^-32
+    input wire logic [32:0] hold_slope_i,  // [hold_acceleration_i, 2^32] first difference
+    input wire logic [31:0] stop_ticks_i,  // [1, 2^29) of the profile, that a stop needs
 
     // Samples, axis 0 in the low bits
     output logic                                                 sample_valid_o,
@@ -68,10 +87,13 @@ module motion_interpolator #(
     output logic        path_valid_o,
     output logic [47:0] path_ds_o,
     output logic [16:0] path_rate_o,
+    output logic        path_active_o,    // a program was under way
     output logic [63:0] path_o,
     output logic        active_o,         // a program is under way
     output logic        underrun_o,       // sticky
     output logic        killed_o,
+    output logic        standing_o,       // and does until a request's target is not 0
+    output logic [ 7:0] fault_o,          // sticky
     output logic [15:0] empty_segments_o
 );
 
@@ -86,165 +108,138 @@ module motion_interpolator #(
   localparam int TickInterval = (Build == 1) ? 8 : SampleInterval;
   localparam int Room = (TickInterval <= 2) ? 128 : (TickInterval == 4) ? 32 : 16;
 
-  // Profile
+  logic rst_n;
+  reset_stretcher u_reset (
+      .clk_i,
+      .rst_ni,
+      .rst_no(rst_n)
+  );
+
+  logic segment_ready;
+  logic profile_ready;
+  assign segment_ready_o = segment_ready && rst_n;
+  assign profile_ready_o = profile_ready && rst_n;
+  logic core_segment_valid;
+  logic core_segment_ready;
+  logic [47:0] core_segment_data;
   logic word_valid;
   logic word_ready;
   logic [47:0] word;
-  word_queue #(
-      .Bits (48),
-      .Depth(ProfileQueueWords)
-  ) u_profile_queue (
-      .clk_i,
-      .rst_ni,
-      .valid_i(profile_valid_i),
-      .ready_o(profile_ready_o),
-      .data_i (profile_data_i),
-      .valid_o(word_valid),
-      .ready_i(word_ready),
-      .data_o (word)
-  );
-
   logic queued;
-  logic plenty;
-  logic final_queued;
-  logic [31:0] queued_ticks;
   logic take;
   logic [19:0] take_ticks;
   logic take_final;
-  piece_ledger #(
-      .QueueWords(ProfileQueueWords)
-  ) u_ledger (
-      .clk_i,
-      .rst_ni,
-      .word_i(profile_valid_i && profile_ready_o),
-      .data_i(profile_data_i),
-      .take_i(take),
-      .take_ticks_i(take_ticks),
-      .take_final_i(take_final),
-      .queued_o(queued),
-      .plenty_o(plenty),
-      .final_o(final_queued),
-      .ticks_o(queued_ticks)
-  );
-
   logic present_final;
   logic signed [21:0] present_ticks;
   logic [4:0] started;
+  logic [31:0] stop_ticks;
   logic hold;
-  underrun_guard u_guard (
+  logic may_begin;
+  word_streams #(
+      .CoefBits(CoefBits),
+      .FineBits(PositionBits + GuardBits),
+      .AuxAxes(AuxAxes),
+      .Splines(Splines),
+      .TurnBits(TurnBits),
+      .SegmentQueueWords(SegmentQueueWords),
+      .ProfileQueueWords(ProfileQueueWords)
+  ) u_words (
       .clk_i,
-      .rst_ni,
-      .stop_ticks_i,
-      .plenty_i(plenty),
-      .final_i(final_queued),
-      .ticks_i(queued_ticks),
+      .rst_ni(rst_n),
+      .segment_valid_i,
+      .segment_ready_o(segment_ready),
+      .segment_data_i,
+      .profile_valid_i,
+      .profile_ready_o(profile_ready),
+      .profile_data_i,
+      .segment_valid_o(core_segment_valid),
+      .segment_ready_i(core_segment_ready),
+      .segment_data_o(core_segment_data),
+      .profile_valid_o(word_valid),
+      .profile_ready_i(word_ready),
+      .profile_data_o(word),
+      .queued_o(queued),
+      .take_i(take),
+      .take_ticks_i(take_ticks),
+      .take_final_i(take_final),
       .active_i(active_o),
       .present_final_i(present_final),
       .present_ticks_i(present_ticks),
       .started_i(started),
+      .stop_ticks_i(stop_ticks),
       .hold_o(hold),
-      .underrun_o
+      .begin_o(may_begin),
+      .underrun_o,
+      .fault_o(fault_o[5:0])
   );
 
-  // Requests into ticks of time
-  logic tick;
-  logic [16:0] target;
+  // Requests into rates of time
   logic tick_taken;
   logic sent;
   logic wanted;
-  sample_gate #(
+  logic [3:0] samples_per_tick_log2;
+  logic rate_valid;
+  logic rate_ready;
+  logic [16:0] rate;
+  logic held;
+  rate_generator #(
       .Room(Room)
-  ) u_gate (
+  ) u_rate (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .samples_per_tick_log2_i,
+      .hold_acceleration_i,
+      .hold_slope_i,
+      .stop_ticks_i,
+      .active_i(active_o),
+      .queued_i(queued),
+      .samples_per_tick_log2_o(samples_per_tick_log2),
+      .stop_ticks_o(stop_ticks),
+      .settings_fault_o(fault_o[6]),
       .request_valid_i(sample_request_valid_i),
       .request_ready_o(sample_request_ready_o),
       .kill_i,
       .hold_i,
       .underrun_i(hold),
       .override_i,
-      .tick_o(tick),
-      .target_o(target),
       .killed_o,
+      .standing_o,
+      .rate_valid_o(rate_valid),
+      .rate_ready_i(rate_ready),
+      .rate_o(rate),
+      .held_o(held),
       .tick_taken_i(tick_taken),
       .started_o(started),
       .sent_i(sent),
-      .wanted_o(wanted)
-  );
-
-  // The gate keeps room in these queues and in that of the increments.
-  logic target_room;
-  logic next_valid;
-  logic next_ready;
-  logic [16:0] next_target;
-  word_queue #(
-      .Bits (17),
-      .Depth(16)
-  ) u_target_queue (
-      .clk_i,
-      .rst_ni,
-      .valid_i(tick),
-      .ready_o(target_room),
-      .data_i (target),
-      .valid_o(next_valid),
-      .ready_i(next_ready),
-      .data_o (next_target)
-  );
-
-  logic scaled_valid;
-  logic [16:0] scaled;
-  time_scaler u_scaler (
-      .clk_i,
-      .rst_ni,
-      .acceleration_i(hold_acceleration_i),
-      .slope_i(hold_slope_i),
-      .valid_i(next_valid),
-      .ready_o(next_ready),
-      .target_i(next_target),
-      .valid_o(scaled_valid),
-      .rate_o(scaled)
-  );
-
-  logic rate_room;
-  logic rate_valid;
-  logic rate_ready;
-  logic [16:0] rate;
-  word_queue #(
-      .Bits (17),
-      .Depth(16)
-  ) u_rate_queue (
-      .clk_i,
-      .rst_ni,
-      .valid_i(scaled_valid),
-      .ready_o(rate_room),
-      .data_i (scaled),
-      .valid_o(rate_valid),
-      .ready_i(rate_ready),
-      .data_o (rate)
+      .wanted_o(wanted),
+      .leaves_i(sample_valid_o && sample_ready_i)
   );
 
   // Ticks into path increments
   logic ds_valid;
   logic [47:0] ds;
   logic [16:0] ds_rate;
+  logic ds_active;
   path_generator #(
       .Interval(TickInterval),
       .MultiplierForm(MultiplierForm)
   ) u_path (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .word_valid_i(word_valid),
       .word_ready_o(word_ready),
       .word_i(word),
       .queued_i(queued),
+      .begin_i(may_begin),
       .rate_valid_i(rate_valid),
       .rate_ready_o(rate_ready),
       .rate_i(rate),
+      .held_i(held),
       .tick_taken_o(tick_taken),
       .ds_valid_o(ds_valid),
       .ds_o(ds),
       .ds_rate_o(ds_rate),
+      .ds_active_o(ds_active),
       .piece_take_o(take),
       .active_o,
       .last_o(present_final),
@@ -256,35 +251,35 @@ module motion_interpolator #(
   logic ds_room;
   logic share_valid;
   logic share_ready;
-  logic [64:0] share;
+  logic [65:0] share;
   word_queue #(
-      .Bits (65),
+      .Bits (66),
       .Depth(Room)
   ) u_ds_queue (
       .clk_i,
-      .rst_ni,
+      .rst_ni (rst_n),
       .valid_i(ds_valid),
       .ready_o(ds_room),
-      .data_i ({ds_rate, ds}),
+      .data_i ({ds_active, ds_rate, ds}),
       .valid_o(share_valid),
       .ready_i(share_ready),
       .data_o (share)
   );
-  logic unused_rooms;
-  assign unused_rooms = target_room && rate_room && ds_room;
+  logic unused_room;
+  assign unused_room = ds_room;
 
   logic move_valid;
   logic move_ready;
   logic [47:0] move_ds;
-  logic [16:0] move_rate;
+  logic [17:0] move_rate;
   sample_share u_share (
       .clk_i,
-      .rst_ni,
-      .samples_per_tick_log2_i,
+      .rst_ni(rst_n),
+      .samples_per_tick_log2_i(samples_per_tick_log2),
       .tick_valid_i(share_valid),
       .tick_ready_o(share_ready),
       .tick_ds_i(share[47:0]),
-      .tick_rate_i(share[64:48]),
+      .tick_rate_i(share[65:48]),
       .wanted_i(wanted),
       .sent_o(sent),
       .sample_valid_o(move_valid),
@@ -295,34 +290,27 @@ module motion_interpolator #(
 
   path_meter u_meter (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .move_i (move_valid && move_ready),
       .ds_i   (move_ds),
       .rate_i (move_rate),
       .valid_o(path_valid_o),
       .ds_o   (path_ds_o),
-      .rate_o (path_rate_o),
+      .rate_o ({path_active_o, path_rate_o}),
       .path_o
   );
 
-  // Curve
-  logic core_segment_valid;
-  logic core_segment_ready;
-  logic [47:0] core_segment_data;
-  word_queue #(
-      .Bits (48),
-      .Depth(SegmentQueueWords)
-  ) u_segment_queue (
-      .clk_i,
-      .rst_ni,
-      .valid_i(segment_valid_i),
-      .ready_o(segment_ready_o),
-      .data_i (segment_data_i),
-      .valid_o(core_segment_valid),
-      .ready_i(core_segment_ready),
-      .data_o (core_segment_data)
-  );
+  // Whatever the words were: a sample comes, or this is up.
+  logic [13:0] patience_q;
+  logic waits;
+  assign waits = move_rate[17] && move_valid && !move_ready && !sample_valid_o;
+  assign fault_o[7] = patience_q[13];
+  always_ff @(posedge clk_i) begin
+    if (!rst_n) patience_q <= '0;
+    else if (!patience_q[13]) patience_q <= waits ? patience_q + 1'b1 : '0;
+  end
 
+  // Curve
   if (Build == 0) begin : g_parallel
     curve_interpolator #(
         .Curves((Splines == 1) ? 3 : 1),

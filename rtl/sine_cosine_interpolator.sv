@@ -14,7 +14,6 @@
 //   Digits + 8 + (i - 1) (Digits + 3)          coef_valid_o, order_o = i
 //   Order (Digits + 3) + 5                     ready_o again
 //
-// Reset: two clocks or more.
 // Formats: theta CoefBits - 1 fraction bits, below 1; all else CoefBits - 2 fraction bits.
 `default_nettype none
 module sine_cosine_interpolator #(
@@ -40,6 +39,15 @@ module sine_cosine_interpolator #(
   initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
   initial if (CoefBits < 18 || CoefBits > 36) $fatal(1, "CoefBits must be in [18, 36]");
 
+  logic rst_n;
+  reset_stretcher u_reset (
+      .clk_i,
+      .rst_ni,
+      .rst_no(rst_n)
+  );
+  logic ready;
+  assign ready_o = ready && rst_n;
+
   logic                load;
   logic [CoefBits-1:0] theta_q;
   assign load = step_i && ready_o && load_i;
@@ -47,40 +55,22 @@ module sine_cosine_interpolator #(
     if (load) theta_q <= theta_i;
   end
 
-  logic       take;
-  logic       close;
-  logic       triple;
-  logic       step;
-  logic       last;
-  logic [1:0] digit;
-  logic       advance;
-  logic       zeroth;
-  logic       collect;
-  logic       first;
-  logic       zeroth_there;
-  logic       collect_there;
-  logic [3:0] order;
-  logic       unused_done;
+  logic [riemann_pkg::ExpansionBits-1:0] control;
+  logic                                  zeroth_there;
+  logic                                  collect_there;
+  logic [                           3:0] order;
+  logic                                  unused_done;
   taylor_sequencer #(
       .Order(Order),
       .Bits (CoefBits)
   ) u_sequencer (
       .clk_i,
-      .rst_ni,
+      .rst_ni(rst_n),
       .start_i(step_i),
       .fresh_i(load_i),
       .theta_i(theta_q),
-      .ready_o,
-      .take_o(take),
-      .close_o(close),
-      .triple_o(triple),
-      .step_o(step),
-      .last_o(last),
-      .digit_o(digit),
-      .advance_o(advance),
-      .zeroth_o(zeroth),
-      .collect_o(collect),
-      .first_o(first),
+      .ready_o(ready),
+      .control_o(control),
       .zeroth_there_o(zeroth_there),
       .collect_there_o(collect_there),
       .order_there_o(order),
@@ -91,19 +81,9 @@ module sine_cosine_interpolator #(
       .CoefBits(CoefBits)
   ) u_network (
       .clk_i,
-      .load_i(load),
+      .control_i({load, control}),
       .sine_i,
       .cosine_i,
-      .take_i(take),
-      .close_i(close),
-      .triple_i(triple),
-      .step_i(step),
-      .last_i(last),
-      .digit_i(digit),
-      .advance_i(advance),
-      .zeroth_i(zeroth),
-      .collect_i(collect),
-      .first_i(first),
       .y_o(sine_o),
       .z_o(cosine_o)
   );

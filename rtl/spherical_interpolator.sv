@@ -13,13 +13,12 @@
 //   request to sample                 12 + 3 SampleInterval + that of the sampler, and up to
 //                                     SampleInterval - 1 more
 //   of an integration step            Order (Digits + 3) + 7
-//   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
+//   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
 // TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
-// has words of its own width (ref/order_words.hpp).
-// Reset: two clocks or more.
+// has words of its own width (ref/format/order_words.hpp).
 // Formats: hls/words.hpp.
 `default_nettype none
 module spherical_interpolator #(

@@ -13,12 +13,12 @@
 //   request to sample                 12 + 3 SampleInterval + that of spline_sampler, and up to
 //                                     SampleInterval - 1 more
 //   of an integration step            94 + those of spline_sequencer
-//   to load a segment                 18 + 3 AuxAxes, while the one before is drawn
+//   to load a segment                 19 + 3 AuxAxes, while the one before is drawn
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // ParameterGuard: fraction bits below the words' in which the spline's parameter adds up from step
 // to step (hls/spline_kernel.hpp); the planner must know them.
-// Segments of other kinds are not for this core.  Reset: two clocks or more.
+// Segments of other kinds are not for this core.
 // Formats: hls/words.hpp.
 `default_nettype none
 module spline_interpolator #(

@@ -4,6 +4,17 @@
 # the RTL at 100,000 samples a second, the papers' tables, others' methods, what choose answers.
 # Prints rows and writes build/bench.json.
 set -euo pipefail
+case ${1:-} in
+  "") ;;
+  -h | --help)
+    sed -n '3,5s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+  *)
+    echo "bench: takes no arguments" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
@@ -19,6 +30,9 @@ build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
 build/release/tb/bench/other_interpolators -o build/figures/others.json
 python3 scripts/others_figure.py
+rm -rf build/demo
+build/curvecore run tb/data/demo.ngc -o build/demo -q
+python3 scripts/demo_figure.py
 build/release/tb/bench/order_words -o build/figures/order_words.json >/dev/null
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
   --confirm -q -o build/figures/choose/up5k
@@ -28,8 +42,8 @@ build/curvecore choose --error 1nm --length 10mm --feed 1m/min --device ecp5-25 
   --build parallel -q -o build/figures/choose/splines
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
   --sample-rate 500kHz >build/figures/choose/impossible.txt || [ $? = 3 ]
-build/curvecore compare --curves splines --order 4 --coef-bits 24:36:4 --mode 1 \
-  --parameter-guard 0,4,8 --segments 1000 -q -o build/figures/parameter_guard
+build/curvecore compare --curves splines --set Order=4 --set CoefBits=24:36:4 --set Mode=1 \
+  --set ParameterGuard=0,4,8 --segments 1000 -q -o build/figures/parameter_guard
 for part in arcs demo; do
   for build in parallel serial; do
     rm -rf "build/bench/$part-$build"

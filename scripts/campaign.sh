@@ -5,8 +5,18 @@
 #
 #   scripts/campaign.sh [SAMPLES]      samples in all, default 10^9; logs in build/campaign
 set -euo pipefail
-cd "$(dirname "$0")/.."
 total=${1:-1000000000}
+case $total in
+  -h | --help)
+    sed -n '3,6s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+  "" | *[!0-9]* | 0*)
+    echo "campaign: '$total' is no number of samples: digits only, such as 1000000" >&2
+    exit 2
+    ;;
+esac
+cd "$(dirname "$0")/.."
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON >/dev/null
@@ -37,6 +47,7 @@ done | xargs -P "$(nproc)" -L 1 sh -c \
    grep -H "words differ" $log'
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
+build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
 build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
 
 python3 - <<'PYTHON'

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fits the cost model to runs of scripts/synth.sh: writes tb/compare/cost_model.json.
+"""Fits the cost model to runs of scripts/synth.sh: writes sysc/widths/cost_model.json.
 
     scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
 
@@ -24,9 +24,9 @@ import sys
 
 import numpy
 
+from synthesis.devices import DEVICES
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FAMILIES = {"ecp5-25": "ecp5", "ecp5-45": "ecp5", "ecp5-85": "ecp5"}  # others: the device itself
-SLOWEST = {"ecp5": "6", "lifcl-40": "7"}  # speed grade, where there are several
 PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval",
               "TurnBits")
 COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
@@ -50,7 +50,7 @@ def stages(passes, interval):
 
 
 def own_widths(run):
-    """Sum and tau of each order in halves of CoefBits, as ref/order_words.hpp has them."""
+    """Sum and tau of each order in halves of CoefBits, as ref/format/order_words.hpp has them."""
     width = run["CoefBits"]
     for i in range(1, run["Order"] + 1):
         copies = run["TurnBits"] * (i - 1) + (math.factorial(i) - 1).bit_length() if i > 1 else 0
@@ -58,7 +58,7 @@ def own_widths(run):
 
 
 def wide_multipliers(run):
-    """As mean_wide in tb/compare/cost_structure.cpp."""
+    """As mean_wide in sysc/widths/cost_structure.cpp."""
     if run["build"] == "serial":
         return 1
     interval, order = run["SampleInterval"], run["Order"]
@@ -77,14 +77,14 @@ def wide_multipliers(run):
 
 
 def narrow_multipliers(run):
-    """As count_multipliers in tb/compare/cost_structure.cpp."""
+    """As count_multipliers in sysc/widths/cost_structure.cpp."""
     if run["build"] == "serial" or run["core"] == "spherical":
         return 0
     return 8 + (3 if run["Mode"] == 0 else 0)
 
 
 def soft_bits(run):
-    """As in tb/compare/cost_structure.cpp."""
+    """As in sysc/widths/cost_structure.cpp."""
     width, low = run["CoefBits"], run["CoefBits"] - 18
     if run["family"] == "hx8k":
         return width * width
@@ -94,7 +94,7 @@ def soft_bits(run):
 
 
 def wide_block(run):
-    """As in tb/compare/cost_structure.cpp."""
+    """As in sysc/widths/cost_structure.cpp."""
     return int(run["family"] == "lifcl-40" and run["CoefBits"] == 36)
 
 
@@ -209,12 +209,13 @@ def read(path):
                 row["TurnBits"] = row["TurnBits"] or "0"  # the serial build has none
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
                 run["fmax_mhz"] = float(row["fmax_mhz"])
-                run["family"] = FAMILIES.get(row["device"], row["device"])
+                device = DEVICES[row["device"]]
+                run["family"] = device.cost_family
             except (KeyError, TypeError, ValueError) as error:
                 sys.exit(f"{path}:{line}: error: not a run: {error}")
             run |= {"core": row["core"], "build": row["build"], "device": row["device"]}
             run["holdout"] = row["note"] == "holdout"
-            if row["speed"] in ("", SLOWEST.get(run["family"])):
+            if row["speed"] in ("", *map(str, device.speeds[:1])):
                 runs.append(run)
     if not runs:
         sys.exit(f"{path}: error: no runs")
@@ -224,7 +225,7 @@ def read(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("runs", nargs="?", default=ROOT / "scripts/cost_runs.csv", metavar="CSV")
-    parser.add_argument("-o", "--output", default=ROOT / "tb/compare/cost_model.json")
+    parser.add_argument("-o", "--output", default=ROOT / "sysc/widths/cost_model.json")
     arguments = parser.parse_args()
     runs = read(arguments.runs)
     models = [model(build, name, runs) for build in ("serial", "parallel") for name in COUNTS]

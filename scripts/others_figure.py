@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README's figure of others' methods: build/figures/others.json -> tb/bench/others/others.svg."""
+"""README's figure of others' methods: build/figures/others.json -> scripts/figures/others.svg."""
 
 import json
 import pathlib
@@ -28,7 +28,7 @@ def main():
     axes.legend(handles, methods + curves, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     axes.set(xscale="log", yscale="log", xlabel="bits sent per mm", ylabel="off the curve, mm")
     axes.grid(alpha=0.3)
-    figure.savefig(ROOT / "tb/bench/others/others.svg", bbox_inches="tight",
+    figure.savefig(ROOT / "scripts/figures/others.svg", bbox_inches="tight",
                    metadata={"Date": None})
 
 

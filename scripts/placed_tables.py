@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README.md's tables of what was placed and routed."""
+"""README tables of what was placed and routed."""
 
 import csv
 import json
+import re
 
-from readme_table import BUILD, ROOT, table
+from readme_table import ROOT, measured, sources, table
 
 
 def placed(sweep):
     """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
-    file = BUILD / "synth" / f"{sweep}.csv"
-    if not file.exists():
+    file = measured(f"synth/{sweep}.csv")
+    if not file:
         return []
     with open(file, newline="") as stream:
         return [row for row in csv.DictReader(stream) if not row["failed"]]
@@ -30,13 +31,33 @@ def synthesis():
             r["dsp"],
             r["bram"],
             r["seeds"],
+            sources()[0],
         )
         for r in placed("readme")
     ]
     if not rows:
         return None
     head = ["core-build", "device", "Order / CoefBits / position", "sampler", "clocks per sample"]
-    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds"], rows)
+    return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds", "tree"], rows)
+
+
+def sizes():
+    """Five rows of rtl/README.md's table."""
+    page = (ROOT / "rtl/README.md").read_text()
+    body = re.search(r"<!-- begin: synthesis\b.*?-->\n(.*?)<!-- end", page, re.S)[1]
+    head, _, *rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in
+                      body.strip().split("\n")]
+    wanted = (
+        ("spherical-parallel", "ecp5-85, speed 6", "1"),
+        ("spherical-parallel", "ecp5-25, speed 6", "4"),
+        ("spline-parallel", "ecp5-25, speed 6", "4"),
+        ("curve-serial", "ecp5-25, speed 6", "20 to 50"),
+        ("curve-serial", "up5k", "20 to 50"),
+    )
+    columns = [head.index(name) for name in ("core-build", "device", "clocks per sample")]
+    found = [next(row for row in rows if tuple(row[c] for c in columns) == key) for key in wanted]
+    shown = [*columns, *(head.index(name) for name in ("MHz", "LUT4", "FF", "DSP", "BRAM"))]
+    return table([head[c] for c in shown], [[row[c] for c in shown] for row in found])
 
 
 def pairs(sweep, name):
@@ -78,7 +99,7 @@ def parameter_guard_placed():
 
 
 def cost_model():
-    data = json.loads((ROOT / "tb/compare/cost_model.json").read_text())
+    data = json.loads((ROOT / "sysc/widths/cost_model.json").read_text())
     names = {"lut4": "LUT4", "ff": "flip-flops", "period_ns": "clock period"}
     rows = [
         (

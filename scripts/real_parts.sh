@@ -5,6 +5,12 @@
 #
 #   scripts/real_parts.sh [CURVECORE]      exit status 77: the package cannot be fetched here
 set -euo pipefail
+case ${1:-} in
+  -h | --help)
+    sed -n '3,6s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+esac
 cd "$(dirname "$0")/.."
 curvecore=$(realpath "${1:-build/curvecore}")
 folder=$PWD/build/real_parts

@@ -4,6 +4,17 @@
 # Debian packages with apt, Python packages into .venv.  Says what it does; does nothing (in a
 # fraction of a second) when everything is there.  Made for Debian 12.
 set -euo pipefail
+case ${1:-} in
+  "") ;;
+  -h | --help)
+    sed -n '3,5s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+  *)
+    echo "setup: takes no arguments" >&2
+    exit 2
+    ;;
+esac
 cd "$(dirname "$0")/.."
 source scripts/versions.env
 

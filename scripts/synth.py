@@ -2,6 +2,7 @@
 """Place and route of a core, or of a table of configurations.
 
     scripts/synth.sh --core curve --build serial --device up5k    one, by default of 3 seeds
+    scripts/synth.sh --core answer/core.json                      one that curvecore choose found
     scripts/synth.sh --sweep scripts/sweeps/readme.csv            a table, started again: the rest
 
 One prints a row and writes build/synth/<core>-<build>-<device>.json, with the speed grade and the
@@ -24,6 +25,7 @@ import sys
 from pathlib import Path
 
 from synthesis.configuration import configuration
+from synthesis.core_file import CoreFile, core_file
 from synthesis.cores import BUILDS, CORES, ROOT
 from synthesis.devices import DEVICES
 from synthesis.netlist import synthesise
@@ -43,9 +45,10 @@ class Parser(argparse.ArgumentParser):
 def arguments():
     parser = Parser(prog="synth.sh", description=__doc__,
                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--core", metavar="CORE", default="spherical", help=", ".join(CORES))
-    parser.add_argument("--build", metavar="BUILD", default="parallel", help=", ".join(BUILDS))
-    parser.add_argument("--device", metavar="DEVICE", default="ecp5-25", help=", ".join(DEVICES))
+    parser.add_argument("--core", metavar="CORE", default="spherical",
+                        help=", ".join(CORES) + ", or a file (.json) of curvecore choose")
+    parser.add_argument("--build", metavar="BUILD", help=", ".join(BUILDS))
+    parser.add_argument("--device", metavar="DEVICE", help=", ".join(DEVICES))
     parser.add_argument("--speed", metavar="GRADE",
                         help="6, 7, 8 of ECP5; 7, 8, 9 of Nexus; the slowest unless given")
     parser.add_argument("--set", action="append", default=[], metavar="Name=Value",
@@ -76,16 +79,18 @@ def settings(items):
 def one(given, output):
     """Returns the exit status."""
     seeds = number_of_seeds(given.seeds)
-    wish = configuration(given.core, given.build, given.device, given.speed, settings(given.set),
-                         given.top)
+    core = (core_file(given.core) if given.core.endswith(".json")
+            else CoreFile(given.core, "parallel", "ecp5-25", {}))
+    wanted = configuration(core.name, given.build or core.build, given.device or core.device,
+                         given.speed, core.settings | settings(given.set), given.top)
     try:
-        paths = reports(wish, seeds, output / "store")
-        found = result(wish, paths)
+        paths = reports(wanted, seeds, output / "store")
+        found = result(wanted, paths)
         if not found:
             folder = paths[0].parent
-            synthesise(wish, folder)
+            synthesise(wanted, folder)
             with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-                jobs = [pool.submit(place, wish, seed, folder, given.minutes)
+                jobs = [pool.submit(place, wanted, seed, folder, given.minutes)
                         for seed in range(1, seeds + 1)]
                 try:
                     for job in jobs:
@@ -94,15 +99,15 @@ def one(given, output):
                     end_all()
                     raise
             (folder / "netlist.json").unlink(missing_ok=True)
-            found = result(wish, paths)
+            found = result(wanted, paths)
     except Refused as error:
-        print(f"synth: {wish.name}: {error}", file=sys.stderr)
+        print(f"synth: {wanted.name}: {error}", file=sys.stderr)
         return 1
-    path = output / f"{wish.name}.json"
+    path = output / f"{wanted.name}.json"
     write_whole(path, json.dumps(found, indent=2) + "\n")
-    print(f"{wish.name}: {sentence(found)}; {os.path.relpath(path)}")
-    if DEVICES[wish.device].remark:
-        print(f"{wish.device}: {DEVICES[wish.device].remark}")
+    print(f"{wanted.name}: {sentence(found)}; {os.path.relpath(path)}")
+    if DEVICES[wanted.device].remark:
+        print(f"{wanted.device}: {DEVICES[wanted.device].remark}")
     if found["fmax_mhz"] < given.at_least:
         print(f"synth: {found['fmax_mhz']} MHz is less than {given.at_least:g} MHz",
               file=sys.stderr)

@@ -3,5 +3,8 @@
 # Place and route of a core; scripts/synth.sh --help.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-"$root/scripts/setup.sh"
+case ${1:-} in
+  -h | --help) ;;
+  *) "$root/scripts/setup.sh" ;;
+esac
 PATH=$root/.venv/bin:$PATH exec python3 "$root/scripts/synth.py" "$@"

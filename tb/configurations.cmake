@@ -30,6 +30,12 @@ illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
 illegal_parameter_test(multiplier Shift=36 "Shift must be in .0, 35.")
 illegal_parameter_test(multiplier Form=3 "Form must be 0, 1 or 2")
 
+# The serial build's datapath, for arcs and for both kinds.
+foreach(splines 0 1)
+  core_test(folded_datapath splines_${splines} TOP folded_datapath
+            PARAMS CoefBits=36 Splines=${splines})
+endforeach()
+
 # Sums of products on one 18 x 18 multiplier: word, two shifts, form.
 foreach(size 36,34,35,0 36,33,40,1 29,30,26,1 18,15,22,0)
   read_row(${size} bits narrow wide form)
@@ -303,6 +309,7 @@ foreach(depth 2 16 512)
   core_test(word_queue d${depth} TOP word_queue PARAMS Bits=48 Depth=${depth})
 endforeach()
 core_test(time_scaler default TOP time_scaler)
+core_test(rate_generator default TOP rate_generator PARAMS Room=128)
 foreach(interval 1 2 4 8)
   core_test(path_generator interval_${interval} TOP path_generator PARAMS Interval=${interval})
 endforeach()
@@ -315,11 +322,13 @@ illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 409
 foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4,8 0,1,1,0,0,4 1,0,0,0,1,1
         1,0,1,1,1,1)
   read_row(${size},0 build aux splines mode anchor interval parameter)
-  core_test(motion_interpolator build${build}_a${aux}_s${splines}_m${mode}_n${anchor}_i${interval}
-            TOP motion_interpolator LIBRARIES curvecore_ref
-            PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
-                   Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                   ParameterGuard=${parameter} ProfileQueueWords=512)
+  foreach(test motion_interpolator motion_hold motion_time motion_words)
+    core_test(${test} build${build}_a${aux}_s${splines}_m${mode}_n${anchor}_i${interval}
+              TOP motion_interpolator LIBRARIES curvecore_host
+              PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
+                     Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
+                     ParameterGuard=${parameter} ProfileQueueWords=512)
+  endforeach()
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")

@@ -5,14 +5,14 @@
 // angle of a step; x = length / h, steps in the segment; m = ceil(x) - 1, steps completed before
 // the last; half = 2^-(W-1), half a last bit of a coefficient; fine = 2^-W, half a last bit of a
 // weight; g = 2^-(G+1), half a last bit of a position.
-#include "ref/error_bound.hpp"
+#include "ref/bound/error_bound.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "ref/order_words.hpp"
-#include "ref/spline_bound.hpp"
+#include "ref/bound/spline_bound.hpp"
+#include "ref/format/order_words.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -93,8 +93,8 @@ Roundings step_roundings(const WordFormat& format, const Steps& s) {
     return all;
 }
 
-/// What a sample loses by the low bits of tau that its stages have not (ref/order_words.hpp): the
-/// cut times the sum in each stage whose sum is not 0.
+/// What a sample loses by the low bits of tau that its stages have not
+/// (ref/format/order_words.hpp): the cut times the sum in each stage whose sum is not 0.
 double cut_error(const WordFormat& format, const Steps& s, const Roundings& step) {
     const int order = format.order;
     std::array<double, 14> size{0, 1};  // theta^(i-1) / i!
@@ -125,7 +125,7 @@ double circular_error(const WordFormat& format, const Steps& s) {
     error += s.m * s.h * coefficients;
     error += s.h * drift_sum(s) * (s.half + s.theta * coefficients);
     // The sample: the same coefficients at tau <= 1, and a Horner stage for each that is not 0.
-    if (!format.polynomial) {
+    if (!format.polynomial()) {
         return error + s.h * (coefficients + step.words * s.half + cut_error(format, s, step));
     }
     // Two scalar series of the angle in q = tau^2 (the same coefficients, (P-1)/2 stages each and

@@ -2,34 +2,14 @@
 // How far the words of a configuration may leave the exact curve: derived, not tuned.
 #pragma once
 
-#include "ref/plan/segment.hpp"
+#include "ref/curve/segment.hpp"
+#include "ref/format/parameters.hpp"
 
 namespace curvecore::ref {
 
-/// The parameters of a core that its error depends on (hls/ turns them into words).
-///
-/// | field         | range  | meaning                                                       |
-/// |---------------|--------|---------------------------------------------------------------|
-/// | order         | 2..12  | terms of the series                                           |
-/// | coef_bits     | 18..36 | W: coefficients have W-2 fraction bits, weights and tau W-1   |
-/// | position_bits | 16..32 | whole length units of a position                              |
-/// | guard_bits    | 2..12  | G: fraction bits of a position inside                         |
-/// | polynomial    |        | arcs as tangent * sine + normal * cosine instead of 3 series  |
-/// | turn_bits     | 0..14  | above 0: a width for each order, ref/order_words.hpp; arcs in |
-/// |               |        | series mode only                                              |
-/// | parameter_guard | 0..8 | a spline's parameter adds up with W-1 and so many more        |
-/// |               |        | fraction bits                                                 |
-struct WordFormat {
-    int order = 6;
-    int coef_bits = 36;
-    int position_bits = 32;
-    int guard_bits = 10;
-    bool polynomial = false;
-    int turn_bits = 0;
-    int parameter_guard = 0;
-};
-
-constexpr int kMostParameterGuard = 8;
+/// The parameters of a core that its error depends on: Order, CoefBits, PositionBits, GuardBits,
+/// Mode, TurnBits, ParameterGuard.
+using WordFormat = CoreParameters;
 
 constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
 

@@ -12,12 +12,10 @@
 // With ParameterGuard v adds up finely and a step starts d away from it, where v is rounded for the
 // products. That is a shift of this step alone; but it keeps its length in path and is put back as
 // a length in v, so that unit d (|V| - |V at the step's end|) of it stays.
-#include "ref/spline_bound.hpp"
+#include "ref/bound/spline_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "ref/series/spline_roundings.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -42,19 +40,19 @@ class Walk {
           unit_(std::ldexp(1.0, segment.lambda)),
           h_(std::ldexp(1.0, segment.step_exponent)),
           g_(half_bit(format.guard_bits)),
+          words_(format, segment),
           a_(word_error(segment.a, format.coef_bits - 2)),
           b_(word_error(segment.b, format.coef_bits - 2)),
-          c_(word_error(segment.c, format.coef_bits - 2)) {}
+          c_(word_error(segment.c, format.coef_bits - 2)),
+          network_(kSplineWiring, format.order + kTail, words_.six_a()) {}
 
     SplineError run(double give_up) {
         const double steps = static_cast<double>(segment_.length) * kQuantum / h_;
         for (double done = 0; done < steps; ++done) {
             const double fraction = std::min(1.0, steps - done);
-            if (!step(fraction)) {
-                result_.in_range = false;
-                return result_;
-            }
-            if (result_.total() > give_up) return result_;
+            step(fraction, done + 1 < steps);
+            result_.shorten = std::max(words_.shorten(), result_.shorten);
+            if (result_.shorten != Shorten::kNothing || result_.total() > give_up) return result_;
         }
         for (const double advance : segment_.aux_advance) {
             auxiliary(advance, steps);
@@ -64,17 +62,17 @@ class Walk {
 
   private:
     /// One integration step: its sample's errors into the result, its shifts into the sums.
-    bool step(double f) {
+    void step(double f, bool another) {
         const int order = format_.order;
-        const int top = order + kTail;
-        const double g = h_ / unit_;
-        series_.expand(segment_, v_, g, top);
-        if (!in_range()) return false;
-        roundings_.set_anchor(format_, segment_, series_, v_, prediction_);
-        roundings_.expand(format_, series_);
+        words_.anchor(v_, drift(), prediction_);
+        if (words_.shorten() != Shorten::kNothing || !converges()) return;
+        words_.expand();
+        words_.sample(f);
+        if (words_.shorten() != Shorten::kNothing) return;
+        network_.expand(words_.state());
 
-        const double q_end = powers(series_.q, 1, top, f);
-        const double next = v_ + g * q_end;
+        const double q_end = powers(series(spline_node::kU), f);
+        const double next = v_ + h_ / unit_ * q_end;
         const Vec3 velocity = V(v_);
         const Vec3 velocity_end = V(next);
         const double turn = (velocity_end - velocity).squaredNorm();
@@ -88,12 +86,11 @@ class Walk {
         shift_rounding_ += unit_ * along * moved;
 
         // Series cut after P; the words q_i.
-        const double cut = tail(series_.q, f) * speed * h_;
+        const double cut = tail(series(spline_node::kU), f) * speed * h_;
         double words = 0;
-        for (int i = 1; i <= order; ++i) {
-            words += roundings_.q[static_cast<std::size_t>(i)] * std::pow(f, i);
-        }
+        for (int i = 1; i <= order; ++i) words += words_.q(i).rounding * std::pow(f, i);
         sample(f, q_end, cut, words * speed * h_, speed, velocity, velocity_end);
+        if (!another) return;
 
         // On to the next step: the same at f = 1.
         shift_truncation_ += cut;
@@ -102,7 +99,29 @@ class Walk {
         const double end_speed = velocity_end.norm();
         const double rounded = round_parameter(velocity.norm(), end_speed);
         predict(rounded + (words * h_ + cut / speed) / unit_, end_speed);
-        return true;
+        words_.hand_on(v_, drift());
+        // Would the best prediction do? Else the piece is too slow or too bent there.
+        if (words_.shorten() == Shorten::kSteps) words_.anchor(v_, drift(), 0);
+    }
+
+    /// How far v may be off, by the shifts along the path.
+    double drift() const {
+        return (shift_truncation_ + shift_rounding_ + shown_rounding_) / (unit_ * V(v_).norm());
+    }
+
+    /// A step goes at most half the way to where the series may cease to converge: |W| d + 3 |a|
+    /// d^2 = (sqrt 2 - 1) |V| for some d in q, and h = |V| d / 2.
+    bool converges() {
+        const SplineState<double> state = words_.state();
+        const auto vector = [](const double* x) { return Vec3(x[0], x[1], x[2]); };
+        const Vec3 V = vector(&state[spline_node::kV]);
+        const Vec3 W = vector(&state[spline_node::kW]);
+        const Vec3 six_a = vector(words_.six_a().data());
+        const double speed = V.norm();
+        const double d = 2 / speed;
+        const bool near = W.norm() * d + six_a.norm() / 2 * d * d <= (std::sqrt(2.0) - 1) * speed;
+        if (!near) result_.shorten = Shorten::kSteps;
+        return near;
     }
 
     /// v rounded, unless the shift is exact. How far it then is from where phi is predicted.
@@ -119,10 +138,10 @@ class Walk {
     /// How far the phi of the series' end is from 1 / |V| of a v that is `aside` of it, relatively.
     void predict(double aside, double speed) {
         prediction_ = aside * bend() / speed;
-        const auto order = static_cast<std::size_t>(format_.order);
-        for (std::size_t i = 0; i <= order + kTail; ++i) {
-            const bool made = i < order;
-            prediction_ += speed * (made ? roundings_.phi[i] : std::abs(series_.phi[i]));
+        for (int i = 0; i <= format_.order + kTail; ++i) {
+            const bool made = i < format_.order;
+            const double exact = series(spline_node::kPhi)[static_cast<std::size_t>(i)];
+            prediction_ += speed * (made ? words_.phi(i).rounding : std::abs(exact));
         }
     }
 
@@ -134,7 +153,7 @@ class Walk {
         // tau is cut to W-1 bits, of whole quanta; the length is a difference of rounded lengths.
         const double along = std::max(0.0, h_ * 2 * fine - kQuantum) + kQuantum + shift_rounding_ +
                              shown_rounding_ + words +
-                             (format_.polynomial ? roundings_.words * half * speed * h_ : 0);
+                             (format_.polynomial() ? words_.q_words() * half * speed * h_ : 0);
         result_.along_rounding = std::max(result_.along_rounding, along);
         result_.along = std::max(result_.along, along + shift_truncation_ + cut);
         const Vec3 tangent = velocity.normalized();
@@ -146,13 +165,14 @@ class Walk {
             const double share =
                 std::min(1.0, std::max(std::abs(tangent[k]), std::abs(tangent_end[k])) + sagitta);
             const std::size_t axis = static_cast<std::size_t>(k);
-            const double aside = format_.polynomial ? polynomial(k, q) : series(axis, f);
+            const double aside = format_.polynomial() ? polynomial(k, q) : horner(k, f);
             const double curve =
                 unit_ * std::abs(((a_[k] * shown + b_[k]) * shown + c_[k]) * shown);
             SplineError error;
             error.rounding = share * along + curve + h_ * aside + origin(k);
-            error.truncation = share * shift_truncation_ +
-                               (format_.polynomial ? share * cut : h_ * tail(series_.x[axis], f));
+            error.truncation =
+                share * shift_truncation_ +
+                (format_.polynomial() ? share * cut : h_ * tail(series(spline_node::kX + axis), f));
             if (error.total() > worst.total()) worst = error;
         }
         if (worst.total() > result_.total()) {
@@ -164,26 +184,25 @@ class Walk {
     /// e = B' + a' q, f = V + e q, d = f q: words' errors and one rounding each.
     double polynomial(int k, double q) const {
         const int width = format_.coef_bits;
-        const AnchorErrors& anchor = roundings_.anchor;
         const bool bent = segment_.a[k] != 0;
         const bool turned = bent || segment_.b[k] != 0;
-        const double e = anchor.half_W[k] + anchor.a[k] * q + (bent ? half_bit(width - 1) : 0);
-        const double f = anchor.V[k] + e * q + (turned ? half_bit(width - 1) : 0);
+        const double e = words_.half_W(k).rounding + words_.step_a(k).rounding * q +
+                         (bent ? half_bit(width - 1) : 0);
+        const double f = words_.V(k).rounding + e * q + (turned ? half_bit(width - 1) : 0);
         return f * q + half_bit(width - 2);
     }
 
     /// The axis' own series: its words and a Horner stage for each that is not 0.
-    double series(std::size_t axis, double f) const {
+    double horner(int k, double f) const {
+        const double half = half_bit(format_.coef_bits - 2);
         double sum = 0;
         int stages = 1;
-        for (std::size_t i = 1; i <= static_cast<std::size_t>(format_.order); ++i) {
-            const double error = roundings_.x[axis][i];
-            sum += error * std::pow(f, static_cast<double>(i));
-            if (std::abs(series_.x[axis][i]) + error > half_bit(format_.coef_bits - 2)) {
-                stages = static_cast<int>(i);
-            }
+        for (int i = 1; i <= format_.order; ++i) {
+            const Enclosed& x = words_.x(k, i);
+            sum += x.rounding * std::pow(f, i);
+            if (x.size() + x.rounding > half) stages = i;
         }
-        return sum + stages * half_bit(format_.coef_bits - 2);
+        return sum + stages * half;
     }
 
     /// Start word, three products of the origin, two shifts to fine positions (none that is exact).
@@ -212,37 +231,8 @@ class Walk {
         }
     }
 
-    /// Words below their limits (hls/spline_network.hpp), and at most half the way to where the
-    /// series may cease to converge: |W| d + 3 |a| d^2 = (sqrt 2 - 1) |V| for some d in q.
-    bool in_range() const {
-        const auto norm = [](const auto& terms) {
-            return std::sqrt(terms[0][0] * terms[0][0] + terms[1][0] * terms[1][0] +
-                             terms[2][0] * terms[2][0]);
-        };
-        const double speed = norm(series_.V);
-        const double d = 2 / speed;  // h = |V| d / 2
-        if (norm(series_.W) * d + series_.six_a.norm() / 2 * d * d > (std::sqrt(2.0) - 1) * speed) {
-            return false;
-        }
-        const double slack = 0.98;
-        double sum = 0;
-        for (std::size_t i = 0; i <= static_cast<std::size_t>(format_.order); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                sum = std::max({sum, std::abs(series_.W[k][i]), std::abs(series_.DV[k][i])});
-            }
-            sum = std::max({sum, std::abs(series_.DP[i]), std::abs(series_.Dphi[i]) / 2});
-        }
-        // Newton's product m = |V|^2 phi of the phi that the step before left: |V| of the v that
-        // the kernel has, by now as far off as the shifts, with its words' roundings.
-        const double drift = (shift_truncation_ + shift_rounding_ + shown_rounding_) / unit_;
-        const double fastest = speed + bend() * drift / speed + V_error(v_).norm();
-        const double m = fastest * (1 + prediction_) + std::ldexp(12.0, -format_.coef_bits);
-        return sum < slack / 4 && prediction_ < 1.0 / 40 && m < 1 &&
-               series_.six_a.cwiseAbs().maxCoeff() < slack / 4;
-    }
-
     /// Sum of the orders above P at tau = f, and of a geometric rest.
-    double tail(const SplineSeries::Terms& terms, double f) const {
+    double tail(const std::vector<double>& terms, double f) const {
         const std::size_t first = static_cast<std::size_t>(format_.order) + 1;
         const std::size_t last = first + kTail - 1;
         double sum = 0;
@@ -253,12 +243,14 @@ class Walk {
         return sum + std::abs(terms[last]) * std::pow(f, static_cast<double>(last));
     }
 
-    static double powers(const SplineSeries::Terms& terms, int from, int to, double f) {
+    /// Sum of all orders at tau = f but that of order 0.
+    static double powers(const std::vector<double>& terms, double f) {
         double sum = 0;
-        for (int i = to; i >= from; --i) sum = (sum + terms[static_cast<std::size_t>(i)]) * f;
+        for (std::size_t i = terms.size() - 1; i >= 1; --i) sum = (sum + terms[i]) * f;
         return sum;
     }
 
+    const std::vector<double>& series(std::size_t node) const { return network_.series()[node]; }
     double bend() const { return (2 * segment_.b + 6 * v_ * segment_.a).norm(); }  // |dV/dv|
     Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
     Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }
@@ -266,14 +258,14 @@ class Walk {
     const WordFormat& format_;
     const Segment& segment_;
     double unit_, h_, g_;
+    SplineWords words_;
     Vec3 a_, b_, c_;
     double v_ = 0;
     double prediction_ = 0;
     double shift_truncation_ = 0;
     double shift_rounding_ = 0;
     double shown_rounding_ = 0;  // of v in this step's products
-    SplineSeries series_;
-    SplineRoundings roundings_;
+    Interpreter<double, kSpline.size(), 3> network_;
     SplineError result_;
 };
 

@@ -4,8 +4,9 @@
 
 #include <limits>
 
-#include "ref/error_bound.hpp"
-#include "ref/plan/segment.hpp"
+#include "ref/bound/error_bound.hpp"
+#include "ref/curve/segment.hpp"
+#include "ref/series/spline_words.hpp"
 
 namespace curvecore::ref {
 
@@ -18,19 +19,21 @@ namespace curvecore::ref {
 /// | rounding       | every rounding of words, weights, tau, lengths and positions            |
 /// | along          | Euclidean part along the path: a sample is so far ahead or behind       |
 /// | along_rounding | of which rounding                                                       |
-/// | in_range       | every word of the network keeps its range, every step converges         |
+/// | shorten        | what has to be shorter for every word to keep its range and every step  |
+/// |                | to converge; nothing, or the rest is unknown                            |
 struct SplineError {
     double truncation = 0;
     double rounding = 0;
     double along = 0;
     double along_rounding = 0;
-    bool in_range = true;
+    Shorten shorten = Shorten::kNothing;
 
     double total() const { return truncation + rounding; }
 };
 
 /// Walks the segment's integration steps. Read from the segment: a, b, c, beta, lambda,
-/// step_exponent, length, aux_advance. Stops early when out of range or above `give_up`.
+/// step_exponent, length, aux_advance. Stops early when something has to be shorter or above
+/// `give_up`.
 SplineError spline_error(const WordFormat& format, const Segment& segment,
                          double give_up = std::numeric_limits<double>::infinity());
 

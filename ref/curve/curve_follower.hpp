@@ -14,6 +14,7 @@ namespace curvecore::ref {
 /// | function  | unit    | error                                     |
 /// |-----------|---------|-------------------------------------------|
 /// | position  | units   | that of exact_position()                  |
+/// | direction | 1       | r'; roundings                             |
 /// | curvature | 1/units | of |r''|; roundings. Infinite at a cusp   |
 class CurveFollower {
   public:
@@ -22,6 +23,17 @@ class CurveFollower {
         if (segment.kind != Segment::Kind::kSpline) return exact_position(segment, s);
         const double u = parameter(segment, s);
         return cubic_.position(u);
+    }
+
+    Vec3 direction(const Segment& segment, double s) {
+        if (segment.kind == Segment::Kind::kSpline) {
+            const double u = parameter(segment, s);
+            return tangent(cubic_, u);
+        }
+        if (segment.radius == 0) return segment.advance;
+        const double angle = s * segment.cos_pitch / segment.radius;
+        return segment.advance + segment.cos_pitch * (segment.tangent * std::cos(angle) -
+                                                      segment.normal * std::sin(angle));
     }
 
     double curvature(const Segment& segment, double s) {

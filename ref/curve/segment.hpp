@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
@@ -24,7 +24,7 @@ namespace curvecore::ref {
 ///
 ///     r(v) = start + 2^lambda ((a v + b) v + c) v       0 <= v <= beta,  v(s) by path length
 ///
-/// with 1/2 < |dr/dv| / 2^lambda < 1 (ref/plan/spline_segment.hpp); tangent, normal, cos_pitch,
+/// with 1/2 < |dr/dv| / 2^lambda < 1 (ref/segment/spline_segment.hpp); tangent, normal, cos_pitch,
 /// radius and advance are zero.
 struct Segment {
     enum class Kind { kArc, kSpline };
@@ -50,6 +50,9 @@ struct Segment {
     Aux aux_advance{};      // per unit of path
     int step_exponent = 0;  // k: an integration step is 2^k units
     double bound = 0;       // derived bound of the error per axis, before the final rounding, units
+    std::uint32_t ticks =
+        0;              // of the profile, in which it is drawn: a program's add up to its pieces'
+    bool last = false;  // of the program
     double feed_start = 0;  // mm/s along the path, planned
     double feed_end = 0;
 };
@@ -81,7 +84,9 @@ struct Plan {
     std::vector<ProfilePiece> pieces;
     std::uint32_t hold_acceleration = 1;  // a: second difference of r32 per tick^2
     std::uint32_t hold_slope_steps = 1;   // nmax: largest slope = nmax * a
+    std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs at most
     double duration_s = 0;
+    std::size_t slowed_moves = 0;  // so that what is queued outlasts a stop
 };
 
 }  // namespace curvecore::ref

@@ -2,12 +2,13 @@
 // The exact curve of a plan's segment, sample by sample: what the cores' output is compared with.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/segment.hpp"
-#include "ref/plan/spline_segment.hpp"
+#include "ref/curve/segment.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 namespace curvecore::ref {
 
@@ -48,6 +49,17 @@ inline Vec3 exact_position(const Segment& segment, double s) {
 /// The same for auxiliary axis `axis`, linear in s; its unit is the plan's.
 inline double exact_aux(const Segment& segment, std::size_t axis, double s) {
     return segment.aux_start[axis] + segment.aux_advance[axis] * s;
+}
+
+using AxisPoint = std::array<double, kMachineAxes>;
+
+/// All axes, X Y Z being known.
+inline AxisPoint exact_point(const Segment& segment, const Vec3& xyz, double s) {
+    AxisPoint point{xyz.x(), xyz.y(), xyz.z()};
+    for (std::size_t axis = 0; axis < kAuxAxes; ++axis) {
+        point[3 + axis] = exact_aux(segment, axis, s);
+    }
+    return point;
 }
 
 }  // namespace curvecore::ref

@@ -2,7 +2,7 @@
 // Feed profile of a whole program: limits, stops and look-ahead to pieces.
 #pragma once
 
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 

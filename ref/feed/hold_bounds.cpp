@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/hold_bounds.hpp"
+#include "ref/feed/hold_bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ref/plan/limits.hpp"
-#include "ref/plan/piece_walk.hpp"
+#include "ref/feed/limits.hpp"
+#include "ref/feed/piece_walk.hpp"
+#include "ref/program/input_error.hpp"
 
 namespace curvecore::ref {
 
@@ -38,26 +39,49 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
     const double most = std::floor(0x1p32 / plan.hold_acceleration);  // a slope of one per tick
     plan.hold_slope_steps = static_cast<std::uint32_t>(
         std::clamp(std::floor(steps), 1.0, std::min(most, 4294967295.0)));
+    plan.stop_ticks = stop_ticks(plan.hold_acceleration, plan.hold_slope_steps);
 }
 
-void set_segment_feeds(const PlanOptions& options, Plan& plan) {
+std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) {
+    const double a = std::ldexp(acceleration, -32);
+    const double n = slope_steps;
+    const double rising = std::min(n, std::sqrt(2 / a));
+    const double falling = n * n * a < 1 ? 1 / (n * a) + n : 2 / std::sqrt(a);
+    return static_cast<std::uint32_t>(std::min(std::ceil(rising + falling / 2) + 4, 0x1p31));
+}
+
+void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {
     const double mm_per_s = options.unit_mm / 65536 / options.tick_s();
-    std::size_t piece = 0;
-    std::uint64_t begin = 0;  // path at the start of the piece
-    const auto feed_at = [&](std::uint64_t s) {
-        while (piece < plan.pieces.size() && begin + plan.pieces[piece].ds < s) {
-            begin += plan.pieces[piece++].ds;
-        }
-        if (piece == plan.pieces.size()) return 0.0;
-        const ProfilePiece& p = plan.pieces[piece];
-        return piece_state(p, ticks_at(p, static_cast<double>(s - begin))).v * mm_per_s;
+    const auto as_ticks = [&](std::uint64_t count, const Segment& segment) {
+        if (count < (std::uint64_t{1} << 31)) return static_cast<std::uint32_t>(count);
+        throw InputError(program.file, program.moves[segment.move].line,
+                         "a dwell of 2^31 ticks or more: take longer ticks or several dwells");
     };
+    std::size_t piece = 0;
+    std::uint64_t begin = 0;  // path and ticks at the start of the piece
+    std::uint64_t ticks = 0;
+    std::uint64_t drawn = 0;  // ticks of the segments so far
     double feed = 0;
     for (Segment& segment : plan.segments) {
+        const std::uint64_t end = segment.s_start + segment.length;
+        while (piece + 1 < plan.pieces.size() && begin + plan.pieces[piece].ds < end) {
+            begin += plan.pieces[piece].ds;
+            ticks += plan.pieces[piece++].ticks;
+        }
+        const ProfilePiece& p = plan.pieces[piece];
+        const double time = ticks_at(p, static_cast<double>(end - begin));
+        const std::uint64_t reached = ticks + static_cast<std::uint64_t>(time);
+        segment.ticks = as_ticks(reached - drawn, segment);
+        drawn = reached;
         segment.feed_start = feed;
-        feed = std::max(0.0, feed_at(segment.s_start + segment.length));
+        feed = std::max(0.0, piece_state(p, time).v * mm_per_s);
         segment.feed_end = feed;
     }
+    // Whatever follows the last segment's end, rests and all, is its own.
+    for (; piece < plan.pieces.size(); ++piece) ticks += plan.pieces[piece].ticks;
+    Segment& last = plan.segments.back();
+    last.ticks = as_ticks(last.ticks + ticks - drawn, last);
+    last.last = true;
 }
 
 }  // namespace curvecore::ref

@@ -2,7 +2,7 @@
 // What follows from a finished profile: how fast time may be scaled, and the feed at every joint.
 #pragma once
 
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 
@@ -17,7 +17,17 @@ namespace curvecore::ref {
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan);
 
-/// Segment::feed_start, feed_end (mm/s along the path) from the pieces.
-void set_segment_feeds(const PlanOptions& options, Plan& plan);
+/// Ticks of the profile that run at most while time stops, from any state of the scaler: with the
+/// bounds a (second difference) and n a (slope), in rates of 1,
+///
+///     rising, m ticks, m <= n and m^2 a / 2 <= 1, at a rate of at most 1: it may not overshoot
+///     falling, symmetric about the rate 1/2: half of its ticks
+///
+/// and two ticks more for each part that is rounded to whole ticks.
+std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps);
+
+/// Segment::ticks, last, feed_start, feed_end (mm/s along the path) from the pieces.
+/// @throws InputError: a segment and the rests in it take 2^31 ticks or more
+void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan);
 
 }  // namespace curvecore::ref

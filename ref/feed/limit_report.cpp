@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/limit_report.hpp"
+#include "ref/feed/limit_report.hpp"
 
-#include "ref/plan/piece_walk.hpp"
-#include "ref/plan/spline_geometry.hpp"
+#include "ref/feed/piece_walk.hpp"
+#include "ref/segment/spline_geometry.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -2,8 +2,8 @@
 // How close a plan comes to the machine's limits, from its pieces and the curvature of its moves.
 #pragma once
 
-#include "ref/plan/limits.hpp"
-#include "ref/plan/planner.hpp"
+#include "ref/feed/limits.hpp"
+#include "ref/feed/planner.hpp"
 
 namespace curvecore::ref {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/limits.hpp"
+#include "ref/feed/limits.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What the machine allows on a move and at a joint.
 #pragma once
 
-#include "ref/plan/path_shape.hpp"
+#include "ref/feed/path_shape.hpp"
 
 namespace curvecore::ref {
 

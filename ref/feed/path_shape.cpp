@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/path_shape.hpp"
+#include "ref/feed/path_shape.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

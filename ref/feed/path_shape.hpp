@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
@@ -16,7 +16,7 @@ using AxisVector = std::array<double, kMachineAxes>;
 ///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
 ///
 /// with unit vectors t, n and m, the latter two at right angles to t. Lines and arcs are exactly
-/// so; for a stretch of a spline (ref/plan/spline_shape.hpp) the figures are bounds.
+/// so; for a stretch of a spline (ref/feed/spline_shape.hpp) the figures are bounds.
 ///
 /// | field     | unit    | remark                                                            |
 /// |-----------|---------|-------------------------------------------------------------------|

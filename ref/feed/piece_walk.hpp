@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/plan/geometry.hpp"
-#include "ref/plan/profile_words.hpp"
+#include "ref/feed/profile_words.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 

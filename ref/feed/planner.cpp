@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 
-#include "ref/plan/feed_profile.hpp"
-#include "ref/plan/geometry.hpp"
+#include "ref/feed/feed_profile.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 

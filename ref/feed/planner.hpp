@@ -2,10 +2,35 @@
 // From moves to what a core is loaded with: the only place where geometry meets feed.
 #pragma once
 
-#include "ref/error_bound.hpp"
-#include "ref/plan/segment.hpp"
+#include "ref/bound/error_bound.hpp"
+#include "ref/curve/segment.hpp"
+#include "ref/format/queues.hpp"
 
 namespace curvecore::ref {
+
+/// Seconds that a core takes for the start of a step within its segment, and of a segment.
+struct CurveTime {
+    double step = 0;
+    double segment = 0;
+};
+
+/// | field         | unit | remark                                                              |
+/// |---------------|------|---------------------------------------------------------------------|
+/// | arc, spline   | s    | beyond the time of a sample                                         |
+/// | ahead         |      | true: while samples of the step before are taken; false: in turn    |
+/// | sample        | s    | that a sample keeps the core from making steps; 0 with ahead        |
+/// | samples_ahead | 1    | that the core makes ahead of the one that is due                    |
+struct CoreTime {
+    CurveTime arc{2e-6, 2e-6};
+    CurveTime spline{4e-6, 4e-6};
+    bool ahead = true;
+    double sample = 0;
+    int samples_ahead = 2;
+
+    const CurveTime& of(const Segment& segment) const {
+        return segment.kind == Segment::Kind::kSpline ? spline : arc;
+    }
+};
 
 /// | field                  | unit   | remark                                                     |
 /// |------------------------|--------|------------------------------------------------------------|
@@ -15,9 +40,9 @@ namespace curvecore::ref {
 /// | format                 |        | word widths and order of the core                          |
 /// | aux_axes               | 1      | auxiliary axes of the core; more in a program are refused  |
 /// | error_limit            | units  | every segment's derived bound stays below it               |
-/// | clock_hz               | Hz     | with the next: an integration step takes at least          |
-/// | network_latency_clocks | clocks | latency / clock seconds, so short steps bound the speed    |
-/// | spline_latency_clocks  | clocks | the same for steps of splines                              |
+/// | core                   |        | seconds that the core takes, ref/feed/step_speed.hpp       |
+/// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
+/// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
 /// | advise                 |        | a refusal says which width would do: takes many plans      |
 struct PlanOptions {
@@ -27,9 +52,9 @@ struct PlanOptions {
     WordFormat format;
     int aux_axes = kAuxAxes;
     double error_limit = 0.1;
-    double clock_hz = 100e6;
-    double network_latency_clocks = 200;
-    double spline_latency_clocks = 400;
+    CoreTime core;
+    int segment_queue_words = kSegmentQueueWords;
+    int profile_queue_words = kProfileQueueWords;
     int max_pieces = 1 << 16;
     bool advise = true;
 

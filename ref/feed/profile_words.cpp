@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/profile_words.hpp"
+#include "ref/feed/profile_words.hpp"
 
 #include <algorithm>
 #include <cmath>

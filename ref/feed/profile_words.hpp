@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "ref/plan/segment.hpp"
-#include "ref/plan/speed_plan.hpp"
+#include "ref/curve/segment.hpp"
+#include "ref/feed/speed_plan.hpp"
 
 namespace curvecore::ref {
 

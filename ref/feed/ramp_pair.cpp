@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/ramp_pair.hpp"
+#include "ref/feed/ramp_pair.hpp"
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 // The fastest way between two settled speeds: up, along and down, within limits that vary.
 #pragma once
 
-#include "ref/plan/ramp.hpp"
-#include "ref/plan/speed_zones.hpp"
+#include "ref/feed/ramp.hpp"
+#include "ref/feed/speed_zones.hpp"
 
 namespace curvecore::ref {
 

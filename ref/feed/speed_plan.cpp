@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/speed_plan.hpp"
+#include "ref/feed/speed_plan.hpp"
 
 #include <algorithm>
 
-#include "ref/plan/ramp_pair.hpp"
+#include "ref/feed/ramp_pair.hpp"
 
 namespace curvecore::ref {
 namespace {

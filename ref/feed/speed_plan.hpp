@@ -27,7 +27,7 @@ struct Phase {
 ///
 /// Acceleration is zero where a speed limit is met and wherever two ramps join; between such places
 /// the motion is at least as fast as the fastest one with the least acceleration and jerk of the
-/// zones that it crosses (ref/plan/ramp_pair.hpp). A ramp runs over any number of zones whose
+/// zones that it crosses (ref/feed/ramp_pair.hpp). A ramp runs over any number of zones whose
 /// limits it does not touch, so a chain of short moves costs nothing.
 std::vector<Phase> plan_speed(const std::vector<Zone>& zones);
 

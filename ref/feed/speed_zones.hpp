@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ref/plan/speed_plan.hpp"
+#include "ref/feed/speed_plan.hpp"
 
 namespace curvecore::ref {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/spline_shape.hpp"
+#include "ref/feed/spline_shape.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "ref/curve/vector_polynomial.hpp"
-#include "ref/plan/limits.hpp"
+#include "ref/feed/limits.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/path_shape.hpp"
+#include "ref/feed/path_shape.hpp"
 
 namespace curvecore::ref {
 

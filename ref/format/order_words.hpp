@@ -29,7 +29,6 @@
 namespace curvecore {
 namespace ref {
 
-constexpr int kMostTurnBits = 14;
 constexpr int kLeastWord = 18;  // one block of a multiplier, and the least of the cores
 constexpr int kSpare = 1;       // bits of tau
 

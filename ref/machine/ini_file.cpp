@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/ini_file.hpp"
+#include "ref/machine/ini_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ref/plan/ini_file.hpp"
+#include "ref/machine/ini_file.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/text_file.hpp"
 

@@ -7,7 +7,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
-#include "ref/plan/path_shape.hpp"
+#include "ref/feed/path_shape.hpp"
 
 namespace curvecore::ref {
 

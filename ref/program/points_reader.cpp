@@ -116,7 +116,7 @@ Program read_points_text(std::string_view text, const std::string& file_name,
     const std::vector<FitPoint> points = fit_input(table, file_name);
     check_derivatives(table, file_name, options.fit);
     const std::vector<std::vector<Cubic>> chains =
-        fit_points(points, options.fit, options.parameter, options.fit_tolerance);
+        fit_points(points, options.fit, options.parametrisation, options.fit_tolerance);
     Program program;
     program.file = file_name;
     for (std::size_t i = 0; i < chains.size(); ++i) {

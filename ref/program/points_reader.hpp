@@ -20,7 +20,7 @@ namespace curvecore::ref {
 
 struct PointsOptions {
     Fit fit = Fit::kBessel;
-    Parameter parameter = Parameter::kChord;
+    Parametrisation parametrisation = Parametrisation::kChord;
     double feed = 1000.0 / 60;             // mm/s
     double fit_tolerance = kFitTolerance;  // mm, for quintics
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iostream>
+#include <iterator>
 #include <set>
 
 #include "ref/program/gcode_reader.hpp"
@@ -25,6 +27,10 @@ std::string kind_of(const std::string& file) {
 bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
 
 Program read_program(const std::string& file, const PointsOptions& points) {
+    if (file == kStandardInput) {
+        const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
+        return read_gcode_text(text, "stdin", points.fit_tolerance);
+    }
     if (is_points_file(file)) {
         return read_points(file, points);
     }

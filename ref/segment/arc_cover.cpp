@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/arc_cover.hpp"
+#include "ref/segment/arc_cover.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 namespace {

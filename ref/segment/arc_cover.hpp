@@ -2,7 +2,7 @@
 // How the planner cuts arcs, helices and lines of a range of radii: proven for every one of them.
 #pragma once
 
-#include "ref/error_bound.hpp"
+#include "ref/bound/error_bound.hpp"
 
 namespace curvecore::ref {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "ref/plan/remedy.hpp"
-#include "ref/plan/spline_geometry.hpp"
-#include "ref/plan/travel.hpp"
+#include "ref/format/path_words.hpp"
+#include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/segment/remedy.hpp"
+#include "ref/segment/spline_geometry.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -77,9 +78,9 @@ Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format,
         cut.pieces = cut.bound <= limit ? pieces : 0;
         return cut;
     };
-    int least = 1;
+    int least = static_cast<int>(shape.length / unit / (kLongestSegment - 1)) + 1;
     if (move.kind == Move::Kind::kArc) {
-        least = std::max(1, static_cast<int>(std::ceil(move.angle / M_PI_2 * (1 - 1e-12))));
+        least = std::max(least, static_cast<int>(std::ceil(move.angle / M_PI_2 * (1 - 1e-12))));
     }
     int high = least;
     Cut best = with(high);
@@ -140,6 +141,7 @@ class Cutter {
             return;
         }
         const PathShape shape = path_shape(move);
+        check_path(move, shape.length);
         const double unit = options_.unit_mm;
         if (shape.length / unit * kQuanta < 0.5) {
             path_ += static_cast<long double>(shape.length) / unit;
@@ -172,6 +174,7 @@ class Cutter {
     void add_spline(std::size_t index) {
         const Move& move = program_.moves[index];
         const double length = move.length();
+        check_path(move, length);
         for (int i = 0; i < kAuxAxes; ++i) {
             const double rate = std::abs(move.aux_end[i] - move.aux_start[i]) / length;
             if (rate > kMaxAuxRate) {
@@ -242,6 +245,14 @@ class Cutter {
         return move.start / options_.unit_mm +
                radius * (t * std::sin(angle) - n * (2 * half_sine * half_sine)) +
                move.normal * (move.advance / options_.unit_mm * part);
+    }
+
+    void check_path(const Move& move, double length) const {
+        if (path_ + static_cast<long double>(length) / options_.unit_mm < kLongestProgram) return;
+        refuse(move, fmt::format("the program's path is {:.6g} m here; a program of this unit is "
+                                 "shorter than {:.6g} m",
+                                 (static_cast<double>(path_) * options_.unit_mm + length) / 1000,
+                                 kLongestProgram * options_.unit_mm / 1000));
     }
 
     void check_travel(const Move& move) const {

@@ -2,8 +2,8 @@
 // Moves to segments: cut so that every derived error bound holds, with exact path bookkeeping.
 #pragma once
 
-#include "ref/plan/path_shape.hpp"
-#include "ref/plan/planner.hpp"
+#include "ref/feed/path_shape.hpp"
+#include "ref/feed/planner.hpp"
 
 namespace curvecore::ref {
 
@@ -26,11 +26,12 @@ struct Geometry {
 };
 
 /// Path length is summed in long double; what a segment gets is the difference of two rounded sums,
-/// so rounding does not add up. Moves shorter than a quantum make no segment.
+/// so rounding does not add up. Moves shorter than a quantum make no segment; a line longer than a
+/// segment's length word is cut (ref/format/path_words.hpp).
 ///
 /// @throws InputError: beyond the machine's travel or the position words, more auxiliary axes than
 ///         the core has or faster along a spline than the words hold, an arc that misses its end
-///         point, a bound that no cut can meet.
+///         point, a bound that no cut can meet, a path beyond the program's words.
 Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options);
 
 }  // namespace curvecore::ref

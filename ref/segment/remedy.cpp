@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/remedy.hpp"
+#include "ref/segment/remedy.hpp"
 
 #include <fmt/format.h>
 

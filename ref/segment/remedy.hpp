@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 
 namespace curvecore::ref {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/spline_geometry.hpp"
+#include "ref/segment/spline_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "ref/plan/spline_segment.hpp"
-#include "ref/plan/spline_shape.hpp"
+#include "ref/feed/spline_shape.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 namespace curvecore::ref {
 namespace {

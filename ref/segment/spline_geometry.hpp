@@ -2,7 +2,7 @@
 // A cubic move as segments, and as stretches for the feed.
 #pragma once
 
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 

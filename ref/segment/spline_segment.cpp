@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/plan/spline_segment.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "ref/bound/error_bound.hpp"
+#include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/error_bound.hpp"
-#include "ref/spline_bound.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -20,6 +20,11 @@ double hair(const WordFormat& format) { return std::ldexp(1.0, 6 - format.coef_b
 
 /// Room below 1 for the |V| of a v that has drifted along the path, and so for Newton's m.
 constexpr double kRoom = 1.0 / 1024;
+
+/// What stands for |V| = 1.
+double with_room(double fastest, const WordFormat& format) {
+    return fastest * (1 + kRoom + hair(format));
+}
 
 /// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
 constexpr double kLongestLine = 4;
@@ -58,10 +63,11 @@ struct Splitter {
     void cut(double from, double to, int depth) {
         const Cubic part = sub_cubic(cubic, from, to);
         const SpeedRange speed = speed_range(part);
-        if (speed.max > 0 && speed.max < 2.1 * speed.min) {
+        if (speed.max > 0 && with_room(speed.max, format) < 2 * speed.min) {
             Segment piece = spline_segment(part, format);
             piece.aux_advance = aux_advance;
-            if (fits_words(piece, format) && choose_step(format, limit, piece)) {
+            if (piece.lambda <= kMaxStepExponent && piece.lambda < format.position_bits &&
+                choose_step(format, limit, piece)) {
                 lengths.push_back(ArcLength(part).length());
                 pieces.push_back(piece);
                 return;
@@ -89,7 +95,7 @@ struct Splitter {
 }  // namespace
 
 Segment spline_segment(const Cubic& piece, const WordFormat& format) {
-    const double fastest = speed_range(piece).max * (1 + kRoom + hair(format));
+    const double fastest = with_room(speed_range(piece).max, format);
     Segment segment;
     segment.kind = Segment::Kind::kSpline;
     segment.start = piece.d;
@@ -113,17 +119,6 @@ Cubic to_cubic(const Segment& segment) {
             segment.c * (unit * beta), segment.start};
 }
 
-bool fits_words(const Segment& segment, const WordFormat& format) {
-    const double rounding = hair(format);
-    const double slowest =
-        speed_range(to_cubic(segment)).min / std::ldexp(segment.beta, segment.lambda);
-    const Vec3 last = segment.b + 3 * segment.beta * segment.a;
-    const double bend = std::max(segment.b.cwiseAbs().maxCoeff(), last.cwiseAbs().maxCoeff());
-    return slowest > 0.5 + rounding && bend < 2 - rounding &&
-           segment.a.cwiseAbs().maxCoeff() < 2.0 / 3 - rounding &&
-           segment.lambda <= kMaxStepExponent && segment.lambda < format.position_bits;
-}
-
 bool choose_step(const WordFormat& format, double limit, Segment& segment) {
     int exponent = 0;  // 2^exponent covers the length
     std::frexp(static_cast<double>(segment.length) / kQuanta, &exponent);
@@ -131,7 +126,9 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
     for (int k = std::clamp(exponent, 0, segment.lambda); k >= 0; --k) {
         trial.step_exponent = k;
         const SplineError error = spline_error(format, trial, limit);
-        if (error.in_range && error.total() <= limit && error.along <= limit / 2) {
+        if (error.shorten == Shorten::kPiece) return false;
+        if (error.shorten == Shorten::kSteps) continue;
+        if (error.total() <= limit && error.along <= limit / 2) {
             segment.step_exponent = k;
             segment.bound = error.total();
             return true;

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "ref/bound/error_bound.hpp"
 #include "ref/curve/cubic.hpp"
-#include "ref/error_bound.hpp"
-#include "ref/plan/segment.hpp"
+#include "ref/curve/segment.hpp"
 
 namespace curvecore::ref {
 
@@ -30,11 +30,8 @@ Segment spline_segment(const Cubic& piece, const WordFormat& format);
 /// Back: the segment's curve of 0 <= u <= 1 in length units, v = beta u.
 Cubic to_cubic(const Segment& segment);
 
-/// Whether the piece keeps to the words' ranges at every v: 1/2 < |V| < 1, |3a v + b| < 2 and
-/// |a| < 2/3 for each axis, lambda <= 27.
-bool fits_words(const Segment& segment, const WordFormat& format);
-
-/// Longest step exponent with which the derived bound stays within the limit, and within half of it
+/// Longest step exponent with which every word keeps its range, the derived bound stays within the
+/// limit, and within half of it
 /// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and
 /// the segment unchanged, when there is none.
 bool choose_step(const WordFormat& format, double limit, Segment& segment);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The papers' figures, one table each, in the papers' letters: wiring only, no numbers.
+// Figures 2, 3, 8 and 10 of [Chikurov], a table each, in its letters: wiring only, no numbers.
 #pragma once
 
 #include "ref/series/network.hpp"
@@ -108,5 +108,7 @@ static_assert(evaluation_order(kSineCosine).size() == 2);
 static_assert(evaluation_order(kSpherical).size() == 6);
 static_assert(evaluation_order(kHyperbola).size() == 2);
 static_assert(evaluation_order(kSpline).size() == 17);
+
+constexpr Wiring<17> kSplineWiring = wire(kSpline);
 
 }  // namespace curvecore::ref

@@ -11,18 +11,33 @@
 
 namespace curvecore::ref {
 
+/// Numbers as they are: what expand() makes of rates and coefficients unless it is told otherwise.
+struct Exact {
+    template <class Real>
+    const Real& rate(std::size_t /*node*/, int /*order*/, const Real& value) const {
+        return value;
+    }
+    template <class Real>
+    const Real& coefficient(std::size_t /*node*/, int /*order*/, const Real& value) const {
+        return value;
+    }
+};
+
 /// Power series of every node about the present state, summed by Horner's scheme.
 ///
 /// | quantity  | symbol     | shape        | remark                                           |
 /// |-----------|------------|--------------|--------------------------------------------------|
 /// | state     | x_0        | nodes        | the caller makes it consistent (sums included)   |
 /// | series    | x_0 .. x_P | P+1 per node | in powers of the independent variable            |
+/// | rates     | D_1 .. D_P | P+1 per node | D_i = i x_i, by which Stieltjes nodes integrate  |
 /// | step      | h          |              | unit of the independent variable                 |
 ///
 ///     x(s + h) = x_0 + h (x_1 + h (x_2 + ... + h x_P))
 ///
+/// A node that integrates its own integrand is half a square: its series comes from its root's.
+///
 /// Error per step: the series' remainder, for the circle R h^(P+1) / (P+1)! with h in rad.
-/// Real: double, or a Boost.Multiprecision number without expression templates.
+/// Real: double, a Boost.Multiprecision number without expression templates, or Enclosed.
 ///
 /// Source: [Chikurov] (8), (15).
 template <class Real, std::size_t Nodes, std::size_t Parameters>
@@ -30,53 +45,48 @@ class Interpreter {
   public:
     using State = std::array<Real, Nodes>;
 
-    /// @throws std::invalid_argument when order < 1; std::logic_error for a malformed network
-    Interpreter(const Network<Nodes, Parameters>& network, int order,
+    /// @throws std::invalid_argument when order < 1
+    Interpreter(const Wiring<Nodes>& wiring, int order,
                 const std::array<Real, Parameters>& parameters = {})
-        : order_(order), evaluation_(evaluation_order(network)) {
+        : order_(order), wiring_(wiring) {
         if (order < 1) {
             throw std::invalid_argument("a series has at least order 1");
         }
-        for (std::size_t i = 0; i < Nodes; ++i) {
-            const Node& node = network.nodes[i];
-            Wired& wired = nodes_[i];
-            wired.kind = node.kind;
-            wired.gain = Real(node.gain.factor);
-            if (!node.gain.parameter.empty()) {
-                wired.gain *= parameters[network.parameter(node.gain.parameter)];
-            }
-            if (node.kind == NodeKind::kSum) {
-                for (std::size_t k = 0; k < node.addends.size(); ++k) {
-                    wired.addends[k] = network.node(node.addends[k]);
-                }
-                continue;
-            }
-            if (node.kind != NodeKind::kScaler) {
-                wired.integrand = network.node(node.integrand);
-            }
-            if (node.kind != NodeKind::kRiemann) {
-                wired.integrating = network.node(node.integrating);
-            }
-        }
-        for (std::vector<Real>& series : series_) {
-            series.resize(static_cast<std::size_t>(order) + 1);
+        for (std::size_t n = 0; n < Nodes; ++n) {
+            const std::size_t parameter = wiring.nodes[n].parameter;
+            gains_[n] = Real(wiring.nodes[n].factor);
+            if (parameter != Wiring<Nodes>::kNone) gains_[n] = gains_[n] * parameters[parameter];
+            series_[n].resize(static_cast<std::size_t>(order) + 1);
+            rates_[n].resize(static_cast<std::size_t>(order) + 1);
         }
     }
 
+    /// @throws also std::logic_error for a malformed network
+    Interpreter(const Network<Nodes, Parameters>& network, int order,
+                const std::array<Real, Parameters>& parameters = {})
+        : Interpreter(wire(network), order, parameters) {}
+
     int order() const { return order_; }
 
-    /// x_0 .. x_P of every node, in the table's order.
-    const std::array<std::vector<Real>, Nodes>& expand(const State& state) {
+    /// x_0 .. x_P of every node, in the table's order. Each rate and each coefficient passes
+    /// through `words`, once made and before it is read.
+    template <class Words = Exact>
+    const std::array<std::vector<Real>, Nodes>& expand(const State& state, Words&& words = {}) {
         for (std::size_t n = 0; n < Nodes; ++n) {
             series_[n][0] = state[n];
         }
         for (int i = 1; i <= order_; ++i) {
-            for (const std::size_t n : evaluation_) {
-                series_[n][static_cast<std::size_t>(i)] = coefficient(nodes_[n], i);
+            for (const std::size_t n : wiring_.order) {
+                const auto at = static_cast<std::size_t>(i);
+                rates_[n][at] = words.rate(n, i, rate(n, i));
+                series_[n][at] = words.coefficient(n, i, coefficient(n, i));
             }
         }
         return series_;
     }
+
+    /// Those of the last expand().
+    const std::array<std::vector<Real>, Nodes>& series() const { return series_; }
 
     /// The state a step h farther on.
     State step(const State& state, const Real& h) {
@@ -93,39 +103,57 @@ class Interpreter {
     }
 
   private:
-    struct Wired {
-        NodeKind kind = NodeKind::kSum;
-        std::size_t integrand = 0;
-        std::size_t integrating = 0;
-        Real gain{};
-        std::array<std::size_t, 3> addends{};
-    };
-
-    Real coefficient(const Wired& node, int order) const {
+    /// D_i, from rates of other nodes up to i and series up to i - 1.
+    Real rate(std::size_t n, int order) const {
+        const auto& node = wiring_.nodes[n];
         const auto i = static_cast<std::size_t>(order);
         switch (node.kind) {
             case NodeKind::kRiemann:
-                return node.gain * series_[node.integrand][i - 1] / Real(order);
+                return gains_[n] * series_[node.integrand][i - 1];
             case NodeKind::kScaler:
-                return node.gain * series_[node.integrating][i];
+                return gains_[n] * rates_[node.integrating][i];
             case NodeKind::kSum:
-                return series_[node.addends[0]][i] + series_[node.addends[1]][i] +
-                       series_[node.addends[2]][i];
+                return rates_[node.addends[0]][i] + rates_[node.addends[1]][i] +
+                       rates_[node.addends[2]][i];
             case NodeKind::kStieltjes:
                 break;
         }
+        const Real* const u = series_[node.integrand].data();
+        const Real* const dv = rates_[node.integrating].data() + i;
         Real sum(0);
-        for (int j = 0; j < order; ++j) {
-            sum += Real(order - j) * series_[node.integrand][static_cast<std::size_t>(j)] *
-                   series_[node.integrating][static_cast<std::size_t>(order - j)];
+        for (std::size_t j = 0; j < i; ++j) {
+            sum += u[j] * *(dv - j);
         }
-        return node.gain * sum / Real(order);
+        return gains_[n] * sum;
+    }
+
+    /// x_i.
+    Real coefficient(std::size_t n, int order) const {
+        const auto& node = wiring_.nodes[n];
+        const auto i = static_cast<std::size_t>(order);
+        if (node.kind == NodeKind::kScaler) {
+            return gains_[n] * series_[node.integrating][i];
+        }
+        if (node.kind == NodeKind::kSum) {
+            return series_[node.addends[0]][i] + series_[node.addends[1]][i] +
+                   series_[node.addends[2]][i];
+        }
+        if (node.square) {
+            const std::vector<Real>& root = series_[node.integrand];
+            Real sum(0);
+            for (std::size_t j = 0; j <= i; ++j) {
+                sum += root[j] * root[i - j];
+            }
+            return gains_[n] * sum / 2;
+        }
+        return rates_[n][i] / order;
     }
 
     int order_;
-    std::array<std::size_t, Nodes> evaluation_;
-    std::array<Wired, Nodes> nodes_;
+    Wiring<Nodes> wiring_;
+    std::array<Real, Nodes> gains_;
     std::array<std::vector<Real>, Nodes> series_;
+    std::array<std::vector<Real>, Nodes> rates_;
 };
 
 template <class Real, std::size_t Nodes, std::size_t Parameters>

@@ -148,4 +148,52 @@ constexpr std::array<std::size_t, Nodes> evaluation_order(
     return order;
 }
 
+/// A network by numbers: places of nodes and parameters instead of names.
+template <std::size_t Nodes>
+struct Wiring {
+    static constexpr std::size_t kNone = Nodes;
+
+    struct Node {
+        NodeKind kind = NodeKind::kSum;
+        bool square = false;  // it integrates its own integrand
+        int factor = 1;
+        std::size_t parameter = kNone;
+        std::size_t integrand = kNone;
+        std::size_t integrating = kNone;
+        std::array<std::size_t, 3> addends{};
+    };
+    std::array<Node, Nodes> nodes{};
+    std::array<std::size_t, Nodes> order{};  // evaluation_order()
+};
+
+/// @throws std::logic_error for a malformed network
+template <std::size_t Nodes, std::size_t Parameters>
+constexpr Wiring<Nodes> wire(const Network<Nodes, Parameters>& network) {
+    Wiring<Nodes> wiring{};
+    wiring.order = evaluation_order(network);
+    for (std::size_t i = 0; i < Nodes; ++i) {
+        const Node& node = network.nodes[i];
+        auto& wired = wiring.nodes[i];
+        wired.kind = node.kind;
+        wired.square = node.kind == NodeKind::kStieltjes && node.integrand == node.integrating;
+        wired.factor = node.gain.factor;
+        if (!node.gain.parameter.empty()) {
+            wired.parameter = network.parameter(node.gain.parameter);
+        }
+        if (node.kind == NodeKind::kSum) {
+            for (std::size_t k = 0; k < node.addends.size(); ++k) {
+                wired.addends[k] = network.node(node.addends[k]);
+            }
+            continue;
+        }
+        if (node.kind != NodeKind::kScaler) {
+            wired.integrand = network.node(node.integrand);
+        }
+        if (node.kind != NodeKind::kRiemann) {
+            wired.integrating = network.node(node.integrating);
+        }
+    }
+    return wiring;
+}
+
 }  // namespace curvecore::ref

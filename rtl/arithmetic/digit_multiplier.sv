@@ -8,12 +8,12 @@
 // doubled).  No multiplier: several units share one weight.
 //
 //   cycle       0      1        2  ..  Digits + 1      Digits + 3
-//   take_i      1                                      (may be 1 again)
+//   Take        1                                      (may be 1 again)
 //   a_i         a
-//   triple_i           1
-//   step_i                      1  ..  1
-//   digit_i                     digits
-//   last_i                             1
+//   Triple             1
+//   Step                        1  ..  1
+//   Digit                       digits
+//   Last                               1
 //   base_o                      base
 //   product_o   of the one before, up to cycle 2       product
 `default_nettype none
@@ -21,30 +21,28 @@ module digit_multiplier #(
     parameter int Bits     = 36,  // [18, 36]
     parameter int Negative = 0    // 0, 1
 ) (
-    input  wire logic                   clk_i,
-    input  wire logic                   take_i,
-    input  wire logic                   triple_i,
-    input  wire logic                   step_i,
-    input  wire logic                   last_i,
-    input  wire logic        [     1:0] digit_i,
-    input  wire logic signed [Bits-1:0] a_i,
-    output logic signed      [Bits-1:0] base_o,
-    output logic signed      [Bits-1:0] product_o
+    input  wire logic                               clk_i,
+    input  wire logic        [digits_pkg::Bits-1:0] digits_i,
+    input  wire logic signed [            Bits-1:0] a_i,
+    output logic signed      [            Bits-1:0] base_o,
+    output logic signed      [            Bits-1:0] product_o
 );
 
   initial if (Bits < 18 || Bits > 36) $fatal(1, "Bits must be in [18, 36]");
 
+  logic                   triple;
   logic signed [Bits-1:0] a_q;
   logic signed [Bits-1:0] minus_a;
   logic signed [Bits+1:0] a;
   logic signed [Bits+1:0] multiplied;  // 2a, for -3a = a - 4a: 4a
   logic signed [Bits+1:0] triple_q;
+  assign triple     = digits_i[digits_pkg::Triple];
   assign minus_a    = -a_q;
   assign a          = {{2{a_q[Bits-1]}}, a_q};
   assign multiplied = (Negative != 0) ? {a_q, 2'b00} : {a_q[Bits-1], a_q, 1'b0};
   always_ff @(posedge clk_i) begin
-    if (take_i) a_q <= a_i;
-    if (triple_i) begin
+    if (digits_i[digits_pkg::Take]) a_q <= a_i;
+    if (triple) begin
       base_o   <= (Negative != 0) ? minus_a : a_q;
       triple_q <= (Negative != 0) ? a - multiplied : a + multiplied;
     end
@@ -56,10 +54,10 @@ module digit_multiplier #(
   logic                   step_q;
   logic                   last_q;
   always_ff @(posedge clk_i) begin
-    clear_q <= triple_i;
-    step_q  <= step_i;
-    last_q  <= last_i;
-    case (digit_i)
+    clear_q <= triple;
+    step_q  <= digits_i[digits_pkg::Step];
+    last_q  <= digits_i[digits_pkg::Last];
+    case (digits_i[digits_pkg::Digit+:2])
       2'd0: multiple_q <= '0;
       2'd1: multiple_q <= {{2{base_o[Bits-1]}}, base_o};
       2'd2: multiple_q <= {base_o[Bits-1], base_o, 1'b0};

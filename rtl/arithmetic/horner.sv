@@ -17,9 +17,9 @@
 //   valid_o                        1
 //   d_o, tag_o                     d, tag
 //
-// TurnBits > 0: the coefficients are an arc's (ref/order_words.hpp), the one of power i no larger
-// than 2^(Bits - 2 - TurnBits (i-1)) / i!.  Its pass then has widths of its own: the same sums in
-// curvecore_pkg::sum_bits, and the top tau_bits of x.
+// TurnBits > 0: the coefficients are an arc's (ref/format/order_words.hpp), the one of power i no
+// larger than 2^(Bits - 2 - TurnBits (i-1)) / i!.  Its pass then has widths of its own: the same
+// sums in curvecore_pkg::sum_bits, and the top tau_bits of x.
 //
 // Reset clears what is under way.  Coefficients are written whether enabled or not.
 // No overflow as long as every a and every sum fits Bits: see to it when writing coefficients.

@@ -4,27 +4,19 @@
 //
 //   cycle        0         5           Digits + 6
 //   there_i      u[i-1]
-//   there_o                i = 1       i > 1          coef_o = x[i], order_o = i
-//
-// The other ports are riemann_integrator's, of the same names.
+//   there_o                i = 1       i > 1          x_o = x[i], order_o = i
 `default_nettype none
 module order_digits #(
     parameter int Bits = 36,  // [18, 36]
     parameter int Last = 12   // [1, 12]
 ) (
-    input  wire logic       clk_i,
-    input  wire logic       rst_ni,
-    input  wire logic       there_i,
-    input  wire logic [3:0] order_i,    // i - 1
-    output logic            take_o,
-    output logic            triple_o,
-    output logic            step_o,
-    output logic            last_o,
-    output logic      [1:0] digit_o,
-    output logic            collect_o,
-    output logic            first_o,
-    output logic            there_o,
-    output logic      [3:0] order_o
+    input  wire logic                                  clk_i,
+    input  wire logic                                  rst_ni,
+    input  wire logic                                  there_i,
+    input  wire logic [                           3:0] order_i,    // i - 1
+    output logic      [riemann_pkg::ExpansionBits-1:0] control_o,
+    output logic                                       there_o,
+    output logic      [                           3:0] order_o
 );
 
   logic [35:0] reciprocal[16];
@@ -49,7 +41,8 @@ module order_digits #(
     weight_q <= weight[Bits-1:0];
   end
 
-  logic done;
+  logic [digits_pkg::Bits-1:0] digits;
+  logic                        done;
   digit_source #(
       .Bits(Bits)
   ) u_digits (
@@ -57,23 +50,22 @@ module order_digits #(
       .rst_ni,
       .start_i (start_q),
       .weight_i(weight_q),
-      .take_o,
-      .triple_o,
-      .step_o,
-      .last_o,
-      .digit_o,
+      .digits_o(digits),
       .done_o  (done)
   );
 
   // Order 1 needs no product.
-  assign collect_o = first_o || (done && order_o != 4'd1);
+  logic first_q;
+  logic collect;
+  assign collect   = first_q || (done && order_o != 4'd1);
+  assign control_o = {first_q, collect, 3'b000, digits};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      first_o <= 1'b0;
+      first_q <= 1'b0;
       there_o <= 1'b0;
     end else begin
-      first_o <= triple_o && order_o == 4'd1;
-      there_o <= collect_o;
+      first_q <= digits[digits_pkg::Triple] && order_o == 4'd1;
+      there_o <= collect;
     end
   end
   always_ff @(posedge clk_i) if (start_q) order_o <= order_q;

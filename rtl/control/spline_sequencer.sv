@@ -5,11 +5,11 @@
 //
 //   cycle          0   1   3i + 7      6i + 14        9i + 28 + Pause (i+1's cycle 1)
 //   start_i        1
-//   start_v_o          1                              1
-//   start_x_o          1                              1        of order Order too: nothing follows
-//   start_p_o              1
-//   start_phi_o                        1
-//   order_o            i                              i + 1
+//   StartV             1                              1        of control_o
+//   StartX             1                              1        of order Order too: nothing follows
+//   StartP                 1
+//   StartPhi                           1
+//   Order              i                              i + 1
 //
 // Each start comes as early as the newest word permits, which a node reads i + 1 clocks later.
 // Everything else follows by itself, q[i] W[i] V[i] x[i] R[i] Q[i] beside the chain.  Pause, before
@@ -32,16 +32,12 @@ module spline_sequencer #(
     parameter int Mode   = 1,   // 0 series, 1 polynomial
     parameter int Anchor = 1    // 0, 1
 ) (
-    input  wire logic       clk_i,
-    input  wire logic       rst_ni,
-    input  wire logic       start_i,
-    output logic            ready_o,
-    output logic            start_v_o,
-    output logic            start_x_o,
-    output logic            start_p_o,
-    output logic            start_phi_o,
-    output logic      [3:0] order_o,
-    output logic            done_o
+    input  wire logic                               clk_i,
+    input  wire logic                               rst_ni,
+    input  wire logic                               start_i,
+    output logic                                    ready_o,
+    output logic      [spline_pkg::ControlBits-1:0] control_o,
+    output logic                                    done_o
 );
 
   localparam int Top = (Anchor != 0) ? Order - 1 : Order;
@@ -75,6 +71,13 @@ module spline_sequencer #(
     assign phi_clocks[i] = (i == 2) ? 8'(3 * i + 13 + Pause) : 8'(3 * i + 13);
   end
 
+  logic start_v_q;
+  logic start_x_q;
+  logic start_p_q;
+  logic start_phi_q;
+  logic [3:0] order_q;
+  assign control_o = {start_phi_q, start_p_q, start_x_q, start_v_q, order_q};
+
   state_t state_q, next, next_q;
   logic [7:0] count_q;
   logic [7:0] clocks;
@@ -85,8 +88,8 @@ module spline_sequencer #(
   assign ready_o = state_q == Idle && next_q == V;
   always_comb begin
     next       = state_q;
-    next_order = order_o;
-    clocks     = v_clocks[order_o];
+    next_order = order_q;
+    clocks     = v_clocks[order_q];
     case (state_q)
       Idle: begin
         next       = V;
@@ -95,21 +98,21 @@ module spline_sequencer #(
       end
       V: begin
         next   = P;
-        clocks = p_clocks[order_o];
+        clocks = p_clocks[order_q];
       end
       P: begin
         next   = Phi;
-        clocks = phi_clocks[order_o];
-        if (Anchor == 0 && order_o == 4'(Order)) begin
+        clocks = phi_clocks[order_q];
+        if (Anchor == 0 && order_q == 4'(Order)) begin
           next   = Last;
           clocks = 8'(Rest - 1);
         end
       end
       Phi: begin
         next       = V;
-        next_order = order_o + 4'd1;
+        next_order = order_q + 4'd1;
         clocks     = v_clocks[next_order];
-        if (Anchor != 0 && order_o == 4'(Top)) begin
+        if (Anchor != 0 && order_q == 4'(Top)) begin
           next   = Last;
           clocks = 8'(Rest - 1);
         end
@@ -123,17 +126,17 @@ module spline_sequencer #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       state_q     <= Idle;
-      start_v_o   <= 1'b0;
-      start_x_o   <= 1'b0;
-      start_p_o   <= 1'b0;
-      start_phi_o <= 1'b0;
+      start_v_q   <= 1'b0;
+      start_x_q   <= 1'b0;
+      start_p_q   <= 1'b0;
+      start_phi_q <= 1'b0;
       done_o      <= 1'b0;
     end else begin
       if (go) state_q <= next_q;
-      start_v_o   <= go && next_q == V;
-      start_x_o   <= go && (next_q == V || (next_q == Last && Anchor != 0));
-      start_p_o   <= go && next_q == P;
-      start_phi_o <= go && (next_q == Phi || (next_q == Last && Anchor == 0));
+      start_v_q   <= go && next_q == V;
+      start_x_q   <= go && (next_q == V || (next_q == Last && Anchor != 0));
+      start_p_q   <= go && next_q == P;
+      start_phi_q <= go && (next_q == Phi || (next_q == Last && Anchor == 0));
       done_o      <= go && state_q == Last;
     end
   end
@@ -143,7 +146,7 @@ module spline_sequencer #(
     clocks_q     <= clocks;
     turn_q       <= !go && count_q == 8'd1;
     count_q      <= go ? clocks_q : count_q - 8'd1;
-    if (go && next_q != Idle) order_o <= next_order_q;
+    if (go && next_q != Idle) order_q <= next_order_q;
   end
 
 endmodule

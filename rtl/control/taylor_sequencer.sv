@@ -3,15 +3,15 @@
 // w[i] = floor(theta reciprocal[i] / 2^(Bits-1) + 1/2) made on the way, each while the order before
 // it is multiplied.  Slots of Digits + 3 cycles (rtl/arithmetic/digit_multiplier.sv):
 //
-//   cycle            controls
+//   cycle            control_o
 //   0                start_i and ready_o; fresh_i: the state will be loaded, not advanced
-//   1                slot 0: take_o, close_o: theta times the sums of the step before; w[2]
-//   Digits + 4       advance_o (unless fresh): state <- state + product
-//   Digits + 5       zeroth_o, take_o: coefficients of order 0, whose product is order 1
-//   Digits + 6       triple_o
-//   Digits + 7       slot 1: collect_o, first_o, take_o: order 1 is there; order 2; w[3]
-//   ...              slot i: collect_o, take_o: order i is there; order i + 1; w[i+2]
-//   Latency - 1      collect_o: order Order; next cycle ready_o again
+//   1                slot 0: Take, Close: theta times the sums of the step before; w[2]
+//   Digits + 4       Advance (unless fresh): state <- state + product
+//   Digits + 5       Zeroth, Take: coefficients of order 0, whose product is order 1
+//   Digits + 6       Triple
+//   Digits + 7       slot 1: Collect, First, Take: order 1 is there; order 2; w[3]
+//   ...              slot i: Collect, Take: order i is there; order i + 1; w[i+2]
+//   Latency - 1      Collect: order Order; next cycle ready_o again
 //
 //   Latency = Order (Digits + 3) + 5: clocks from one start to the next
 //
@@ -31,16 +31,7 @@ module taylor_sequencer #(
     output logic                 ready_o,
 
     // To the integrators
-    output logic       take_o,
-    output logic       close_o,
-    output logic       triple_o,
-    output logic       step_o,
-    output logic       last_o,
-    output logic [1:0] digit_o,
-    output logic       advance_o,
-    output logic       zeroth_o,
-    output logic       collect_o,
-    output logic       first_o,
+    output logic [riemann_pkg::ExpansionBits-1:0] control_o,
 
     // What the integrators show
     output logic       zeroth_there_o,
@@ -146,17 +137,27 @@ module taylor_sequencer #(
   assign order_done = state_q == Settle && !order_zero_q;
   assign digit_more = state_q == Digit && !digit_last_q;
   assign copy       = state_q == Triple && copy_q;
+
+  logic take_q;
+  logic close_q;
+  logic triple_q;
+  logic step_q;
+  logic last_q;
+  logic advance_q;
+  logic zeroth_q;
+  logic collect_q;
+  logic first_q;
   always_ff @(posedge clk_i) begin
-    take_o <= (state_q == Idle && start_i) || (order_done && !order_last_q) || copy
+    take_q <= (state_q == Idle && start_i) || (order_done && !order_last_q) || copy
         || state_q == Advance;
-    close_o <= state_q == Idle && start_i;
-    triple_o <= state_q == Take || state_q == Zeroth;
-    step_o <= digit_more || (state_q == Triple && !copy_q);
-    last_o <= digit_more && digit_q == 5'(Digits - 1);
-    advance_o <= state_q == Settle && order_zero_q && !fresh_q;
-    zeroth_o <= state_q == Advance;
-    collect_o <= order_done || copy;
-    first_o <= copy;
+    close_q <= state_q == Idle && start_i;
+    triple_q <= state_q == Take || state_q == Zeroth;
+    step_q <= digit_more || (state_q == Triple && !copy_q);
+    last_q <= digit_more && digit_q == 5'(Digits - 1);
+    advance_q <= state_q == Settle && order_zero_q && !fresh_q;
+    zeroth_q <= state_q == Advance;
+    collect_q <= order_done || copy;
+    first_q <= copy;
   end
   assign ready_o = state_q == Idle;
 
@@ -166,8 +167,8 @@ module taylor_sequencer #(
       collect_there_o <= 1'b0;
       done_o          <= 1'b0;
     end else begin
-      zeroth_there_o  <= zeroth_o;
-      collect_there_o <= collect_o;
+      zeroth_there_o  <= zeroth_q;
+      collect_there_o <= collect_q;
       done_o          <= state_q == Done;
     end
     order_there_o <= order_q;
@@ -192,18 +193,13 @@ module taylor_sequencer #(
   logic                   triple_weight;
   logic signed [Bits-1:0] unused_base;
   logic signed [Bits-1:0] next_weight;
-  logic        [     1:0] theta_digit;
-  assign take_weight   = take_o && !zeroth_o;
-  assign triple_weight = triple_o && !copy_q;
+  assign take_weight   = take_q && !zeroth_q;
+  assign triple_weight = triple_q && !copy_q;
   digit_multiplier #(
       .Bits(Bits)
   ) u_weight (
       .clk_i,
-      .take_i(take_weight),
-      .triple_i(triple_weight),
-      .step_i(step_o),
-      .last_i(last_o),
-      .digit_i(theta_digit),
+      .digits_i({take_weight, triple_weight, step_q, last_q, theta_q[1:0]}),
       .a_i(next_reciprocal[Bits-1:0]),
       .base_o(unused_base),
       .product_o(next_weight)
@@ -214,18 +210,29 @@ module taylor_sequencer #(
   logic [Bits-1:0] weight;
   logic [Shifted-1:0] weight_q;
   logic [Shifted-1:0] theta_q;
-  assign weight      = close_o ? theta_i : next_weight;
-  assign digit_o     = weight_q[1:0];
-  assign theta_digit = theta_q[1:0];
+  assign weight = close_q ? theta_i : next_weight;
   always_ff @(posedge clk_i) begin
     if (take_weight) begin
       weight_q <= {weight, {(Shifted - Bits) {1'b0}}};
       theta_q  <= {theta_i, {(Shifted - Bits) {1'b0}}};
-    end else if (step_o) begin
+    end else if (step_q) begin
       weight_q <= {2'b00, weight_q[Shifted-1:2]};
       theta_q  <= {2'b00, theta_q[Shifted-1:2]};
     end
   end
+
+  assign control_o = {
+    first_q,
+    collect_q,
+    zeroth_q,
+    advance_q,
+    close_q,
+    take_q,
+    triple_q,
+    step_q,
+    last_q,
+    weight_q[1:0]
+  };
 
 endmodule
 `default_nettype wire

@@ -4,17 +4,16 @@
 //
 //   cycle      0      2                         3 .. Digits + 5
 //   q_i        q[i]
-//   take              1, negative, order        triple, step, last, digit, done as digit_source
-//   digits_o   {take, triple, step, last, digit, done, negative, order}; the last two are kept
+//   digits_o          Take, Negative, Order     the rest as digit_source; these two are kept
 `default_nettype none
 module word_digits #(
     parameter int Bits = 36,  // [18, 36]
     parameter int Last = 12   // [0, 12]
 ) (
-    input  wire logic            clk_i,
-    input  wire logic            rst_ni,
-    input  wire logic [Bits+4:0] q_i,
-    output logic      [    11:0] digits_o
+    input  wire logic                              clk_i,
+    input  wire logic                              rst_ni,
+    input  wire logic [                  Bits+4:0] q_i,
+    output logic      [scaler_pkg::DigitsBits-1:0] digits_o
 );
 
   logic        [Bits+4:0] q_q;
@@ -29,12 +28,8 @@ module word_digits #(
   assign minus_q           = -q;
   assign magnitude         = q[Bits-1] ? minus_q : q;
 
-  logic       take;
-  logic       triple;
-  logic       step;
-  logic       last;
-  logic [1:0] digit;
-  logic       done;
+  logic [digits_pkg::Bits-1:0] digits;
+  logic                        done;
   digit_source #(
       .Bits(Bits)
   ) u_digits (
@@ -42,17 +37,13 @@ module word_digits #(
       .rst_ni,
       .start_i (start),
       .weight_i({magnitude[Bits-2:0], 1'b0}),
-      .take_o  (take),
-      .triple_o(triple),
-      .step_o  (step),
-      .last_o  (last),
-      .digit_o (digit),
+      .digits_o(digits),
       .done_o  (done)
   );
 
   logic       negative_q;
   logic [3:0] order_q;
-  assign digits_o = {take, triple, step, last, digit, done, negative_q, order_q};
+  assign digits_o = {order_q, negative_q, done, digits};
   always_ff @(posedge clk_i) begin
     q_q <= q_i;
     if (start) begin

@@ -4,10 +4,10 @@
 //     6a' = 6a / 4^s    a' = a / 4^s    W = 2 slope / 2^s    R = floor(-3 S / 4 + 1/2)
 //
 //   cycle                                 0    1    2       5
-//   v, phi, q_there_i with result_i       1    load, word_o
-//   square_there_i with result_i          1         load_r, word_o
-//   three_a_there_i, a_there_i            1                 load_six_a, step_a_there, word_o
-//   slope_there_i with result_i           1                 load_w, word_o
+//   v, phi, q_there_i with result_i       1    V, Phi, Q, word_o                    of load_o
+//   square_there_i with result_i          1         R, word_o
+//   three_a_there_i, a_there_i            1                 SixA, step_a_there, word_o
+//   slope_there_i with result_i           1                 W, word_o
 //
 // scaled_o: moved_i / 2^s in cycle 6 of time_i, with ParameterGuard fraction bits more.  start_o in
 // cycle 92; with quiet_i in cycle 3.
@@ -39,16 +39,10 @@ module anchor_words #(
     input wire logic        [         1:0] result_axis_i,
     input wire logic signed [CoefBits-1:0] result_i,
 
-    output logic        [         2:0] load_six_a_o,
-    output logic        [         2:0] load_v_o,
-    output logic        [         2:0] load_w_o,
-    output logic                       load_phi_o,
-    output logic                       load_q_o,
-    output logic                       load_r_o,
-    output logic                       again_o,
-    output logic                       start_o,
-    output logic        [         2:0] step_a_there_o,
-    output logic signed [CoefBits-1:0] word_o
+    output logic        [spline_pkg::LoadBits-1:0] load_o,
+    output logic                                   start_o,
+    output logic        [                     2:0] step_a_there_o,
+    output logic signed [            CoefBits-1:0] word_o
 );
 
   localparam int Bits = CoefBits;
@@ -137,26 +131,35 @@ module anchor_words #(
   assign late_axis   = axis_q[3];
   assign scaled_axis = 3'b001 << late_axis;
   assign result_axis = 3'b001 << result_axis_i;
+
+  logic [2:0] load_six_a_q;
+  logic [2:0] load_v_q;
+  logic [2:0] load_w_q;
+  logic load_phi_q;
+  logic load_q_q;
+  logic load_r_q;
+  logic again_q;
+  assign load_o = {again_q, load_r_q, load_q_q, load_phi_q, load_w_q, load_v_q, load_six_a_q};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      load_six_a_o   <= 3'd0;
-      load_v_o       <= 3'd0;
-      load_w_o       <= 3'd0;
-      load_phi_o     <= 1'b0;
-      load_q_o       <= 1'b0;
-      load_r_o       <= 1'b0;
-      again_o        <= 1'b0;
+      load_six_a_q   <= 3'd0;
+      load_v_q       <= 3'd0;
+      load_w_q       <= 3'd0;
+      load_phi_q     <= 1'b0;
+      load_q_q       <= 1'b0;
+      load_r_q       <= 1'b0;
+      again_q        <= 1'b0;
       start_o        <= 1'b0;
       step_a_there_o <= 3'd0;
     end else begin
-      load_six_a_o   <= three_a_scaled_q[3] ? scaled_axis : 3'd0;
+      load_six_a_q   <= three_a_scaled_q[3] ? scaled_axis : 3'd0;
       step_a_there_o <= a_scaled_q[3] ? scaled_axis : 3'd0;
-      load_v_o       <= (v_there_i && !quiet_i) ? result_axis : 3'd0;
-      load_w_o       <= (slope_scaled_q[3] && !quiet_i) ? scaled_axis : 3'd0;
-      load_phi_o     <= phi_there_i && !quiet_i;
-      load_q_o       <= q_there_i && !quiet_i;
-      load_r_o       <= three_there_q && !quiet_i;
-      again_o        <= quiet_i && time_copy == 8'd1;
+      load_v_q       <= (v_there_i && !quiet_i) ? result_axis : 3'd0;
+      load_w_q       <= (slope_scaled_q[3] && !quiet_i) ? scaled_axis : 3'd0;
+      load_phi_q     <= phi_there_i && !quiet_i;
+      load_q_q       <= q_there_i && !quiet_i;
+      load_r_q       <= three_there_q && !quiet_i;
+      again_q        <= quiet_i && time_copy == 8'd1;
       start_o        <= quiet_i ? time_copy == 8'd1 : time_copy == 8'd90;
     end
   end

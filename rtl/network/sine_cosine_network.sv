@@ -10,78 +10,29 @@ module sine_cosine_network #(
 ) (
     input wire logic clk_i,
 
+    // From taylor_sequencer, with Load
+    input wire logic [riemann_pkg::Bits-1:0] control_i,
+
     // Initial conditions
-    input wire logic                       load_i,
     input wire logic signed [CoefBits-1:0] sine_i,
     input wire logic signed [CoefBits-1:0] cosine_i,
-
-    // From taylor_sequencer
-    input wire logic       take_i,
-    input wire logic       close_i,
-    input wire logic       triple_i,
-    input wire logic       step_i,
-    input wire logic       last_i,
-    input wire logic [1:0] digit_i,
-    input wire logic       advance_i,
-    input wire logic       zeroth_i,
-    input wire logic       collect_i,
-    input wire logic       first_i,
 
     output logic signed [CoefBits-1:0] y_o,
     output logic signed [CoefBits-1:0] z_o
 );
 
-  logic signed [CoefBits-1:0] y;
-  logic signed [CoefBits-1:0] z;
+  logic signed [CoefBits-1:0] unused_y, unused_z;
 
-  logic signed [CoefBits-1:0] unused_sum_y;
-  logic signed [CoefBits-1:0] unused_sum_z;
+  // One integrator per state equation, the equation in its last line.
+  // verilog_format: off
+  riemann_integrator #(.Bits(CoefBits)) u_y (
+      .clk_i, .control_i, .initial_i(sine_i), .sum_o(unused_y),
+      .x_o(y_o), .u_i(z_o));  // dy = phi z ds
 
-  riemann_integrator #(
-      .Bits(CoefBits)
-  ) u_y (
-      .clk_i,
-      .load_i,
-      .initial_i(sine_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(unused_sum_y),
-      .u_i(z),
-      .coef_o(y)
-  );
-
-  riemann_integrator #(
-      .Bits(CoefBits),
-      .Negative(1)
-  ) u_z (
-      .clk_i,
-      .load_i,
-      .initial_i(cosine_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(unused_sum_z),
-      .u_i(y),
-      .coef_o(z)
-  );
-
-  assign y_o = y;
-  assign z_o = z;
+  riemann_integrator #(.Bits(CoefBits), .Negative(1)) u_z (
+      .clk_i, .control_i, .initial_i(cosine_i), .sum_o(unused_z),
+      .x_o(z_o), .u_i(y_o));  // dz = -phi y ds
+  // verilog_format: on
 
 endmodule
 `default_nettype wire

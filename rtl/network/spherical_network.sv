@@ -12,22 +12,13 @@ module spherical_network #(
 ) (
     input wire logic clk_i,
 
+    // From taylor_sequencer
+    input wire logic [riemann_pkg::ExpansionBits-1:0] control_i,
+
     // Initial conditions, one axis at a time: bit 0 for x and F, 1 for y and G, 2 for z and H
     input wire logic        [         2:0] load_i,
     input wire logic signed [CoefBits-1:0] normal_i,
     input wire logic signed [CoefBits-1:0] tangent_i,
-
-    // From taylor_sequencer
-    input wire logic       take_i,
-    input wire logic       close_i,
-    input wire logic       triple_i,
-    input wire logic       step_i,
-    input wire logic       last_i,
-    input wire logic [1:0] digit_i,
-    input wire logic       advance_i,
-    input wire logic       zeroth_i,
-    input wire logic       collect_i,
-    input wire logic       first_i,
 
     output logic signed [CoefBits-1:0] x_o,
     output logic signed [CoefBits-1:0] y_o,
@@ -42,154 +33,34 @@ module spherical_network #(
     output logic signed [CoefBits-1:0] sum_z_o
 );
 
-  logic signed [CoefBits-1:0] x;
-  logic signed [CoefBits-1:0] y;
-  logic signed [CoefBits-1:0] z;
-  logic signed [CoefBits-1:0] f;
-  logic signed [CoefBits-1:0] g;
-  logic signed [CoefBits-1:0] h;
+  logic signed [CoefBits-1:0] unused_f, unused_g, unused_h;
 
-  logic signed [CoefBits-1:0] unused_sum_f;
-  logic signed [CoefBits-1:0] unused_sum_g;
-  logic signed [CoefBits-1:0] unused_sum_h;
+  // One integrator per state equation, the equation in its last line.
+  // verilog_format: off
+  riemann_integrator #(.Bits(CoefBits)) u_x (
+      .clk_i, .control_i({load_i[0], control_i}), .initial_i(normal_i), .sum_o(sum_x_o),
+      .x_o(x_o), .u_i(f_o));  // dx = phi F ds
 
-  // The network: one integrator per state equation, the equation in its last line.
+  riemann_integrator #(.Bits(CoefBits)) u_y (
+      .clk_i, .control_i({load_i[1], control_i}), .initial_i(normal_i), .sum_o(sum_y_o),
+      .x_o(y_o), .u_i(g_o));  // dy = phi G ds
 
-  riemann_integrator #(
-      .Bits(CoefBits)
-  ) u_x (
-      .clk_i,
-      .load_i(load_i[0]),
-      .initial_i(normal_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(sum_x_o),
-      .u_i(f),
-      .coef_o(x)
-  );
+  riemann_integrator #(.Bits(CoefBits)) u_z (
+      .clk_i, .control_i({load_i[2], control_i}), .initial_i(normal_i), .sum_o(sum_z_o),
+      .x_o(z_o), .u_i(h_o));  // dz = phi H ds
 
-  riemann_integrator #(
-      .Bits(CoefBits)
-  ) u_y (
-      .clk_i,
-      .load_i(load_i[1]),
-      .initial_i(normal_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(sum_y_o),
-      .u_i(g),
-      .coef_o(y)
-  );
+  riemann_integrator #(.Bits(CoefBits), .Negative(1)) u_f (
+      .clk_i, .control_i({load_i[0], control_i}), .initial_i(tangent_i), .sum_o(unused_f),
+      .x_o(f_o), .u_i(x_o));  // dF = -phi x ds
 
-  riemann_integrator #(
-      .Bits(CoefBits)
-  ) u_z (
-      .clk_i,
-      .load_i(load_i[2]),
-      .initial_i(normal_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(sum_z_o),
-      .u_i(h),
-      .coef_o(z)
-  );
+  riemann_integrator #(.Bits(CoefBits), .Negative(1)) u_g (
+      .clk_i, .control_i({load_i[1], control_i}), .initial_i(tangent_i), .sum_o(unused_g),
+      .x_o(g_o), .u_i(y_o));  // dG = -phi y ds
 
-  riemann_integrator #(
-      .Bits(CoefBits),
-      .Negative(1)
-  ) u_f (
-      .clk_i,
-      .load_i(load_i[0]),
-      .initial_i(tangent_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(unused_sum_f),
-      .u_i(x),
-      .coef_o(f)
-  );
-
-  riemann_integrator #(
-      .Bits(CoefBits),
-      .Negative(1)
-  ) u_g (
-      .clk_i,
-      .load_i(load_i[1]),
-      .initial_i(tangent_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(unused_sum_g),
-      .u_i(y),
-      .coef_o(g)
-  );
-
-  riemann_integrator #(
-      .Bits(CoefBits),
-      .Negative(1)
-  ) u_h (
-      .clk_i,
-      .load_i(load_i[2]),
-      .initial_i(tangent_i),
-      .take_i,
-      .close_i,
-      .triple_i,
-      .step_i,
-      .last_i,
-      .digit_i,
-      .advance_i,
-      .zeroth_i,
-      .collect_i,
-      .first_i,
-      .sum_o(unused_sum_h),
-      .u_i(z),
-      .coef_o(h)
-  );
-
-  assign x_o = x;
-  assign y_o = y;
-  assign z_o = z;
-  assign f_o = f;
-  assign g_o = g;
-  assign h_o = h;
+  riemann_integrator #(.Bits(CoefBits), .Negative(1)) u_h (
+      .clk_i, .control_i({load_i[2], control_i}), .initial_i(tangent_i), .sum_o(unused_h),
+      .x_o(h_o), .u_i(z_o));  // dH = -phi z ds
+  // verilog_format: on
 
 endmodule
 `default_nettype wire

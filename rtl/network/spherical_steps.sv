@@ -6,12 +6,9 @@
 //
 //     Order (Digits + 3) + 7 clocks,  Digits = ceil(CoefBits / 2)
 //
-//   rate_valid_o     Axes clocks: advance_o of rate_axis_o
-//   point_write_o    Axes clocks: origin_o and end_o of point_axis_o
-//   zeroth_o         one clock: x_o .. h_o are n and t at the step's start
-//   collect_o        Order clocks: x_o .. z_o are the coefficients of order_o; with Mode 1 angle_o
-//                    is that of the angle's sine (odd orders) or cosine (even orders)
-//   done_o           with the last collect_o
+//   rate_o, point_o   Axes clocks
+//   write_o           rtl/network/arc_bank.sv; the last up to two clocks after done_o
+//   done_o            with the last order
 //
 // The segment's words follow segment_axis_o in the same clock and segment_point_o a clock later
 // (rtl/control/step_starter.sv), theta_i and k_i a clock after start_i.
@@ -43,24 +40,13 @@ module spherical_steps #(
     input  wire logic signed [FineBits-1:0] start_point_i,
     input  wire logic signed [FineBits-1:0] end_point_i,
 
-    output logic                       rate_valid_o,
-    output logic        [         3:0] rate_axis_o,
-    output logic signed [CoefBits-1:0] advance_o,
-    output logic                       point_write_o,
-    output logic        [         3:0] point_axis_o,
-    output logic signed [FineBits-1:0] origin_o,
-    output logic signed [FineBits-1:0] end_o,
-
-    output logic                       zeroth_o,
-    output logic                       collect_o,
-    output logic        [         3:0] order_o,
-    output logic signed [CoefBits-1:0] x_o,
-    output logic signed [CoefBits-1:0] y_o,
-    output logic signed [CoefBits-1:0] z_o,
-    output logic signed [CoefBits-1:0] f_o,
-    output logic signed [CoefBits-1:0] g_o,
-    output logic signed [CoefBits-1:0] h_o,
-    output logic signed [CoefBits-1:0] angle_o
+    // To the banks: of the rates {there, axis, rate}, of the points {there, axis, end, origin}, of
+    // the sampler (rtl/sampler/bank_pkg.sv)
+    input  wire logic [                         1:0] bank_i,
+    output logic      [                CoefBits+4:0] rate_o,
+    output logic      [              2*FineBits+4:0] point_o,
+    output logic      [          bank_pkg::Bits-1:0] write_o,
+    output logic      [bank_pkg::Lanes*CoefBits-1:0] words_o
 );
 
   logic load_q;  // the present step is the first of its segment
@@ -68,16 +54,10 @@ module spherical_steps #(
     if (start_i) load_q <= fresh_i;
   end
 
-  logic       take;
-  logic       close;
-  logic       triple;
-  logic       step;
-  logic       last_digit;
-  logic [1:0] digit;
-  logic       advance;
-  logic       zeroth;
-  logic       collect;
-  logic       first;
+  logic [riemann_pkg::ExpansionBits-1:0] control;
+  logic                                  zeroth;
+  logic                                  collect;
+  logic [                           3:0] order;
   taylor_sequencer #(
       .Order(Order),
       .Bits (CoefBits)
@@ -88,19 +68,10 @@ module spherical_steps #(
       .fresh_i,
       .theta_i,
       .ready_o,
-      .take_o(take),
-      .close_o(close),
-      .triple_o(triple),
-      .step_o(step),
-      .last_o(last_digit),
-      .digit_o(digit),
-      .advance_o(advance),
-      .zeroth_o(zeroth),
-      .collect_o(collect),
-      .first_o(first),
-      .zeroth_there_o(zeroth_o),
-      .collect_there_o(collect_o),
-      .order_there_o(order_o),
+      .control_o(control),
+      .zeroth_there_o(zeroth),
+      .collect_there_o(collect),
+      .order_there_o(order),
       .done_o
   );
 
@@ -143,29 +114,21 @@ module spherical_steps #(
     initial_tangent_q <= tangent_i;
   end
 
+  logic signed [CoefBits-1:0] x, y, z, f, g, h;
   spherical_network #(
       .CoefBits(CoefBits)
   ) u_network (
       .clk_i,
+      .control_i(control),
       .load_i(initial_load_q),
       .normal_i(initial_normal_q),
       .tangent_i(initial_tangent_q),
-      .take_i(take),
-      .close_i(close),
-      .triple_i(triple),
-      .step_i(step),
-      .last_i(last_digit),
-      .digit_i(digit),
-      .advance_i(advance),
-      .zeroth_i(zeroth),
-      .collect_i(collect),
-      .first_i(first),
-      .x_o,
-      .y_o,
-      .z_o,
-      .f_o,
-      .g_o,
-      .h_o,
+      .x_o(x),
+      .y_o(y),
+      .z_o(z),
+      .f_o(f),
+      .g_o(g),
+      .h_o(h),
       .sum_x_o(sum_x),
       .sum_y_o(sum_y),
       .sum_z_o(sum_z)
@@ -194,50 +157,72 @@ module spherical_steps #(
   );
 
   // To the banks.
+  logic                       rate_there_q;
+  logic        [         3:0] rate_axis_q;
+  logic signed [CoefBits-1:0] rate_q;
+  logic                       point_there_q;
+  logic        [         3:0] point_axis_q;
+  logic signed [FineBits-1:0] origin_q;
+  logic signed [FineBits-1:0] end_q;
+  assign rate_o  = {rate_there_q, rate_axis_q, rate_q};
+  assign point_o = {point_there_q, point_axis_q, end_q, origin_q};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      rate_valid_o  <= 1'b0;
-      point_write_o <= 1'b0;
+      rate_there_q  <= 1'b0;
+      point_there_q <= 1'b0;
     end else begin
-      rate_valid_o  <= rate_valid;
-      point_write_o <= point_write;
+      rate_there_q  <= rate_valid;
+      point_there_q <= point_write;
     end
   end
   always_ff @(posedge clk_i) begin
-    rate_axis_o  <= segment_axis_o;
-    advance_o    <= advance_i;
-    point_axis_o <= point_axis;
-    origin_o     <= origin;
-    end_o        <= end_point_i;
+    rate_axis_q  <= segment_axis_o;
+    rate_q       <= advance_i;
+    point_axis_q <= point_axis;
+    origin_q     <= origin;
+    end_q        <= end_point_i;
   end
+  arc_bank #(
+      .CoefBits(CoefBits),
+      .Mode(Mode)
+  ) u_bank (
+      .clk_i,
+      .rst_ni,
+      .bank_i,
+      .rate_i(rate_o),
+      .zeroth_i(zeroth),
+      .collect_i(collect),
+      .order_i(order),
+      .xyz_i({z, y, x}),
+      .fgh_i({h, g, f}),
+      .angle_i(angle),
+      .write_o,
+      .words_o
+  );
 
   // The angle from the step's start: sine and cosine from 0 and 1.
+  logic [CoefBits-1:0] angle;
   if (Mode == 1) begin : g_angle
     logic signed [CoefBits-1:0] sine;
     logic signed [CoefBits-1:0] cosine;
+    logic [riemann_pkg::ExpansionBits-1:0] expansion;  // of every step afresh
+    always_comb begin
+      expansion                       = control;
+      expansion[riemann_pkg::Advance] = 1'b0;
+    end
     sine_cosine_network #(
         .CoefBits(CoefBits)
     ) u_angle (
         .clk_i,
-        .load_i(start_i),
+        .control_i({start_i, expansion}),
         .sine_i({CoefBits{1'b0}}),
         .cosine_i({2'b01, {(CoefBits - 2) {1'b0}}}),
-        .take_i(take),
-        .close_i(close),
-        .triple_i(triple),
-        .step_i(step),
-        .last_i(last_digit),
-        .digit_i(digit),
-        .advance_i(1'b0),
-        .zeroth_i(zeroth),
-        .collect_i(collect),
-        .first_i(first),
         .y_o(sine),
         .z_o(cosine)
     );
-    assign angle_o = order_o[0] ? sine : cosine;
+    assign angle = order[0] ? sine : cosine;
   end else begin : g_no_angle
-    assign angle_o = '0;
+    assign angle = '0;
   end
 
 endmodule

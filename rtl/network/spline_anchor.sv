@@ -10,13 +10,13 @@
 //   cycle       0    1 .. 9       8 .. 15   32 .. 90    92   102   112   127 131 135
 //   begin_i     1                                                                    fresh_i
 //   axis_o           0 0 0 1 ..                                                      a_i, b_i, c_i
-//   load_*_o                      6a'       V, W, phi         R    Q                 with word_o
+//   load_o                        6a'       V, W, phi         R    Q                 with word_o
 //   step_a_there_o                a'                                                 with word_o
 //   start_o                                             1
 //   d_there_o                                                            1   1   1   d_o, d_axis_o
 //
 // phi_end_i and moved_i are read up to cycle 11, theta_i in it, s_i from cycle 1 on.  With
-// Anchor = 0 only a segment's first step has the loads from V on; else again_o and start_o
+// Anchor = 0 only a segment's first step has the loads from V on; else Again and start_o
 // come in cycle 3.
 // Every operation is a sum of products (folded_sum), rounded once, and an addition; the operands
 // pass in cycles 9 to 128.
@@ -44,15 +44,9 @@ module spline_anchor #(
     input  wire logic signed [CoefBits-1:0] c_i,
 
     // To the network
-    output logic        [         2:0] load_six_a_o,
-    output logic        [         2:0] load_v_o,
-    output logic        [         2:0] load_w_o,
-    output logic                       load_phi_o,
-    output logic                       load_q_o,
-    output logic                       load_r_o,
-    output logic                       again_o,
-    output logic                       start_o,
-    output logic signed [CoefBits-1:0] word_o,
+    output logic        [spline_pkg::LoadBits-1:0] load_o,
+    output logic                                   start_o,
+    output logic signed [            CoefBits-1:0] word_o,
 
     // To the sampler and the origin
     output logic        [         2:0] step_a_there_o,  // word_o is a' of the axis
@@ -358,13 +352,7 @@ module spline_anchor #(
       .q_there_i(q_there_q),
       .result_axis_i(made_axis_q),
       .result_i(result_q),
-      .load_six_a_o,
-      .load_v_o,
-      .load_w_o,
-      .load_phi_o,
-      .load_q_o,
-      .load_r_o,
-      .again_o,
+      .load_o,
       .start_o,
       .step_a_there_o,
       .word_o

@@ -7,6 +7,7 @@
 // See spline_network.
 `default_nettype none
 module spline_axis #(
+    parameter int Axis     = 0,   // 0 X, 1 Y, 2 Z
     parameter int CoefBits = 36,  // [18, 36]
     parameter int Mode     = 1,   // 0 series, 1 polynomial
     parameter int Form     = 0    // 0 portable, 1 ECP5
@@ -14,132 +15,68 @@ module spline_axis #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Initial conditions
-    input wire logic                       load_six_a_i,
-    input wire logic                       load_v_i,
-    input wire logic                       load_w_i,
-    input wire logic                       again_i,
-    input wire logic signed [CoefBits-1:0] initial_i,
-
-    // From spline_sequencer
-    input wire logic       start_v_i,
-    input wire logic       start_x_i,
-    input wire logic       start_p_i,
-    input wire logic [3:0] order_i,
+    // From spline_anchor and spline_sequencer, for all axes
+    input wire logic        [   spline_pkg::LoadBits-1:0] load_i,
+    input wire logic signed [               CoefBits-1:0] initial_i,
+    input wire logic        [spline_pkg::ControlBits-1:0] control_i,
 
     // Terms {there, order, coefficient}; q as digits (word_digits)
-    input  wire logic [        11:0] digits_i,
-    input  wire logic [CoefBits+4:0] phi_i,
-    output logic      [CoefBits+4:0] w_o,
-    output logic      [CoefBits+4:0] v_o,
-    output logic      [CoefBits+4:0] dp_o,
-    output logic      [CoefBits+4:0] x_o
+    input  wire logic [scaler_pkg::DigitsBits-1:0] digits_i,
+    input  wire logic [              CoefBits+4:0] phi_i,
+    output logic      [              CoefBits+4:0] w_o,
+    output logic      [              CoefBits+4:0] v_o,
+    output logic      [              CoefBits+4:0] dp_o,
+    output logic      [              CoefBits+4:0] x_o
 );
 
   localparam int TermBits = CoefBits + 5;
 
-  logic [TermBits-1:0] w;
-  logic [TermBits-1:0] v;
-  logic [TermBits-1:0] dv;
-  logic [TermBits-1:0] unused_p;
-  logic signed [CoefBits-1:0] unused_w_state;
-  logic signed [CoefBits-1:0] unused_v_state;
-  logic signed [CoefBits-1:0] unused_p_state;
-  logic [37:0] unused_factors_v;
-  logic [37:0] unused_factors_p;
+  logic [3:0] order;
+  logic start_v, start_p;
+  logic load_six_a, load_v, load_w, again;
+  assign order      = control_i[spline_pkg::Order+:4];
+  assign start_v    = control_i[spline_pkg::StartV];
+  assign start_p    = control_i[spline_pkg::StartP];
+  assign load_six_a = load_i[spline_pkg::SixA+Axis];
+  assign load_v     = load_i[spline_pkg::V+Axis];
+  assign load_w     = load_i[spline_pkg::W+Axis];
+  assign again      = load_i[spline_pkg::Again];
 
-  scaler #(
-      .Bits(CoefBits)
-  ) u_w (
-      .clk_i,
-      .rst_ni,
-      .gain_i(load_six_a_i),
-      .load_i(load_w_i),
-      .again_i,
-      .initial_i,
-      .state_o(unused_w_state),
-      .digits_i,
-      .w_o(w)
-  );
+  logic unused;
+  logic [37:0] unused_factors_v, unused_factors_p;
+  logic [TermBits-1:0] dv, unused_p;
+  logic signed [CoefBits-1:0] unused_state_w, unused_state_v, unused_state_p;
+  assign unused = &{load_i, control_i};  // what other axes and modes read
 
-  stieltjes_integrator #(
-      .Bits (CoefBits),
-      .Shift(CoefBits - 2),
-      .Drop (2),
-      .First(0),
-      .Form (Form)
-  ) u_v (
-      .clk_i,
-      .rst_ni,
-      .load_i(load_v_i),
-      .again_i,
-      .initial_i,
-      .start_i(start_v_i),
-      .order_i,
-      .state_o(unused_v_state),
-      .u_i(w),
-      .s_i(phi_i),
-      .d_o(dv),
-      .x_o(v),
-      .factors_o(unused_factors_v),
-      .product_i(36'd0)
-  );
+  // One node per state equation, the equation in its last line.
+  // verilog_format: off
+  scaler #(.Bits(CoefBits)) u_w (
+      .clk_i, .rst_ni, .load_i({load_six_a, load_w, again}), .initial_i, .state_o(unused_state_w),
+      .w_o(w_o), .digits_i(digits_i));  // dW = 6a' dq
 
   stieltjes_integrator #(
-      .Bits(CoefBits),
-      .Shift(CoefBits - 1),
-      .Quotient(0),
-      .Form(Form)
-  ) u_p (
-      .clk_i,
-      .rst_ni,
-      .load_i(1'b0),
-      .again_i(1'b0),
-      .initial_i,
-      .start_i(start_p_i),
-      .order_i,
-      .state_o(unused_p_state),
-      .u_i(v),
-      .s_i(dv),
-      .d_o(dp_o),
-      .x_o(unused_p),
-      .factors_o(unused_factors_p),
-      .product_i(36'd0)
-  );
+      .Bits(CoefBits), .Shift(CoefBits - 2), .Drop(2), .First(0), .Form(Form)) u_v (
+      .clk_i, .rst_ni, .control_i({start_v, order, load_v, again}), .initial_i,
+      .state_o(unused_state_v), .factors_o(unused_factors_v), .product_i(36'd0),
+      .x_o(v_o), .d_o(dv), .u_i(w_o), .s_i(phi_i));  // dV = W dq
+
+  stieltjes_integrator #(.Bits(CoefBits), .Shift(CoefBits - 1), .Quotient(0), .Form(Form)) u_p (
+      .clk_i, .rst_ni, .control_i({start_p, order, 2'b00}), .initial_i,
+      .state_o(unused_state_p), .factors_o(unused_factors_p), .product_i(36'd0),
+      .x_o(unused_p), .d_o(dp_o), .u_i(v_o), .s_i(dv));  // dP = V dV
 
   if (Mode == 0) begin : g_series
     logic [TermBits-1:0] unused_dx;
-    logic signed [CoefBits-1:0] unused_x_state;
+    logic signed [CoefBits-1:0] unused_state_x;
     logic [37:0] unused_factors_x;
-    stieltjes_integrator #(
-        .Bits (CoefBits),
-        .Shift(CoefBits - 1),
-        .First(0),
-        .Form (Form)
-    ) u_x (
-        .clk_i,
-        .rst_ni,
-        .load_i(1'b0),
-        .again_i(1'b0),
-        .initial_i,
-        .start_i(start_x_i),
-        .order_i,
-        .state_o(unused_x_state),
-        .u_i(v),
-        .s_i(phi_i),
-        .d_o(unused_dx),
-        .x_o,
-        .factors_o(unused_factors_x),
-        .product_i(36'd0)
-    );
+    stieltjes_integrator #(.Bits(CoefBits), .Shift(CoefBits - 1), .First(0), .Form(Form)) u_x (
+        .clk_i, .rst_ni, .control_i({control_i[spline_pkg::StartX], order, 2'b00}), .initial_i,
+        .state_o(unused_state_x), .factors_o(unused_factors_x), .product_i(36'd0),
+        .x_o(x_o), .d_o(unused_dx), .u_i(v_o), .s_i(phi_i));  // dx = V dq
   end else begin : g_polynomial
-    logic unused_start;
-    assign unused_start = start_x_i;
-    assign x_o          = '0;
+    assign x_o = '0;
   end
-
-  assign w_o = w;
-  assign v_o = v;
+  // verilog_format: on
 
 endmodule
 `default_nettype wire

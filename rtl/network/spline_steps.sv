@@ -4,15 +4,14 @@
 //
 // Cycles from start_i on:
 //
-//   advance_o of rate_axis_o    12 .. 11 + AuxAxes   rate_valid_o: auxiliary axes
-//   a_write_o                   9, 12, 15            a_o = a' of the axis
-//   v_write_o, b_write_o        34 .. 79             v_o = V, b_o = B' = W / 8 of the axes;
-//                                                    Anchor 0: 5, 6 in all but the first step
-//   origin_o of point_axis_o    16 .. 15 + AuxAxes   point_write_o, with end_o: auxiliary axes,
-//                               131, 135, 139        X, Y, Z;
-//                                                    Anchor 0 with Mode 0: 13, 14, 15
-//   q_o                         97 ..                {there, order, q[i]}; with Mode 0 x_o y_o z_o
-//   done_o                      92 + the network's   Anchor 0: 3 in all but the first step
+//   rate_o    12 .. 11 + AuxAxes    auxiliary axes
+//   point_o   16 .. 15 + AuxAxes    auxiliary axes
+//             131, 135, 139         X, Y, Z; Anchor 0 with Mode 0: 13, 14, 15
+//   write_o   rtl/network/spline_bank.sv, with Mode 1
+//             10, 13, 16            a' of an axis
+//             34 .. 79              V, B' = W / 8; Anchor 0: 5, 6 in all but the first step
+//             98 ..                 the terms, with Mode 0 too; the last a clock after done_o
+//   done_o    92 + the network's    Anchor 0: 3 in all but the first step
 //
 // The network's clocks are in rtl/control/spline_sequencer.sv; with Order 6, CoefBits 36, Mode 1
 // and Anchor 1 they are 306.  The next step begins 2 clocks after done_o.  The segment's words
@@ -50,27 +49,13 @@ module spline_steps #(
     input  wire logic signed [FineBits-1:0] start_point_i,
     input  wire logic signed [FineBits-1:0] end_point_i,
 
-    output logic                       rate_valid_o,
-    output logic        [         3:0] rate_axis_o,
-    output logic signed [CoefBits-1:0] advance_o,
-    output logic                       point_write_o,
-    output logic        [         3:0] point_axis_o,
-    output logic signed [FineBits-1:0] origin_o,
-    output logic signed [FineBits-1:0] end_o,
-
-    // The cubic in the step's own parameter q; X in the low bits
-    output logic [           2:0] a_write_o,
-    output logic [  CoefBits-1:0] a_o,
-    output logic [           2:0] v_write_o,
-    output logic [3*CoefBits-1:0] v_o,
-    output logic [           2:0] b_write_o,
-    output logic [3*CoefBits-1:0] b_o,
-
-    // Terms {there, order, coefficient}
-    output logic [CoefBits+4:0] q_o,
-    output logic [CoefBits+4:0] x_o,
-    output logic [CoefBits+4:0] y_o,
-    output logic [CoefBits+4:0] z_o
+    // To the banks: of the rates {there, axis, rate}, of the points {there, axis, end, origin}, of
+    // the sampler (rtl/sampler/bank_pkg.sv)
+    input  wire logic [                         1:0] bank_i,
+    output logic      [                CoefBits+4:0] rate_o,
+    output logic      [              2*FineBits+4:0] point_o,
+    output logic      [          bank_pkg::Bits-1:0] write_o,
+    output logic      [bank_pkg::Lanes*CoefBits-1:0] words_o
 );
 
   initial if (Order < 2 || Order > 12) $fatal(1, "Order must be in [2, 12]");
@@ -92,17 +77,11 @@ module spline_steps #(
     else if (done_o) ready_o <= 1'b1;
   end
 
-  logic        [         2:0] load_six_a;
-  logic        [         2:0] load_v;
-  logic        [         2:0] load_w;
-  logic                       load_phi;
-  logic                       load_q3;
-  logic                       load_r;
-  logic                       again;
-  logic                       start_network;
-  logic signed [CoefBits-1:0] word;
-  logic signed [CoefBits-1:0] phi_end;
-  logic signed [CoefBits-1:0] moved;
+  logic        [spline_pkg::LoadBits-1:0] load;
+  logic                                   start_network;
+  logic signed [            CoefBits-1:0] word;
+  logic signed [            CoefBits-1:0] phi_end;
+  logic signed [            CoefBits-1:0] moved;
   // The anchor's multiplier is later the network's; with Anchor 0 each has its own.
   localparam int Guest = (Anchor != 0) ? 1 : 0;
   logic [37:0] anchor_factors;
@@ -123,6 +102,7 @@ module spline_steps #(
   end
 
   logic        [         4:0] difference;
+  logic        [         2:0] a_there;
   logic        [         1:0] anchor_axis;
   logic                       d_there;
   logic        [         1:0] d_axis;
@@ -147,31 +127,22 @@ module spline_steps #(
       .a_i,
       .b_i,
       .c_i,
-      .load_six_a_o(load_six_a),
-      .load_v_o(load_v),
-      .load_w_o(load_w),
-      .load_phi_o(load_phi),
-      .load_q_o(load_q3),
-      .load_r_o(load_r),
-      .again_o(again),
+      .load_o(load),
       .start_o(start_network),
       .word_o(word),
-      .step_a_there_o(a_write_o),
+      .step_a_there_o(a_there),
       .d_there_o(d_there),
       .d_axis_o(d_axis),
       .d_o(d),
       .factors_o(anchor_factors),
       .product_i(product)
   );
-  assign a_o = word;
 
-  logic                unused_ready;
-  logic [CoefBits+4:0] vx;
-  logic [CoefBits+4:0] vy;
-  logic [CoefBits+4:0] vz;
-  logic [CoefBits+4:0] wx;
-  logic [CoefBits+4:0] wy;
-  logic [CoefBits+4:0] wz;
+  logic                   unused_ready;
+  logic [   CoefBits+4:0] q;
+  logic [3*CoefBits+14:0] x;
+  logic [3*CoefBits+14:0] v;
+  logic [3*CoefBits+14:0] w;
   spline_network #(
       .Order(Order),
       .CoefBits(CoefBits),
@@ -182,45 +153,36 @@ module spline_steps #(
   ) u_network (
       .clk_i,
       .rst_ni,
-      .load_six_a_i(load_six_a),
-      .load_v_i(load_v),
-      .load_w_i(load_w),
-      .load_phi_i(load_phi),
-      .load_q_i(load_q3),
-      .load_r_i(load_r),
-      .again_i(again),
+      .load_i(load),
       .initial_i(word),
       .start_i(start_network),
       .ready_o(unused_ready),
       .done_o,
-      .q_o,
-      .x_o,
-      .y_o,
-      .z_o,
-      .vx_o(vx),
-      .vy_o(vy),
-      .vz_o(vz),
-      .wx_o(wx),
-      .wy_o(wy),
-      .wz_o(wz),
+      .q_o(q),
+      .x_o(x),
+      .v_o(v),
+      .w_o(w),
       .moved_o(moved),
       .phi_end_o(phi_end),
       .factors_o(network_factors),
       .product_i(product)
   );
 
-  // Order 0 of V and W is the sampler's.
-  cubic_words #(
-      .CoefBits(CoefBits)
-  ) u_cubic (
+  spline_bank #(
+      .CoefBits(CoefBits),
+      .Mode(Mode)
+  ) u_bank (
       .clk_i,
       .rst_ni,
-      .v_i({vz, vy, vx}),
-      .w_i({wz, wy, wx}),
-      .v_write_o,
-      .v_o,
-      .b_write_o,
-      .b_o
+      .bank_i,
+      .a_there_i(a_there),
+      .a_i(word),
+      .q_i(q),
+      .x_i(x),
+      .v_i(v),
+      .w_i(w),
+      .write_o,
+      .words_o
   );
 
   // Auxiliary axes pass by after the anchor has read the others.
@@ -235,13 +197,15 @@ module spline_steps #(
   assign aux            = time_q >= 5'd11 && time_q < 5'(11 + AuxAxes);
   assign aux_axis       = time_q[3:0] - 4'd8;
   assign segment_axis_o = aux ? aux_axis : {2'b00, anchor_axis};
+
+  logic                       rate_there_q;
+  logic        [         3:0] rate_axis_q;
+  logic signed [CoefBits-1:0] rate_q;
+  assign rate_o = {rate_there_q, rate_axis_q, rate_q};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) rate_valid_o <= 1'b0;
-    else rate_valid_o <= aux;
-  end
-  always_ff @(posedge clk_i) begin
-    rate_axis_o <= aux_axis;
-    advance_o   <= c_i;
+    rate_there_q <= rst_ni && aux;
+    rate_axis_q  <= aux_axis;
+    rate_q       <= c_i;
   end
 
   // X Y Z come from the cubic, when the anchor has them.  With Anchor 0 and Mode 0 they go on from
@@ -257,12 +221,12 @@ module spline_steps #(
       if (!rst_ni) xyz_there <= 1'b0;
       else xyz_there <= time_q >= 5'd8 && time_q < 5'd11;
     end
-    assign xyz_axis = rate_axis_o[1:0];
+    assign xyz_axis = rate_axis_q[1:0];
     spline_move #(
         .CoefBits(CoefBits)
     ) u_move (
         .clk_i,
-        .x_i({z_o, y_o, x_o}),
+        .x_i(x),
         .axis_i(aux_axis[1:0]),
         .d_o(xyz_d)
     );
@@ -272,12 +236,15 @@ module spline_steps #(
     assign xyz_d     = d;
   end
 
+  logic                       point_there;
+  logic        [         3:0] point_axis;
+  logic signed [FineBits-1:0] origin;
   logic                       origin_there;
   logic        [         3:0] origin_axis;
   logic signed [CoefBits-1:0] origin_d;
-  assign origin_there = rate_valid_o || xyz_there;
-  assign origin_axis  = xyz_there ? {2'b00, xyz_axis} : rate_axis_o;
-  assign origin_d     = xyz_there ? xyz_d : advance_o;
+  assign origin_there = rate_there_q || xyz_there;
+  assign origin_axis  = xyz_there ? {2'b00, xyz_axis} : rate_axis_q;
+  assign origin_d     = xyz_there ? xyz_d : rate_q;
   spline_origin #(
       .CoefBits (CoefBits),
       .FineBits (FineBits),
@@ -293,15 +260,16 @@ module spline_steps #(
       .axis_i(origin_axis),
       .d_i(origin_d),
       .read_axis_o(segment_point_o),
-      .write_o(point_write_o),
-      .point_axis_o,
+      .write_o(point_there),
+      .point_axis_o(point_axis),
       .segment_start_i(start_point_i),
-      .origin_o
+      .origin_o(origin)
   );
-  logic signed [FineBits-1:0] end_q;
+  logic signed [FineBits-1:0] end_q[2];
+  assign point_o = {point_there, point_axis, end_q[1], origin};
   always_ff @(posedge clk_i) begin
-    end_q <= end_point_i;
-    end_o <= end_q;
+    end_q[0] <= end_point_i;
+    end_q[1] <= end_q[0];
   end
 
 endmodule

@@ -6,10 +6,10 @@
 // q comes digit after digit from word_digits, which several scalers share.
 //
 //   cycle      0        Digits + 5
-//   digits_i   take
+//   digits_i   Take
 //   w_o                 W[i], {there, order, coefficient}, kept until the next
-//   load_i, again_i                      a clock later W[0] = initial_i, or state_o
-//   gain_i                               g <- initial_i
+//   load_i     Load, Again               a clock later W[0] = initial_i, or state_o
+//              Gain                      g <- initial_i
 `default_nettype none
 module scaler #(
     parameter int Bits = 36  // [18, 36]
@@ -18,52 +18,36 @@ module scaler #(
     input wire logic rst_ni,
 
     // Initial condition
-    input wire logic                   gain_i,
-    input wire logic                   load_i,
-    input wire logic                   again_i,
-    input wire logic signed [Bits-1:0] initial_i,
+    input wire logic        [scaler_pkg::LoadBits-1:0] load_i,
+    input wire logic signed [                Bits-1:0] initial_i,
 
-    input  wire logic   [    11:0] digits_i,
-    output logic        [Bits+4:0] w_o,
-    output logic signed [Bits-1:0] state_o    // W[0] + .. + W[i], a clock after w_o
+    input wire logic [scaler_pkg::DigitsBits-1:0] digits_i,
+    output logic [Bits+4:0] w_o,
+    output logic signed [Bits-1:0] state_o  // W[0] + .. + W[i], a clock after w_o
 );
 
-  logic [11:0] digits;
+  logic [scaler_pkg::DigitsBits-1:0] digits;
   local_copy #(
-      .Bits(12)
+      .Bits(scaler_pkg::DigitsBits)
   ) u_control (
       .clk_i,
       .data_i(digits_i),
       .data_o(digits)
   );
-  logic       take;
-  logic       triple;
-  logic       step;
-  logic       last;
-  logic [1:0] digit;
-  logic       done;
-  logic       negative;
-  logic [3:0] order;
-  assign {take, triple, step, last, digit, done, negative, order} = digits;
-
   logic signed [Bits-1:0] gain_q;
   logic signed [Bits-1:0] minus_gain;
   logic signed [Bits-1:0] multiplicand;
   logic signed [Bits-1:0] unused_base;
   logic signed [Bits-1:0] product;
   assign minus_gain   = -gain_q;
-  assign multiplicand = negative ? minus_gain : gain_q;
-  always_ff @(posedge clk_i) if (gain_i) gain_q <= initial_i;
+  assign multiplicand = digits[scaler_pkg::Negative] ? minus_gain : gain_q;
+  always_ff @(posedge clk_i) if (load_i[scaler_pkg::Gain]) gain_q <= initial_i;
 
   digit_multiplier #(
       .Bits(Bits)
   ) u_multiplier (
       .clk_i,
-      .take_i(take),
-      .triple_i(triple),
-      .step_i(step),
-      .last_i(last),
-      .digit_i(digit),
+      .digits_i(digits[digits_pkg::Bits-1:0]),
       .a_i(multiplicand),
       .base_o(unused_base),
       .product_o(product)
@@ -75,10 +59,9 @@ module scaler #(
   ) u_state (
       .clk_i,
       .rst_ni,
-      .load_i,
-      .again_i,
+      .control_i(load_i[series_pkg::ZerothBits-1:0]),
       .initial_i,
-      .x_i({done, order, product}),
+      .x_i({digits[scaler_pkg::Done], digits[scaler_pkg::Order+:4], product}),
       .x_o(w_o),
       .state_o
   );

@@ -4,8 +4,8 @@
 //
 //   cycle      0                       1
 //   x_i        x[i], there             x_o = x[i], kept until the next
-//   load_i     1, initial_i = x[0]     x_o = x[0]
-//   again_i    1                       x_o = x[0] = state_o
+//   Load       1, initial_i = x[0]     x_o = x[0]
+//   Again      1                       x_o = x[0] = state_o
 //
 // Reset acts a clock late, in a register beside the node: nothing may come in the clock after it.
 `default_nettype none
@@ -15,12 +15,11 @@ module series_state #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input  wire logic                   load_i,
-    input  wire logic                   again_i,
-    input  wire logic signed [Bits-1:0] initial_i,
-    input  wire logic        [Bits+4:0] x_i,
-    output logic             [Bits+4:0] x_o,
-    output logic signed      [Bits-1:0] state_o     // x[0] + .. + x[i], a clock after x_o
+    input wire logic [series_pkg::ZerothBits-1:0] control_i,
+    input wire logic signed [Bits-1:0] initial_i,
+    input wire logic [Bits+4:0] x_i,
+    output logic [Bits+4:0] x_o,
+    output logic signed [Bits-1:0] state_o  // x[0] + .. + x[i], a clock after x_o
 );
 
   logic                   reset_n;
@@ -35,8 +34,8 @@ module series_state #(
       .data_i(rst_ni),
       .data_o(reset_n)
   );
-  assign zeroth = load_i || again_i;
-  assign start  = again_i ? state_o : initial_i;
+  assign zeroth = control_i[series_pkg::Load] || control_i[series_pkg::Again];
+  assign start  = control_i[series_pkg::Again] ? state_o : initial_i;
   assign x_o    = {there_q, order_q, x_q};
   always_ff @(posedge clk_i) begin
     if (!reset_n) there_q <= 1'b0;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node  R = -3 phi^2  of the spline network: the integral of -6 phi dphi, whose sum of products
-// is that of the square, [Chikurov] (30) with the factor 6 that its print lacks:
+// The node  R = -3 phi^2  of the spline network: the integral of -6 phi dphi, [Chikurov] (30). Its
+// sum of products is that of the square; of the paper's recurrences, that of R_i lacks the 6:
 //
 //     S[i] = sum of phi[j] phi[i-j], j = 0 .. i        R[i] = -3 S[i]
 //
 // Terms are {there, order, coefficient}.
 //
 //   cycle              0     4(i+1)+10
-//   start_i, order_i   1                and phi[i] or before
+//   Start, Order       1                and phi[i] or before
 //   r_o                      R[i], kept
-//   load_i, again_i                     a clock later R[0] = initial_i, or state_o
+//   Load, Again                         a clock later R[0] = initial_i, or state_o
 //
 // S has Bits - 3 fraction bits, R two less; phi Bits - 2.
 `default_nettype none
@@ -21,12 +21,8 @@ module square_integrator #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic                   load_i,
-    input wire logic                   again_i,
-    input wire logic signed [Bits-1:0] initial_i,
-
-    input wire logic       start_i,
-    input wire logic [3:0] order_i,
+    input wire logic        [series_pkg::Bits-1:0] control_i,
+    input wire logic signed [            Bits-1:0] initial_i,
 
     input  wire logic   [Bits+4:0] phi_i,
     output logic        [Bits+4:0] r_o,
@@ -61,8 +57,8 @@ module square_integrator #(
       .s_write_i(phi_there),
       .s_index_i(phi_order),
       .s_i(phi),
-      .start_i,
-      .order_i,
+      .start_i(control_i[series_pkg::Start]),
+      .order_i(control_i[series_pkg::Order+:4]),
       .d_there_o(square_there),
       .x_there_o(unused_quotient),
       .order_o(order),
@@ -101,8 +97,7 @@ module square_integrator #(
   ) u_state (
       .clk_i,
       .rst_ni,
-      .load_i,
-      .again_i,
+      .control_i(control_i[series_pkg::ZerothBits-1:0]),
       .initial_i,
       .x_i({minus_there_q, order, minus_three_q[Bits+1:2]}),
       .x_o(r_o),

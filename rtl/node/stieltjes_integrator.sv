@@ -8,11 +8,11 @@
 // {there, order, coefficient}: `there` for a clock, the rest is kept.
 //
 //   cycle              0      4i+6    4i+15
-//   start_i, order_i   1                      and the words that series_product asks for
+//   Start, Order       1                      and the words that series_product asks for
 //   d_o                       D[i]            kept for 5 clocks
 //   x_o                               x[i]    kept
-//   load_i                                    a clock later x[0] = initial_i
-//   again_i                                   a clock later x[0] = state_o
+//   Load                                      a clock later x[0] = initial_i
+//   Again                                     a clock later x[0] = state_o
 //
 // Reset acts a clock late, in registers beside the node: nothing may come in the clock after it.
 // Rounding: one for D, one for x; x has Drop fraction bits less than D.  No saturation: the planner
@@ -30,14 +30,8 @@ module stieltjes_integrator #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Initial condition
-    input wire logic                   load_i,
-    input wire logic                   again_i,
-    input wire logic signed [Bits-1:0] initial_i,
-
-    // Expansion, driven by spline_sequencer
-    input wire logic       start_i,
-    input wire logic [3:0] order_i,
+    input wire logic        [series_pkg::Bits-1:0] control_i,
+    input wire logic signed [            Bits-1:0] initial_i,
 
     // The integrand and the integrating variable, as their terms come
     input  wire logic   [Bits+4:0] u_i,
@@ -71,8 +65,8 @@ module stieltjes_integrator #(
       .s_write_i(s_i[Bits+4]),
       .s_index_i(s_i[Bits+3:Bits]),
       .s_i(s_i[Bits-1:0]),
-      .start_i,
-      .order_i,
+      .start_i(control_i[series_pkg::Start]),
+      .order_i(control_i[series_pkg::Order+:4]),
       .d_there_o(d_there),
       .x_there_o(x_there),
       .order_o(order),
@@ -87,8 +81,7 @@ module stieltjes_integrator #(
   ) u_state (
       .clk_i,
       .rst_ni,
-      .load_i,
-      .again_i,
+      .control_i(control_i[series_pkg::ZerothBits-1:0]),
       .initial_i,
       .x_i({x_there, order, sum}),
       .x_o,

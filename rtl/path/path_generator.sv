@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of time and profile pieces into increments of the path. The acceleration block of
-// [Obukhov]. Twin: PathKernel of hls/path_kernel.hpp.
+// Rates of time and profile pieces into increments of the path.
+// Twin: PathKernel of hls/path_kernel.hpp.
 //
 //     s = min(max(2^e (c1 tau + c2 tau^2 + c3 tau^3), s before), ds)     tau = t / 2^m
 //
@@ -24,17 +24,20 @@ module path_generator #(
     output logic             word_ready_o,
     input  wire logic [47:0] word_i,
     input  wire logic        queued_i,      // pieces, complete, that did not begin
+    input  wire logic        begin_i,       // a program may begin
 
     // Ticks
     input  wire logic        rate_valid_i,
     output logic             rate_ready_o,
     input  wire logic [16:0] rate_i,
+    input  wire logic        held_i,        // target 0: no program begins
     output logic             tick_taken_o,
 
     // Increments, a tick each
     output logic        ds_valid_o,
     output logic [47:0] ds_o,
     output logic [16:0] ds_rate_o,
+    output logic        ds_active_o, // a program was under way
 
     // The present piece; piece_take_o: the next one begins
     output logic               piece_take_o,
@@ -93,6 +96,9 @@ module path_generator #(
       .final_o(next_final_o)
   );
 
+  logic may_pass;
+  assign may_pass = active_o || begin_i;
+
   logic event_valid;
   logic event_begin;
   logic event_still;
@@ -107,8 +113,8 @@ module path_generator #(
       .clk_i,
       .rst_ni,
       .slot_i(phase_q == 3'(StartPhase)),
-      .queued_i,
-      .next_valid_i(next_valid),
+      .queued_i(queued_i && may_pass),
+      .next_valid_i(next_valid && may_pass),
       .next_take_o(piece_take_o),
       .next_ticks_i(next_ticks_o),
       .next_time_exponent_i(next_time_exponent),
@@ -117,6 +123,7 @@ module path_generator #(
       .rate_valid_i,
       .rate_ready_o,
       .rate_i,
+      .held_i,
       .tick_taken_o,
       .valid_o(event_valid),
       .begin_o(event_begin),
@@ -197,10 +204,10 @@ module path_generator #(
       .d_i(d),
       .exponent_i(bound[53:48]),
       .ds_i(bound[47:0]),
-      .rate_i(d_tag[BankBits+3+:17]),
+      .rate_i({!d_tag[BankBits+1], d_tag[BankBits+3+:17]}),
       .valid_o(ds_valid_o),
       .ds_o,
-      .rate_o(ds_rate_o)
+      .rate_o({ds_active_o, ds_rate_o})
   );
 
 endmodule

@@ -23,20 +23,20 @@ module path_increment (
     input wire logic signed [35:0] d_i,         // 34 fraction bits, in units of 2^exponent
     input wire logic        [ 5:0] exponent_i,  // [0, 46]
     input wire logic        [47:0] ds_i,        // of the piece
-    input wire logic        [16:0] rate_i,
+    input wire logic        [17:0] rate_i,      // above the rate: a program is under way
 
     output logic        valid_o,
     output logic [47:0] ds_o,
-    output logic [16:0] rate_o
+    output logic [17:0] rate_o
 );
 
   // What travels along: index n belongs to the stage that index n - 1 feeds.
   localparam int Stages = 11;
   logic [Stages:1] valid_q;
   logic [9:1] begin_q;
-  logic [7:1] still_q;
+  logic [8:1] still_q;
   logic [5:1] end_q;
-  logic [16:0] rate_q[1:Stages];
+  logic [17:0] rate_q[1:Stages];
   logic [47:0] ds_q[1:8];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= '0;
@@ -44,7 +44,7 @@ module path_increment (
   end
   always_ff @(posedge clk_i) begin
     begin_q <= {begin_q[8:1], begin_i};
-    still_q <= {still_q[6:1], still_i};
+    still_q <= {still_q[7:1], still_i};
     end_q <= {end_q[4:1], end_i};
     rate_q[1] <= rate_i;
     ds_q[1] <= ds_i;
@@ -129,7 +129,7 @@ module path_increment (
   logic [47:0] left_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) piece_ds_q <= '0;
-    else if (valid_q[8]) piece_ds_q <= ds_q[8];
+    else if (valid_q[8] && !still_q[8]) piece_ds_q <= ds_q[8];
     path_9_q <= path_q;
     change_q <= path_q - path_before_q;
     rest_q   <= piece_ds_q - path_before_q;

@@ -13,17 +13,17 @@ module path_meter (
 
     input wire logic        move_i,
     input wire logic [47:0] ds_i,
-    input wire logic [16:0] rate_i,
+    input wire logic [17:0] rate_i,
 
     output logic        valid_o,
     output logic [47:0] ds_o,
-    output logic [16:0] rate_o,
+    output logic [17:0] rate_o,
     output logic [63:0] path_o
 );
 
   logic move_q;
   logic [47:0] ds_q;
-  logic [16:0] rate_q;
+  logic [17:0] rate_q;
   logic [31:0] low_q;
   logic carry_q;
   logic [32:0] low;

@@ -4,7 +4,7 @@
 //
 // A tick of rate r moves time by r / 2^16 ticks; what goes beyond a piece's end is time in the next
 // piece. Time waits at the end of the last piece there is. A tick waits while its piece is queued
-// but not loaded.
+// but not loaded. No program begins in a tick that is held.
 //
 //   clock          0     3     6
 //   rate_valid_i   1
@@ -41,6 +41,7 @@ module piece_clock #(
     input  wire logic        rate_valid_i,
     output logic             rate_ready_o,
     input  wire logic [16:0] rate_i,
+    input  wire logic        held_i,        // its target is 0
     output logic             tick_taken_o,
 
     // Events
@@ -68,12 +69,15 @@ module piece_clock #(
   logic [16:0] after_q;
   logic third_valid_q;
   logic [16:0] third_q;
+  logic after_held_q;
+  logic third_held_q;
 
   // What is left of the piece after the tick at hand, less one: negative when the tick passes its
   // end.  Counted in ticks with 16 fraction bits.
   logic signed [37:0] left_q;
   assign ticks_left_o = left_q[37:16];
   logic over;
+  logic active_d;
   assign over = left_q[37];
 
   // Next piece, less the tick after the one at hand.
@@ -83,13 +87,16 @@ module piece_clock #(
 
   logic may;
   logic runs;
+  logic barred_q;  // the tick at hand is held and no program is under way
+  logic ends;  // nothing follows, whatever is queued
   logic passes;
   logic stops;
   logic advance;
   assign may          = slot_i && head_valid_q;
   assign runs         = may && !over;
-  assign passes       = may && over && !last_o && next_valid_i;
-  assign stops        = may && over && (last_o || !queued_i);
+  assign ends         = last_o || barred_q;
+  assign passes       = may && over && !ends && next_valid_i;
+  assign stops        = may && over && (ends || !queued_i);
   assign advance      = !head_valid_q || runs || passes || stops;
 
   assign next_take_o  = passes;
@@ -127,7 +134,12 @@ module piece_clock #(
     end
   end
   always_ff @(posedge clk_i) begin
-    if (advance) head_q <= after_q;
+    if (advance) begin
+      head_q       <= after_q;
+      barred_q     <= after_held_q && !active_d;
+      after_held_q <= third_held_q;
+      third_held_q <= held_i;
+    end
     gain_q <= advance ? gain_moved : gain_kept;
   end
 
@@ -135,6 +147,7 @@ module piece_clock #(
   // long and a whole tick was waiting for it.
   logic waits_q;
   logic whole;
+  assign active_d = passes || (active_o && !(stops && last_o));
   assign whole = waits_q && head_q[16] && next_ticks_i == 20'd1;
   logic [19:0] ticks_q;
   logic [4:0] time_exponent_q;
@@ -144,14 +157,12 @@ module piece_clock #(
       active_o <= 1'b0;
       last_o   <= 1'b0;
       waits_q  <= 1'b1;
-    end else if (passes) begin
-      active_o <= 1'b1;
-      last_o   <= next_final_i;
-      waits_q  <= whole;
-    end else if (stops) begin
-      if (last_o) active_o <= 1'b0;
-      last_o  <= 1'b0;
-      waits_q <= 1'b1;
+    end else begin
+      active_o <= active_d;
+      if (passes) last_o <= next_final_i;
+      else if (stops) last_o <= 1'b0;
+      if (passes) waits_q <= whole;
+      else if (stops) waits_q <= 1'b1;
     end
   end
   always_ff @(posedge clk_i) begin

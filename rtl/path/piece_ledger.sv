@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the profile queue holds: whole pieces, their ticks, and whether one of them is final.
+// What the profile queue holds: whole pieces, their ticks, and how many of them are final.
 //
-//   clock       0             1              2          3
-//   word_i      piece's last
-//   queued_o                  1
-//   final_o                   of the piece
-//   ticks_o                                             with the piece
+//   clock      0       1          2          3
+//   put_i      1
+//   queued_o           1
+//   finals_o           with it
+//   ticks_o                                  with the piece
 //
-// A piece is counted from its last word until take_i; ticks_o follows take_i by 3 clocks as well.
+// A piece is counted from put_i, its last word's entry, until take_i; ticks_o follows take_i by 3
+// clocks as well.
 `default_nettype none
 module piece_ledger #(
     parameter int QueueWords = 512  // [16, 4096]
@@ -15,9 +16,10 @@ module piece_ledger #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Words that enter the queue
-    input wire logic        word_i,
-    input wire logic [47:0] data_i,
+    // Pieces that enter the queue
+    input wire logic        put_i,
+    input wire logic [19:0] put_ticks_i,
+    input wire logic        put_final_i,
 
     // Pieces that begin
     input wire logic        take_i,
@@ -25,8 +27,7 @@ module piece_ledger #(
     input wire logic        take_final_i,
 
     output logic        queued_o,  // at least one whole piece
-    output logic        plenty_o,  // the queue is three quarters full of whole pieces
-    output logic        final_o,   // a final piece is among them
+    output logic [ 9:0] finals_o,
     output logic [31:0] ticks_o
 );
 
@@ -35,44 +36,26 @@ module piece_ledger #(
   // The queue, its output registers and the loader.
   localparam int MaxPieces = (QueueWords + 2) / 5 + 1;
   localparam int CountBits = $clog2(MaxPieces + 1);
-  localparam int Plenty = (3 * QueueWords) / 20;
-
-  logic [2:0] index_q;
-  logic [19:0] ticks_q;
-  logic final_q;
-  logic put;
-  assign put = word_i && index_q == 3'd4;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) index_q <= 3'd0;
-    else if (word_i) index_q <= (index_q == 3'd4) ? 3'd0 : index_q + 3'd1;
-  end
-  always_ff @(posedge clk_i) begin
-    if (word_i && index_q == 3'd0) begin
-      ticks_q <= data_i[19:0];
-      final_q <= data_i[31];
-    end
-  end
 
   logic [CountBits-1:0] pieces_q;
   logic [CountBits-1:0] finals_q;
-  logic put_final;
-  logic take_final;
-  assign put_final  = put && final_q;
-  assign take_final = take_i && take_final_i;
+  logic enters_final;
+  logic takes_final;
+  assign enters_final = put_i && put_final_i;
+  assign takes_final  = take_i && take_final_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       pieces_q <= '0;
       finals_q <= '0;
     end else begin
-      if (put && !take_i) pieces_q <= pieces_q + 1'b1;
-      if (take_i && !put) pieces_q <= pieces_q - 1'b1;
-      if (put_final && !take_final) finals_q <= finals_q + 1'b1;
-      if (take_final && !put_final) finals_q <= finals_q - 1'b1;
+      if (put_i && !take_i) pieces_q <= pieces_q + 1'b1;
+      if (take_i && !put_i) pieces_q <= pieces_q - 1'b1;
+      if (enters_final && !takes_final) finals_q <= finals_q + 1'b1;
+      if (takes_final && !enters_final) finals_q <= finals_q - 1'b1;
     end
   end
   assign queued_o = pieces_q != '0;
-  assign plenty_o = pieces_q >= CountBits'(Plenty);
-  assign final_o  = finals_q != '0;
+  assign finals_o = 10'(finals_q);
 
   logic [19:0] put_ticks_q;
   logic [19:0] take_ticks_q;
@@ -84,7 +67,7 @@ module piece_ledger #(
       change_q     <= '0;
       ticks_o      <= '0;
     end else begin
-      put_ticks_q  <= put ? ticks_q : '0;
+      put_ticks_q  <= put_i ? put_ticks_i : '0;
       take_ticks_q <= take_i ? take_ticks_i : '0;
       change_q     <= $signed({12'b0, put_ticks_q}) - $signed({12'b0, take_ticks_q});
       ticks_o      <= ticks_o + change_q;

@@ -45,7 +45,7 @@ module piece_loader #(
   assign word          = word_valid_i && word_ready_o;
 
   assign bound_write_o = word && index_q == 3'd1;
-  assign ds_o          = word_i;
+  assign ds_o          = {4'b0, word_i[43:0]};
   assign coef_write_o  = word && index_q >= 3'd2;
   assign coef_pass_o   = 4'd4 - {1'b0, index_q};
   assign coef_o        = word_i[35:0];

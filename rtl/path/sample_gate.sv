@@ -7,9 +7,10 @@
 //   request_ready_o          1
 //   hold_i, override_i, ..   of the tick
 //   tick_o                               1
-//   target_o                             0 (kill, hold, underrun) or override, 1 at most
+//   target_o                             0 (kill, hold, underrun, !good) or override, 1 at most
 //
-// wanted_o: samples are admitted that sent_i did not tell yet. Kill is for good, until reset.
+// wanted_o: samples are admitted that sent_i did not tell yet. Kill is for good, until reset. While
+// pause_i no tick starts; quiet_o: no sample is wanted, and no tick is half asked for.
 `default_nettype none
 module sample_gate #(
     parameter int Room = 64  // [8, 128] samples between request and sent_i
@@ -17,7 +18,10 @@ module sample_gate #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic [3:0] samples_per_tick_log2_i,  // n, stands still
+    input  wire logic [3:0] samples_per_tick_log2_i,  // n, changes only while quiet and paused
+    input  wire logic       pause_i,
+    input  wire logic       good_i,                   // the settings are
+    output logic            quiet_o,
 
     input  wire logic request_valid_i,
     output logic      request_ready_o,
@@ -51,7 +55,8 @@ module sample_gate #(
   logic [7:0] admitted_q;
   logic room_q;
   logic tick_room_q;
-  assign request_ready_o = room_q && (tick_room_q || !first);
+  assign request_ready_o = room_q && ((tick_room_q && !pause_i) || !first);
+  assign quiet_o = admitted_q == '0 && first;
   logic admit;
   assign admit = request_valid_i && request_ready_o;
   logic tick;
@@ -82,7 +87,7 @@ module sample_gate #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (kill_i || killed_o || hold_i || underrun_i) target_o <= '0;
+    if (kill_i || killed_o || hold_i || underrun_i || !good_i) target_o <= '0;
     else if (override_i[16]) target_o <= 17'h1_0000;
     else target_o <= override_i;
   end

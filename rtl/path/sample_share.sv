@@ -22,7 +22,7 @@ module sample_share (
     input  wire logic        tick_valid_i,
     output logic             tick_ready_o,
     input  wire logic [47:0] tick_ds_i,
-    input  wire logic [16:0] tick_rate_i,
+    input  wire logic [17:0] tick_rate_i,
 
     // Samples
     input  wire logic        wanted_i,
@@ -30,7 +30,7 @@ module sample_share (
     output logic             sample_valid_o,
     input  wire logic        sample_ready_i,
     output logic      [47:0] sample_ds_o,
-    output logic      [16:0] sample_rate_o
+    output logic      [17:0] sample_rate_o
 );
 
   logic [14:0] mask_q;
@@ -44,9 +44,9 @@ module sample_share (
   logic [62:0] coarse_q;
   logic [62:0] fine_q;
   logic [62:0] share_q;
-  logic [16:0] coarse_rate_q;
-  logic [16:0] fine_rate_q;
-  logic [16:0] share_rate_q;
+  logic [17:0] coarse_rate_q;
+  logic [17:0] fine_rate_q;
+  logic [17:0] share_rate_q;
   logic [62:0] ds;
   assign ds = {tick_ds_i, 15'b0};
 
@@ -85,7 +85,7 @@ module sample_share (
   logic sum_ready;
   logic carry_q;
   logic [47:0] whole_q;
-  logic [16:0] rate_q;
+  logic [17:0] rate_q;
   assign sum_ready = !sum_valid_q || !sample_valid_o || sample_ready_i;
   assign sent_o = share_valid_q && wanted_i && sum_ready;
   always_ff @(posedge clk_i) begin

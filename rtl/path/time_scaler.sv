@@ -8,10 +8,12 @@
 //   target_i   target
 //   valid_o             1        at the earliest
 //   rate_o              rate
+//   held_o              target is 0
 //
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
-// each when the rate turns round and when it arrives. Reset: rate 1. The bounds stand still while
-// ticks run.
+// each when the rate turns round and when it arrives. The first tick after a reset lands on its
+// target at once: nothing moves yet. The bounds stand still from the last two clocks of a reset on.
+// Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
 //
@@ -26,17 +28,21 @@ module time_scaler (
 
     // Bounds, in 2^-32 per tick
     input wire logic [31:0] acceleration_i,  // a: [1, 2^31]
-    input wire logic [32:0] slope_i,         // a multiple of a, up to 2^32
+    input wire logic [32:0] slope_i,         // [a, 2^32]
 
     input  wire logic        valid_i,
     output logic             ready_o,
     input  wire logic [16:0] target_i,  // 16 fraction bits, up to 1
     output logic             valid_o,
-    output logic      [16:0] rate_o
+    output logic      [16:0] rate_o,
+    output logic             held_o,
+    output logic             still_o    // the rate rests at 0, and does until a target is not 0
 );
 
   // The tick at hand, and how its target differs.
   logic head_valid_q;
+  logic fresh_q;  // no tick came yet
+  logic first_q;  // it is the first one
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
@@ -68,8 +74,9 @@ module time_scaler (
   assign a = {4'b0, acceleration_i};
   logic signed [35:0] a2;
   assign a2 = {3'b0, acceleration_i, 1'b0};
+  // The highest slope from which two steps do not pass the bound.
   logic signed [35:0] below_max_q;
-  always_ff @(posedge clk_i) below_max_q <= $signed({3'b0, slope_i}) - a;
+  always_ff @(posedge clk_i) below_max_q <= $signed({3'b0, slope_i}) - a2;
 
   // Decisions
   logic change;
@@ -95,20 +102,24 @@ module time_scaler (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_valid_q <= 1'b0;
-      target_q     <= 17'h1_0000;
+      fresh_q      <= 1'b1;
       change_q     <= 1'b0;
     end else begin
       if (ready_o) head_valid_q <= valid_i;
       if (ready_o && valid_i) begin
-        target_q <= target_i;
-        change_q <= target_i != target_q;
+        fresh_q  <= 1'b0;
+        change_q <= target_i != target_q && !fresh_q;
       end else if (change) begin
         change_q <= 1'b0;
       end
     end
   end
   always_ff @(posedge clk_i) begin
-    if (ready_o && valid_i) delta_q <= $signed({1'b0, target_i}) - $signed({1'b0, target_q});
+    if (ready_o && valid_i) begin
+      first_q  <= fresh_q;
+      target_q <= target_i;
+      delta_q  <= $signed({1'b0, target_i}) - $signed({1'b0, target_q});
+    end
   end
 
   always_ff @(posedge clk_i) begin
@@ -177,7 +188,7 @@ module time_scaler (
   logic last_step;
   logic last_rise;
   assign last_step = slope_q == a;
-  assign last_rise = slope_q == below_max_q;
+  assign last_rise = below_max_q < slope_q;
 
   logic adds;
   logic margins_up;
@@ -245,19 +256,22 @@ module time_scaler (
     if (!rst_ni) begin
       ticked_q <= 1'b0;
       valid_o  <= 1'b0;
-      rate_q   <= 36'sh1_0000_0000;
     end else begin
       ticked_q <= tick;
       valid_o  <= ticked_q;
-      if (ticked_q) begin
-        if (lands_q) rate_q <= {3'b0, landing_q, 16'b0};
-        else if (rises_q) rate_q <= rate_q + slope_q;
-        else rate_q <= rate_q - slope_q;
-      end
     end
   end
   always_ff @(posedge clk_i) begin
-    lands_q   <= at_rest_q && !up && !settling_q;
+    if (ticked_q) begin
+      if (lands_q) rate_q <= {3'b0, landing_q, 16'b0};
+      else if (rises_q) rate_q <= rate_q + slope_q;
+      else rate_q <= rate_q - slope_q;
+      held_o  <= landing_q == '0;
+      still_o <= landing_q == '0 && lands_q;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    lands_q   <= first_q || (at_rest_q && !up && !settling_q);
     rises_q   <= rising_q;
     landing_q <= target_q;
   end

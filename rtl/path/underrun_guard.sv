@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stops time before the profile runs out. It counts the ticks that are queued: whole pieces and the
-// rest of the present one, less the ticks that are started and not yet taken from it.
+// Stops time before the words run out.  It counts the ticks that are covered: by pieces, those that
+// wait and the rest of the present one, less the ticks that are started and not yet taken from it;
+// and by segments, lead_i more.
 //
-//     hold      when they no longer exceed the ticks that a stop takes
-//     go on     when they exceed twice as many
+//     hold      when either no longer exceeds the ticks that a stop takes
+//     go on     when both exceed twice as many, or as many with a full queue: it gets no more
 //
-// No hold when a final piece is queued or under way, when no piece is under way, and when the queue
-// is three quarters full: it cannot get what does not fit.
+// A stream whose program is complete covers it to its end.  No hold when no piece is under way; a
+// program begins (begin_o) when it could go on.  A full queue that does not cover a stop never
+// will: fault_o.
 //
-// The counts are up to 8 clocks old, and a clock starts one tick at most: 8 ticks more are kept.
+// The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
 `default_nettype none
 module underrun_guard (
     input wire logic clk_i,
@@ -16,55 +18,81 @@ module underrun_guard (
 
     input wire logic [31:0] stop_ticks_i,  // from full rate; stands still
 
-    // The queue
-    input wire logic        plenty_i,
-    input wire logic        final_i,
-    input wire logic [31:0] ticks_i,
+    // The queues
+    input wire logic               pieces_full_i,
+    input wire logic               pieces_complete_i,
+    input wire logic        [31:0] ticks_i,
+    input wire logic               segments_full_i,
+    input wire logic               segments_complete_i,
+    input wire logic signed [31:0] lead_i,
 
     // The present piece
     input wire logic               active_i,
-    input wire logic               present_final_i,
     input wire logic signed [21:0] present_ticks_i,
 
     input wire logic [4:0] started_i,  // ticks that are on their way to it
 
     output logic hold_o,
-    output logic underrun_o  // there was a hold
+    output logic begin_o,
+    output logic underrun_o,  // there was a hold
+    output logic fault_o      // a full queue did not cover a stop
 );
 
-  localparam logic [33:0] Age = 34'd8;
+  localparam logic [33:0] Age = 34'd10;
 
-  logic signed [33:0] present_q;
-  logic signed [33:0] left_q;
-  logic low_q;
-  logic enough_q;
   logic signed [33:0] stop_q;
   logic signed [33:0] go_q;
-  logic signed [33:0] over_stop;
-  logic signed [33:0] over_go;
-  assign over_stop = stop_q - left_q;
-  assign over_go   = go_q - left_q;
+  logic signed [33:0] present_q;
+  logic signed [33:0] pieces_q;
+  logic signed [33:0] segments_q;
+  logic signed [31:0] lead_q;
+  logic signed [33:0] pieces_over_stop;
+  logic signed [33:0] pieces_over_go;
+  logic signed [33:0] segments_over_stop;
+  logic signed [33:0] segments_over_go;
+  assign pieces_over_stop   = stop_q - pieces_q;
+  assign pieces_over_go     = go_q - pieces_q;
+  assign segments_over_stop = stop_q - segments_q;
+  assign segments_over_go   = go_q - segments_q;
+
+  logic [1:0] complete_q[2];
+  logic [1:0] full_q[2];
+  logic [1:0] low;
+  logic [1:0] enough;
   always_ff @(posedge clk_i) begin
-    stop_q    <= {2'b0, stop_ticks_i} + Age;
-    go_q      <= {1'b0, stop_ticks_i, 1'b0} + Age;
-    present_q <= 34'(present_ticks_i) - $signed({29'b0, started_i});
-    left_q    <= $signed({2'b0, ticks_i}) + present_q;
-    low_q     <= !over_stop[33];
-    enough_q  <= over_go[33];
+    stop_q        <= {2'b0, stop_ticks_i} + Age;
+    go_q          <= {1'b0, stop_ticks_i, 1'b0} + Age;
+    present_q     <= 34'(present_ticks_i) - $signed({29'b0, started_i});
+    pieces_q      <= $signed({2'b0, ticks_i}) + present_q;
+    lead_q        <= lead_i;  // as old as the ticks in pieces_q
+    segments_q    <= pieces_q + 34'(lead_q);
+    complete_q[0] <= {segments_complete_i, pieces_complete_i};
+    complete_q[1] <= complete_q[0];
+    full_q[0]     <= rst_ni ? {segments_full_i, pieces_full_i} : 2'b00;
+    full_q[1]     <= rst_ni ? full_q[0] : 2'b00;
+    low           <= {!segments_over_stop[33], !pieces_over_stop[33]};
+    enough        <= {segments_over_go[33], pieces_over_go[33]};
   end
 
-  logic exempt_q;
-  always_ff @(posedge clk_i) begin
-    exempt_q <= !active_i || present_final_i || final_i || plenty_i;
-  end
+  // Any of the two streams, all of them
+  logic runs_low;
+  logic covered;
+  logic short_queue;
+  assign runs_low    = (low & ~complete_q[1]) != 2'b00;
+  assign covered     = (complete_q[1] | enough | (full_q[1] & ~low)) == 2'b11;
+  assign short_queue = (low & full_q[1] & ~complete_q[1]) != 2'b00;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       hold_o     <= 1'b0;
+      begin_o    <= 1'b0;
       underrun_o <= 1'b0;
+      fault_o    <= 1'b0;
     end else begin
-      if (exempt_q || enough_q) hold_o <= 1'b0;
-      else if (low_q) begin
+      begin_o <= covered;
+      if (short_queue) fault_o <= 1'b1;
+      if (!active_i || covered) hold_o <= 1'b0;
+      else if (runs_low) begin
         hold_o     <= 1'b1;
         underrun_o <= 1'b1;
       end

@@ -7,9 +7,9 @@
 //   take_i            it becomes the present one: from the next clock the reads below show it, and
 //                     the other bank takes words
 //
-// A segment of length zero is consumed and counted.  Reads follow their axis in the same clock; the
-// words of rate_axis_i and cubic_axis_i are the same, read twice, so that lines and arcs on the one
-// hand and splines on the other do not wait for a choice between their axes.
+// A segment of length zero is consumed and counted, up to 65535.  Reads follow their axis in the
+// same clock; the words of rate_axis_i and cubic_axis_i are the same, read twice, so that lines and
+// arcs on the one hand and splines on the other do not wait for a choice between their axes.
 `default_nettype none
 module segment_loader #(
     parameter int CoefBits = 36,  // [18, 36]
@@ -109,7 +109,8 @@ module segment_loader #(
         axis_q      <= axis_d;
         last_axis_q <= axis_d == 4'(Axes - 1);
       end
-      if (complete && empty_q) empty_segments_o <= empty_segments_o + 16'd1;
+      if (complete && empty_q && empty_segments_o != '1)
+        empty_segments_o <= empty_segments_o + 16'd1;
       if (segment_valid_o && take_i) begin
         field_q <= Length;
         bank_q  <= !bank_q;
@@ -130,14 +131,15 @@ module segment_loader #(
     write_field_q <= field_q;
     fill_q        <= {bank_q, axis_q};
     data_q        <= data_i;
-    if (write_q && write_field_q == Length) length_o <= data_q;
+    if (write_q && write_field_q == Length) length_o <= {4'b0, data_q[43:0]};
     empty_q <= length_o == 48'd0;
     if (write_q && write_field_q == Theta) begin
-      theta_o  <= data_q[CoefBits-1:0];
-      k_o      <= data_q[40:36];
-      lambda_o <= data_q[46:41];
-      kind_o   <= data_q[47];
+      theta_o <= data_q[CoefBits-1:0];
+      k_o     <= data_q[words_pkg::StepExponentLow+:5];
+      kind_o  <= data_q[words_pkg::KindLow];
     end
+    if (write_q && write_field_q == Normal && fill_q[3:0] == 4'd0)
+      lambda_o <= data_q[words_pkg::LambdaLow+:6];
   end
 
   logic signed [FineBits-1:0] start_memory  [32];

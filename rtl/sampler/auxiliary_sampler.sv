@@ -16,10 +16,8 @@ module auxiliary_sampler #(
     input wire logic rst_ni,
 
     // From the segment, into a bank
-    input wire logic        [         1:0] bank_i,
-    input wire logic                       rate_valid_i,
-    input wire logic        [         3:0] rate_axis_i,
-    input wire logic signed [CoefBits-1:0] advance_i,
+    input wire logic [         1:0] bank_i,
+    input wire logic [CoefBits+4:0] rate_i,  // {there, axis, rate}
 
     // Samples
     input  wire logic [                 2:0] phase_i,
@@ -49,7 +47,7 @@ module auxiliary_sampler #(
     logic write;
     logic unused_valid;
     logic [1:0] unused_tag;
-    assign write = rate_valid_i && rate_axis_i == 4'(a + 3);
+    assign write = rate_i[CoefBits+4] && rate_i[CoefBits+:4] == 4'(a + 3);
     horner #(
         .Passes(1),
         .Lanes(1),
@@ -67,7 +65,7 @@ module auxiliary_sampler #(
         .write_lanes_i({1{1'b1}}),
         .write_bank_i(bank_i),
         .write_pass_i(4'd0),
-        .write_coef_i(advance_i),
+        .write_coef_i(rate_i[CoefBits-1:0]),
         .phase_i(late_phase & 3'(SampleInterval - 1)),
         .valid_i(1'b0),
         .x_i(late[CoefBits-1:0]),

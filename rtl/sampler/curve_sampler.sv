@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Displacements of x y z along a step, in units of 2^k, whichever curve it lies on.
 //
-//   Mode 0   both curves are series of tau: one series_sampler for them
+//   Mode 0   both curves are series of tau by Horner's rule,
+//                d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau
 //   Mode 1   polynomial_sampler for lines and arcs, spline_sampler for splines; with both the first
 //            waits, and each sample takes the one of its bank's kind
+//
+// TurnBits > 0: arcs whose steps turn by at most 2^-TurnBits rad; every order has words of its own
+// width.  Twins: hls/spherical_kernel.hpp, hls/spline_kernel.hpp.
 //
 //   clock           0                   curvecore_pkg::sampler_latency(Curves, Mode, Order, ..)
 //   phase_i         0
@@ -22,37 +26,12 @@ module curve_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Steps into a bank
-    input wire logic [1:0] bank_i,
-    input wire logic       spline_i,    // the step is a spline's
-    input wire logic       step_done_i,
-
-    // From spherical_steps
-    input wire logic                       rate_valid_i,
-    input wire logic        [         3:0] rate_axis_i,
-    input wire logic signed [CoefBits-1:0] advance_i,
-    input wire logic                       zeroth_i,
-    input wire logic                       collect_i,
-    input wire logic        [         3:0] order_i,
-    input wire logic signed [CoefBits-1:0] x_i,
-    input wire logic signed [CoefBits-1:0] y_i,
-    input wire logic signed [CoefBits-1:0] z_i,
-    input wire logic signed [CoefBits-1:0] f_i,
-    input wire logic signed [CoefBits-1:0] g_i,
-    input wire logic signed [CoefBits-1:0] h_i,
-    input wire logic signed [CoefBits-1:0] angle_i,
-
-    // From spline_steps
-    input wire logic [           2:0] a_write_i,
-    input wire logic [  CoefBits-1:0] a_i,
-    input wire logic [           2:0] v_write_i,
-    input wire logic [3*CoefBits-1:0] v_i,
-    input wire logic [           2:0] b_write_i,
-    input wire logic [3*CoefBits-1:0] b_i,
-    input wire logic [  CoefBits+4:0] q_term_i,
-    input wire logic [  CoefBits+4:0] x_term_i,
-    input wire logic [  CoefBits+4:0] y_term_i,
-    input wire logic [  CoefBits+4:0] z_term_i,
+    // From spherical_steps and spline_steps, into a bank
+    input wire logic [                CoefBits+4:0] rate_i,
+    input wire logic [          bank_pkg::Bits-1:0] arc_write_i,
+    input wire logic [bank_pkg::Lanes*CoefBits-1:0] arc_words_i,
+    input wire logic [          bank_pkg::Bits-1:0] spline_write_i,
+    input wire logic [bank_pkg::Lanes*CoefBits-1:0] spline_words_i,
 
     // Samples
     input  wire logic [           2:0] phase_i,
@@ -65,53 +44,44 @@ module curve_sampler #(
 );
 
   if (Mode == 0) begin : g_series
-    logic unused;
-    assign unused = &{
-      zeroth_i, f_i, g_i, h_i, angle_i, step_done_i, a_write_i, a_i, v_write_i, v_i, b_write_i,
-      b_i, q_term_i, y_term_i[CoefBits+4:CoefBits], z_term_i[CoefBits+4:CoefBits]
-    };
-    logic                collect;
-    logic [         3:0] order;
-    logic [CoefBits-1:0] x;
-    logic [CoefBits-1:0] y;
-    logic [CoefBits-1:0] z;
-    assign collect = spline_i ? x_term_i[CoefBits+4] : collect_i;
-    assign order   = spline_i ? x_term_i[CoefBits+3:CoefBits] : order_i;
-    assign x       = spline_i ? x_term_i[CoefBits-1:0] : x_i;
-    assign y       = spline_i ? y_term_i[CoefBits-1:0] : y_i;
-    assign z       = spline_i ? z_term_i[CoefBits-1:0] : z_i;
-    series_sampler #(
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .SampleInterval(SampleInterval),
+    logic                      unused;
+    logic                      arc;
+    logic [bank_pkg::Bits-1:0] write;
+    logic [    3*CoefBits-1:0] words;
+    logic [               3:0] pass;
+    assign unused = &{rate_i, write, arc_words_i, spline_words_i};  // other lanes
+    assign arc    = Curves == 1 || arc_write_i[bank_pkg::Lane+bank_pkg::X];
+    assign write  = arc ? arc_write_i : spline_write_i;
+    assign words  = arc ? arc_words_i[3*CoefBits-1:0] : spline_words_i[3*CoefBits-1:0];
+    assign pass   = 4'(Order) - write[bank_pkg::Place+:4];
+    horner #(
+        .Passes(Order),
+        .Lanes(3),
+        .Bits(CoefBits),
+        .Shift(CoefBits - 1),
+        .Interval(SampleInterval),
         .TurnBits(TurnBits),
+        .BankBits(2),
         .TagBits(TagBits),
-        .MultiplierForm(MultiplierForm)
-    ) u_sampler (
+        .Form(MultiplierForm)
+    ) u_xyz (
         .clk_i,
         .rst_ni,
-        .bank_i,
-        .rate_valid_i,
-        .rate_axis_i,
-        .advance_i,
-        .linear_i(!spline_i),
-        .collect_i(collect),
-        .order_i(order),
-        .x_i(x),
-        .y_i(y),
-        .z_i(z),
+        .en_i(1'b1),
+        .write_i(write[bank_pkg::Lane+bank_pkg::X]),
+        .write_lanes_i({3{1'b1}}),
+        .write_bank_i(write[bank_pkg::Bank+:2]),
+        .write_pass_i(pass),
+        .write_coef_i(words),
         .phase_i,
         .valid_i,
-        .tau_i,
+        .x_i(tau_i),
         .tag_i,
         .valid_o,
         .d_o,
         .tag_o
     );
   end else begin : g_polynomial
-    logic unused;
-    assign unused = &{x_term_i, y_term_i, z_term_i};
-
     logic                  spline_valid;
     logic [3*CoefBits-1:0] spline_d;
     logic [   TagBits-1:0] spline_tag;
@@ -125,14 +95,8 @@ module curve_sampler #(
       ) u_sampler (
           .clk_i,
           .rst_ni,
-          .bank_i,
-          .a_write_i,
-          .a_i,
-          .v_write_i,
-          .v_i,
-          .b_write_i,
-          .b_i,
-          .q_i(q_term_i),
+          .write_i(spline_write_i),
+          .words_i(spline_words_i),
           .phase_i,
           .valid_i,
           .tau_i,
@@ -143,7 +107,7 @@ module curve_sampler #(
       );
     end else begin : g_no_splines
       logic unused_terms;
-      assign unused_terms = &{a_write_i, a_i, v_write_i, v_i, b_write_i, b_i, q_term_i};
+      assign unused_terms = &{spline_write_i, spline_words_i};
       assign spline_valid = 1'b0;
       assign spline_d     = '0;
       assign spline_tag   = '0;
@@ -180,20 +144,9 @@ module curve_sampler #(
       ) u_sampler (
           .clk_i,
           .rst_ni,
-          .bank_i,
-          .rate_valid_i,
-          .rate_axis_i,
-          .advance_i,
-          .zeroth_i,
-          .collect_i,
-          .order_i,
-          .x_i,
-          .y_i,
-          .z_i,
-          .f_i,
-          .g_i,
-          .h_i,
-          .angle_i,
+          .rate_i,
+          .write_i(arc_write_i),
+          .words_i(arc_words_i),
           .phase_i(late_phase),
           .valid_i(valid_i && Curves == 1),
           .tau_i(late[TagBits+:CoefBits]),
@@ -204,10 +157,7 @@ module curve_sampler #(
       );
     end else begin : g_no_arcs
       logic unused_steps;
-      assign unused_steps = &{
-        rate_valid_i, rate_axis_i, advance_i, zeroth_i, collect_i, order_i, x_i, y_i, z_i, f_i,
-        g_i, h_i, angle_i
-      };
+      assign unused_steps = &{rate_i, arc_write_i, arc_words_i};
       assign arc_valid = 1'b0;
       assign arc_d = '0;
       assign arc_tag = '0;
@@ -222,13 +172,18 @@ module curve_sampler #(
         else valid_o <= spline_valid;
       end
       always_ff @(posedge clk_i) begin
-        if (step_done_i) spline_q[bank_i] <= spline_i;
+        if (spline_write_i[bank_pkg::Lane+bank_pkg::Own]) begin
+          spline_q[spline_write_i[bank_pkg::Bank+:2]] <= 1'b1;
+        end
+        if (arc_write_i[bank_pkg::Lane+bank_pkg::X]) begin
+          spline_q[arc_write_i[bank_pkg::Bank+:2]] <= 1'b0;
+        end
         d_o   <= spline_q[spline_tag[1:0]] ? spline_d : arc_d;
         tag_o <= spline_tag;
       end
     end else begin : g_one
       logic unused_kind;
-      assign unused_kind = &{spline_i, step_done_i, arc_valid, arc_tag, spline_valid, spline_tag};
+      assign unused_kind = &{arc_valid, arc_tag, spline_valid, spline_tag};
       assign valid_o     = arc_valid || spline_valid;
       assign d_o         = (Curves == 1) ? arc_d : spline_d;
       assign tag_o       = (Curves == 1) ? arc_tag : spline_tag;

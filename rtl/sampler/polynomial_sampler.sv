@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements as r0 cos + f0 sin, in units of 2^k: from two series of the angle in q = tau^2,
+// Displacements as r0 cos + f0 sin, in units of 2^k: from two series of the angle in tau2 = tau^2,
 //
-//     sine = y_1 + y_3 q + ..     versine = z_2 q + z_4 q^2 + ..     (y_1 = 1)
+//     sine = y_1 + y_3 tau2 + ..     versine = z_2 tau2 + z_4 tau2^2 + ..     (y_1 = 1)
 //     d = (t sine + advance) tau + n versine
 //
 // Twin: hls/spherical_kernel.hpp, polynomial mode.
 //
 //   clock           0        5    B = 5 + Lv      B+1      B+Offset    B+1+Offset    Latency
-//                   tau_i    q    versine, sine   t sine   n versine   rate tau      d_o, tag_o
+//                   tau_i    tau2 versine, sine   t sine   n versine   rate tau      d_o, tag_o
 //
 //   Lv = horner latency of Order / 2 passes;  Offset = 6, for SampleInterval 2: 7
 //   Latency = Lv + Offset + 12
@@ -22,21 +22,10 @@ module polynomial_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From the network, into a bank
-    input wire logic        [         1:0] bank_i,
-    input wire logic                       rate_valid_i,
-    input wire logic        [         3:0] rate_axis_i,
-    input wire logic signed [CoefBits-1:0] advance_i,
-    input wire logic                       zeroth_i,
-    input wire logic                       collect_i,
-    input wire logic        [         3:0] order_i,
-    input wire logic signed [CoefBits-1:0] x_i,
-    input wire logic signed [CoefBits-1:0] y_i,
-    input wire logic signed [CoefBits-1:0] z_i,
-    input wire logic signed [CoefBits-1:0] f_i,
-    input wire logic signed [CoefBits-1:0] g_i,
-    input wire logic signed [CoefBits-1:0] h_i,
-    input wire logic signed [CoefBits-1:0] angle_i,
+    // From spherical_steps, into a bank; a rate {there, axis, rate} into the one that write_i names
+    input wire logic [                CoefBits+4:0] rate_i,
+    input wire logic [          bank_pkg::Bits-1:0] write_i,
+    input wire logic [bank_pkg::Lanes*CoefBits-1:0] words_i,
 
     // Samples
     input  wire logic [           2:0] phase_i,
@@ -57,6 +46,15 @@ module polynomial_sampler #(
   localparam int Tail = Offset + 7;  // from Base to the result
   localparam logic [2:0] PhaseMask = 3'(SampleInterval - 1);
 
+  logic       unused_place;
+  logic       collect;
+  logic [1:0] bank;
+  logic [3:0] order;
+  assign unused_place = &write_i;
+  assign collect = write_i[bank_pkg::Lane+bank_pkg::Own];
+  assign bank    = write_i[bank_pkg::Bank+:2];
+  assign order   = write_i[bank_pkg::OwnPlace+:4];
+
   // Coefficients of the angle: odd orders are the sine's, even ones the versine's.
   logic                       write_sine_q;
   logic                       write_versine_q;
@@ -70,25 +68,25 @@ module polynomial_sampler #(
       write_sine_q    <= 1'b0;
       write_versine_q <= 1'b0;
     end else begin
-      write_sine_q    <= collect_i && order_i[0] && order_i != 4'd1;
-      write_versine_q <= collect_i && !order_i[0];
+      write_sine_q    <= collect && order[0] && order != 4'd1;
+      write_versine_q <= collect && !order[0];
     end
   end
   always_ff @(posedge clk_i) begin
-    if (collect_i) begin
-      bank_q  <= bank_i;
-      order_q <= order_i;
-      angle_q <= angle_i;
+    if (collect) begin
+      bank_q  <= bank;
+      order_q <= order;
+      angle_q <= words_i[bank_pkg::Own*CoefBits+:CoefBits];
     end
   end
   assign sine_pass    = 4'(SinePasses) - {1'b0, order_q[3:1]};
   assign versine_pass = 4'(VersinePasses) - {1'b0, order_q[3:1]};
 
-  // q = tau^2
-  logic signed [ CoefBits:0] q;
+  // tau2 = tau^2
+  logic signed [ CoefBits:0] tau2;
   logic        [ Square-1:0] valid_q;
   logic        [TagBits-1:0] tag_late;
-  logic        [        2:0] q_phase;
+  logic        [        2:0] tau2_phase;
   multiplier #(
       .ABits(CoefBits),
       .BBits(CoefBits),
@@ -99,7 +97,7 @@ module polynomial_sampler #(
       .en_i(1'b1),
       .a_i(tau_i),
       .b_i(tau_i),
-      .product_o(q)
+      .product_o(tau2)
   );
   delay_line #(
       .Bits  (TagBits),
@@ -115,7 +113,7 @@ module polynomial_sampler #(
     if (!rst_ni) valid_q <= '0;
     else valid_q <= {valid_q[Square-2:0], valid_i};
   end
-  assign q_phase = phase_i - 3'(Square);
+  assign tau2_phase = phase_i - 3'(Square);
 
   logic                versine_valid;
   logic [CoefBits-1:0] versine;
@@ -138,9 +136,9 @@ module polynomial_sampler #(
       .write_bank_i(bank_q),
       .write_pass_i(versine_pass),
       .write_coef_i(angle_q),
-      .phase_i(q_phase & PhaseMask),
+      .phase_i(tau2_phase & PhaseMask),
       .valid_i(valid_q[Square-1]),
-      .x_i(q[CoefBits-1:0]),
+      .x_i(tau2[CoefBits-1:0]),
       .tag_i(tag_late),
       .valid_o(versine_valid),
       .d_o(versine),
@@ -171,9 +169,9 @@ module polynomial_sampler #(
         .write_bank_i(bank_q),
         .write_pass_i(sine_pass),
         .write_coef_i(angle_q),
-        .phase_i(q_phase & PhaseMask),
+        .phase_i(tau2_phase & PhaseMask),
         .valid_i(valid_q[Square-1]),
-        .x_i(q[CoefBits-1:0]),
+        .x_i(tau2[CoefBits-1:0]),
         .tag_i(tag_late),
         .valid_o(unused_valid),
         .d_o(early),
@@ -241,29 +239,21 @@ module polynomial_sampler #(
   assign valid_o = sample_valid_q[Tail-1];
   assign tag_o   = sample_tag_q[Tail-1];
 
-  logic signed [CoefBits-1:0] normal [3];
-  logic signed [CoefBits-1:0] tangent[3];
-  assign normal[0]  = x_i;
-  assign normal[1]  = y_i;
-  assign normal[2]  = z_i;
-  assign tangent[0] = f_i;
-  assign tangent[1] = g_i;
-  assign tangent[2] = h_i;
   for (genvar a = 0; a < 3; a++) begin : g_axis
     logic advance_write;
-    assign advance_write = rate_valid_i && rate_axis_i == 4'(a);
+    assign advance_write = rate_i[CoefBits+4] && rate_i[CoefBits+:4] == 4'(a);
     polynomial_axis #(
         .CoefBits(CoefBits),
         .SampleInterval(SampleInterval),
         .MultiplierForm(MultiplierForm)
     ) u_axis (
         .clk_i,
-        .bank_i,
+        .bank_i(bank),
         .advance_write_i(advance_write),
-        .advance_i,
-        .unit_write_i(zeroth_i),
-        .normal_i(normal[a]),
-        .tangent_i(tangent[a]),
+        .advance_i(rate_i[CoefBits-1:0]),
+        .unit_write_i(write_i[bank_pkg::Lane+bank_pkg::X+a]),
+        .normal_i(words_i[(bank_pkg::X+a)*CoefBits+:CoefBits]),
+        .tangent_i(words_i[(bank_pkg::F+a)*CoefBits+:CoefBits]),
         .tangent_bank_i(versine_tag[1:0]),
         .advance_bank_i(sample_tag_q[5][1:0]),
         .normal_bank_i(sample_tag_q[Offset-2][1:0]),

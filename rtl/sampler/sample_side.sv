@@ -23,20 +23,15 @@ module sample_side #(
     input wire logic rst_ni,
 
     // Steps into banks
-    output logic                                           room_o,
-    output logic             [                        2:0] write_step_o,
-    input  wire logic                                      step_done_i,
-    input  wire logic                                      last_i,
-    input  wire logic        [                        4:0] k_i,
-    input  wire logic        [curvecore_pkg::StepBits-1:0] offset_i,
-    input  wire logic        [  curvecore_pkg::StepBits:0] stride_i,
-    input  wire logic                                      rate_valid_i,
-    input  wire logic        [                        3:0] rate_axis_i,
-    input  wire logic signed [               CoefBits-1:0] advance_i,
-    input  wire logic                                      point_write_i,
-    input  wire logic        [                        3:0] point_axis_i,
-    input  wire logic signed [ PositionBits+GuardBits-1:0] origin_i,
-    input  wire logic signed [ PositionBits+GuardBits-1:0] end_i,
+    output logic                                       room_o,
+    output logic      [                           2:0] write_step_o,
+    input  wire logic                                  step_done_i,
+    input  wire logic                                  last_i,
+    input  wire logic [                           4:0] k_i,
+    input  wire logic [   curvecore_pkg::StepBits-1:0] offset_i,
+    input  wire logic [     curvecore_pkg::StepBits:0] stride_i,
+    input  wire logic [                  CoefBits+4:0] rate_i,        // {there, axis, rate}
+    input  wire logic [2*(PositionBits+GuardBits)+4:0] point_i,       // {there, axis, end, origin}
 
     // Path increments
     input  wire logic        request_valid_i,
@@ -164,9 +159,7 @@ module sample_side #(
         .clk_i,
         .rst_ni,
         .bank_i(write_step_o[1:0]),
-        .rate_valid_i,
-        .rate_axis_i,
-        .advance_i,
+        .rate_i,
         .phase_i(phase_o),
         .tau_i(tau_o),
         .tau_bank_i(tag_o[1:0]),
@@ -174,7 +167,7 @@ module sample_side #(
     );
   end else begin : g_no_auxiliary
     logic unused;
-    assign unused = &{rate_valid_i, rate_axis_i, advance_i};
+    assign unused = &rate_i;
   end
 
   // A sample's way through the landers.
@@ -224,7 +217,7 @@ module sample_side #(
   logic [Axes*PositionBits-1:0] position;
   for (genvar n = 0; n < Axes; n++) begin : g_axis
     logic write;
-    assign write = point_write_i && point_axis_i == 4'(n);
+    assign write = point_i[2*FineBits+4] && point_i[2*FineBits+:4] == 4'(n);
     lander #(
         .CoefBits(CoefBits),
         .PositionBits(PositionBits),
@@ -233,8 +226,8 @@ module sample_side #(
         .clk_i,
         .write_i(write),
         .write_bank_i(write_step_o[1:0]),
-        .write_origin_i(origin_i),
-        .write_end_i(end_i),
+        .write_origin_i(point_i[0+:FineBits]),
+        .write_end_i(point_i[FineBits+:FineBits]),
         .d_i(d[n*CoefBits+:CoefBits]),
         .down_i(tag_i[9:5]),
         .origin_bank_i(land_step_q[0][1:0]),

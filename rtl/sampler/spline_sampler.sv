@@ -21,14 +21,8 @@ module spline_sampler #(
     input wire logic rst_ni,
 
     // From spline_steps, into a bank
-    input wire logic [           1:0] bank_i,
-    input wire logic [           2:0] a_write_i,
-    input wire logic [  CoefBits-1:0] a_i,
-    input wire logic [           2:0] v_write_i,
-    input wire logic [3*CoefBits-1:0] v_i,
-    input wire logic [           2:0] b_write_i,
-    input wire logic [3*CoefBits-1:0] b_i,
-    input wire logic [  CoefBits+4:0] q_i,
+    input wire logic [          bank_pkg::Bits-1:0] write_i,
+    input wire logic [bank_pkg::Lanes*CoefBits-1:0] words_i,
 
     // Samples
     input  wire logic [           2:0] phase_i,
@@ -42,20 +36,12 @@ module spline_sampler #(
 
   localparam int SeriesClocks = curvecore_pkg::horner_latency(Order, SampleInterval);
 
-  // A term of the series into its place, a clock later.
-  logic                write_q;
-  logic [         3:0] pass_q;
-  logic [         1:0] bank_q;
-  logic [CoefBits-1:0] coef_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) write_q <= 1'b0;
-    else write_q <= q_i[CoefBits+4];
-  end
-  always_ff @(posedge clk_i) begin
-    pass_q <= 4'(Order) - q_i[CoefBits+3:CoefBits];
-    bank_q <= bank_i;
-    coef_q <= q_i[CoefBits-1:0];
-  end
+  logic       unused_lanes;
+  logic [1:0] bank;
+  logic [3:0] series_pass;
+  assign unused_lanes = &{write_i, words_i};
+  assign bank         = write_i[bank_pkg::Bank+:2];
+  assign series_pass  = 4'(Order) - write_i[bank_pkg::OwnPlace+:4];
 
   logic                series_valid;
   logic [CoefBits-1:0] series;
@@ -73,11 +59,11 @@ module spline_sampler #(
       .clk_i,
       .rst_ni,
       .en_i(1'b1),
-      .write_i(write_q),
+      .write_i(write_i[bank_pkg::Lane+bank_pkg::Own]),
       .write_lanes_i({1{1'b1}}),
-      .write_bank_i(bank_q),
-      .write_pass_i(pass_q),
-      .write_coef_i(coef_q),
+      .write_bank_i(bank),
+      .write_pass_i(series_pass),
+      .write_coef_i(words_i[bank_pkg::Own*CoefBits+:CoefBits]),
       .phase_i,
       .valid_i,
       .x_i(tau_i),
@@ -87,28 +73,12 @@ module spline_sampler #(
       .tag_o(series_tag)
   );
 
-  // One kind of word at a time: a' before V, B' a clock after V or later.
-  logic [           2:0] lanes_q;
-  logic [           3:0] cubic_pass_q;
-  logic [3*CoefBits-1:0] cubic_coef_q;
-  logic [           2:0] cubic_phase;
+  logic [2:0] lanes;
+  logic [3:0] cubic_pass;
+  logic [2:0] cubic_phase;
+  assign lanes       = write_i[bank_pkg::Lane+bank_pkg::X+:3];
+  assign cubic_pass  = 4'd3 - write_i[bank_pkg::Place+:4];
   assign cubic_phase = phase_i - 3'(SeriesClocks % 8);
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) lanes_q <= 3'd0;
-    else lanes_q <= a_write_i | b_write_i | v_write_i;
-  end
-  always_ff @(posedge clk_i) begin
-    cubic_pass_q <= 4'd0;
-    cubic_coef_q <= {3{a_i}};
-    if (b_write_i != 3'd0) begin
-      cubic_pass_q <= 4'd1;
-      cubic_coef_q <= b_i;
-    end
-    if (v_write_i != 3'd0) begin
-      cubic_pass_q <= 4'd2;
-      cubic_coef_q <= v_i;
-    end
-  end
   horner #(
       .Passes(3),
       .Lanes(3),
@@ -123,11 +93,11 @@ module spline_sampler #(
       .clk_i,
       .rst_ni,
       .en_i(1'b1),
-      .write_i(lanes_q != 3'd0),
-      .write_lanes_i(lanes_q),
-      .write_bank_i(bank_q),
-      .write_pass_i(cubic_pass_q),
-      .write_coef_i(cubic_coef_q),
+      .write_i(lanes != 3'd0),
+      .write_lanes_i(lanes),
+      .write_bank_i(bank),
+      .write_pass_i(cubic_pass),
+      .write_coef_i(words_i[bank_pkg::X*CoefBits+:3*CoefBits]),
       .phase_i(cubic_phase & 3'(SampleInterval - 1)),
       .valid_i(series_valid),
       .x_i(series),

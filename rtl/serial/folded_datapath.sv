@@ -14,7 +14,8 @@
 //
 // target_i: 1 the word memory at d_address_i, 2 and 3 what the user makes of d_o.  An operation
 // reads what one nine cycles before has written; c is read five cycles after a and b.  Words from
-// outside are written when no result is: external_ready_o.  Nothing is written under reset.
+// outside are written when no result is: external_ready_o.  Nothing is written under reset, and no
+// result in the place of a constant.
 `default_nettype none
 module folded_datapath #(
     parameter int CoefBits       = 36,  // [18, 36]
@@ -72,11 +73,18 @@ module folded_datapath #(
   assign target_o    = target_q[7];
   assign d_address_o = d_address_q[7];
 
+  // Constants are in 0x81, 0x91 and 0xa0 to 0xaf.
+  logic constant_q;
+  always_ff @(posedge clk_i) begin
+    constant_q <= d_address_q[6] == AddressBits'(8'h81) || d_address_q[6] == AddressBits'(8'h91) ||
+        d_address_q[6][AddressBits-1:4] == (4 + Splines)'(4'ha);
+  end
+
   logic                   write;
   logic [AddressBits-1:0] write_address;
   logic [          W-1:0] write_data;
   assign external_ready_o = target_o != 2'd1;
-  assign write            = rst_ni && (external_i || !external_ready_o);
+  assign write            = rst_ni && (external_ready_o ? external_i : !constant_q);
   assign write_address    = external_ready_o ? external_address_i : d_address_o;
   assign write_data       = external_ready_o ? external_data_i : d_o;
 

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
 
     std::ofstream rom(folder + "/serial_program.sv");
     rom << fmt::format(kMade, "Program of the serial build, that of splines behind that of arcs")
-        << "// Its parts begin where rtl/serial_program_pkg.sv says.\n"
+        << "// Its parts begin where rtl/serial/serial_program_pkg.sv says.\n"
            "`default_nettype none\n"
            "module serial_program #(\n"
            "    parameter int Splines = 1  // 0, 1\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program of the serial build, that of splines behind that of arcs, made by
 // rtl/serial/program_generator.cpp: do not edit.
-// Its parts begin where rtl/serial_program_pkg.sv says.
+// Its parts begin where rtl/serial/serial_program_pkg.sv says.
 `default_nettype none
 module serial_program #(
     parameter int Splines = 1  // 0, 1

@@ -84,12 +84,13 @@ module serial_segment #(
     end else begin
       if (accept) field_q <= field_d;
       if (accept && field_q == Advance) axis_q <= complete ? 4'd0 : axis_q + 4'd1;
-      if (complete && empty_q) empty_segments_o <= empty_segments_o + 16'd1;
+      if (complete && empty_q && empty_segments_o != '1)
+        empty_segments_o <= empty_segments_o + 16'd1;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (length_o) empty_q <= segment_data_i == 48'd0;
-    if (accept && field_q == Theta) k_o <= segment_data_i[40:36];
+    if (length_o) empty_q <= segment_data_i[43:0] == 44'd0;
+    if (accept && field_q == Theta) k_o <= segment_data_i[words_pkg::StepExponentLow+:5];
     down_o <= 5'(curvecore_pkg::MaxStepExponent) - k_o;
   end
 
@@ -114,10 +115,9 @@ module serial_segment #(
       else scaling_q <= (complete && !empty_q && spline_o) || (scaling_q && !scale_done);
     end
     always_ff @(posedge clk_i) begin
-      if (accept && field_q == Theta) begin
-        spline_o <= segment_data_i[47];
-        lambda_q <= segment_data_i[45:41];
-      end
+      if (accept && field_q == Theta) spline_o <= segment_data_i[words_pkg::KindLow];
+      if (accept && field_q == Normal && axis_q == 4'd0)
+        lambda_q <= segment_data_i[words_pkg::LambdaLow+:5];
       spline_down_o <= 5'(curvecore_pkg::MaxStepExponent) - lambda_q;
     end
     scale_words #(

@@ -222,7 +222,7 @@ module serial_tracker #(
   assign after         = rest_q - full_q;
   assign fits          = rest_q <= full_q;
   always_ff @(posedge clk_i) begin
-    if (opening) rest_q <= segment_data_i;
+    if (opening) rest_q <= {4'b0, segment_data_i[43:0]};
     if (state_q == Weights) full_q <= 48'd1 << full_exponent;
     if (state_q == Step && !started_q) rest_q <= after;
     if (state_q == Rest) last_q <= fits;

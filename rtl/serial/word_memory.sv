@@ -5,11 +5,11 @@
 //   0x81 1    0x91 -1    0xad -2    0xae -3/2    0xaf 1/4      CoefBits - 2 fraction bits
 //   0xa0 0    0xa1 1/1, with CoefBits - 2                       0xa2 .. 0xac  1/2 .. 1/12
 //
-// The device's configuration loads them.  No program writes there, nor does a reset.
+// The device's configuration loads them; serial/folded_datapath.sv lets nothing write there.
 //
 //   cycle       0           1
 //   read_i      address
-//   data_o                  word; undefined if cycle 0 writes it
+//   data_o                  word; undefined if cycle 0 writes it, which no program does
 `default_nettype none
 module word_memory #(
     parameter int CoefBits = 36,  // [18, 36]
@@ -42,12 +42,12 @@ module word_memory #(
     end
   endfunction
 
+  (* no_rw_check *)
   logic [CoefBits-1:0] memory[Words];
   initial for (int n = 0; n < Words; n = n + 1) memory[n] = first(n);
   always_ff @(posedge clk_i) begin
     if (write_i) memory[write_address_i] <= write_data_i;
     data_o <= memory[read_i];
-    if (write_i && write_address_i == read_i) data_o <= 'x;  // no program reads this
   end
 
 endmodule

@@ -68,7 +68,7 @@ def configuration(core, build, device, speed, given, top=None):
     """Checks all that can be known before a tool runs; raises Refused."""
     label, (module, settings) = (top, (top, {})) if top else (
         f"{core}-{build}", top_of(core, build))
-    form = device_named(device).family.form
+    form = device_named(device).form
     speed = speed_of(device, speed)
     settings = settings | given
     for name in FORMS:

@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The devices: one table of what each has, and how its tools are called.
-
-Available LUTs, flip-flops, DSP blocks (as `cells` counts them) and RAM blocks are the makers'.
-"""
+"""The devices: what each has (sysc/widths/devices.def), and how its tools are called."""
 
 import dataclasses
 import pathlib
 
 from synthesis.refused import Refused
+from synthesis.tables import rows
 
 HERE = pathlib.Path(__file__).resolve().parent
 PINS = HERE / "pins"
@@ -19,7 +17,6 @@ class Family:
 
     name: str
     nextpnr: str
-    form: int  # parameter MultiplierForm of the cores, Form of rtl/arithmetic/multiplier.sv
     freq: int  # MHz asked for, above what is reached
     yosys: tuple  # commands after reading the sources; {netlist} is the file to write
     lut: dict  # LUTs that a cell occupies
@@ -32,21 +29,21 @@ class Family:
 
 # A distributed RAM takes four LUTs for the data and two for its write port.
 ECP5 = Family(
-    name="ecp5", nextpnr="nextpnr-ecp5", form=1, freq=250,
+    name="ecp5", nextpnr="nextpnr-ecp5", freq=250,
     yosys=("synth_ecp5 -top harness -json {netlist}",),
     lut={"LUT4": 1, "CCU2C": 2, "TRELLIS_DPR16X4": 6}, ff=("TRELLIS_FF",),
     dsp={"MULT18X18D": 1}, bram=("DP16KD", "PDPW16KD"))
 
 ICE40 = Family(
-    name="ice40", nextpnr="nextpnr-ice40", form=0, freq=120,
+    name="ice40", nextpnr="nextpnr-ice40", freq=120,
     yosys=("synth_ice40 -top harness -json {netlist}",),
     lut={"SB_LUT4": 1}, ff=("SB_DFF",), dsp={"SB_MAC16": 1}, bram=("SB_RAM40",))
 
-UP5K = dataclasses.replace(ICE40, name="ice40-up5k", form=2, freq=60)
+UP5K = dataclasses.replace(ICE40, name="ice40-up5k", freq=60)
 
 # Yosys would put pads on the ports of the core too, which stays a module of its own here.
 GOWIN = Family(
-    name="gowin", nextpnr="nextpnr-himbaechel-gowin", form=0, freq=150,
+    name="gowin", nextpnr="nextpnr-himbaechel-gowin", freq=150,
     yosys=("synth_gowin -family gw2a -noiopads -top harness -json {netlist} -run begin:map_ffs",
            "iopadmap -bits -inpad IBUF O:I -outpad OBUF I:O harness",
            "synth_gowin -family gw2a -top harness -run map_ffs: -json {netlist}"),
@@ -57,7 +54,7 @@ GOWIN = Family(
 
 # Yosys ties the carry into the first cell of a chain to 0, which nextpnr-nexus refuses.
 NEXUS = Family(
-    name="nexus", nextpnr="nextpnr-nexus", form=0, freq=150,
+    name="nexus", nextpnr="nextpnr-nexus", freq=150,
     yosys=("synth_nexus -family lifcl -top harness -run begin:map_cells",
            "techmap -map nexus_carry.v",
            "synth_nexus -family lifcl -top harness -run map_cells: -json {netlist}"),
@@ -67,42 +64,55 @@ NEXUS = Family(
 
 
 @dataclasses.dataclass(frozen=True)
-class Device:
+class Tools:
+    """How a device is placed and routed."""
+
     family: Family
     flags: tuple  # of nextpnr, with {speed} grade and {pins} file
-    speeds: tuple  # grades; the first is the default.  Empty: there is one
-    available: dict
-    dsp_limit: float = None  # MHz: nextpnr does not time the inside of a DSP block
+    speeds: tuple = ()  # grades; the first is the default.  Empty: there is one
     pins: pathlib.Path = None
     remark: str = ""
 
 
-def ecp5(size, lut, dsp, bram):
-    flags = (f"--{size}", "--package", "CABGA381", "--speed", "{speed}",
-             "--lpf-allow-unconstrained")
-    # 294 MHz: of speed 6, the slowest; no figure for 7 and 8 was at hand
-    return Device(ECP5, flags, (6, 7, 8), {"lut4": lut, "ff": lut, "dsp": dsp, "bram": bram}, 294)
+def ecp5(size):
+    return Tools(ECP5, (f"--{size}", "--package", "CABGA381", "--speed", "{speed}",
+                        "--lpf-allow-unconstrained"), (6, 7, 8))
 
 
-DEVICES = {
-    "ecp5-25": ecp5("25k", 24288, 28, 56),
-    "ecp5-45": ecp5("45k", 43848, 72, 108),
-    "ecp5-85": ecp5("85k", 83640, 156, 208),
-    "up5k": Device(UP5K, ("--up5k", "--package", "sg48"), (),
-                   {"lut4": 5280, "ff": 5280, "dsp": 8, "bram": 30}, 110),
-    "hx8k": Device(ICE40, ("--hx8k", "--package", "ct256"), (),
-                   {"lut4": 7680, "ff": 7680, "dsp": 0, "bram": 32}),
-    "gw2a-18": Device(GOWIN, ("--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18",
-                              "--vopt", "cst={pins}"), (),
-                      {"lut4": 20736, "ff": 15552, "dsp": 48, "bram": 46},
-                      pins=PINS / "gw2a-18.cst",
-                      remark="nextpnr does not time multipliers, nor segment wires once routed"),
+TOOLS = {
+    "ecp5-25": ecp5("25k"),
+    "ecp5-45": ecp5("45k"),
+    "ecp5-85": ecp5("85k"),
+    "up5k": Tools(UP5K, ("--up5k", "--package", "sg48")),
+    "hx8k": Tools(ICE40, ("--hx8k", "--package", "ct256")),
+    "gw2a-18": Tools(GOWIN, ("--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18",
+                             "--vopt", "cst={pins}"), pins=PINS / "gw2a-18.cst",
+                     remark="nextpnr does not time multipliers, nor segment wires once routed"),
     # router2 finds no way from the clock pin to its buffer, but for the smallest designs
-    "lifcl-40": Device(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
-                              "--router", "router1"),
-                       (7, 8, 9), {"lut4": 32256, "ff": 32256, "dsp": 56, "bram": 84},
-                       pins=PINS / "lifcl-40.pdc"),
+    "lifcl-40": Tools(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
+                              "--router", "router1"), (7, 8, 9), PINS / "lifcl-40.pdc"),
 }
+
+
+@dataclasses.dataclass(frozen=True)
+class Device(Tools):
+    """A row of the table, with its tools."""
+
+    cost_family: str = ""
+    form: int = 0  # parameter MultiplierForm of the cores, Form of rtl/arithmetic/multiplier.sv
+    available: dict = None
+    dsp_limit: float = None  # MHz: nextpnr does not time the inside of a DSP block
+
+
+def device(cells):
+    name, cost_family, form, lut4, ff, dsp, bram, mhz = cells
+    tools = {field.name: getattr(TOOLS[name], field.name) for field in dataclasses.fields(Tools)}
+    available = {"lut4": int(lut4), "ff": int(ff), "dsp": int(dsp), "bram": int(bram)}
+    return name, Device(**tools, cost_family=cost_family, form=int(form), available=available,
+                        dsp_limit=float(mhz) or None)
+
+
+DEVICES = dict(map(device, rows("sysc/widths/devices.def", "DEVICE")))
 
 
 def device_named(name):

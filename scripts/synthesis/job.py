@@ -12,20 +12,20 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 from synthesis.netlist import synthesise  # noqa: E402
 from synthesis.placement import place  # noqa: E402
-from synthesis.plan import reason_file, wish_from  # noqa: E402
+from synthesis.plan import reason_file, configuration_from  # noqa: E402
 from synthesis.refused import Refused  # noqa: E402
 from synthesis.tools import write_whole  # noqa: E402
 
 
 def do(plan, kind, target):
     job = plan[kind][target]
-    wish = wish_from(job["wish"])
+    wanted = configuration_from(job["configuration"])
     folder = Path.cwd() / target.split("/")[0]
-    if wish.netlist_name() != folder.name:
+    if wanted.netlist_name() != folder.name:
         raise Refused("the sources have changed since the sweep began: start it again")
-    synthesise(wish, folder)  # a placement finds it, unless another sweep has just removed it
+    synthesise(wanted, folder)  # a placement finds it, unless another sweep has just removed it
     if kind == "placements":
-        place(wish, job["seed"], folder, plan["minutes"])
+        place(wanted, job["seed"], folder, plan["minutes"])
 
 
 def main():

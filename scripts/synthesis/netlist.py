@@ -64,20 +64,20 @@ class Yosys:
         return (found["modules"][name]["num_cells_by_type"], found["design"]["num_cells_by_type"])
 
 
-def synthesise(wish, folder):
+def synthesise(wanted, folder):
     """netlist.json and cells.json of a configuration, in its folder of the store."""
     folder.mkdir(parents=True, exist_ok=True)
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
         if (folder / "netlist.json").exists():
             return
-        yosys = Yosys(wish.top, wish.family, work)
-        values = ", ".join(f".{name}({value})" for name, value in wish.settings.items())
-        core = f"{wish.top} #({values})"
+        yosys = Yosys(wanted.top, wanted.family, work)
+        values = ", ".join(f".{name}({value})" for name, value in wanted.settings.items())
+        core = f"{wanted.top} #({values})"
         ports, parameters = yosys.elaborate(core, folder / "elaborate.log")
         (work / "harness.v").write_text(harness(core, ports))
-        core_cells, all_cells = yosys.synthesise(wish.family, folder / "synthesise.log")
+        core_cells, all_cells = yosys.synthesise(wanted.family, folder / "synthesise.log")
         parameters = {name: number(value) for name, value in parameters.items()}
-        parameters |= {name: int(value) for name, value in wish.settings.items()}
+        parameters |= {name: int(value) for name, value in wanted.settings.items()}
         write_whole(folder / "cells.json", json.dumps(
             {"core": core_cells, "all": all_cells, "parameters": parameters}, indent=2))
         os.replace(work / "netlist.json", folder / "netlist.json")

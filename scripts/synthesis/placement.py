@@ -33,29 +33,29 @@ def frequency(family, report, log):
     return max(reached) if family.routed_timing else min(reached)
 
 
-def place(wish, seed, folder, minutes):
+def place(wanted, seed, folder, minutes):
     """Writes the report of a placement, which has all that is needed of the netlist too.
 
     The netlist must be there; a report that is there is kept.
     """
-    name = wish.placement_name(seed)
+    name = wanted.placement_name(seed)
     with alone(folder / f".{name}.lock"), work_folder(folder / f".{name}.work") as work:
         if (folder / f"{name}.json").exists():
             return
         cells = json.loads((folder / "cells.json").read_text())
-        check_fit(wish.device, cells["all"])
+        check_fit(wanted.device, cells["all"])
         (work / "netlist.json").hardlink_to(folder / "netlist.json")
-        pins = DEVICES[wish.device].pins
+        pins = DEVICES[wanted.device].pins
         if pins:
             shutil.copy(pins, work)
-        nextpnr = tool(wish.family.nextpnr)
+        nextpnr = tool(wanted.family.nextpnr)
         begin = time.monotonic()
-        run([nextpnr, "--json", "netlist.json", *wish.nextpnr_flags(), "--timing-allow-fail",
+        run([nextpnr, "--json", "netlist.json", *wanted.nextpnr_flags(), "--timing-allow-fail",
              "--seed", str(seed), "--report", "report.json"], folder / f"{name}.log", explain,
             minutes=minutes, cwd=work)
         report = json.loads((work / "report.json").read_text())
         write_whole(folder / f"{name}.json", json.dumps({
-            "fmax_mhz": frequency(wish.family, report, folder / f"{name}.log"),
+            "fmax_mhz": frequency(wanted.family, report, folder / f"{name}.log"),
             "utilization": report.get("utilization", {}),
             "seconds": round(time.monotonic() - begin, 1),
             "cells": cells,

@@ -11,23 +11,23 @@ from synthesis.result import reports
 
 def targets(row, store):
     """Names of the row's jobs: of its netlist, and of the placement of each seed."""
-    netlist = row.wish.netlist_name()
-    return netlist, [f"{netlist}/{path.stem}" for path in reports(row.wish, row.seeds, store)]
+    netlist = row.wanted.netlist_name()
+    return netlist, [f"{netlist}/{path.stem}" for path in reports(row.wanted, row.seeds, store)]
 
 
 def write_plan(file, rows, store, minutes):
     """Each target with what makes it."""
     plan = {"minutes": minutes, "netlists": {}, "placements": {}}
     for row in rows:
-        wish = dataclasses.asdict(row.wish)
+        wanted = dataclasses.asdict(row.wanted)
         netlist, placements = targets(row, store)
-        plan["netlists"][netlist] = {"wish": wish}
+        plan["netlists"][netlist] = {"configuration": wanted}
         for seed, placement in enumerate(placements, start=1):
-            plan["placements"][placement] = {"wish": wish, "seed": seed}
+            plan["placements"][placement] = {"configuration": wanted, "seed": seed}
     Path(file).write_text(json.dumps(plan, indent=2))
 
 
-def wish_from(fields):
+def configuration_from(fields):
     return Configuration(**fields)
 
 

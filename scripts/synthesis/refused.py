@@ -3,4 +3,4 @@
 
 
 class Refused(Exception):
-    """A wish or a design that cannot be met; the text is the whole message."""
+    """A configuration or a design that cannot be made; the text is the whole message."""

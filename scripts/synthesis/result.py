@@ -7,29 +7,29 @@ from pathlib import Path
 from synthesis.devices import DEVICES, counts
 
 
-def reports(wish, seeds, store):
+def reports(wanted, seeds, store):
     """The path of each seed's report, whether there or not."""
-    folder = Path(store) / wish.netlist_name()
-    return [folder / f"{wish.placement_name(seed)}.json" for seed in range(1, seeds + 1)]
+    folder = Path(store) / wanted.netlist_name()
+    return [folder / f"{wanted.placement_name(seed)}.json" for seed in range(1, seeds + 1)]
 
 
-def result(wish, paths):
+def result(wanted, paths):
     """From the reports of some seeds; None as long as one is missing."""
     if not all(path.exists() for path in paths):
         return None
     found = [json.loads(path.read_text()) for path in paths]
     reached = [round(report["fmax_mhz"], 1) for report in found]
     cells = found[0]["cells"]
-    number = counts(wish.family, cells["core"])
-    limit = DEVICES[wish.device].dsp_limit
+    number = counts(wanted.family, cells["core"])
+    limit = DEVICES[wanted.device].dsp_limit
     best = max(reached)
     return {
         "fmax_mhz": min(best, limit) if number["dsp"] and limit else best,
         **number,
         "seeds": len(found),
         "fmax_mhz_by_seed": reached,
-        "device": wish.device,
-        "speed": wish.speed,
+        "device": wanted.device,
+        "speed": wanted.speed,
         "parameters": cells["parameters"],
         "cells": cells["core"],
         "seconds": round(sum(report["seconds"] for report in found), 1),

@@ -41,7 +41,7 @@ class Sweep:
         self.results, self.reasons = {}, {}
         self.runnable, self.paths, self.why = [], {}, {}
         for row in self.rows:
-            name = row.wish.name
+            name = row.wanted.name
             try:
                 netlist, placements = targets(row, self.store)
                 self.runnable.append(row)
@@ -95,9 +95,9 @@ class Sweep:
     def collect(self):
         """Takes what is new in the store, says it and writes the table of what is finished."""
         for row in self.runnable:
-            name = row.wish.name
+            name = row.wanted.name
             if name not in self.results:
-                found = result(row.wish, self.paths[name])
+                found = result(row.wanted, self.paths[name])
                 if found:
                     self.results[name] = found
                     print(f"[{len(self.results)}/{len(self.rows)}] {name}: {sentence(found)}",
@@ -106,17 +106,17 @@ class Sweep:
 
     def finish(self):
         for row in self.runnable:
-            if row.wish.name not in self.results:
-                found = [file.read_text().strip() for file in self.why[row.wish.name]
+            if row.wanted.name not in self.results:
+                found = [file.read_text().strip() for file in self.why[row.wanted.name]
                          if file.exists()]
-                self.reasons[row.wish.name] = found[0] if found else (
+                self.reasons[row.wanted.name] = found[0] if found else (
                     f"not done, see {self.folder / 'snakemake.log'}")
         write_results(self.table, self.rows, self.results, self.reasons)
         self.part.unlink(missing_ok=True)
         for row in self.rows:
-            if row.wish.name in self.reasons:
-                print(f"{self.file}:{row.line}: failed: {row.wish.name}:"
-                      f" {self.reasons[row.wish.name]}", file=sys.stderr)
+            if row.wanted.name in self.reasons:
+                print(f"{self.file}:{row.line}: failed: {row.wanted.name}:"
+                      f" {self.reasons[row.wanted.name]}", file=sys.stderr)
         print(f"{len(self.results)} of {len(self.rows)} placed, {len(self.reasons)} failed;"
               f" {self.table}")
         return 1 if self.reasons else 0

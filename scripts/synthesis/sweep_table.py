@@ -23,7 +23,7 @@ class Row:
     build: str
     seeds: int
     note: str
-    wish: Configuration
+    wanted: Configuration
 
 
 def number_of_seeds(text):
@@ -52,10 +52,10 @@ def read_row(header, cells, line, seeds):
     cell = dict(zip(header, cells))
     given = {name: value for name, value in cell.items()
              if name not in NEEDED + OTHERS and value != ""}
-    wish = configuration(cell["core"], cell["build"], cell["device"], cell.get("speed"), given)
+    wanted = configuration(cell["core"], cell["build"], cell["device"], cell.get("speed"), given)
     return Row(line, cell["core"], cell["build"],
                number_of_seeds(cell["seeds"]) if cell.get("seeds") else seeds,
-               cell.get("note", ""), wish)
+               cell.get("note", ""), wanted)
 
 
 def read_table(file, seeds):
@@ -79,9 +79,9 @@ def read_table(file, seeds):
                 header = cells
                 continue
             row = read_row(header, cells, line, seeds)
-            if row.wish.name in lines:
-                raise Refused(f"the same configuration as line {lines[row.wish.name]}")
-            lines[row.wish.name] = line
+            if row.wanted.name in lines:
+                raise Refused(f"the same configuration as line {lines[row.wanted.name]}")
+            lines[row.wanted.name] = line
             rows.append(row)
         except Refused as error:
             errors.append(f"{file}:{line}: error: {error}")
@@ -98,19 +98,20 @@ def write_results(file, rows, results, reasons):
     """A line for every row: what was found, or why there is nothing.  `results`, `reasons`: by
     name."""
     named = list(dict.fromkeys(name for row in rows
-                               for name in {**parameters(row.wish.top), **row.wish.settings}))
+                               for name in {**parameters(row.wanted.top), **row.wanted.settings}))
     text = io.StringIO()
     table = csv.writer(text, lineterminator="\n")
     table.writerow(["name", *NEEDED, *OTHERS, *named, *FACTS, "fmax_mhz_by_seed", "seconds",
                     "tools", "failed"])
     for row in rows:
-        name = row.wish.name
+        name = row.wanted.name
         found = results.get(name)
-        values = parameters(row.wish.top) | (found["parameters"] if found else row.wish.settings)
+        settings = found["parameters"] if found else row.wanted.settings
+        values = parameters(row.wanted.top) | settings
         facts = [found[fact] for fact in FACTS] + [
             " ".join(map(str, found["fmax_mhz_by_seed"])), found["seconds"],
             "; ".join(found["tools"])] if found else [""] * (len(FACTS) + 3)
-        table.writerow([name, row.core, row.build, row.wish.device, row.wish.speed, row.seeds,
+        table.writerow([name, row.core, row.build, row.wanted.device, row.wanted.speed, row.seeds,
                         row.note, *(values.get(name, "") for name in named), *facts,
                         reasons.get(name, "")])
     write_whole(file, text.getvalue())

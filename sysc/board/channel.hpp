@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 template <class T>
 class Channel {
@@ -50,4 +50,4 @@ class Channel {
     bool closed_ = false;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -20,7 +20,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 template <class Model>
 class ClockedDut {
@@ -47,6 +47,7 @@ class ClockedDut {
     }
 
     Model* operator->() { return model_.get(); }
+    const Model* operator->() const { return model_.get(); }
     Model& operator*() { return *model_; }
 
     /// Lets outputs follow inputs within the cycle.
@@ -76,10 +77,10 @@ class ClockedDut {
         while (cycles-- > 0) tick();
     }
 
-    /// Holds the reset for two edges.
-    void reset() {
+    /// Holds the reset for two edges, which every module takes; for a core one is enough.
+    void reset(uint64_t edges = 2) {
         model_->rst_ni = 0;
-        tick(2);
+        tick(edges);
         model_->rst_ni = 1;
         settle();
     }
@@ -115,4 +116,4 @@ class ClockedDut {
     uint64_t cycle_limit_ = 1'000'000'000;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The configuration that CFG_... macros name: of a test (tb/configurations.cmake) or of a core in
-// the program (tb/program/compiled_cores.cmake).
+// The configuration of a test that CFG_... macros name (tb/configurations.cmake).
 #pragma once
 
 #include "hls/configuration.hpp"
 
 #ifndef CFG_MultiplierForm
 #define CFG_MultiplierForm 0
+#endif
+
+#ifndef CFG_Splines
+#define CFG_Splines 0
 #endif
 
 #ifndef CFG_SampleInterval
@@ -25,7 +28,7 @@
 #define CFG_Anchor 1
 #endif
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 using Config = hls::Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits,
                                   CFG_AuxAxes, static_cast<hls::SamplerMode>(CFG_Mode),
@@ -35,4 +38,4 @@ constexpr int kAxes = Config::kAxes;
 constexpr int kFineBits = Config::kFineBits;
 constexpr int kPositionBits = Config::kPositionBits;
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

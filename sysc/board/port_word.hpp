@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 constexpr uint64_t low_mask(int bits) {
     return bits >= 64 ? ~uint64_t{0} : (uint64_t{1} << bits) - 1;
@@ -70,4 +70,4 @@ void set_field(Port& port, int low, int bits, int64_t value) {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

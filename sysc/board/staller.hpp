@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class Staller {
   public:
@@ -40,4 +40,4 @@ class Staller {
     int pause_ = 0;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,7 +2,7 @@
 # html_page(<name> <template>.hpp.in): <name>.html, with the style that all pages share, as a C++
 # string in the header that the template says.
 function(html_page name template)
-  set(style ${PROJECT_SOURCE_DIR}/tb/program/page.css)
+  set(style ${PROJECT_SOURCE_DIR}/sysc/watch/page.css)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${name}.html ${style})
   file(READ ${style} page_style)
   file(READ ${name}.html page)

@@ -7,9 +7,9 @@ find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 
-# FPGA primitives: those that Yosys has no model of, and its models of iCE40 cells.
-list(APPEND RTL_SEARCH -y ${PROJECT_SOURCE_DIR}/tb/support/primitives)
-find_file(ICE40_CELLS yosys/ice40/cells_sim.v PATH_SUFFIXES share REQUIRED)
+execute_process(COMMAND ${VERILATOR} --version OUTPUT_VARIABLE VERILATOR_VERSION
+                COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCH "[0-9]+\\.[0-9]+" VERILATOR_VERSION "${VERILATOR_VERSION}")
 
 # Verilator's own C++ library, once for all models.
 set(verilator_include ${VERILATOR_ROOT}/include)
@@ -30,6 +30,13 @@ find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
+# Flags of the models' C++.
+set(VERILATED_CFLAGS "-std=c++17 -w")
+if(CURVECORE_SANITIZE)
+  string(APPEND VERILATED_CFLAGS " -fsanitize=address,undefined -fno-sanitize=alignment"
+         " -fno-sanitize-recover=all")
+endif()
+
 function(verilated_model target)
   cmake_parse_arguments(ARG "TRACE" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
   if(NOT ARG_PREFIX)
@@ -46,20 +53,14 @@ function(verilated_model target)
   if(CURVECORE_COVERAGE)
     list(APPEND flags --coverage-line)
   endif()
-  set(cflags -std=c++17 -w)
-  if(CURVECORE_SANITIZE)
-    list(APPEND cflags -fsanitize=address,undefined -fno-sanitize=alignment
-         -fno-sanitize-recover=all)
-  endif()
-  list(JOIN cflags " " cflags)
   add_custom_command(
     OUTPUT ${archive}
     BYPRODUCTS ${dir}/${ARG_PREFIX}.h
-    COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}" "CFLAGS=${cflags}"
+    COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}" "CFLAGS=${VERILATED_CFLAGS}"
             "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
-            ${PROJECT_SOURCE_DIR}/tb/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
+            ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
             ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file}
-    DEPENDS ${PROJECT_SOURCE_DIR}/tb/cmake/verilate.sh
+    DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh
     DEPFILE ${dir}/model.d
     COMMENT "Verilating ${target}"
     VERBATIM COMMAND_EXPAND_LISTS)

@@ -2,14 +2,14 @@
 // `curvecore choose`.
 #pragma once
 
-#include "tb/choose/wish_options.hpp"
+#include "sysc/widths/requirement_options.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-constexpr int kImpossibleWish = 3;  // exit status
+constexpr int kImpossible = 3;  // exit status
 
-/// Returns the exit status: 0; 1 --confirm failed, or placed and routed too slow for the wish; 3 no
-/// configuration keeps the wish.
+/// Returns the exit status: 0; 1 --confirm failed, or placed and routed too slow for the
+/// requirement; 3 no configuration keeps the requirement.
 int choose_command(const ChooseOptions& options);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,10 +2,10 @@
 // The subcommands: each returns the exit status 0 (every check held) or 1 (one failed).
 #pragma once
 
-#include "tb/command/options.hpp"
-#include "tb/program/job.hpp"
+#include "sysc/host/job.hpp"
+#include "sysc/host/options.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 int run_command(const Options& options);
 int plan_command(const Options& options);
@@ -14,4 +14,4 @@ int words_command(const Options& options);
 /// The program's warnings, to stderr.
 void print_warnings(const Job& job);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

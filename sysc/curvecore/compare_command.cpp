@@ -1,41 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore compare`: configurations through the bit-true kernel, side by side.
-#include "tb/program/compare_command.hpp"
+#include "sysc/curvecore/compare_command.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/widths/compare_report.hpp"
 
-#include "tb/command/interrupt.hpp"
-#include "tb/command/usage_error.hpp"
-#include "tb/compare/compare_report.hpp"
-#include "tb/program/commands.hpp"
-#include "tb/program/output_folder.hpp"
-
-namespace curvecore::tb {
-namespace {
-
-void check_kinds(const ref::Program& program, const std::vector<Setting>& settings) {
-    const bool splines =
-        std::any_of(program.moves.begin(), program.moves.end(),
-                    [](const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; });
-    const bool own_widths =
-        std::any_of(settings.begin(), settings.end(),
-                    [](const Setting& setting) { return setting.format.turn_bits > 0; });
-    if (splines && own_widths) {
-        throw UsageError("--turn-bits above 0 is for lines and arcs: there are splines");
-    }
-    const bool fine_parameter =
-        std::any_of(settings.begin(), settings.end(),
-                    [](const Setting& setting) { return setting.format.parameter_guard > 0; });
-    if (!splines && fine_parameter) {
-        throw UsageError("--parameter-guard above 0 is for splines: there are none");
-    }
-}
-
-}  // namespace
-
-int compare_command(const CompareOptions& options) {
+namespace curvecore::sysc {
+int compare_command(CompareOptions options) {
     Job job;
     if (options.common.file.empty()) {
         job.program = built_in_curves(options.curves);
@@ -43,7 +18,7 @@ int compare_command(const CompareOptions& options) {
     } else {
         job = read_job(options.common);
     }
-    check_kinds(job.program, options.settings);
+    complete_settings(job.program, options.settings);
     const InterruptGuard guard;
     OutputFolder folder(options.common.folder);
     const SweepResult result = sweep(job.program, job.machine, options.settings, options.sweep);
@@ -78,4 +53,4 @@ int compare_command(const CompareOptions& options) {
     return report.held() ? 0 : 1;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

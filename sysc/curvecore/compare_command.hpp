@@ -2,13 +2,13 @@
 // `curvecore compare`.
 #pragma once
 
-#include "tb/compare/compare_options.hpp"
+#include "sysc/widths/compare_options.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Returns the exit status: 0; 1 an error beyond its bound, or an end that is missed; 130
 /// interrupted, the finished configurations are written.
 /// @throws ref::InputError
-int compare_command(const CompareOptions& options);
+int compare_command(CompareOptions options);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/output_folder.hpp"
+#include "sysc/curvecore/output_folder.hpp"
 
 #include <array>
 #include <cerrno>
@@ -9,14 +9,15 @@
 
 #include "ref/program/input_error.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 12> kOwnFiles{
-    "samples.csv",  "report.json", "report.html", "segments.json", "waves.fst",   "waves.gtkw",
-    "segments.hex", "profile.hex", "words.json",  "compare.json",  "compare.csv", "choose.json"};
+constexpr std::array<const char*, 13> kOwnFiles{
+    "samples.csv", "report.json",  "report.html", "segments.json", "waves.fst",
+    "waves.gtkw",  "segments.hex", "profile.hex", "words.json",    "compare.json",
+    "compare.csv", "choose.json",  "core.json"};
 
 }  // namespace
 
@@ -68,4 +69,4 @@ void OutputFolder::commit() {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Files are written into a temporary sibling and moved into place by commit(); without commit()
 /// nothing stays behind. An existing folder keeps what is not this program's.
@@ -31,4 +31,4 @@ class OutputFolder {
     std::filesystem::path temporary_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,47 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore plan`: segments, feed profile, predicted error and time, without the RTL.
+// `curvecore plan`: segments, feed profile, predicted error and time, without a board.
 #include "ref/curve/curve_follower.hpp"
-#include "tb/program/commands.hpp"
-#include "tb/program/output_folder.hpp"
-#include "tb/program/path_cursor.hpp"
-#include "tb/program/path_source.hpp"
-#include "tb/program/pictures.hpp"
-#include "tb/program/publish.hpp"
+#include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/device_clock.hpp"
+#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/curvecore/publish.hpp"
+#include "sysc/host/path_cursor.hpp"
+#include "sysc/host/path_source.hpp"
+#include "sysc/watch/pictures.hpp"
+#include "sysc/watch/predicted_pace.hpp"
+#include "sysc/widths/word_check.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
+struct Foreseen {
+    double period;  // the least of a sample, clocks
+    LimitLoads limits;
+};
+
 /// What the samples will show, from the exact curve.
-void draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
+Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
+    PredictedPace pace(job.plan, job.options.core);
     PathSource source(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());
     PathCursor cursor(job.plan);
     ref::CurveFollower curve;
+    LimitMeter meter(job.machine, job.plan.unit_mm, job.options.sample_period_s,
+                     job.options.samples_per_tick, 3 + job.plan.aux_axes);
+    meter.take(ref::exact_point(cursor.segment(), cursor.segment().start, 0), 0);
     pictures.sample(0, cursor.index(), cursor.segment().start, true);
     for (std::uint64_t k = 0; k < samples; ++k) {
         const bool tick = source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
+        pace.sample(cursor.s());
         if (tick) {
             pictures.tick(source.tick_ds(), curve.curvature(cursor.segment(), cursor.local()));
         }
         pictures.error(cursor.s(), 0, cursor.segment().bound);
-        if (pictures.wants(cursor.s(), cursor.index(), cursor.at_end())) {
-            pictures.sample(cursor.s(), cursor.index(),
-                            curve.position(cursor.segment(), cursor.local()), cursor.at_end());
-        }
+        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
+        meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
+        pictures.sample(cursor.s(), cursor.index(), point, cursor.at_end());
     }
+    return {pace.period(), meter.finish()};
 }
 
 }  // namespace
 
 int plan_command(const Options& options) {
     Job job = read_job(options);
+    take_device(job.options);
     plan_job(job);
+    check_words(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
     Pictures pictures(job, samples / static_cast<std::uint64_t>(options.samples_per_tick));
-    draw(job, samples, pictures);
-    return publish({job, samples, nullptr}, pictures, folder);
+    const Foreseen seen = draw(job, samples, pictures);
+    return publish({job, samples, seen.limits, nullptr, seen.period}, pictures, folder);
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

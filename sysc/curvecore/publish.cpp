@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/publish.hpp"
+#include "sysc/curvecore/publish.hpp"
 
-#include "tb/program/report_html.hpp"
-#include "tb/program/segments_json.hpp"
-#include "tb/program/summary.hpp"
+#include "sysc/watch/report_html.hpp"
+#include "sysc/watch/segments_json.hpp"
+#include "sysc/watch/summary.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 int publish(const Report& report, const Pictures& pictures, OutputFolder& folder) {
     folder.write("segments.json", segments_json(report.job));
@@ -16,4 +16,4 @@ int publish(const Report& report, const Pictures& pictures, OutputFolder& folder
     return report.held() ? 0 : 1;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,13 +2,13 @@
 // What `plan` and `run` leave behind: segments.json, report.json, report.html, and the summary.
 #pragma once
 
-#include "tb/program/output_folder.hpp"
-#include "tb/program/report.hpp"
+#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/watch/report.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Completes the folder and prints the summary. Returns the exit status: 0 every check held, 1 one
 /// failed.
 int publish(const Report& report, const Pictures& pictures, OutputFolder& folder);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Only CoefBits and GuardBits change words: PositionBits limit their range (which the planner has
 // kept), and auxiliary axes come last, so that fewer of them are a prefix.
-#include "tb/program/bus_words.hpp"
+#include "sysc/host/bus_words.hpp"
 
 #include <array>
 #include <utility>
 
 #include "hls/quantise.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr int kLeastCoefBits = 18;
@@ -17,13 +17,13 @@ constexpr int kLeastGuardBits = 2;
 constexpr int kGuardBitsChoices = 11;
 
 template <int CoefBits, int GuardBits>
-void pack_as(const ref::Segment& segment, std::uint64_t* out) {
+void pack_as(const ref::Segment& segment, unsigned sequence, std::uint64_t* out) {
     using C =
         hls::Configuration<6, CoefBits, 32, GuardBits, ref::kAuxAxes, hls::SamplerMode::kSeries>;
-    hls::pack<C>(hls::to_words<C>(segment), out);
+    hls::pack<C>(hls::to_words<C>(segment), sequence, out);
 }
 
-using Pack = void (*)(const ref::Segment&, std::uint64_t*);
+using Pack = void (*)(const ref::Segment&, unsigned, std::uint64_t*);
 
 template <std::size_t... I>
 constexpr std::array<Pack, sizeof...(I)> pack_table(std::index_sequence<I...> /*choices*/) {
@@ -35,21 +35,21 @@ constexpr auto kPack = pack_table(std::make_index_sequence<kCoefBitsChoices * kG
 
 }  // namespace
 
-std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment,
+std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
                                              const CoreParameters& parameters) {
     const int choice = (parameters.coef_bits - kLeastCoefBits) * kGuardBitsChoices +
                        parameters.guard_bits - kLeastGuardBits;
     const int each = 17 + 3 * parameters.aux_axes;
     std::vector<std::uint64_t> words(17 + 3 * ref::kAuxAxes);
-    kPack[static_cast<std::size_t>(choice)](segment, words.data());
+    kPack[static_cast<std::size_t>(choice)](segment, static_cast<unsigned>(index), words.data());
     words.resize(static_cast<std::size_t>(each));
     return words;
 }
 
-std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece) {
+std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece, std::size_t index) {
     std::vector<std::uint64_t> words(hls::kProfileBusWords);
-    hls::pack(hls::to_words(piece), words.data());
+    hls::pack(hls::to_words(piece), static_cast<unsigned>(index), words.data());
     return words;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "ref/plan/segment.hpp"
-#include "tb/command/core_parameters.hpp"
+#include "ref/curve/segment.hpp"
+#include "sysc/host/core_parameters.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-/// 17 + 3 AuxAxes words of 48 bits (hls/words.hpp).
-std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment,
+/// 17 + 3 AuxAxes words of 48 bits (hls/words.hpp) of the plan's segment `index`.
+std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
                                              const CoreParameters& parameters);
 
-/// Five words of 48 bits.
-std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece);
+/// Five words of 48 bits of the plan's piece `index`.
+std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece, std::size_t index);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <stdexcept>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class Interrupted : public std::runtime_error {
   public:
@@ -38,4 +38,4 @@ class InterruptGuard {
     inline static volatile std::sig_atomic_t noted_ = 0;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,10 +2,10 @@
 // A program read and planned: what every command starts from.
 #pragma once
 
-#include "ref/plan/limit_report.hpp"
-#include "tb/command/options.hpp"
+#include "ref/feed/limit_report.hpp"
+#include "sysc/host/options.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct Job {
     Options options;
@@ -28,7 +28,8 @@ struct Job {
 Job read_job(const Options& options);
 
 /// Plans for the core in job.options.
+/// @throws UsageError: a sample period shorter than the core's own clocks
 /// @throws ref::InputError, also when the program does not move
 void plan_job(Job& job);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

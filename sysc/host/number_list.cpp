@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/number_list.hpp"
+#include "sysc/host/number_list.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
 
-#include "tb/command/usage_error.hpp"
+#include "sysc/host/usage_error.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 /// One list's text, and how to complain about it.
@@ -77,4 +77,4 @@ std::vector<int> number_list(const std::string& option, const std::string& text,
     return numbers;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// "6", "4,6,8", "24:36:4" (first:last:step, step 1 when left out), and lists of these; each number
 /// once, in the order given.
@@ -13,4 +13,4 @@ namespace curvecore::tb {
 ///         number beyond low .. high
 std::vector<int> number_list(const std::string& option, const std::string& text, int low, int high);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

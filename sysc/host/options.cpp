@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/command/options.hpp"
+#include "sysc/host/options.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,12 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
-#include "tb/command/quantity.hpp"
-#include "tb/command/usage_error.hpp"
+#include "sysc/host/core_clocks.hpp"
+#include "sysc/host/core_file.hpp"
+#include "sysc/host/quantity.hpp"
+#include "sysc/host/usage_error.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 std::uint64_t whole(const std::string& option, const std::string& text) {
@@ -38,33 +40,50 @@ int choice(const std::string& option, const std::string& text,
     return static_cast<int>(found - known.begin());
 }
 
+/// Whether the core is built, with or without splines as long as that is open.
+void check_built(const Options& options) {
+    CoreParameters core = options.core;
+    const std::string reason = ref::why_not_built(core);
+    if (!options.splines_set) core.splines = 1;
+    if (!ref::legal(core) && !reason.empty()) throw UsageError(reason);
+    if (core.anchor == 0) {
+        throw UsageError("Anchor=0 is for compare: no bound is derived for it to plan with");
+    }
+}
+
+void set_clock(double hz, Options& options) {
+    options.clock_hz = hz;
+    options.clock_set = true;
+}
+
 ref::PointsOptions points_options(const RawOptions& raw, const std::string& file) {
     ref::PointsOptions points;
     points.fit = static_cast<ref::Fit>(choice("--fit", raw.fit, ref::kFitNames));
-    points.parameter =
-        static_cast<ref::Parameter>(choice("--parameter", raw.parameter, ref::kParameterNames));
-    const double per_minute = quantity("--feed", raw.feed, {{"", 0}, {"mm/min", 0}});
-    if (!(per_minute >= 1e-3 && per_minute <= 1e9)) {
-        throw UsageError("--feed must be in [0.001, 1e9] mm/min");
-    }
-    points.feed = per_minute / 60;
+    points.parametrisation = static_cast<ref::Parametrisation>(
+        choice("--parametrisation", raw.parametrisation, ref::kParametrisationNames));
+    points.feed = speed("--feed", raw.feed);
     const RawOptions unset;
-    const bool asked =
-        raw.fit != unset.fit || raw.parameter != unset.parameter || raw.feed != unset.feed;
+    const bool asked = raw.fit != unset.fit || raw.parametrisation != unset.parametrisation ||
+                       raw.feed != unset.feed;
     if (asked && !ref::is_points_file(file)) {
-        throw UsageError("--fit, --parameter and --feed are for points (.csv)");
+        throw UsageError("--fit, --parametrisation and --feed are for points (.csv)");
     }
     return points;
 }
 
 }  // namespace
 
-double unit_of(const std::string& text) {
-    const std::vector<Suffix> units{{"1nm", -6}, {"10nm", -5}, {"0.1um", -4}, {"1um", -3}};
-    for (const Suffix& unit : units) {
-        if (text == unit.first) return 1 / std::pow(10.0, -unit.second);
+double unit_of(const std::string& text) { return length("--unit", text, 1e-7, 1); }
+
+double bound_limit(const std::string& text, double standard, double unit_mm) {
+    const double error = text.empty() ? standard : length("--error", text, 1e-7, 1e3);
+    const double limit = std::round((error / unit_mm - 0.5) * 1e9) / 1e9;  // 0.6 - 0.5 is 0.1
+    if (!(limit >= 0.001 && limit <= 1e6)) {
+        throw UsageError(fmt::format(
+            "--error {}: must be in [0.501, 1000000] units of {}; half a unit is lost by rounding",
+            exact_length(error), exact_length(unit_mm)));
     }
-    throw UsageError(fmt::format("--unit '{}': must be {}", text, suffix_names(units)));
+    return limit;
 }
 
 Build build_of(const std::string& text) {
@@ -89,21 +108,34 @@ ref::PlanOptions Options::plan_options() const {
     plan.unit_mm = unit_mm;
     plan.sample_period_s = sample_period_s;
     plan.samples_per_tick = samples_per_tick;
-    plan.format = core.format();
+    plan.format = core;
     plan.aux_axes = core.aux_axes;
     plan.error_limit = error_limit;
-    plan.clock_hz = clock_hz;
-    plan.network_latency_clocks = core.network_latency();
-    plan.spline_latency_clocks = core.spline_latency();
+    plan.core = core_time(core, clock_hz);
     return plan;
 }
 
 void interpret(const RawOptions& raw, Options& options) {
-    if (options.folder.empty()) throw UsageError("--output: a folder's name is expected");
+    if (options.folder.empty()) {
+        options.folder = (options.file == ref::kStandardInput ? "stdin" : options.file) + ".out";
+    }
     options.points = points_options(raw, options.file);
-    options.unit_mm = unit_of(raw.unit);
-    options.sample_period_s = quantity("--sample-period", raw.sample_period,
-                                       {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+    CoreFile core;
+    if (!raw.core.empty()) {
+        core = read_core_file(raw.core);
+        options.core = core.parameters;
+        options.splines_set = options.aux_axes_set = true;
+        options.device = core.device;
+    }
+    if (!raw.unit.empty()) core.unit_mm = unit_of(raw.unit);
+    options.unit_mm = core.unit_mm.value_or(options.unit_mm);
+    const double error = core.error_mm.value_or(kDefaultError * options.unit_mm);
+    options.error_limit = bound_limit(raw.error, error, options.unit_mm);
+    options.sample_period_s = core.sample_period_s.value_or(options.sample_period_s);
+    if (!raw.sample_period.empty()) {
+        options.sample_period_s = quantity("--sample-period", raw.sample_period,
+                                           {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+    }
     if (!(options.sample_period_s >= 1e-8 && options.sample_period_s <= 1)) {
         throw UsageError("--sample-period must be in [10ns, 1s]");
     }
@@ -112,28 +144,26 @@ void interpret(const RawOptions& raw, Options& options) {
         throw UsageError("--samples-per-tick must be a power of two in [1, 32768]");
     }
     options.samples_per_tick = static_cast<int>(per_tick);
-    options.clock_hz =
-        quantity("--clock", raw.clock, {{"Hz", 0}, {"kHz", 3}, {"MHz", 6}, {"GHz", 9}});
-    if (!(options.clock_hz >= 1e3 && options.clock_hz <= 1e10)) {
-        throw UsageError("--clock must be in [1kHz, 10GHz]");
+    if (!raw.device.empty()) options.device = raw.device;
+    if (core.clock_hz && raw.device.empty()) set_clock(*core.clock_hz, options);
+    if (!raw.clock.empty()) set_clock(frequency("--clock", raw.clock, 1e3, 1e10), options);
+    if (!raw.build.empty()) options.core.build = build_of(raw.build);
+    for (const std::string& text : raw.set) {
+        const ref::Parameter& row = set_parameter(options.core, text);
+        options.splines_set |= row.value == &CoreParameters::splines;
+        options.aux_axes_set |= row.value == &CoreParameters::aux_axes;
     }
-    options.error_limit = quantity("--limit", raw.limit, {{"", 0}});
-    if (!(options.error_limit >= 0.001 && options.error_limit <= 1e6)) {
-        throw UsageError("--limit must be in [0.001, 1e6] units");
-    }
-    options.core.build = build_of(raw.build);
-    for (const std::string& assignment : raw.set) {
-        set_parameter(options.core, assignment);
-        options.splines_set |= assignment.rfind("Splines=", 0) == 0;
-        options.aux_axes_set |= assignment.rfind("AuxAxes=", 0) == 0;
-    }
-    check_combination(options.core);
+    check_built(options);
     options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});
     if (!(options.override_percent >= 1 && options.override_percent <= 100)) {
         throw UsageError("--override must be in [1, 100] percent");
     }
     options.trace_clocks = whole("--trace-clocks", raw.trace_clocks);
+    options.board = static_cast<BoardKind>(choice("--on", raw.on, kBoardNames));
+    if (!options.needs_rtl() && (options.trace || !raw.stall_seed.empty())) {
+        throw UsageError("--stall and --trace are for --on rtl and systemc-rtl");
+    }
     if (!raw.stall_seed.empty()) options.stall_seed = whole("--stall", raw.stall_seed);
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

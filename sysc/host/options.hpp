@@ -2,16 +2,22 @@
 // What the command line asks for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/program/points_reader.hpp"
-#include "tb/command/core_parameters.hpp"
+#include "sysc/host/core_parameters.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
+
+/// What draws: the kernel, the Verilated core, or a system in SystemC with one of them as its core.
+enum class BoardKind { kKernel, kRtl, kSystemc, kSystemcRtl };
+constexpr std::array<std::string_view, 4> kBoardNames{"kernel", "rtl", "systemc", "systemc-rtl"};
 
 struct Options {
     std::string file;
@@ -22,46 +28,62 @@ struct Options {
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
     double clock_hz = 100e6;
+    bool clock_set = false;    // by --clock or --core; otherwise the device's
+    std::string device;        // empty: any
     double error_limit = 0.1;  // units: the planner keeps every segment's derived bound below it
     CoreParameters core;
-    bool splines_set = false;   // by --set; otherwise if the program has splines
-    bool aux_axes_set = false;  // by --set; otherwise as many as the program needs
+    bool splines_set = false;   // by --set or --core; otherwise if the program has splines
+    bool aux_axes_set = false;  // the same; otherwise as many as the program needs
     bool quiet = false;
 
     // `run` alone
+    BoardKind board = BoardKind::kRtl;
     std::optional<std::uint64_t> stall_seed;
     double override_percent = 100;
     bool trace = false;
     std::uint64_t trace_clocks = 20000;
 
+    /// A Verilated core draws.
+    bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
     int samples_per_tick_log2() const;
     /// The override as the hardware's word, 2^16 = 100 %.
     std::int32_t override_word() const;
     ref::PlanOptions plan_options() const;
 };
 
-/// The command line as text, checked and turned into options.
+/// The command line as text; empty: not given, so the core's file says it, or the default stands.
 struct RawOptions {
+    std::string core;
     std::string fit = "bessel";
-    std::string parameter = "chord";
-    std::string feed = "1000";  // mm/min
-    std::string unit = "1nm";
-    std::string sample_period = "100us";
+    std::string parametrisation = "chord";
+    std::string feed = "1m/min";
+    std::string unit;
+    std::string sample_period;
     std::string samples_per_tick = "1";
-    std::string clock = "100MHz";
-    std::string build = "parallel";
-    std::string limit = "0.1";
+    std::string device;
+    std::string clock;
+    std::string build;
+    std::string error;
     std::string override_percent = "100";
+    std::string on = "rtl";
     std::string stall_seed;
     std::string trace_clocks = "20000";
     std::vector<std::string> set;
 };
 
+/// Worst error of a position on any axis that plans keep where nothing else is said, units: half a
+/// unit of it is the rounding of the output.
+constexpr double kDefaultError = 0.6;
+
 /// Values of --unit, in mm, and of --build. @throws UsageError
 double unit_of(const std::string& text);
 Build build_of(const std::string& text);
 
-/// @throws UsageError with the option's name and the reason
+/// The derived bound, before rounding, that keeps --error; empty text: `standard`, in mm. In units.
+/// @throws UsageError
+double bound_limit(const std::string& text, double standard, double unit_mm);
+
+/// @throws UsageError with the option's name and the reason; ref::InputError of the core's file
 void interpret(const RawOptions& raw, Options& options);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

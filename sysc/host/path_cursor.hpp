@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "ref/plan/segment.hpp"
+#include "ref/curve/segment.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// A segment is left when the path goes beyond its length, as the cores do.
 class PathCursor {
@@ -41,4 +41,4 @@ class PathCursor {
     std::size_t index_ = 0;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -6,7 +6,7 @@
 #include "hls/quantise.hpp"
 #include "hls/time_scaler.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class PathSource {
   public:
@@ -22,11 +22,12 @@ class PathSource {
         const bool tick = share_.needs_tick();
         if (tick) {
             rate_ = scaler_.tick(target_);
-            tick_ds_ = path_.tick(rate_, [this](hls::ProfileWords& words) {
+            const auto next_piece = [this](hls::ProfileWords& words) {
                 if (piece_ == plan_.pieces.size()) return false;
                 words = hls::to_words(plan_.pieces[piece_++]);
                 return true;
-            });
+            };
+            tick_ds_ = path_.tick(rate_, next_piece, target_ == 0);
             share_.tick(tick_ds_);
         }
         ds_ = share_.sample();
@@ -63,13 +64,4 @@ inline std::uint64_t count_samples(const ref::Plan& plan, int samples_per_tick_l
     return ticks << samples_per_tick_log2;
 }
 
-/// Ticks that a hold takes from full speed.
-inline std::int64_t stop_ticks(const ref::Plan& plan) {
-    hls::TimeScaler scaler(plan.hold_acceleration,
-                           std::int64_t(plan.hold_acceleration) * plan.hold_slope_steps);
-    std::int64_t ticks = 1;
-    while (scaler.tick(0) > 0) ++ticks;
-    return ticks;
-}
-
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/command/progress_bar.hpp"
+#include "sysc/host/progress_bar.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 ProgressBar::ProgressBar(std::uint64_t total, bool quiet)
     : total_(std::max<std::uint64_t>(total, 1)), on_(!quiet && isatty(STDERR_FILENO) == 1) {}
@@ -35,4 +35,4 @@ void ProgressBar::update(std::uint64_t done) {
     shown_ = true;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdint>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class ProgressBar {
   public:
@@ -26,4 +26,4 @@ class ProgressBar {
     Clock::time_point next_ = begin_ + std::chrono::milliseconds(300);
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

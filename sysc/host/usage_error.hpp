@@ -4,11 +4,11 @@
 
 #include <stdexcept>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -9,9 +9,9 @@
 #include <map>
 #include <string>
 
-#include "ref/plan/machine.hpp"
+#include "sysc/watch/limit_meter.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct AxisError {
     double max = 0;
@@ -47,6 +47,8 @@ struct CheckResult {
     std::uint64_t stops = 0;                  // exact stops that a sample fell on
     double increment = 0;       // worst sample's increment - its share of the tick, quanta
     double speed_relative = 0;  // speed error of chords of kSpeedChord units or more, by the chord
+    LimitLoads drawn;           // of the exact curve at the samples' path lengths
+    LimitLoads rounded_limits;  // of the samples, with the rounding allowed for
     double speed_of_allowed =
         0;  // speed error / (1e-6 chord + what the bounds allow, 0.1 at least)
 
@@ -58,6 +60,4 @@ struct CheckResult {
     }
 };
 
-constexpr double kSpeedChord = 1000;  // below it, one position's rounding hides the speed
-
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/gtkw_writer.hpp"
+#include "sysc/watch/gtkw_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "tb/program/waveform_signals.hpp"
+#include "sysc/watch/waveform_signals.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 /// Display flags of GTKWave's save files.
@@ -89,21 +89,21 @@ void parallel_core(Arrangement& view) {
                 {kBit, "last_o"},
                 {kUnsigned, "k_o"}});
     view.group("Lines and arcs", core + "g_arcs.u_steps.",
-               {{kUnsigned, "order_o"},
-                {kBit, "collect_o"},
-                {kSigned, "x_o"},
-                {kSigned, "y_o"},
-                {kSigned, "z_o"},
-                {kSigned, "f_o"},
-                {kSigned, "g_o"},
-                {kSigned, "h_o"}});
+               {{kUnsigned, "order"},
+                {kBit, "collect"},
+                {kSigned, "x"},
+                {kSigned, "y"},
+                {kSigned, "z"},
+                {kSigned, "f"},
+                {kSigned, "g"},
+                {kSigned, "h"}});
     view.group("Splines", core + "g_splines.u_steps.",
                {{kSigned, "word"},
                 {kBit, "start_network"},
                 {kSigned, "phi_end"},
-                {kHex, "q_o"},
-                {kHex, "v_o"},
-                {kHex, "b_o"},
+                {kHex, "q"},
+                {kHex, "v"},
+                {kHex, "w"},
                 {kSigned, "moved"}});
     view.group("Sampler", core,
                {{kBit, "u_side.u_tracker.sample_o"},
@@ -153,11 +153,11 @@ void path_side(Arrangement& view) {
                 {kBit, "profile_valid_i"},
                 {kBit, "profile_ready_o"},
                 {kHex, "profile_data_i"},
-                {kUnsigned, "queued_ticks"},
+                {kHex, "fault_o"},
                 {kBit, "underrun_o"}});
     view.group("Path generator", "",
                {{kBit, "active_o"},
-                {kBit, "tick"},
+                {kBit, "rate_valid"},
                 {kUnsigned, "u_path.ticks_left_o"},
                 {kBit, "path_valid_o"},
                 {kUnsigned, "path_rate_o"},
@@ -193,4 +193,4 @@ std::string gtkw(const CoreParameters& core, const std::string& fst_file,
     return view.text();
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "tb/command/core_parameters.hpp"
+#include "sysc/host/core_parameters.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// The arrangement of `fst_file`; `folder` is where both files will stand.
 std::string gtkw(const CoreParameters& core, const std::string& fst_file,
                  const std::string& folder);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/pictures.hpp"
+#include "sysc/watch/pictures.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 Pictures::Pictures(const Job& job, std::uint64_t ticks)
     : span_(static_cast<std::uint64_t>(std::max(1.0, std::round(kSpan / job.plan.tick_s)))),
@@ -69,4 +69,4 @@ void Pictures::error(std::uint64_t s, double error, double bound) {
     bounds_[bin] = std::max(bounds_[bin], bound);
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

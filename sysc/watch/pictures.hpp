@@ -7,9 +7,9 @@
 #include <limits>
 #include <vector>
 
-#include "tb/program/job.hpp"
+#include "sysc/host/job.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Least and largest value of a stretch.
 struct Envelope {
@@ -80,4 +80,4 @@ class Pictures {
     std::vector<Envelope> jerk_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/report.hpp"
+#include "sysc/watch/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace curvecore::tb {
+#include "sysc/watch/limit_text.hpp"
+
+namespace curvecore::sysc {
 namespace {
 
 /// Stops that the profile plans: sample after sample falls on them at full speed.
@@ -62,6 +64,12 @@ nlohmann::ordered_json machine_json(const Job& job) {
     return json;
 }
 
+const char* title_of(BoardKind board) {
+    constexpr std::array<const char*, 4> kTitles{"kernel board", "RTL", "SystemC system",
+                                                 "SystemC system with RTL"};
+    return kTitles[static_cast<std::size_t>(board)];
+}
+
 template <std::size_t N>
 double worst(const std::array<AxisError, N>& errors) {
     double max = 0;
@@ -93,24 +101,27 @@ double Report::duration_s() const {
 }
 
 double Report::clocks_per_sample() const {
-    return static_cast<double>(rtl->clocks) / static_cast<double>(samples);
+    return static_cast<double>(drawn->status.clocks) / static_cast<double>(samples);
 }
 
-double Report::clocks_per_second() const { return static_cast<double>(rtl->clocks) / rtl->seconds; }
+double Report::clocks_available() const {
+    return job.options.clock_hz * job.options.sample_period_s;
+}
+
+double Report::clocks_per_second() const {
+    return static_cast<double>(drawn->status.clocks) / drawn->seconds;
+}
 
 std::vector<Check> Report::checks() const {
     std::vector<Check> checks;
-    const ref::LimitRatios& inside = job.limits.inside;
-    const ref::LimitRatios& joints = job.limits.joints;
-    const double limits = std::max(
-        {inside.velocity, inside.acceleration, inside.jerk, joints.acceleration, joints.jerk});
-    if (rtl != nullptr) {
-        const CheckResult& check = rtl->check;
+    if (drawn != nullptr) {
+        const CheckResult& check = drawn->check;
         const bool full_speed = job.options.override_percent == 100;
         const std::uint64_t stops = planned_stops(job.plan);
         const double of_bound = check.worst(&KindResult::of_bound);
         checks = {
-            {"RTL equals kernel", check.differing_words == 0,
+            {fmt::format("{} equals kernel", title_of(job.options.board)),
+             check.differing_words == 0,
              check.differing_words == 0
                  ? fmt::format("{} samples", check.samples)
                  : fmt::format("{} words differ; first: {}", check.differing_words,
@@ -125,11 +136,23 @@ std::vector<Check> Report::checks() const {
             {"speed true", check.speed_of_allowed <= 1,
              fmt::format("chords within {:.4f} units of the exact curve's",
                          check.worst(&KindResult::speed_error))},
-            {"no underrun", !rtl->underrun, rtl->underrun ? "the profile queue ran low" : "fed"},
+            {"no underrun", !drawn->status.underrun,
+             drawn->status.underrun ? "the profile queue ran low" : "fed"},
+            {"no late sample", drawn->status.late_samples == 0,
+             fmt::format("{} periods without their sample", drawn->status.late_samples)},
         };
     }
-    checks.push_back({"machine limits kept", limits <= 1 + 1e-9,
-                      fmt::format("{:.3f} of a limit at worst", limits)});
+    checks.push_back({"time kept", !period_clocks || *period_clocks <= clocks_available(),
+                      period_clocks ? fmt::format("{:.1f} of {:.1f} clocks of a sample period",
+                                                  *period_clocks, clocks_available())
+                                    : "not measured"});
+    checks.push_back({"machine limits kept", limits.most() <= 1 + 1e-9, limits_text(job, limits)});
+    if (drawn != nullptr) {
+        const LimitLoads& rounded = drawn->check.rounded_limits;
+        checks.push_back({"machine limits kept by the samples", rounded.most() <= 1 + 1e-9,
+                          fmt::format("{}; rounding has up to {:.3f} of the allowance",
+                                      limits_text(job, rounded), rounded.rounding())});
+    }
     return checks;
 }
 
@@ -147,19 +170,23 @@ nlohmann::ordered_json Report::json() const {
     json["clock_hz"] = job.options.clock_hz;
     json["core"] = job.core_name();
     json["build"] = build_name(job.options.core.build);
-    json["parameters"] = job.options.core.json();
+    json["parameters"] = parameters_json(job.options.core);
     json["moves"] = job.program.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
     json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
     json["samples"] = samples;
-    if (rtl != nullptr) {
-        const CheckResult& check = rtl->check;
+    json["board"] = nullptr;
+    if (drawn != nullptr) {
+        const CheckResult& check = drawn->check;
+        json["board"] = kBoardNames[static_cast<std::size_t>(job.options.board)];
         json["override_percent"] = job.options.override_percent;
         json["stall_seed"] = nullptr;
         if (job.options.stall_seed) json["stall_seed"] = *job.options.stall_seed;
-        json["clocks"] = rtl->clocks;
-        json["clocks_per_sample"] = clocks_per_sample();
+        if (has_clock()) {
+            json["clocks"] = drawn->status.clocks;
+            json["clocks_per_sample"] = clocks_per_sample();
+        }
         json["error"] = errors_json(job, check.rounded, check.samples);
         json["unrounded"] = errors_json(job, check.unrounded, check.samples);
         json["unrounded"]["bound_lsb"] = job.bound();
@@ -179,17 +206,26 @@ nlohmann::ordered_json Report::json() const {
     } else {
         json["unrounded"]["bound_lsb"] = job.bound();
     }
-    json["limits"] = ratios_json(job.limits.inside);
-    json["limits"]["joints"] = {{"acceleration", job.limits.joints.acceleration},
-                                {"jerk", job.limits.joints.jerk},
-                                {"passed", job.limits.passed}};
-    if (rtl != nullptr) {
-        json["rtl_equals_kernel"] = rtl->check.differing_words;
-        json["underruns"] = rtl->underrun ? 1 : 0;
-        json["empty_segments"] = rtl->empty_segments;
+    json["time_kept"] = {{"clocks_available", clocks_available()}, {"clocks_used", nullptr}};
+    if (period_clocks) json["time_kept"]["clocks_used"] = *period_clocks;
+    json["limits"] = limits_json(job, limits);
+    json["limits"]["planned"] = ratios_json(job.limits.inside);
+    json["limits"]["planned"]["joints"] = {{"acceleration", job.limits.joints.acceleration},
+                                           {"jerk", job.limits.joints.jerk},
+                                           {"passed", job.limits.passed}};
+    if (drawn != nullptr) {
+        json["limits"]["samples"] = limits_json(job, drawn->check.rounded_limits);
+        json["limits"]["samples"]["rounding_share"] = drawn->check.rounded_limits.rounding();
+        json["rtl_equals_kernel"] = drawn->check.differing_words;
+        json["underruns"] = drawn->status.underrun ? 1 : 0;
+        json["empty_segments"] = drawn->status.empty_segments;
+        json["late_samples"] = drawn->status.late_samples;
     }
     json["duration_s"] = duration_s();
-    if (rtl != nullptr) json["simulation_clocks_per_second"] = clocks_per_second();
+    if (drawn != nullptr) {
+        if (has_clock()) json["simulation_clocks_per_second"] = clocks_per_second();
+        json["simulation_samples_per_second"] = static_cast<double>(samples) / drawn->seconds;
+    }
     for (const Check& check : checks()) {
         json["checks"].push_back(
             {{"name", check.name}, {"held", check.held}, {"detail", check.detail}});
@@ -201,40 +237,40 @@ nlohmann::ordered_json Report::json() const {
 
 std::vector<std::pair<std::string, std::string>> Report::table() const {
     std::vector<std::pair<std::string, std::string>> rows;
-    const auto row = [&rows](const char* name, std::string value) {
-        rows.emplace_back(name, std::move(value));
+    const auto row = [&rows](std::string name, std::string value) {
+        rows.emplace_back(std::move(name), std::move(value));
     };
     row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
-                            job.options.core.text()));
+                            ref::parameters_text(job.options.core)));
     row("program",
         fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
                     job.plan.segments.size(),
                     std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
                                 job.options.sample_period_s * 1e6));
-    if (rtl != nullptr) {
-        const CheckResult& check = rtl->check;
-        row("RTL = kernel", check.differing_words == 0
-                                ? fmt::format("{} samples, 0 words differ", check.samples)
-                                : fmt::format("{} words differ", check.differing_words));
+    if (drawn != nullptr) {
+        const CheckResult& check = drawn->check;
+        row(fmt::format("{} = kernel", title_of(job.options.board)),
+            check.differing_words == 0 ? fmt::format("{} samples, 0 words differ", check.samples)
+                                       : fmt::format("{} words differ", check.differing_words));
         row("worst error", fmt::format("{:.4f} units of {} (rounded output)", worst(check.rounded),
                                        unit_text(job)));
         row("before rounding",
             fmt::format("{:.4f} units; derived bound {:.4f}", worst(check.unrounded), job.bound()));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
-        row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
+        if (has_clock()) row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
     } else {
         row("derived bound",
             fmt::format("{:.4f} units of {} before rounding", job.bound(), unit_text(job)));
     }
-    const ref::LimitRatios& inside = job.limits.inside;
-    row("of the limits", fmt::format("velocity {:.3f}, acceleration {:.3f}, jerk {:.3f}",
-                                     inside.velocity, inside.acceleration, inside.jerk));
-    row("of the joints' limits",
-        fmt::format("acceleration {:.3f}, jerk {:.3f}; {} passed in motion",
-                    job.limits.joints.acceleration, job.limits.joints.jerk, job.limits.passed));
+    const auto worst = [&](Limited of) { return limits.worst[of].ratio; };
+    row("of the limits",
+        limits.resolved()
+            ? fmt::format("velocity {:.3f}, acceleration {:.3f}, jerk {:.3f}; {} joints passed",
+                          worst(kVelocity), worst(kAcceleration), worst(kJerk), job.limits.passed)
+            : limits_text(job, limits));
     row("machine", job.machine.name);
     return rows;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -4,12 +4,13 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "tb/program/rtl_run.hpp"
+#include "sysc/board/board_run.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct Check {
     std::string name;
@@ -17,15 +18,19 @@ struct Check {
     std::string detail;
 };
 
-/// The RTL's part is absent for `plan`.
+/// What a board drew is absent for `plan`.
 struct Report {
     const Job& job;
     std::uint64_t samples;
-    const RtlResult* rtl;
+    const LimitLoads& limits;  // of the motion as it is drawn
+    const BoardResult* drawn;
+    std::optional<double> period_clocks;  // the least that keeps time; none: not measured
 
     double duration_s() const;
+    bool has_clock() const { return drawn->status.clocks > 0; }
     double clocks_per_sample() const;
     double clocks_per_second() const;
+    double clocks_available() const;  // of a sample period
     std::vector<Check> checks() const;
     bool held() const;
     nlohmann::ordered_json json() const;
@@ -42,4 +47,4 @@ std::string unit_text(const Job& job);
 /// h min s, as short as the value allows.
 std::string time_text(double seconds);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/report_html.hpp"
+#include "sysc/watch/report_html.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,10 @@
 #include <filesystem>
 #include <iterator>
 
-#include "tb/program/report_template.hpp"
+#include "sysc/watch/limit_text.hpp"
+#include "sysc/watch/report_template.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 using Text = fmt::memory_buffer;
@@ -57,7 +58,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     nlohmann::ordered_json head;
     head["title"] = std::filesystem::path(job.options.file).filename().string();
     head["version"] = CURVECORE_VERSION;
-    head["rtl"] = report.rtl != nullptr;
+    head["rtl"] = report.drawn != nullptr;
     head["held"] = report.held();
     head["unit"] = unit_text(job);
     head["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
@@ -67,22 +68,23 @@ std::string data(const Report& report, const Pictures& pictures) {
     for (const Check& check : report.checks()) {
         head["checks"].push_back({check.name, check.held, check.detail});
     }
-    if (report.rtl != nullptr) {
+    if (report.drawn != nullptr) {
         std::size_t axis = 0;
         for (const std::string& name : axis_names(job)) {
-            const AxisError& rounded = report.rtl->check.rounded[axis];
-            const AxisError& unrounded = report.rtl->check.unrounded[axis++];
-            const std::uint64_t n = report.rtl->check.samples;
+            const AxisError& rounded = report.drawn->check.rounded[axis];
+            const AxisError& unrounded = report.drawn->check.unrounded[axis++];
+            const std::uint64_t n = report.drawn->check.samples;
             head["axes"].push_back(
                 {name, rounded.max, rounded.rms(n), unrounded.max, unrounded.rms(n)});
         }
     }
-    if (report.rtl != nullptr) {
-        for (const auto& [name, kind] : report.rtl->check.kinds) {
+    if (report.drawn != nullptr) {
+        for (const auto& [name, kind] : report.drawn->check.kinds) {
             head["kinds"].push_back(
                 {name, kind.error, kind.bound, kind.of_bound, kind.speed_error, kind.samples});
         }
     }
+    head["windows"] = limits_rows(job, report.limits);
     head["notes"] = job.machine.notes;
     head["warnings"] = job.program.warnings;
     if (head["warnings"].size() > 50)
@@ -112,4 +114,4 @@ std::string report_html(const Report& report, const Pictures& pictures) {
     return page;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "tb/program/report.hpp"
+#include "sysc/watch/report.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 std::string report_html(const Report& report, const Pictures& pictures);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

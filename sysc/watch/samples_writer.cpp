@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/samples_writer.hpp"
+#include "sysc/watch/samples_writer.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <stdexcept>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr std::size_t kBuffer = std::size_t(1) << 20;
@@ -19,14 +19,14 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job)
     if (!file_) throw std::runtime_error("cannot write " + file);
     buffer_.reserve(kBuffer + kLongestRow);
     buffer_ = fmt::format(
-        "# curvecore: samples as the RTL gave them\n"
+        "# curvecore: samples as the board gave them\n"
         "# input: {}\n"
         "# unit: {:g} mm (positions); path quanta: 2^-16 unit (s)\n"
         "# sample period: {:g} s\n"
         "# core: {}\n"
         "k,segment,s,x,y,z",
         std::filesystem::path(job.options.file).filename().string(), job.plan.unit_mm,
-        job.options.sample_period_s, job.options.core.text());
+        job.options.sample_period_s, ref::parameters_text(job.options.core));
     for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
         buffer_ += ',';
         buffer_ += "abcuvw"[axis];
@@ -67,4 +67,4 @@ void SamplesWriter::close() {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

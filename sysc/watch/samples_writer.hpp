@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "tb/program/job.hpp"
+#include "sysc/host/job.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class SamplesWriter {
   public:
@@ -29,4 +29,4 @@ class SamplesWriter {
     std::string buffer_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/segments_json.hpp"
+#include "sysc/watch/segments_json.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iterator>
 
-#include "tb/program/bus_words.hpp"
+#include "sysc/host/bus_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 using Text = fmt::memory_buffer;
@@ -58,13 +58,13 @@ std::string segments_json(const Job& job) {
         fmt::format_to(out,
                        ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
                        "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {:.6g}, "
-                       "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"words\": [",
+                       "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"ticks\": {}, \"words\": [",
                        segment.s_start, segment.length,
                        std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
                        segment.radius * job.plan.unit_mm, segment.step_exponent, segment.bound,
-                       segment.feed_start, segment.feed_end);
+                       segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";
-        for (const std::uint64_t word : segment_bus_words(segment, job.options.core)) {
+        for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {
             fmt::format_to(out, "{}\"{:012x}\"", comma, word);
             comma = ", ";
         }
@@ -74,4 +74,4 @@ std::string segments_json(const Job& job) {
     return fmt::to_string(text);
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

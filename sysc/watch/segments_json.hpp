@@ -4,10 +4,10 @@
 
 #include <string>
 
-#include "tb/program/job.hpp"
+#include "sysc/host/job.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 std::string segments_json(const Job& job);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/summary.hpp"
+#include "sysc/watch/summary.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 
-#include "tb/program/commands.hpp"
+#include "sysc/curvecore/commands.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 void print_warnings(const Job& job) {
     constexpr std::size_t kMost = 10;
@@ -33,4 +33,4 @@ void print_summary(const Report& report) {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,11 +2,11 @@
 // The result on the terminal.
 #pragma once
 
-#include "tb/program/report.hpp"
+#include "sysc/watch/report.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Warnings and failed checks to stderr, the table to stdout; with -q only the former.
 void print_summary(const Report& report);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/program/waveform_signals.hpp"
+#include "sysc/watch/waveform_signals.hpp"
 
 #include <gtkwave/fstapi.h>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 WaveformSignals waveform_signals(const std::string& fst_file) {
     WaveformSignals signals;
@@ -27,4 +27,4 @@ WaveformSignals waveform_signals(const std::string& fst_file) {
     return signals;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

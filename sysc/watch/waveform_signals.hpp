@@ -5,11 +5,11 @@
 #include <map>
 #include <string>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Full name -> its range, "[31:0]" or nothing.
 using WaveformSignals = std::map<std::string, std::string>;
 
 WaveformSignals waveform_signals(const std::string& fst_file);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -9,7 +9,7 @@
 
 #include "ref/program/move.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct ArcFamily {
     std::string name;
@@ -72,4 +72,4 @@ class ArcMaker {
     std::mt19937_64 engine_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/arc_words.hpp"
+#include "sysc/widths/arc_words.hpp"
 
-#include "ref/order_words.hpp"
+#include "ref/format/order_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-ArcWords::ArcWords(const Setting& setting, int axes, ValueRanges& ranges)
+ArcWords::ArcWords(const CoreParameters& setting, int axes, ValueRanges& ranges)
     : setting_(setting),
       axes_(axes),
-      order_(setting.format.order),
+      order_(setting.order),
       ranges_(ranges),
-      unit_(setting.format.coef_bits - 1),
-      coef_(setting.format.coef_bits - 2) {
-    const ref::WordFormat& format = setting.format;
+      unit_(setting.coef_bits - 1),
+      coef_(setting.coef_bits - 2) {
+    const CoreParameters& format = setting;
     for (int i = 1; i <= order_; ++i) {
         const int cut = format.coef_bits - ref::tau_bits(format.coef_bits, format.turn_bits, i);
         tau_kept_[i] = -(RunWord(1) << cut);
@@ -20,10 +20,10 @@ ArcWords::ArcWords(const Setting& setting, int axes, ValueRanges& ranges)
 }
 
 void ArcWords::load(const RunSegment& segment) {
-    const int bits = setting_.format.coef_bits;
+    const int bits = setting_.coef_bits;
     theta_ = segment.theta;
     k_ = segment.step_exponent;
-    to_fine_ = FineShift(setting_.format, k_);
+    to_fine_ = FineShift(setting_, k_);
     for (int axis = 0; axis < axes_; ++axis) {
         position_[axis] = segment.start[axis];
         advance_[axis] = segment.advance[axis];
@@ -37,7 +37,7 @@ void ArcWords::load(const RunSegment& segment) {
         weight_[i] =
             ranges_.keep(Variable::kWeight, i, unit_.product(theta_, reciprocal(i, bits - 1)));
     }
-    if (setting_.format.polynomial) {
+    if (setting_.polynomial()) {
         angle_.y = 0;
         angle_.z = RunWord(1) << (bits - 2);
         expand(angle_, Variable::kSine, Variable::kVersine);
@@ -86,8 +86,8 @@ void ArcWords::step() {
 }
 
 void ArcWords::sample(RunWord sigma, RunWord* out) const {
-    const RunWord tau = to_tau(sigma, k_, setting_.format.coef_bits);
-    setting_.format.polynomial ? sample_polynomial(tau, out) : sample_series(tau, out);
+    const RunWord tau = to_tau(sigma, k_, setting_.coef_bits);
+    setting_.polynomial() ? sample_polynomial(tau, out) : sample_series(tau, out);
     for (int axis = 3; axis < axes_; ++axis) {
         out[axis] = position_[axis] + to_fine_(unit_.product(advance_[axis], tau));
     }
@@ -123,4 +123,4 @@ void ArcWords::sample_polynomial(RunWord tau, RunWord* out) const {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

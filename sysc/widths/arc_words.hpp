@@ -2,14 +2,14 @@
 // hls::SphericalKernel with widths at run time, its words' ranges noted at every step.
 #pragma once
 
-#include "tb/compare/segment_words.hpp"
-#include "tb/compare/value_ranges.hpp"
+#include "sysc/widths/segment_words.hpp"
+#include "sysc/widths/value_ranges.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 class ArcWords {
   public:
-    ArcWords(const Setting& setting, int axes, ValueRanges& ranges);
+    ArcWords(const CoreParameters& setting, int axes, ValueRanges& ranges);
 
     void load(const RunSegment& segment);
     void step();
@@ -31,7 +31,7 @@ class ArcWords {
     /// Horner's scheme in steps of two orders, down to `last`.
     RunWord by_twos(const RunWord* series, int first, int last, RunWord q) const;
 
-    const Setting setting_;
+    const CoreParameters setting_;
     const int axes_;
     const int order_;
     ValueRanges& ranges_;
@@ -49,4 +49,4 @@ class ArcWords {
     RunWord c_[kMostOrders][3] = {};  // by order: the axes' Horner chains run side by side
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

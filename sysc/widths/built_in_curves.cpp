@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/built_in_curves.hpp"
+#include "sysc/widths/built_in_curves.hpp"
 
-#include "tb/support/arc_families.hpp"
-#include "tb/support/spline_families.hpp"
+#include "sysc/widths/arc_families.hpp"
+#include "sysc/widths/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr double kNanometre = 1e-6;  // mm: the unit of the families of splines
@@ -49,4 +49,4 @@ ref::Machine unlimited_machine() {
     return machine;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

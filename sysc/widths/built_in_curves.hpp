@@ -5,10 +5,10 @@
 #include <array>
 #include <string_view>
 
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/move.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 constexpr std::array<std::string_view, 3> kCurveSets{"all", "arcs", "splines"};
 
@@ -23,4 +23,4 @@ ref::Program built_in_curves(CurveSet set);
 /// Travels as far as the position words go.
 ref::Machine unlimited_machine();
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

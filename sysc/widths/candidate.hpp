@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "tb/choose/wish.hpp"
+#include "sysc/widths/requirement.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 constexpr std::array<double, 4> kUnits{1e-3, 1e-4, 1e-5, 1e-6};  // mm
 
@@ -16,8 +16,8 @@ constexpr std::array<double, 4> kUnits{1e-3, 1e-4, 1e-5, 1e-6};  // mm
 /// | parameters | PositionBits as few as the travel needs, with MultiplierForm of the device |
 /// | unit_mm    | length unit                                                                |
 /// | limit      | units: what the planner must keep each segment's bound below, so that with |
-/// |            | half a unit for the rounding of the output the error keeps the wish        |
-/// | size       | share of the device, CostEstimate::size()                                  |
+/// |            | half a unit for the rounding of the output the error keeps the requirement | |
+/// size       | share of the device, CostEstimate::size()                                  |
 struct Candidate {
     Core core = Core::kSpherical;
     CoreParameters parameters;
@@ -29,13 +29,13 @@ struct Candidate {
 
 /// Of one set of widths: all but size and cost. Nothing when the unit is too coarse for the error
 /// or too fine for the travel.
-std::optional<Candidate> make_candidate(const Wish& wish, const CoreParameters& parameters,
-                                        double unit_mm);
+std::optional<Candidate> make_candidate(const Requirement& requirement,
+                                        const CoreParameters& parameters, double unit_mm);
 
 /// Every configuration that the device holds, smallest first.
-std::vector<Candidate> all_candidates(const Wish& wish);
+std::vector<Candidate> all_candidates(const Requirement& requirement);
 
 /// Whether there are measured runs of any build for the device.
-bool cost_is_known(const Wish& wish);
+bool cost_is_known(const Requirement& requirement);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/choose_report.hpp"
+#include "sysc/widths/choose_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 
-namespace curvecore::tb {
+#include "sysc/host/quantity.hpp"
+#include "sysc/widths/parameter_sets.hpp"
+
+namespace curvecore::sysc {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,14 +40,12 @@ double proven_error(const Choice& choice) {
     return (choice.demand.bound() + 0.5) * choice.candidate.unit_mm;
 }
 
-Json choice_json(const Choice& choice, const Device& device) {
+Json choice_json(const Choice& choice) {
     const Candidate& candidate = choice.candidate;
     const CostEstimate& cost = candidate.cost;
-    Json parameters = candidate.parameters.json();
-    parameters["MultiplierForm"] = device.form;
     return {{"core", core_name(candidate.core)},
             {"build", build_name(candidate.parameters.build)},
-            {"parameters", parameters},
+            {"parameters", parameters_json(candidate.parameters)},
             {"unit_mm", candidate.unit_mm},
             {"limit_lsb", candidate.limit},
             {"bound_lsb", choice.demand.bound()},
@@ -70,80 +72,70 @@ Json confirmation_json(const Confirmation& measured) {
             {"dsp", measured.dsp},   {"bram", measured.ram}, {"seeds", measured.seeds}};
 }
 
-std::string set_text(const CoreParameters& p) {
-    std::string text = fmt::format(
-        "--build {} --set Order={} --set CoefBits={} --set PositionBits={} --set GuardBits={} "
-        "--set Mode={}",
-        build_name(p.build), p.order, p.coef_bits, p.position_bits, p.guard_bits, p.mode);
-    if (p.build == Build::kParallel) {
-        text += fmt::format(" --set SampleInterval={}", p.sample_interval);
-        if (p.turn_bits > 0) text += fmt::format(" --set TurnBits={}", p.turn_bits);
-        if (p.parameter_guard > 0) {
-            text += fmt::format(" --set ParameterGuard={}", p.parameter_guard);
-        }
-    }
-    return text;
-}
-
-std::string wish_text(const Wish& wish) {
+std::string requirement_text(const Requirement& requirement) {
     std::string curves;
-    if (wish.arcs()) {
-        curves = fmt::format("arcs of {} to {}, lines", length_text(wish.least_radius_mm),
-                             length_text(wish.radius_mm));
+    if (requirement.arcs()) {
+        curves = fmt::format("arcs of {} to {}, lines", length_text(requirement.least_radius_mm),
+                             length_text(requirement.radius_mm));
     }
-    if (wish.splines()) {
+    if (requirement.splines()) {
         curves += fmt::format("{}splines of up to {}", curves.empty() ? "" : ", ",
-                              length_text(wish.length_mm));
+                              length_text(requirement.length_mm));
     }
-    return fmt::format("error {} on any axis, {}, {}, {} samples, {}{}", length_text(wish.error_mm),
-                       curves, feed_text(wish.feed), frequency_text(1 / wish.sample_period_s),
-                       wish.device->name,
-                       wish.clock_hz ? " at " + frequency_text(*wish.clock_hz) : "");
+    return fmt::format("error {} on any axis, {}, {}, {} samples, {}{}",
+                       length_text(requirement.error_mm), curves, feed_text(requirement.feed),
+                       frequency_text(1 / requirement.sample_period_s), requirement.device->name,
+                       requirement.clock_hz ? " at " + frequency_text(*requirement.clock_hz) : "");
 }
 
-void add_row(std::string& text, const Choice& choice) {
+using Columns = std::vector<const ref::Parameter*>;
+
+Columns columns_of(const std::vector<Choice>& choices) {
+    std::vector<CoreParameters> all;
+    for (const Choice& choice : choices) all.push_back(choice.candidate.parameters);
+    return sysc::columns_of(all);
+}
+
+void add_row(std::string& text, const Choice& choice, const Columns& columns) {
     const CoreParameters& p = choice.candidate.parameters;
     const CostEstimate& cost = choice.candidate.cost;
     const auto out = std::back_inserter(text);
-    fmt::format_to(out, "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>4} {:>8}",
-                   core_name(choice.candidate.core), build_name(p.build), p.order, p.coef_bits,
-                   p.guard_bits, p.position_bits, p.mode,
-                   p.build == Build::kParallel ? std::to_string(p.sample_interval) : "",
-                   p.build == Build::kParallel ? std::to_string(p.turn_bits) : "",
-                   p.build == Build::kParallel ? std::to_string(p.parameter_guard) : "",
-                   unit_text(choice.candidate.unit_mm));
-    fmt::format_to(out, " {:>9} {:>8.0f} {:>9.3g} | {:>6.0f} {:>6.0f} {:>4} {:>4} {:>5.0f}  {}\n",
-                   length_text(proven_error(choice)), choice.demand.segments() * kSegmentWords,
-                   choice.need.least() / 1e6, cost.lut4, cost.ff, cost.dsp, cost.ram, cost.mhz,
-                   binds_text(choice));
+    fmt::format_to(out, "{:10} {:8}", core_name(choice.candidate.core), build_name(p.build));
+    for (const ref::Parameter* one : columns) {
+        fmt::format_to(out, " {:>{}}", p.*one->value, std::strlen(one->name));
+    }
+    fmt::format_to(out,
+                   " {:>8} {:>9} {:>8.0f} {:>9.3g} | {:>6.0f} {:>6.0f} {:>4} {:>4} {:>5.0f}  {}\n",
+                   exact_length(choice.candidate.unit_mm), length_text(proven_error(choice)),
+                   choice.demand.segments() * kSegmentWords, choice.need.least() / 1e6, cost.lut4,
+                   cost.ff, cost.dsp, cost.ram, cost.mhz, binds_text(choice));
 }
 
 }  // namespace
 
 std::string ChooseReport::text() const {
-    std::string text = wish_text(wish) + "\n\n";
+    std::string text = requirement_text(requirement) + "\n\n";
     const auto out = std::back_inserter(text);
     if (choices.empty()) {
-        fmt::format_to(out, "no core keeps this in {}. Give up one of\n", wish.device->name);
-        for (const Concession& one : concessions) fmt::format_to(out, "    {}\n", one.text);
-        if (concessions.empty()) text += "    no wish alone helps: two must be given up\n";
+        fmt::format_to(out, "no core keeps this in {}. Give up one of\n", requirement.device->name);
+        for (const Relaxation& one : relaxations) fmt::format_to(out, "    {}\n", one.text);
+        if (relaxations.empty()) text += "    no requirement alone helps: two must be given up\n";
         return text;
     }
-    fmt::format_to(out, "{:89} | {}\n", "", "estimate");
-    fmt::format_to(out,
-                   "{:10} {:8} {:>5} {:>4} {:>5} {:>3} {:>4} {:>6} {:>4} {:>4} {:>8} {:>9} {:>8} "
-                   "{:>9} | {:>6} {:>6} {:>4} {:>4} {:>5}  {}\n",
-                   "core", "build", "order", "coef", "guard", "pos", "mode", "clk/sa", "turn",
-                   "par", "unit", "error <=", "words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM",
-                   "MHz", "a bit less is ruled out by");
-    for (const Choice& choice : choices) add_row(text, choice);
+    const Columns columns = columns_of(choices);
+    std::string head = fmt::format("{:10} {:8}", "core", "build");
+    for (const ref::Parameter* one : columns) head += std::string(" ") + one->name;
+    head += fmt::format(" {:>8} {:>9} {:>8} {:>9}", "unit", "error <=", "words/s", "needs MHz");
+    fmt::format_to(out, "{:{}} | estimate\n", "", head.size());
+    fmt::format_to(out, "{} | {:>6} {:>6} {:>4} {:>4} {:>5}  {}\n", head, "LUT4", "FF", "DSP",
+                   "RAM", "MHz", "a bit less is ruled out by");
+    for (const Choice& choice : choices) add_row(text, choice, columns);
     const Choice& winner = choices.front();
     const CostEstimate& cost = winner.candidate.cost;
-    fmt::format_to(out,
-                   "\nThe first is the smallest. Its error is a derived bound, for every such "
-                   "curve, of segments\nplanned with --limit {:.4g} --unit {} {}\n",
-                   winner.candidate.limit, unit_text(winner.candidate.unit_mm),
-                   set_text(winner.candidate.parameters));
+    fmt::format_to(
+        out,
+        "\nThe first is the smallest. Its error is a derived bound, for every such "
+        "curve, of segments planned\nwith --core core.json, which choose -o DIR writes.\n");
     fmt::format_to(out,
                    "Estimates are off by {:.0f} % (LUT4), {:.0f} % (FF), {:.0f} % (MHz), root mean "
                    "square; {}.\nDSP and RAM blocks are exact.\n",
@@ -162,45 +154,57 @@ std::string ChooseReport::text() const {
             off(confirmation->ff, cost.ff), confirmation->dsp, confirmation->dsp - cost.dsp,
             confirmation->ram, confirmation->ram - cost.ram, confirmation->mhz,
             off(confirmation->mhz, cost.mhz), confirmation->seeds,
-            std::max(wish.clock_hz.value_or(0), winner.need.least()) / 1e6);
+            std::max(requirement.clock_hz.value_or(0), winner.need.least()) / 1e6);
     }
     return text;
 }
 
+CoreFile ChooseReport::core() const {
+    const Choice& winner = choices.front();
+    const Candidate& candidate = winner.candidate;
+    return {core_name(candidate.core),
+            candidate.parameters,
+            std::string(requirement.device->name),
+            candidate.unit_mm,
+            requirement.error_mm,
+            requirement.sample_period_s,
+            winner.clock_hz};
+}
+
 Json ChooseReport::json() const {
     Json json{{"version", CURVECORE_VERSION},
-              {"wish",
-               {{"error_mm", wish.error_mm},
-                {"unit_mm", wish.unit_mm ? Json(*wish.unit_mm) : Json(nullptr)},
-                {"radius_mm", wish.radius_mm},
-                {"least_radius_mm", wish.least_radius_mm},
-                {"length_mm", wish.length_mm},
-                {"feed_mm_s", wish.feed},
-                {"travel_mm", wish.travel_mm},
-                {"sample_period_s", wish.sample_period_s},
-                {"clock_hz", wish.clock_hz ? Json(*wish.clock_hz) : Json(nullptr)},
-                {"host_words_per_s", wish.host_words},
-                {"device", wish.device->name}}},
+              {"requirement",
+               {{"error_mm", requirement.error_mm},
+                {"unit_mm", requirement.unit_mm ? Json(*requirement.unit_mm) : Json(nullptr)},
+                {"radius_mm", requirement.radius_mm},
+                {"least_radius_mm", requirement.least_radius_mm},
+                {"length_mm", requirement.length_mm},
+                {"feed_mm_s", requirement.feed},
+                {"travel_mm", requirement.travel_mm},
+                {"sample_period_s", requirement.sample_period_s},
+                {"clock_hz", requirement.clock_hz ? Json(*requirement.clock_hz) : Json(nullptr)},
+                {"host_words_per_s", requirement.host_words},
+                {"device", requirement.device->name}}},
               {"possible", !choices.empty()},
               {"cost_model", cost_model_source()},
               {"seconds", seconds}};
     if (choices.empty()) {
         json["give_up"] = Json::array();
-        for (const Concession& one : concessions) {
-            json["give_up"].push_back({{"wish", one.name},
+        for (const Relaxation& one : relaxations) {
+            json["give_up"].push_back({{"requirement", one.name},
                                        {"asked", one.asked},
                                        {"possible", one.possible},
                                        {"text", one.text}});
         }
         return json;
     }
-    json["choice"] = choice_json(choices.front(), *wish.device);
+    json["choice"] = choice_json(choices.front());
     json["runners_up"] = Json::array();
     for (std::size_t i = 1; i < choices.size(); ++i) {
-        json["runners_up"].push_back(choice_json(choices[i], *wish.device));
+        json["runners_up"].push_back(choice_json(choices[i]));
     }
     if (confirmation) json["confirmed"] = confirmation_json(*confirmation);
     return json;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The answer of `curvecore choose`: a table, and choose.json.
+// The answer of `curvecore choose`: a table, choose.json, and core.json.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "tb/choose/chooser.hpp"
-#include "tb/choose/concession.hpp"
-#include "tb/choose/confirmation.hpp"
+#include "sysc/host/core_file.hpp"
+#include "sysc/widths/chooser.hpp"
+#include "sysc/widths/confirmation.hpp"
+#include "sysc/widths/relaxation.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct ChooseReport {
-    const Wish& wish;
-    std::vector<Choice> choices;          // the winner first; empty: none keeps the wish
-    std::vector<Concession> concessions;  // then
+    const Requirement& requirement;
+    std::vector<Choice> choices;          // the winner first; empty: none keeps the requirement
+    std::vector<Relaxation> relaxations;  // then
     std::optional<Confirmation> confirmation;
     double seconds = 0;
 
     std::string text() const;
     nlohmann::ordered_json json() const;
+    /// The winner, which must be there.
+    CoreFile core() const;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

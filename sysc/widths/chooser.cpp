@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/chooser.hpp"
+#include "sysc/widths/chooser.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "tb/command/interrupt.hpp"
+#include "sysc/host/core_clocks.hpp"
+#include "sysc/host/interrupt.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
-constexpr int kMostCoefBits = 36;
-constexpr int kMostGuardBits = 12;
-constexpr int kMostLookedAt = 40;  // that keep the wish, for runners-up
+constexpr int kMostLookedAt = 40;  // that keep the requirement, for runners-up
 
-struct Shrinkable {
-    const char* name;
-    int CoreParameters::*value;
-    int least;
-};
-constexpr std::array<Shrinkable, 4> kShrinkable{
-    {{"CoefBits", &CoreParameters::coef_bits, 18},
-     {"GuardBits", &CoreParameters::guard_bits, 2},
-     {"Order", &CoreParameters::order, 2},
-     {"ParameterGuard", &CoreParameters::parameter_guard, 0}}};
+constexpr std::array<int CoreParameters::*, 4> kShrinkable{
+    &CoreParameters::coef_bits, &CoreParameters::guard_bits, &CoreParameters::order,
+    &CoreParameters::parameter_guard};
 
 /// Of the widths, few enough to try all of them many times.
 bool coarse(const CoreParameters& parameters) {
@@ -61,20 +54,24 @@ const char* reason_name(Reason reason) {
 }
 
 Chooser::Group Chooser::group(const Candidate& candidate) {
-    const CoreParameters& p = candidate.parameters;
-    return {candidate.unit_mm, p.mode, p.order, p.turn_bits, p.parameter_guard};
+    CoreParameters p = candidate.parameters;
+    p.coef_bits = p.guard_bits = 0;
+    std::vector<int> values;
+    for (const ref::Parameter& row : ref::kParameters) {
+        if (row.samples) values.push_back(p.*row.value);
+    }
+    return {candidate.unit_mm, values};
 }
 
 /// The largest load that a build can serve at this clock and the host can send.
 Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
-    const CoreParameters& parameters = candidate.parameters;
-    const int latency = wish_.splines() ? std::min(parameters.spline_latency(),
-                                                   wish_.arcs() ? parameters.network_latency()
-                                                                : parameters.spline_latency())
-                                        : parameters.network_latency();
+    int step = std::numeric_limits<int>::max();
+    if (requirement_.arcs()) step = change_clocks(candidate.parameters, false).step;
+    if (requirement_.splines())
+        step = std::min(step, change_clocks(candidate.parameters, true).step);
     Load most;
-    most.segments = wish_.host_words / kSegmentWords;
-    most.steps = clock_hz / latency;
+    most.segments = requirement_.host_words / kSegmentWords;
+    most.steps = clock_hz / step;
     return most;
 }
 
@@ -82,8 +79,9 @@ Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
 /// need fewer.
 bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
     Candidate wider = candidate;
-    wider.parameters.guard_bits = kMostGuardBits;
-    for (const int coef_bits : {kMostCoefBits, candidate.parameters.coef_bits}) {
+    wider.parameters.guard_bits = ref::parameter_of(&CoreParameters::guard_bits).high;
+    const int most_coef_bits = ref::parameter_of(&CoreParameters::coef_bits).high;
+    for (const int coef_bits : {most_coef_bits, candidate.parameters.coef_bits}) {
         wider.parameters.coef_bits = coef_bits;
         const Demand& least = demand(wider, most);
         if (!least.drawable() || least.segments() > most.segments) return true;
@@ -107,25 +105,25 @@ const Demand& Chooser::demand(const Candidate& candidate, const Load& most) {
         const bool enough = most.segments <= one.most.segments && most.steps <= one.most.steps;
         if (!complete && !enough) {
             one.most = most;
-            one.demand = model_.demand(p.format(), candidate.unit_mm, candidate.limit, most);
+            one.demand = model_.demand(p, candidate.unit_mm, candidate.limit, most);
         }
         return one.demand;
     }
     known.push_back({p.coef_bits, p.guard_bits, most,
-                     model_.demand(p.format(), candidate.unit_mm, candidate.limit, most)});
+                     model_.demand(p, candidate.unit_mm, candidate.limit, most)});
     return known.back().demand;
 }
 
 Reason Chooser::judge(const Candidate& candidate, Choice& choice) {
     const double reached = candidate.cost.mhz * 1e6 * (1 - candidate.cost.mhz_error);
     choice.candidate = candidate;
-    choice.clock_hz = wish_.clock_hz.value_or(reached);
-    if (!candidate.cost.fits(*wish_.device)) return Reason::kArea;
+    choice.clock_hz = requirement_.clock_hz.value_or(reached);
+    if (!candidate.cost.fits(*requirement_.device)) return Reason::kArea;
     if (choice.clock_hz > reached) return Reason::kClock;
     Demand least;
-    least.arcs.segments = least.arcs.steps = wish_.arcs() ? 1 : 0;
-    least.splines.segments = least.splines.steps = wish_.splines() ? 1 : 0;
-    choice.need = clock_need(candidate.parameters, least, wish_.sample_period_s);
+    least.arcs.segments = least.arcs.steps = requirement_.arcs() ? 1 : 0;
+    least.splines.segments = least.splines.steps = requirement_.splines() ? 1 : 0;
+    choice.need = clock_need(candidate.parameters, least, requirement_.sample_period_s);
     if (choice.need.samples > choice.clock_hz) return Reason::kClock;
     if (choice.need.steps > choice.clock_hz) return Reason::kLatency;
 
@@ -133,22 +131,24 @@ Reason Chooser::judge(const Candidate& candidate, Choice& choice) {
     choice.demand = demand(candidate, most);
     if (!choice.demand.drawable()) return Reason::kAccuracy;
     if (choice.demand.segments() > most.segments) return Reason::kDataRate;
-    choice.need = clock_need(candidate.parameters, choice.demand, wish_.sample_period_s);
+    choice.need = clock_need(candidate.parameters, choice.demand, requirement_.sample_period_s);
     if (choice.need.samples > choice.clock_hz) return Reason::kClock;
     return choice.need.steps > choice.clock_hz ? Reason::kLatency : Reason::kNone;
 }
 
 void Chooser::find_binds(Choice& choice) {
-    for (const Shrinkable& parameter : kShrinkable) {
+    for (const auto value : kShrinkable) {
+        const ref::Parameter& row = ref::parameter_of(value);
         CoreParameters smaller = choice.candidate.parameters;
-        if (--(smaller.*parameter.value) < parameter.least) {
-            choice.binds.emplace_back(parameter.name, Reason::kLeast);
+        if (--(smaller.*value) < row.low) {
+            choice.binds.emplace_back(row.name, Reason::kLeast);
             continue;
         }
-        std::optional<Candidate> other = make_candidate(wish_, smaller, choice.candidate.unit_mm);
-        other->cost = *estimate(other->core, other->parameters, *wish_.device);
+        std::optional<Candidate> other =
+            make_candidate(requirement_, smaller, choice.candidate.unit_mm);
+        other->cost = *estimate(other->core, other->parameters, *requirement_.device);
         Choice unused;
-        choice.binds.emplace_back(parameter.name, judge(*other, unused));
+        choice.binds.emplace_back(row.name, judge(*other, unused));
     }
 }
 
@@ -156,7 +156,7 @@ std::vector<Choice> Chooser::smallest(std::size_t count) {
     std::vector<Choice> choices;
     std::optional<Choice> other;  // the smallest of the other build
     int looked_at = 0;
-    for (const Candidate& candidate : all_candidates(wish_)) {
+    for (const Candidate& candidate : all_candidates(requirement_)) {
         const bool same_build = choices.empty() || candidate.parameters.build ==
                                                        choices.front().candidate.parameters.build;
         const bool enough = choices.size() >= count || looked_at > kMostLookedAt;
@@ -183,7 +183,7 @@ std::vector<Choice> Chooser::smallest(std::size_t count) {
 }
 
 bool Chooser::possible() {
-    std::vector<Candidate> candidates = all_candidates(wish_);
+    std::vector<Candidate> candidates = all_candidates(requirement_);
     return std::any_of(candidates.rbegin(), candidates.rend(), [&](const Candidate& candidate) {
         Choice choice;
         return coarse(candidate.parameters) &&
@@ -192,4 +192,4 @@ bool Chooser::possible() {
     });
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smallest configuration that is proven to keep a wish.
+// The smallest configuration that is proven to keep a requirement.
 #pragma once
 
 #include <map>
-#include <tuple>
 #include <utility>
 
-#include "tb/choose/candidate.hpp"
-#include "tb/choose/clock_need.hpp"
+#include "sysc/widths/candidate.hpp"
+#include "sysc/widths/clock_need.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// What a configuration fails by, or would with one bit less.
 ///
@@ -28,8 +27,8 @@ const char* reason_name(Reason reason);
 /// | candidate |      |                                                                          |
 /// | demand    |      | bounds, segments and steps                                               |
 /// | need      | Hz   | clocks that these need                                                   |
-/// | clock_hz  | Hz   | there is: the wish's, or the estimate less its error                     |
-/// | binds     |      | what keeps each parameter from being smaller by one                      |
+/// | clock_hz  | Hz   | there is: the requirement's, or the estimate less its error | | binds     |
+/// | what keeps each parameter from being smaller by one                      |
 struct Choice {
     Candidate candidate;
     Demand demand;
@@ -40,22 +39,23 @@ struct Choice {
 
 class Chooser {
   public:
-    explicit Chooser(const Wish& wish) : wish_(wish), model_(wish) {}
+    explicit Chooser(const Requirement& requirement)
+        : requirement_(requirement), model_(requirement) {}
 
     /// Smallest first; each of the `count` needs a fifth less of the host or of the clock than the
-    /// smaller ones; then the smallest of the other build. Empty: none keeps the wish.
+    /// smaller ones; then the smallest of the other build. Empty: none keeps the requirement.
     std::vector<Choice> smallest(std::size_t count);
 
-    /// Whether a configuration keeps the wish; of a coarse choice of them, so that "no" may be
-    /// wrong by a little.
+    /// Whether a configuration keeps the requirement; of a coarse choice of them, so that "no" may
+    /// be wrong by a little.
     bool possible();
 
-    /// kNone: it keeps the wish.
+    /// kNone: it keeps the requirement.
     Reason judge(const Candidate& candidate, Choice& choice);
 
   private:
-    // Unit, Mode, Order, TurnBits, ParameterGuard
-    using Group = std::tuple<double, int, int, int, int>;
+    /// The unit, and all that the samples depend on but the widths of Known.
+    using Group = std::pair<double, std::vector<int>>;
     struct Known {
         int coef_bits, guard_bits;
         Load most;  // within which it was looked for
@@ -68,9 +68,9 @@ class Chooser {
     bool hopeless(const Candidate& candidate, const Load& most);
     void find_binds(Choice& choice);
 
-    const Wish wish_;
+    const Requirement requirement_;
     const DemandModel model_;
     std::map<Group, std::vector<Known>> known_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

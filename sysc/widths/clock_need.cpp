@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/clock_need.hpp"
+#include "sysc/widths/clock_need.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tb/support/serial_clocks.hpp"
+#include "sysc/host/core_clocks.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool splines,
                       double period) {
-    const SerialClocks clocks =
-        serial_clocks(parameters.order, parameters.aux_axes, parameters.mode == 0, splines);
-    const double segments = std::ceil(load.segments * period);
-    const double steps = std::ceil(load.steps * period);
-    const double pauses = segments * clocks.segment + std::max(0.0, steps - segments) * clocks.step;
-    const int latency = splines ? parameters.spline_latency() : parameters.network_latency();
-    return {clocks.sample / period,
-            std::max((clocks.sample + pauses) / period, load.steps * latency)};
+    const hls::Clocks change = change_clocks(parameters, splines);
+    const double window = (1 + hls::kSamplesAhead) * period;
+    const double segments = std::ceil(load.segments * window);
+    const double steps = std::ceil(load.steps * window);
+    const double pauses = segments * change.segment + std::max(0.0, steps - segments) * change.step;
+    return {change.sample / period, change.sample / period + pauses / window};
 }
 
 ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, bool splines,
                         double period) {
-    const int latency = splines ? parameters.spline_latency() : parameters.network_latency();
-    const double words = 20 + 3 * parameters.aux_axes;
     return {parameters.sample_interval / period,
-            std::max(load.steps * latency, load.segments * words)};
+            std::max(load.steps * core_clocks(parameters, splines).step,
+                     load.segments * hls::load_clocks(timed_core(parameters)))};
 }
 
 }  // namespace
@@ -46,4 +43,4 @@ ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
     return need;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

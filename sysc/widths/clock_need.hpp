@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clocks that a core needs for a demand, as the headers of the RTL state them.
+// Clocks that a core needs for a demand (hls/clocks.hpp).
 #pragma once
 
-#include "tb/choose/demand.hpp"
+#include "sysc/widths/demand.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Least clock frequencies, Hz. `samples`: for the sample rate alone. `steps`: that no sample waits
 /// for an integration step or a segment.
 ///
 ///   parallel   samples: SampleInterval clocks each
-///              steps:   a step's latency while the path goes through the one before; 20 + 3
-///              AuxAxes
-///                       clocks for a segment's words
-///   serial     samples: as rtl/curve_interpolator_serial.sv states them, one multiplier
-///              steps:   within every sample period the sample, and the pauses of as many steps and
-///                       segments as it may see, at least one of each; and the planner's own limit
+///              steps:   a step while the path goes through the one before; a segment's words while
+///                       the segment before is drawn
+///   serial     samples: the clocks of a sample
+///              steps:   within the sample periods that the samples ahead make up for, these
+///                       samples and the pauses of as many steps and segments as there may be, at
+///                       least one of each
 struct ClockNeed {
     double samples = 0;
     double steps = 0;
@@ -26,4 +26,4 @@ struct ClockNeed {
 ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
                      double sample_period_s);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

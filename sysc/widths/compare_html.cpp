@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/compare_report.hpp"
-#include "tb/compare/compare_template.hpp"
+#include "sysc/widths/compare_report.hpp"
+#include "sysc/widths/compare_template.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 std::string CompareReport::html() const {
     std::string page(kCompareTemplate);
@@ -16,4 +16,4 @@ std::string CompareReport::html() const {
     return page;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

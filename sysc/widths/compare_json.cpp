@@ -3,9 +3,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tb/compare/compare_report.hpp"
+#include "sysc/widths/compare_report.hpp"
+#include "sysc/widths/parameter_sets.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -77,22 +78,16 @@ Json estimate_json(const std::optional<CostEstimate>& cost, const Device& device
 }
 
 Json row_json(const Row& row, int axes, const Device& device) {
-    const ref::WordFormat& format = row.setting.format;
-    Json json{{"order", format.order},
-              {"coef_bits", format.coef_bits},
-              {"guard_bits", format.guard_bits},
-              {"mode", row.setting.mode()},
-              {"scheme", row.setting.scheme()},
-              {"turn_bits", format.turn_bits},
-              {"parameter_guard", format.parameter_guard},
-              {"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
-              {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
-              {"segments", row.segments},
-              {"steps", row.steps},
-              {"multiplier_bits", row.cost.bits},
-              {"sampler_products", row.cost.sampler_products},
-              {"integrators", row.cost.integrators},
-              {"estimate", estimate_json(row.estimate, device)}};
+    Json json = Json::object();
+    for (const ref::Parameter& one : ref::kParameters) json[one.field] = row.setting.*one.value;
+    json.update({{"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
+                 {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
+                 {"segments", row.segments},
+                 {"steps", row.steps},
+                 {"multiplier_bits", row.cost.bits},
+                 {"sampler_products", row.cost.sampler_products},
+                 {"integrators", row.cost.integrators},
+                 {"estimate", estimate_json(row.estimate, device)}});
     if (!row.drawn) return json;
     json["output"] = position_json(row.output, axes);
     json["unrounded"] = position_json(row.fine, axes);
@@ -119,8 +114,12 @@ std::string CompareReport::title() const {
 
 Json CompareReport::json() const {
     Json rows = Json::array();
-    const Target& target = options.sweep.target;
-    for (const Row& row : result.rows) rows.push_back(row_json(row, axes(), *target.device));
+    const Device& device = *options.sweep.device;
+    for (const Row& row : result.rows) rows.push_back(row_json(row, axes(), device));
+    Json columns = Json::array();
+    for (const ref::Parameter* column : columns_of(options.settings)) {
+        columns.push_back({{"field", column->field}, {"name", column->name}});
+    }
     Json front = Json::array();
     for (const std::size_t index : pareto_front(result.rows)) front.push_back(index);
     return {{"title", title()},
@@ -138,11 +137,11 @@ Json CompareReport::json() const {
             {"seconds", result.seconds},
             {"pareto", front},
             {"estimate",
-             {{"device", target.device->name},
-              {"build", build_name(target.build)},
-              {"sample_interval", target.sample_interval},
+             {{"device", device.name},
+              {"build", build_name(options.settings.front().build)},
               {"source", cost_model_source()}}},
+            {"parameters", columns},
             {"rows", rows}};
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tb/compare/compare_options.hpp"
+#include "sysc/widths/compare_options.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct CompareReport {
     const CompareOptions& options;
@@ -33,4 +33,4 @@ std::vector<std::size_t> pareto_front(const std::vector<Row>& rows);
 /// Worst of any axis, as the core puts it out; the other figures of the same axes.
 ErrorFigures worst_axis(const PositionFigures& figures);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
-#include "tb/compare/compare_report.hpp"
+#include "sysc/widths/compare_report.hpp"
+#include "sysc/widths/parameter_sets.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr const char* kAxisNames = "xyzabcuvw";
@@ -27,7 +29,7 @@ std::string quoted(std::string text) {
 std::string note(const Row& row, const SweepOptions& options) {
     if (!row.drawn) return "not drawable";
     std::string text;
-    const Device& device = *options.target.device;
+    const Device& device = *options.device;
     if (row.estimate && !row.estimate->fits(device)) {
         text = fmt::format("too large for {}; ", device.name);
     }
@@ -75,8 +77,9 @@ std::vector<std::size_t> pareto_front(const std::vector<Row>& rows) {
 }
 
 std::string CompareReport::csv() const {
-    std::string text =
-        "order,coef_bits,guard_bits,mode,scheme,turn_bits,parameter_guard,limit,segments,steps";
+    std::string text;
+    for (const ref::Parameter& one : ref::kParameters) text += one.field + std::string(",");
+    text += "limit,segments,steps";
     const auto columns = [&](const std::string& name) {
         text += fmt::format(",{0}_worst,{0}_rms,{0}_p999", name);
     };
@@ -89,12 +92,12 @@ std::string CompareReport::csv() const {
         ",landing,speed_error,speed_relative,bound,max_of_bound,missing_bits,multiplier_bits,"
         "estimated_lut4,dsp,ram,estimated_mhz,refused\n";
     for (const Row& row : result.rows) {
-        const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
-        fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{}", format.order, format.coef_bits,
-                       format.guard_bits, row.setting.mode(), row.setting.scheme(),
-                       format.turn_bits, format.parameter_guard,
-                       row.drawn ? fmt::format("{:g}", row.limit) : "", row.segments, row.steps);
+        for (const ref::Parameter& one : ref::kParameters) {
+            fmt::format_to(out, "{},", row.setting.*one.value);
+        }
+        fmt::format_to(out, "{},{},{}", row.drawn ? fmt::format("{:g}", row.limit) : "",
+                       row.segments, row.steps);
         const auto figures = [&](const ErrorFigures& f) {
             if (!row.drawn) {
                 text += ",,,";
@@ -124,30 +127,30 @@ std::string CompareReport::csv() const {
 }
 
 std::string CompareReport::table() const {
-    std::string text = fmt::format(
-        "{:>5} {:>4} {:>5} {:10} {:10} {:>4} {:>4} {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} "
-        "{:>8} "
-        "{:>8} {:>7} {:>8} {:>6} {:>4} {:>4}\n",
-        "order", "coef", "guard", "mode", "scheme", "turn", "par", "worst", "rms", "99.9 %",
-        "unrounded", "along", "across", "bound", "/ seen", "speed", "segments", "steps", "mul bits",
-        "~LUT4", "DSP", "~MHz");
+    const std::vector<const ref::Parameter*> columns = columns_of(options.settings);
+    std::string text;
+    for (const ref::Parameter* one : columns) text += std::string(one->name) + ' ';
+    text += fmt::format(
+        "{:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} {:>7} {:>8} {:>6} {:>4} "
+        "{:>4}\n",
+        "worst", "rms", "99.9 %", "unrounded", "along", "across", "bound", "/ seen", "speed",
+        "segments", "steps", "mul bits", "~LUT4", "DSP", "~MHz");
     for (const Row& row : result.rows) {
-        const ref::WordFormat& format = row.setting.format;
         const auto out = std::back_inserter(text);
-        fmt::format_to(out, "{:>5} {:>4} {:>5} {:10} {:10} {:>4} {:>4}", format.order,
-                       format.coef_bits, format.guard_bits, row.setting.mode(),
-                       row.setting.scheme(), format.turn_bits, format.parameter_guard);
+        for (const ref::Parameter* one : columns) {
+            fmt::format_to(out, "{:>{}} ", row.setting.*one->value, std::strlen(one->name));
+        }
         if (row.drawn) {
             const ErrorFigures worst = worst_axis(row.output);
             const auto three = [](double value) { return fmt::format("{:.3g}", value); };
-            fmt::format_to(out, " {:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8}",
+            fmt::format_to(out, "{:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8}",
                            three(worst.worst), three(worst.rms), three(worst.most),
                            three(row.fine.worst()), three(row.fine.along.worst),
                            three(row.fine.across.worst), row.bound ? three(*row.bound) : "none",
                            row.bound ? fmt::format("{:.1f}", *row.bound / row.fine.worst()) : "",
                            three(row.speed_error));
         } else {
-            fmt::format_to(out, "{:80}", "");
+            fmt::format_to(out, "{:79}", "");
         }
         fmt::format_to(out, " {:>8} {:>7} {:>8}", row.segments, row.steps, row.cost.bits);
         if (row.estimate) {
@@ -160,17 +163,14 @@ std::string CompareReport::table() const {
         while (text.back() == ' ') text.pop_back();
         text += '\n';
     }
-    const Target& target = options.sweep.target;
-    if (!cost_is_known(target.build, *target.device)) {
+    const Build build = options.settings.front().build;
+    const Device& device = *options.sweep.device;
+    if (!cost_is_known(build, device)) {
         return text + fmt::format("no estimates: no measured runs of the {} build for {} yet\n",
-                                  build_name(target.build), target.device->name);
+                                  build_name(build), device.name);
     }
-    text += fmt::format("~ estimated, {} build{} on {}: {}\n", build_name(target.build),
-                        target.build == Build::kParallel
-                            ? fmt::format(", SampleInterval {}", target.sample_interval)
-                            : "",
-                        target.device->name, cost_model_source());
-    return text;
+    return text + fmt::format("~ estimated, {} build on {}: {}\n", build_name(build), device.name,
+                              cost_model_source());
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

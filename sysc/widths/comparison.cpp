@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/comparison.hpp"
+#include "sysc/widths/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "hls/quantise.hpp"
-#include "tb/compare/run_time_kernel.hpp"
-#include "tb/program/check_result.hpp"
+#include "sysc/widths/run_time_kernel.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr std::int64_t kBatch = 8192;  // samples between two reports of progress
@@ -45,16 +44,17 @@ struct PositionCount {
 
 class Comparison {
   public:
-    Comparison(const Subject& subject, const Setting& setting, const Cut& cut, Row& row)
+    Comparison(const Subject& subject, const CoreParameters& setting,
+               const SegmentedProgram& segmented, Row& row)
         : subject_(subject),
-          cut_(cut),
+          segmented_(segmented),
           row_(row),
-          guard_bits_(setting.format.guard_bits),
+          guard_bits_(setting.guard_bits),
           unit_(std::ldexp(1.0, -guard_bits_)),
           axes_(3 + subject.program.aux_axes),
           segments_(words(setting)),
-          kernel_(setting, segments_, axes_, row.ranges) {
-        for (const ref::Segment& segment : cut.segments) {
+          kernel_(setting, axes_, row.ranges) {
+        for (const ref::Segment& segment : segmented.segments) {
             per_bound_.push_back(segment.bound > 0 ? 1 / segment.bound : 0);
         }
     }
@@ -63,9 +63,10 @@ class Comparison {
         const std::vector<ExactSample>& samples = subject_.exact.samples;
         std::int64_t reported = 0;
         std::size_t n = 0;
-        for (std::size_t last = 0; last < cut_.segments.size(); ++last) {
-            const ref::Segment& segment = cut_.segments[last];
-            if (last + 1 < cut_.segments.size() && cut_.segments[last + 1].move == segment.move) {
+        for (std::size_t last = 0; last < segmented_.segments.size(); ++last) {
+            const ref::Segment& segment = segmented_.segments[last];
+            if (last + 1 < segmented_.segments.size() &&
+                segmented_.segments[last + 1].move == segment.move) {
                 continue;
             }
             const auto end = static_cast<std::int64_t>(segment.s_start + segment.length);
@@ -83,17 +84,18 @@ class Comparison {
     }
 
   private:
-    std::vector<RunSegment> words(const Setting& setting) const {
+    std::vector<RunSegment> words(const CoreParameters& setting) const {
         std::vector<RunSegment> all;
-        all.reserve(cut_.segments.size());
-        for (const ref::Segment& segment : cut_.segments) {
-            all.push_back(to_run_words(segment, setting.format, axes_));
+        all.reserve(segmented_.segments.size());
+        for (const ref::Segment& segment : segmented_.segments) {
+            all.push_back(to_run_words(segment, setting, axes_));
         }
         return all;
     }
 
     void advance(std::int64_t s) {
-        kernel_.sample(s - walked_, fine_);
+        kernel_.sample(
+            s - walked_, [this]() -> const RunSegment& { return segments_.at(next_++); }, fine_);
         walked_ = s;
     }
 
@@ -119,7 +121,7 @@ class Comparison {
             after[a] = static_cast<double>(to_position(fine_[axis])) - there;
             worst = std::max(worst, std::abs(before[a]));
         }
-        of_bound_ = std::max(of_bound_, worst * per_bound_[kernel_.segment()]);
+        of_bound_ = std::max(of_bound_, worst * per_bound_[next_ - 1]);
         fine_count_->add(before, exact.tangent, axes_);
         output_count_->add(after, exact.tangent, axes_);
         if (exact.chord > 0) {
@@ -154,21 +156,23 @@ class Comparison {
         row_.fine = fine_count_->figures(axes_);
         row_.output = output_count_->figures(axes_);
         row_.missing_bits = row_.ranges.missing();
-        if (subject_.splines && !row_.setting.anchor) return;
+        if (subject_.splines && row_.setting.anchor == 0) return;
         double bound = 0;
-        for (const ref::Segment& segment : cut_.segments) bound = std::max(bound, segment.bound);
+        for (const ref::Segment& segment : segmented_.segments)
+            bound = std::max(bound, segment.bound);
         row_.bound = bound;
         row_.of_bound = of_bound_;
     }
 
     const Subject& subject_;
-    const Cut& cut_;
+    const SegmentedProgram& segmented_;
     Row& row_;
     const int guard_bits_;
     const double unit_;
     const int axes_;
     const std::vector<RunSegment> segments_;
     RunTimeKernel kernel_;
+    std::size_t next_ = 0;  // segment after the present one
     std::vector<double> per_bound_;
     double of_bound_ = 0;
     std::int64_t walked_ = 0;
@@ -178,28 +182,6 @@ class Comparison {
     std::unique_ptr<PositionCount> output_count_ = std::make_unique<PositionCount>();
 };
 
-std::optional<CostEstimate> estimate_of(const Subject& subject, const Setting& setting) {
-    if (subject.target.device == nullptr) return std::nullopt;
-    CoreParameters parameters;
-    parameters.build = subject.target.build;
-    parameters.order = setting.format.order;
-    parameters.coef_bits = setting.format.coef_bits;
-    parameters.position_bits = setting.format.position_bits;
-    parameters.guard_bits = setting.format.guard_bits;
-    parameters.aux_axes = subject.program.aux_axes;
-    parameters.splines = subject.splines ? 1 : 0;
-    parameters.mode = setting.format.polynomial ? 1 : 0;
-    parameters.sample_interval = subject.target.sample_interval;
-    parameters.turn_bits = setting.format.turn_bits;
-    parameters.parameter_guard = setting.format.parameter_guard;
-    if ((parameters.turn_bits > 0 && !takes_turn_bits(parameters)) ||
-        (parameters.parameter_guard > 0 && !takes_parameter_guard(parameters))) {
-        return std::nullopt;
-    }
-    return estimate(core_for(subject.arcs, subject.splines, parameters.build), parameters,
-                    *subject.target.device);
-}
-
 }  // namespace
 
 double PositionFigures::worst() const {
@@ -208,23 +190,27 @@ double PositionFigures::worst() const {
     return worst;
 }
 
-Row compare_setting(const Subject& subject, const Setting& setting, const Cut& cut,
+Row compare_setting(const Subject& subject, const CoreParameters& setting,
+                    const SegmentedProgram& segmented,
                     const std::function<void(std::int64_t)>& progress) {
     Row row;
     row.setting = setting;
-    row.limit = cut.limit;
-    row.refused = cut.refused;
+    row.limit = segmented.limit;
+    row.refused = segmented.refused;
     row.cost = multiplier_bits(setting, subject.arcs, subject.splines);
-    row.estimate = estimate_of(subject, setting);
-    row.ranges = ValueRanges(setting.format.coef_bits);
-    row.segments = cut.segments.size();
-    row.drawn = !cut.segments.empty();
+    if (subject.device != nullptr) {
+        row.estimate = estimate(core_for(subject.arcs, subject.splines, setting.build), setting,
+                                *subject.device);
+    }
+    row.ranges = ValueRanges(setting.coef_bits);
+    row.segments = segmented.segments.size();
+    row.drawn = !segmented.segments.empty();
     if (row.drawn) {
-        Comparison(subject, setting, cut, row).run(progress);
+        Comparison(subject, setting, segmented, row).run(progress);
     } else {
         progress(static_cast<std::int64_t>(subject.exact.samples.size()));
     }
     return row;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,14 +5,14 @@
 #include <functional>
 #include <optional>
 
-#include "tb/compare/cost_model.hpp"
-#include "tb/compare/cut.hpp"
-#include "tb/compare/error_figures.hpp"
-#include "tb/compare/exact_samples.hpp"
-#include "tb/compare/setting.hpp"
-#include "tb/compare/value_ranges.hpp"
+#include "sysc/widths/cost_model.hpp"
+#include "sysc/widths/error_figures.hpp"
+#include "sysc/widths/exact_samples.hpp"
+#include "sysc/widths/multiplier_bits.hpp"
+#include "sysc/widths/segmented_program.hpp"
+#include "sysc/widths/value_ranges.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Errors of positions in length units: axis by axis, and of X Y Z as a vector.
 struct PositionFigures {
@@ -36,9 +36,9 @@ struct PositionFigures {
 /// | steps          |       | integration steps                                              |
 /// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
 /// | cost           |       | of any device                                                  |
-/// | estimate       |       | on Subject's device; none: no measured runs, or no such core     |
+/// | estimate       |       | on Subject's device; none: no measured runs                      |
 struct Row {
-    Setting setting;
+    CoreParameters setting;
     double limit = 0;
     std::string refused;
     bool drawn = false;  // or not drawable at all
@@ -61,13 +61,6 @@ struct Row {
     bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
 };
 
-/// Whose cost is estimated; no device: nobody's.
-struct Target {
-    const Device* device = nullptr;
-    Build build = Build::kParallel;
-    int sample_interval = 1;
-};
-
 /// What all configurations share.
 struct Subject {
     const ref::Program& program;
@@ -75,12 +68,13 @@ struct Subject {
     bool arcs;  // or lines
     bool splines;
     ExactSamples exact;
-    Target target{};
+    const Device* device = nullptr;  // whose cost is estimated; none: nobody's
 };
 
 /// `progress(n)`: n more samples are done.
 /// @throws what progress throws
-Row compare_setting(const Subject& subject, const Setting& setting, const Cut& cut,
+Row compare_setting(const Subject& subject, const CoreParameters& setting,
+                    const SegmentedProgram& segmented,
                     const std::function<void(std::int64_t)>& progress);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/confirmation.hpp"
+#include "sysc/widths/confirmation.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -11,7 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,44 +35,40 @@ std::string output_of(const std::string& command, int& status) {
     return text;
 }
 
-std::string arguments(const Candidate& candidate, const Device& device) {
-    const CoreParameters& p = candidate.parameters;
-    std::string text = fmt::format(
-        " --core {} --build {} --device {} --set Order={} --set CoefBits={} --set PositionBits={} "
-        "--set GuardBits={} --set Mode={}",
-        core_name(candidate.core), build_name(p.build), device.name, p.order, p.coef_bits,
-        p.position_bits, p.guard_bits, p.mode);
-    if (p.build == Build::kParallel)
-        text += fmt::format(" --set SampleInterval={}", p.sample_interval);
-    if (p.turn_bits > 0) text += fmt::format(" --set TurnBits={}", p.turn_bits);
-    if (p.parameter_guard > 0) text += fmt::format(" --set ParameterGuard={}", p.parameter_guard);
-    return text;
+/// scripts/synth.sh of the source tree in which this program was built.
+fs::path synth_script() {
+    if (const char* const other = std::getenv("CURVECORE_SYNTH")) return other;
+    std::error_code error;
+    fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+    while (!fs::exists(folder / "scripts/synth.sh") && folder.has_relative_path()) {
+        folder = folder.parent_path();
+    }
+    return folder / "scripts/synth.sh";
 }
 
 }  // namespace
 
-Confirmation place_and_route(const Candidate& candidate, const Device& device) {
-    const char* const other = std::getenv("CURVECORE_SYNTH");
-    const fs::path script = other != nullptr ? other : CURVECORE_SOURCE "/scripts/synth.sh";
+Confirmation place_and_route(const std::string& core_file) {
+    const fs::path script = synth_script();
     if (!fs::exists(script)) {
-        throw ConfirmationError(
-            fmt::format("{} is not there: --confirm needs the source tree, or CURVECORE_SYNTH",
-                        script.string()));
+        throw ConfirmationError(fmt::format(
+            "{} is not there: in the source tree, scripts/synth.sh --core {} does the same",
+            script.string(), core_file));
     }
     int status = 0;
     const std::string text =
-        output_of(quoted(script.string()) + arguments(candidate, device), status);
+        output_of(quoted(script.string()) + " --core " + quoted(core_file), status);
     if (status != 0) {
         throw ConfirmationError(fmt::format("{} failed with status {}: see its messages above",
                                             script.string(), status));
     }
-    // The row ends with "; FILE", relative to the tree.
+    // The row ends with "; FILE", relative to the working folder.
     const std::size_t end = text.find_last_not_of('\n');
     const std::size_t mark = text.rfind("; ", end);
     if (end == std::string::npos || mark == std::string::npos) {
         throw ConfirmationError(fmt::format("{} printed no row", script.string()));
     }
-    const fs::path file = fs::path(CURVECORE_SOURCE) / text.substr(mark + 2, end - mark - 1);
+    const fs::path file = text.substr(mark + 2, end - mark - 1);
     std::ifstream stream(file);
     try {
         const auto json = nlohmann::json::parse(stream);
@@ -84,4 +80,4 @@ Confirmation place_and_route(const Candidate& candidate, const Device& device) {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
-#include "tb/choose/candidate.hpp"
-
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Place and route that did not run, or failed: what() says why.
 class ConfirmationError : public std::runtime_error {
@@ -23,9 +22,9 @@ struct Confirmation {
     int seeds = 0;
 };
 
-/// Runs scripts/synth.sh of this source tree, or the program that CURVECORE_SYNTH names, with
-/// `--core --build --device --set Name=Value ...`, and reads the file that it names last.
+/// Runs scripts/synth.sh of the source tree in which this program stands, or the program that
+/// CURVECORE_SYNTH names, with `--core FILE`, and reads the result that it names last.
 /// @throws ConfirmationError
-Confirmation place_and_route(const Candidate& candidate, const Device& device);
+Confirmation place_and_route(const std::string& core_file);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

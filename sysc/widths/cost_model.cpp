@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/cost_model.hpp"
+#include "sysc/widths/cost_model.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -8,10 +8,10 @@
 #include <numeric>
 #include <vector>
 
-#include "tb/compare/cost_model_data.hpp"
-#include "tb/compare/cost_structure.hpp"
+#include "sysc/widths/cost_model_data.hpp"
+#include "sysc/widths/cost_structure.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 enum Base {
@@ -209,4 +209,4 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
 
 std::string cost_model_source() { return model_file().source; }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

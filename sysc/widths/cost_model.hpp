@@ -3,18 +3,19 @@
 //
 // DSP and RAM blocks are counted from the RTL's structure and are exact. LUT4, flip-flops and the
 // clock period are linear in a few features of the widths; scripts/fit_cost_model.py fits their
-// coefficients to runs of scripts/synth.sh and writes tb/compare/cost_model.json, which is compiled
-// in. Whatever they say is an estimate: `error` is that of the model on runs it was not fitted to.
+// coefficients to runs of scripts/synth.sh and writes sysc/widths/cost_model.json, which is
+// compiled in. Whatever they say is an estimate: `error` is that of the model on runs it was not
+// fitted to.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
-#include "tb/command/core_parameters.hpp"
-#include "tb/compare/device.hpp"
+#include "sysc/host/core_parameters.hpp"
+#include "sysc/widths/device.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 enum class Core { kSpherical, kSpline, kCurve };
 
@@ -67,4 +68,4 @@ MultiplierCount count_multipliers(Core core, const CoreParameters& parameters);
 /// Where the fit came from, for reports: "fitted to 17 runs, ...".
 std::string cost_model_source();
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

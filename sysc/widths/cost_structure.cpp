@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Multipliers and block memories of a core, counted as the RTL instantiates them.
-#include "tb/compare/cost_structure.hpp"
+#include "sysc/widths/cost_structure.hpp"
 
 #include <algorithm>
 
-#include "ref/order_words.hpp"
+#include "ref/format/order_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a block of a GW2A
@@ -116,4 +116,4 @@ int count_ram(Core core, const CoreParameters& parameters, const Device& device)
     return 3 * words + 2 * points + (splines ? 4 : 3);
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,9 +2,9 @@
 // The exact part of the cost model.
 #pragma once
 
-#include "tb/compare/cost_model.hpp"
+#include "sysc/widths/cost_model.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 int count_dsp(Core core, const CoreParameters& parameters, const Device& device);
 /// Multipliers of CoefBits as wide in all as those that there are: the same count but with
@@ -16,4 +16,4 @@ int soft_bits(const CoreParameters& parameters, const Device& device);
 bool wide_block(const CoreParameters& parameters, const Device& device);
 int count_ram(Core core, const CoreParameters& parameters, const Device& device);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/demand.hpp"
+#include "sysc/widths/demand.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,23 +7,23 @@
 #include <stdexcept>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/arc_cover.hpp"
-#include "ref/plan/limits.hpp"
-#include "ref/plan/spline_segment.hpp"
-#include "ref/plan/spline_shape.hpp"
-#include "tb/support/spline_families.hpp"
+#include "ref/feed/limits.hpp"
+#include "ref/feed/spline_shape.hpp"
+#include "ref/segment/arc_cover.hpp"
+#include "ref/segment/spline_segment.hpp"
+#include "sysc/widths/spline_families.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr int kRangesPerOctave = 2;
 constexpr double kShortSplines = 30;  // times shorter than the longest
 constexpr double kQuanta = 65536;
 
-ref::Machine machine_of(const Wish& wish) {
-    ref::Machine machine = wish.machine;
-    machine.velocity = wish.feed;
-    for (ref::AxisLimits& axis : machine.axis) axis.velocity = wish.feed;
+ref::Machine machine_of(const Requirement& requirement) {
+    ref::Machine machine = requirement.machine;
+    machine.velocity = requirement.feed;
+    for (ref::AxisLimits& axis : machine.axis) axis.velocity = requirement.feed;
     return machine;
 }
 
@@ -53,10 +53,10 @@ double DemandModel::Curve::time(double path) const {
     return start + (times[i] - start) * (path - from) / (paths[i] - from);
 }
 
-DemandModel::DemandModel(const Wish& wish) : wish_(wish) {
-    if (!wish.splines()) return;
+DemandModel::DemandModel(const Requirement& requirement) : requirement_(requirement) {
+    if (!requirement.splines()) return;
     // What is looked at first is soon refused: straight at full feed, and little work.
-    for (const double length : {wish.length_mm / kShortSplines, wish.length_mm}) {
+    for (const double length : {requirement.length_mm / kShortSplines, requirement.length_mm}) {
         SplineMaker maker(1);
         for (const SplineShape shape :
              {SplineShape::kStraight, SplineShape::kRandom, SplineShape::kSBend,
@@ -70,18 +70,18 @@ void DemandModel::add_curve(const ref::Cubic& shape, double length) {
     const double scale = length / ref::ArcLength(shape).length();
     ref::Move move;
     move.kind = ref::Move::Kind::kCubic;
-    move.feed = wish_.feed;
+    move.feed = requirement_.feed;
     move.cubic = {shape.a * scale, shape.b * scale, shape.c * scale, ref::Vec3::Zero()};
     move.start = move.cubic.position(0);
     move.end = move.cubic.position(1);
-    const ref::Machine machine = machine_of(wish_);
+    const ref::Machine machine = machine_of(requirement_);
     const ref::ArcLength arc(move.cubic);
     Curve curve{move.cubic, arc.length(), {}, {}};
     double time = 0;
     double path = 0;
     for (const ref::SplineStretch& stretch : ref::spline_stretches(move, arc, machine, 0, 1)) {
         const double end = arc.path(stretch.u1);
-        time += (end - path) / std::min(wish_.feed, ref::top_speed(stretch.shape, machine));
+        time += (end - path) / std::min(requirement_.feed, ref::top_speed(stretch.shape, machine));
         path = end;
         curve.paths.push_back(path);
         curve.times.push_back(time);
@@ -89,24 +89,24 @@ void DemandModel::add_curve(const ref::Cubic& shape, double length) {
     curves_.push_back(std::move(curve));
 }
 
-Demand DemandModel::demand(const ref::WordFormat& format, double unit_mm, double limit,
+Demand DemandModel::demand(const CoreParameters& format, double unit_mm, double limit,
                            const Load& most) const {
     Demand demand;
-    if (wish_.arcs()) demand.arcs = arc_load(format, unit_mm, limit, most);
-    if (wish_.splines() && demand.arcs.within(most)) {
+    if (requirement_.arcs()) demand.arcs = arc_load(format, unit_mm, limit, most);
+    if (requirement_.splines() && demand.arcs.within(most)) {
         demand.splines = spline_load(format, unit_mm, limit, most);
     }
     return demand;
 }
 
-Load DemandModel::arc_load(const ref::WordFormat& format, double unit_mm, double limit,
+Load DemandModel::arc_load(const CoreParameters& format, double unit_mm, double limit,
                            const Load& most) const {
-    const ref::Machine machine = machine_of(wish_);
+    const ref::Machine machine = machine_of(requirement_);
     const double ratio = std::exp2(1.0 / kRangesPerOctave);
     Load load;
-    for (double high = wish_.radius_mm; high > wish_.least_radius_mm || load.segments == 0;
-         high /= ratio) {
-        const double low = std::max(high / ratio, std::min(wish_.least_radius_mm, high));
+    for (double high = requirement_.radius_mm;
+         high > requirement_.least_radius_mm || load.segments == 0; high /= ratio) {
+        const double low = std::max(high / ratio, std::min(requirement_.least_radius_mm, high));
         const ref::ArcCover proof = ref::arc_cover(format, low / unit_mm, high / unit_mm, limit);
         if (proof.longest == 0) {
             load.drawable = false;
@@ -125,7 +125,7 @@ Load DemandModel::arc_load(const ref::WordFormat& format, double unit_mm, double
     return load;
 }
 
-Load DemandModel::spline_load(const ref::WordFormat& format, double unit_mm, double limit,
+Load DemandModel::spline_load(const CoreParameters& format, double unit_mm, double limit,
                               const Load& most) const {
     Load load;
     for (const Curve& curve : curves_) {
@@ -158,4 +158,4 @@ Load DemandModel::spline_load(const ref::WordFormat& format, double unit_mm, dou
     return load;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

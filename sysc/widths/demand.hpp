@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the wished curves ask of a core with given words: the proof of the error, and its price in
+// What the required curves ask of a core with given words: the proof of the error, and its price in
 // segments and integration steps per second.
 #pragma once
 
 #include <vector>
 
 #include "ref/curve/cubic.hpp"
-#include "tb/choose/wish.hpp"
+#include "sysc/widths/requirement.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// | field        | unit  | meaning                                                             |
 /// |--------------|-------|---------------------------------------------------------------------|
-/// | drawable     |       | every curve of the wish has segments whose bound keeps the limit     |
-/// | bound        | units | the largest of these bounds                                         |
-/// | segments     | 1/s   | at most, at the wished feed or what the machine allows              |
+/// | drawable     |       | every curve of the requirement has segments whose bound keeps the limit
+/// | | bound        | units | the largest of these bounds                                         |
+/// | segments     | 1/s   | at most, at the required feed or what the machine allows              |
 /// | steps        | 1/s   | the same of integration steps                                       |
 struct Load {
     bool drawable = true;
@@ -49,15 +49,15 @@ struct Demand {
 /// Splines: the planner halves a cubic until the derived bound of every piece keeps the limit, and
 /// refuses it otherwise, so what is drawn is proven; there is a smallest GuardBits for the limit.
 /// How many pieces that takes is not bounded for all cubics; it is counted for seeded ones of each
-/// shape (bends, S bends, inflexions, hairpins, near cusps, straight) as long as the wish and a
-/// thirtieth of it, and the planner slows down where another cubic asks for more.
+/// shape (bends, S bends, inflexions, hairpins, near cusps, straight) as long as the requirement
+/// and a thirtieth of it, and the planner slows down where another cubic asks for more.
 class DemandModel {
   public:
-    explicit DemandModel(const Wish& wish);
+    explicit DemandModel(const Requirement& requirement);
 
     /// The loads of words in this unit with the planner's limit in units. The search ends early,
     /// with what it has, where a load is beyond `most`: then it is a lower bound.
-    Demand demand(const ref::WordFormat& format, double unit_mm, double limit,
+    Demand demand(const CoreParameters& format, double unit_mm, double limit,
                   const Load& most) const;
 
   private:
@@ -72,13 +72,13 @@ class DemandModel {
     };
 
     void add_curve(const ref::Cubic& shape, double length);
-    Load arc_load(const ref::WordFormat& format, double unit_mm, double limit,
+    Load arc_load(const CoreParameters& format, double unit_mm, double limit,
                   const Load& most) const;
-    Load spline_load(const ref::WordFormat& format, double unit_mm, double limit,
+    Load spline_load(const CoreParameters& format, double unit_mm, double limit,
                      const Load& most) const;
 
-    const Wish wish_;
+    const Requirement requirement_;
     std::vector<Curve> curves_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <cstring>
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
+
+constexpr double kSpeedChord = 1000;  // units: below it, one position's rounding hides the speed
 
 struct ErrorFigures {
     double worst = 0;
@@ -60,4 +62,4 @@ class ErrorCount {
     std::array<std::uint32_t, kBins> bins_{};
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/exact_samples.hpp"
+#include "sysc/widths/exact_samples.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <random>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/path_shape.hpp"
+#include "ref/feed/path_shape.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr double kQuanta = 65536;
@@ -144,4 +144,4 @@ ExactSamples exact_samples(const ref::Program& program, double unit_mm, std::int
     return exact;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -10,7 +10,7 @@
 
 #include "ref/program/move.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// | field    | unit   | meaning                                                             |
 /// |----------|--------|---------------------------------------------------------------------|
@@ -39,4 +39,4 @@ struct ExactSamples {
 ExactSamples exact_samples(const ref::Program& program, double unit_mm, std::int64_t count,
                            const std::function<void(std::int64_t)>& keep_going);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/choose/concession.hpp"
+#include "sysc/widths/relaxation.hpp"
 
 #include <fmt/format.h>
 
@@ -7,23 +7,24 @@
 #include <cmath>
 #include <functional>
 
-#include "tb/choose/chooser.hpp"
+#include "sysc/host/quantity.hpp"
+#include "sysc/widths/chooser.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr double kFarthest = 1e4;    // times what was asked, or one part of so many
 constexpr double kPrecision = 1.05;  // of a factor
 
-using Change = std::function<void(Wish& wish, double factor)>;
+using Change = std::function<void(Requirement& requirement, double factor)>;
 
-bool possible(const Wish& wish) { return Chooser(wish).possible(); }
+bool possible(const Requirement& requirement) { return Chooser(requirement).possible(); }
 
-/// The factor nearest to 1 between 1 and `farthest` with which the wish is possible; 0: none is.
-/// Farther away another limit may hold again, so the search goes out step by step.
-double nearest(const Wish& wish, double farthest, const Change& change) {
+/// The factor nearest to 1 between 1 and `farthest` with which the requirement is possible; 0: none
+/// is. Farther away another limit may hold again, so the search goes out step by step.
+double nearest(const Requirement& requirement, double farthest, const Change& change) {
     const auto with = [&](double factor) {
-        Wish changed = wish;
+        Requirement changed = requirement;
         change(changed, factor);
         return possible(changed);
     };
@@ -46,21 +47,21 @@ double nearest(const Wish& wish, double farthest, const Change& change) {
 }
 
 /// Of a size, and of the travel with it, as far as the `other` size lets it.
-Change reach(double Wish::*size, double Wish::*other) {
-    return [size, other](Wish& wish, double factor) {
-        const double spare = wish.travel_mm / (wish.*size);
-        wish.*size *= factor;
-        wish.travel_mm = std::max(spare * (wish.*size), wish.*other);
+Change reach(double Requirement::*size, double Requirement::*other) {
+    return [size, other](Requirement& requirement, double factor) {
+        const double spare = requirement.travel_mm / (requirement.*size);
+        requirement.*size *= factor;
+        requirement.travel_mm = std::max(spare * (requirement.*size), requirement.*other);
     };
 }
 
 class Search {
   public:
-    explicit Search(const Wish& wish) : wish_(wish) {}
+    explicit Search(const Requirement& requirement) : requirement_(requirement) {}
 
     void number(const char* name, double asked, double farthest, const Change& change,
                 const std::function<std::string(double)>& text) {
-        const double factor = nearest(wish_, farthest, change);
+        const double factor = nearest(requirement_, farthest, change);
         if (factor == 0) return;
         // Rounded to three digits away from what was asked, so that what is said is possible.
         const double exact = asked * factor;
@@ -75,38 +76,39 @@ class Search {
     void device() {
         const Device* best = nullptr;
         for (const Device& device : kDevices) {
-            Wish other = wish_;
+            Requirement other = requirement_;
             other.device = &device;
             const bool smaller = best == nullptr || device.lut4 < best->lut4;
-            if (&device != wish_.device && smaller && possible(other)) best = &device;
+            if (&device != requirement_.device && smaller && possible(other)) best = &device;
         }
         if (best == nullptr) return;
-        found_.push_back({"device", static_cast<double>(wish_.device->lut4),
-                          static_cast<double>(best->lut4),
-                          fmt::format("device {} instead of {}", best->name, wish_.device->name)});
+        found_.push_back(
+            {"device", static_cast<double>(requirement_.device->lut4),
+             static_cast<double>(best->lut4),
+             fmt::format("device {} instead of {}", best->name, requirement_.device->name)});
     }
 
     void unit() {
-        if (!wish_.unit_mm) return;
-        Wish other = wish_;
+        if (!requirement_.unit_mm) return;
+        Requirement other = requirement_;
         for (const double unit : kUnits) {
             other.unit_mm = unit;
             if (!possible(other)) continue;
-            found_.push_back(
-                {"unit", *wish_.unit_mm, unit,
-                 fmt::format("unit {} instead of {}", unit_text(unit), unit_text(*wish_.unit_mm))});
+            found_.push_back({"unit", *requirement_.unit_mm, unit,
+                              fmt::format("unit {} instead of {}", exact_length(unit),
+                                          exact_length(*requirement_.unit_mm))});
             return;
         }
     }
 
     /// What the smallest core needs, or reaches.
     void clock() {
-        if (!wish_.clock_hz) return;
-        Wish other = wish_;
+        if (!requirement_.clock_hz) return;
+        Requirement other = requirement_;
         other.clock_hz.reset();
         const std::vector<Choice> any = Chooser(other).smallest(1);
         if (any.empty()) return;
-        const double asked = *wish_.clock_hz;
+        const double asked = *requirement_.clock_hz;
         const bool slower = asked > any.front().clock_hz;
         const double possible = slower ? any.front().clock_hz : any.front().need.least();
         found_.push_back({"clock", asked, possible,
@@ -114,11 +116,11 @@ class Search {
                                       frequency_text(asked))});
     }
 
-    std::vector<Concession> found() { return std::move(found_); }
+    std::vector<Relaxation> found() { return std::move(found_); }
 
   private:
-    const Wish& wish_;
-    std::vector<Concession> found_;
+    const Requirement& requirement_;
+    std::vector<Relaxation> found_;
 };
 
 std::string scaled(double value, const std::vector<std::pair<double, const char*>>& units) {
@@ -134,10 +136,6 @@ std::string length_text(double mm) {
     return scaled(mm, {{1e3, "m"}, {1, "mm"}, {1e-3, "um"}, {1e-6, "nm"}});
 }
 
-std::string unit_text(double mm) {
-    return mm > 5e-4 ? "1um" : mm > 5e-5 ? "0.1um" : mm > 5e-6 ? "10nm" : "1nm";
-}
-
 std::string feed_text(double mm_per_s) {
     return scaled(mm_per_s * 60, {{1e3, "m/min"}, {1, "mm/min"}});
 }
@@ -146,39 +144,41 @@ std::string frequency_text(double hz) {
     return scaled(hz, {{1e6, "MHz"}, {1e3, "kHz"}, {1, "Hz"}});
 }
 
-std::vector<Concession> concessions(const Wish& wish) {
-    Search search(wish);
+std::vector<Relaxation> relaxations(const Requirement& requirement) {
+    Search search(requirement);
     search.number(
-        "error", wish.error_mm, kFarthest,
-        [](Wish& other, double factor) { other.error_mm *= factor; }, length_text);
+        "error", requirement.error_mm, kFarthest,
+        [](Requirement& other, double factor) { other.error_mm *= factor; }, length_text);
     search.unit();
-    if (wish.arcs()) {
-        search.number("radius", wish.radius_mm,
-                      std::max(1 / kFarthest, wish.least_radius_mm / wish.radius_mm),
-                      reach(&Wish::radius_mm, &Wish::length_mm), length_text);
+    if (requirement.arcs()) {
+        search.number("radius", requirement.radius_mm,
+                      std::max(1 / kFarthest, requirement.least_radius_mm / requirement.radius_mm),
+                      reach(&Requirement::radius_mm, &Requirement::length_mm), length_text);
     }
-    if (wish.splines()) {
-        search.number("length", wish.length_mm, 1 / kFarthest,
-                      reach(&Wish::length_mm, &Wish::radius_mm), length_text);
+    if (requirement.splines()) {
+        search.number("length", requirement.length_mm, 1 / kFarthest,
+                      reach(&Requirement::length_mm, &Requirement::radius_mm), length_text);
     }
-    if (wish.arcs()) {
+    if (requirement.arcs()) {
         search.number(
-            "least radius", wish.least_radius_mm, wish.radius_mm / wish.least_radius_mm,
-            [](Wish& other, double factor) { other.least_radius_mm *= factor; }, length_text);
+            "least radius", requirement.least_radius_mm,
+            requirement.radius_mm / requirement.least_radius_mm,
+            [](Requirement& other, double factor) { other.least_radius_mm *= factor; },
+            length_text);
     }
     search.number(
-        "feed", wish.feed, 1 / kFarthest, [](Wish& other, double factor) { other.feed *= factor; },
-        feed_text);
+        "feed", requirement.feed, 1 / kFarthest,
+        [](Requirement& other, double factor) { other.feed *= factor; }, feed_text);
     search.number(
-        "sample rate", 1 / wish.sample_period_s, 1 / kFarthest,
-        [](Wish& other, double factor) { other.sample_period_s /= factor; }, frequency_text);
+        "sample rate", 1 / requirement.sample_period_s, 1 / kFarthest,
+        [](Requirement& other, double factor) { other.sample_period_s /= factor; }, frequency_text);
     search.clock();
     search.number(
-        "host words", wish.host_words, kFarthest,
-        [](Wish& other, double factor) { other.host_words *= factor; },
+        "host words", requirement.host_words, kFarthest,
+        [](Requirement& other, double factor) { other.host_words *= factor; },
         [](double words) { return fmt::format("{:.4g}/s", words); });
     search.device();
     return search.found();
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to give up of a wish that no configuration keeps.
+// What to give up of a requirement that no configuration keeps.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "tb/choose/wish.hpp"
+#include "sysc/widths/requirement.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-/// One wish alone given up so far that a configuration keeps the others.
+/// One requirement alone given up so far that a configuration keeps the others.
 ///
 /// | field    | meaning                                                                   |
 /// |----------|---------------------------------------------------------------------------|
@@ -17,7 +17,7 @@ namespace curvecore::tb {
 /// | asked    | in mm, mm/s, Hz or words a second, as the option; a device's LUT4         |
 /// | possible | the same: to about a twentieth, on the safe side                          |
 /// | text     | "error 1.3 um instead of 1 um"                                            |
-struct Concession {
+struct Relaxation {
     std::string name;
     double asked = 0;
     double possible = 0;
@@ -26,14 +26,11 @@ struct Concession {
 
 /// Of error, unit, radius, length, least radius, feed, sample rate, clock, host, device: those that
 /// help alone.
-std::vector<Concession> concessions(const Wish& wish);
-
-/// As --unit takes it.
-std::string unit_text(double mm);
+std::vector<Relaxation> relaxations(const Requirement& requirement);
 
 /// "1.3 um", "10 m/min", "24 MHz"
 std::string length_text(double mm);
 std::string feed_text(double mm_per_s);
 std::string frequency_text(double hz);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 
-#include "ref/plan/machine.hpp"
-#include "tb/compare/cost_model.hpp"
+#include "ref/machine/machine.hpp"
+#include "sysc/widths/cost_model.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// | field           | unit    | meaning                                                          |
 /// |-----------------|---------|------------------------------------------------------------------|
 /// | error_mm        | mm      | worst error of a position as the core gives it, on any axis      |
-/// | unit_mm         | mm      | length unit; none: any of the four                               |
+/// | unit_mm         | mm      | length unit; none: any of kUnits                                 |
 /// | radius_mm       | mm      | arcs and helices of up to this radius, and lines; 0: none        |
 /// | least_radius_mm | mm      | and from this radius up                                          |
 /// | length_mm       | mm      | splines of up to this length; 0: none                            |
@@ -23,7 +23,7 @@ namespace curvecore::tb {
 /// | clock_hz        | Hz      | that the core must run at; none: any that it reaches             |
 /// | host_words      | 1/s     | bus words of segments that the host can send, 48 bits each       |
 /// | machine         |         | acceleration and jerk                                            |
-struct Wish {
+struct Requirement {
     double error_mm = 0;
     std::optional<double> unit_mm;
     double radius_mm = 0;
@@ -42,4 +42,4 @@ struct Wish {
     bool splines() const { return length_mm > 0; }
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,12 +2,12 @@
 // What the command line of `curvecore choose` asks for.
 #pragma once
 
-#include "tb/choose/wish.hpp"
+#include "sysc/widths/requirement.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct ChooseOptions {
-    Wish wish;
+    Requirement requirement;
     std::string folder;   // empty: no choose.json
     std::string machine;  // LinuxCNC's .ini; empty: the built-in one
     bool confirm = false;
@@ -15,7 +15,7 @@ struct ChooseOptions {
 };
 
 /// The command line as text; empty: not given.
-struct RawWish {
+struct RawRequirement {
     std::string error;
     std::string radius;
     std::string least_radius;
@@ -31,6 +31,6 @@ struct RawWish {
 };
 
 /// @throws UsageError with the option's name and the reason; ref::InputError of the machine's file
-void interpret(const RawWish& raw, ChooseOptions& options);
+void interpret(const RawRequirement& raw, ChooseOptions& options);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -8,9 +8,9 @@
 
 #include "hls/configuration.hpp"
 #include "hls/fixed_word.hpp"
-#include "tb/compare/setting.hpp"
+#include "sysc/host/core_parameters.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 using RunWord = std::int64_t;
 using RunProduct = hls::Word<128>;  // of two words, and sums of those
@@ -48,7 +48,7 @@ inline RunWord scaled_down(RunWord x, int lift, int shift) {
 class FineShift {
   public:
     FineShift() = default;
-    FineShift(const ref::WordFormat& format, int k) {
+    FineShift(const CoreParameters& format, int k) {
         const int top = hls::kMaxStepExponent + format.guard_bits - (format.coef_bits - 2);
         left_ = top > 0 ? top : 0;
         right_ = (top > 0 ? 0 : -top) + hls::kMaxStepExponent - k;
@@ -79,4 +79,4 @@ inline RunProduct convolved(const RunWord* u, const RunWord* ds, int i) {
     return sum;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

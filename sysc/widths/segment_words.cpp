@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/segment_words.hpp"
+#include "sysc/widths/segment_words.hpp"
 
 #include "hls/quantise.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-RunSegment to_run_words(const ref::Segment& segment, const ref::WordFormat& format, int axes) {
+RunSegment to_run_words(const ref::Segment& segment, const CoreParameters& format, int axes) {
     const int bits = format.coef_bits;
     const int fine_bits = format.position_bits + format.guard_bits;
     const auto coefficient = [bits](double value) { return hls::quantise(value, bits - 2, bits); };
     RunSegment words;
     words.spline = segment.kind == ref::Segment::Kind::kSpline;
-    words.length = static_cast<std::int64_t>(segment.length);
+    words.length = hls::whole(segment.length, hls::kBusLengthBits);
     words.step_exponent = segment.step_exponent;
     words.lambda = segment.lambda;
     for (int axis = 0; axis < axes; ++axis) {
@@ -42,4 +42,4 @@ RunSegment to_run_words(const ref::Segment& segment, const ref::WordFormat& form
     return words;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -2,9 +2,10 @@
 // hls::SegmentWords and hls::to_words for widths that are known at run time only.
 #pragma once
 
-#include "tb/compare/run_time_words.hpp"
+#include "ref/curve/segment.hpp"
+#include "sysc/widths/run_time_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// Fields as hls/words.hpp has them; for a spline theta is phi, tangent normal advance are a b c.
 struct RunSegment {
@@ -21,6 +22,6 @@ struct RunSegment {
 };
 
 /// @throws std::range_error when a word cannot hold its value, as hls::quantise does
-RunSegment to_run_words(const ref::Segment& segment, const ref::WordFormat& format, int axes);
+RunSegment to_run_words(const ref::Segment& segment, const CoreParameters& format, int axes);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/cut.hpp"
+#include "sysc/widths/segmented_program.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 
 #include "ref/program/input_error.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
 constexpr int kMostDoublings = 24;
 
-ref::PlanOptions plan_options(const ref::Program& program, const ref::WordFormat& format,
+ref::PlanOptions plan_options(const ref::Program& program, const CoreParameters& format,
                               double unit_mm, double limit) {
     ref::PlanOptions options;
     options.unit_mm = unit_mm;
@@ -37,15 +37,11 @@ std::string reason(const std::string& file, const std::string& refusal) {
 
 }  // namespace
 
-Cutter::Cutter(const ref::Program& program, const ref::Machine& machine, double unit_mm,
-               double limit, int times_segments)
+Segmenter::Segmenter(const ref::Program& program, const ref::Machine& machine, double unit_mm,
+                     double limit, int times_segments)
     : program_(program), machine_(machine), unit_mm_(unit_mm), limit_(limit) {
-    ref::WordFormat widest;
-    widest.order = 12;
-    widest.guard_bits = 12;
-    widest.polynomial = true;
     const ref::Geometry geometry =
-        ref::make_geometry(program, machine, plan_options(program, widest, unit_mm, limit));
+        ref::make_geometry(program, machine, plan_options(program, widest_words(), unit_mm, limit));
     reference_segments_ = geometry.segments.size();
     if (reference_segments_ == 0) {
         throw ref::InputError(program.file, 0, "the program does not move");
@@ -53,7 +49,8 @@ Cutter::Cutter(const ref::Program& program, const ref::Machine& machine, double 
     most_segments_ = reference_segments_ * static_cast<std::size_t>(times_segments);
 }
 
-bool Cutter::fits(const ref::WordFormat& format, double limit, Cut& cut) const {
+bool Segmenter::fits(const CoreParameters& format, double limit,
+                     SegmentedProgram& segmented) const {
     ref::PlanOptions options = plan_options(program_, format, unit_mm_, limit);
     options.max_pieces = static_cast<int>(std::min<std::size_t>(most_segments_, 1 << 16));
     options.advise = false;
@@ -61,32 +58,32 @@ bool Cutter::fits(const ref::WordFormat& format, double limit, Cut& cut) const {
     try {
         geometry = ref::make_geometry(program_, machine_, options);
     } catch (const ref::InputError& refusal) {
-        if (cut.refused.empty()) cut.refused = reason(program_.file, refusal.what());
+        if (segmented.refused.empty()) segmented.refused = reason(program_.file, refusal.what());
         return false;
     }
     if (geometry.segments.size() > most_segments_) {
-        if (cut.refused.empty()) {
-            cut.refused = fmt::format("{} segments, {} are the most", geometry.segments.size(),
-                                      most_segments_);
+        if (segmented.refused.empty()) {
+            segmented.refused = fmt::format("{} segments, {} are the most",
+                                            geometry.segments.size(), most_segments_);
         }
         return false;
     }
-    cut.segments = std::move(geometry.segments);
-    cut.limit = limit;
+    segmented.segments = std::move(geometry.segments);
+    segmented.limit = limit;
     return true;
 }
 
-Cut Cutter::cut(const ref::WordFormat& format) const {
-    Cut cut;
-    if (fits(format, limit_, cut)) return cut;
+SegmentedProgram Segmenter::segment(const CoreParameters& format) const {
+    SegmentedProgram segmented;
+    if (fits(format, limit_, segmented)) return segmented;
     int low = 0;  // refused
     int high = kMostDoublings;
-    if (!fits(format, std::ldexp(limit_, high), cut)) return cut;
+    if (!fits(format, std::ldexp(limit_, high), segmented)) return segmented;
     while (high - low > 1) {
         const int middle = low + (high - low) / 2;
-        (fits(format, std::ldexp(limit_, middle), cut) ? high : low) = middle;
+        (fits(format, std::ldexp(limit_, middle), segmented) ? high : low) = middle;
     }
-    return cut;
+    return segmented;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

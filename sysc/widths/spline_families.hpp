@@ -10,7 +10,7 @@
 
 #include "ref/curve/cubic.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 enum class SplineShape { kRandom, kHairpin, kSBend, kInflexion, kNearCusp, kStraight };
 
@@ -108,4 +108,4 @@ class SplineMaker {
     std::mt19937_64 random_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

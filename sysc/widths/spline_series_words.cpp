@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/spline_words.hpp"
+#include "sysc/widths/spline_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-SplineSeriesWords::SplineSeriesWords(const Setting& setting, ValueRanges& ranges)
-    : order_(setting.format.order),
-      bits_(setting.format.coef_bits),
-      anchor_(setting.anchor),
-      series_(!setting.format.polynomial),
+SplineSeriesWords::SplineSeriesWords(const CoreParameters& setting, ValueRanges& ranges)
+    : order_(setting.order),
+      bits_(setting.coef_bits),
+      anchor_(setting.anchor != 0),
+      series_(!setting.polynomial()),
       top_(anchor_ ? order_ - 1 : order_),
       ranges_(ranges),
       by_w1_(bits_ - 1),
@@ -67,4 +67,4 @@ void SplineSeriesWords::integrands(int i) {
     R[i] = ranges_.keep(Variable::kR, i, minus_three(ranges_.keep(Variable::kS, i, by_w1_(s))));
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

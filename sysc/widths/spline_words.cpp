@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/spline_words.hpp"
+#include "sysc/widths/spline_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
-SplineWords::SplineWords(const Setting& setting, int axes, ValueRanges& ranges)
+SplineWords::SplineWords(const CoreParameters& setting, int axes, ValueRanges& ranges)
     : setting_(setting),
       axes_(axes),
-      order_(setting.format.order),
-      bits_(setting.format.coef_bits),
+      order_(setting.order),
+      bits_(setting.coef_bits),
       ranges_(ranges),
       unit_(bits_ - 1),
       coef_(bits_ - 2),
@@ -16,8 +16,8 @@ SplineWords::SplineWords(const Setting& setting, int axes, ValueRanges& ranges)
 void SplineWords::load(const RunSegment& segment) {
     k_ = segment.step_exponent;
     lambda_ = segment.lambda;
-    step_to_fine_ = FineShift(setting_.format, k_);
-    curve_to_fine_ = FineShift(setting_.format, lambda_);
+    step_to_fine_ = FineShift(setting_, k_);
+    curve_to_fine_ = FineShift(setting_, lambda_);
     v_ = 0;
     fine_v_ = 0;
     net_.phi[0] = segment.theta;
@@ -45,10 +45,10 @@ void SplineWords::expand() {
 
 void SplineWords::step() {
     const RunWord moved = SplineSeriesWords::sum(net_.q, 1, order_);
-    const int guard = setting_.format.parameter_guard;
+    const int guard = setting_.parameter_guard;
     fine_v_ = wrapped(fine_v_ + scaled_down(moved, 1 + guard, lambda_ - k_), bits_ + guard);
     v_ = ranges_.keep(Variable::kParameter, 0, Rounding(guard)(fine_v_));
-    net_.phi[0] = wrapped(SplineSeriesWords::sum(net_.phi, 0, net_.top()), bits_);
+    net_.phi[0] = ranges_.keep(Variable::kPhi, 0, SplineSeriesWords::sum(net_.phi, 0, net_.top()));
     for (int axis = 3; axis < axes_; ++axis) {
         position_[axis] += step_to_fine_(advance_[axis]);
     }
@@ -60,8 +60,8 @@ void SplineWords::anchor() {
     RunProduct norm = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const RunProduct bend = RunProduct(three_a_[axis]) * v_;
-        const RunWord slope = b_[axis] + Rounding(bits_ - 1)(bend);
-        const RunWord mean = b_[axis] + Rounding(bits_)(bend);
+        const RunWord slope = ranges_.keep(b_[axis] + Rounding(bits_ - 1)(bend));
+        const RunWord mean = ranges_.keep(b_[axis] + Rounding(bits_)(bend));
         const RunWord velocity = 2 * advance_[axis] + Rounding(bits_ - 3).product(mean, v_);
         net_.V[axis][0] = velocity;
         net_.W[axis][0] = scaled_down(slope, 4, lambda_ - k_);
@@ -84,12 +84,12 @@ void SplineWords::propagate() {
     for (int axis = 0; axis < 3; ++axis) {
         net_.V[axis][0] = SplineSeriesWords::sum(net_.V[axis], 0, order_);
         net_.W[axis][0] = SplineSeriesWords::sum(net_.W[axis], 0, order_);
-        if (setting_.format.polynomial) continue;
+        if (setting_.polynomial()) continue;
         RunWord d = 0;
         for (int i = 1; i <= order_; ++i) d += net_.x[i][axis];
         position_[axis] += step_to_fine_(d);
     }
-    if (setting_.format.polynomial) place_origin();
+    if (setting_.polynomial()) place_origin();
 }
 
 void SplineWords::place_origin() {
@@ -102,7 +102,7 @@ void SplineWords::place_origin() {
 
 void SplineWords::sample(RunWord sigma, RunWord* out) const {
     const RunWord tau = to_tau(sigma, k_, bits_);
-    setting_.format.polynomial ? sample_polynomial(tau, out) : sample_series(tau, out);
+    setting_.polynomial() ? sample_polynomial(tau, out) : sample_series(tau, out);
     for (int axis = 3; axis < axes_; ++axis) {
         out[axis] = position_[axis] + step_to_fine_(unit_.product(advance_[axis], tau));
     }
@@ -131,4 +131,4 @@ void SplineWords::sample_polynomial(RunWord tau, RunWord* out) const {
     }
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

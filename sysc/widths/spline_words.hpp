@@ -4,15 +4,15 @@
 // integers keep it): the propagated scheme does that on long chains.
 #pragma once
 
-#include "tb/compare/segment_words.hpp"
-#include "tb/compare/value_ranges.hpp"
+#include "sysc/widths/segment_words.hpp"
+#include "sysc/widths/value_ranges.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// One step's series, hls/spline_network.hpp.
 class SplineSeriesWords {
   public:
-    SplineSeriesWords(const Setting& setting, ValueRanges& ranges);
+    SplineSeriesWords(const CoreParameters& setting, ValueRanges& ranges);
 
     // Set before expand(): phi[0], Q[0], R[0], V[axis][0], W[axis][0], six_a[axis].
     RunWord six_a[3] = {};
@@ -57,7 +57,7 @@ class SplineSeriesWords {
 
 class SplineWords {
   public:
-    SplineWords(const Setting& setting, int axes, ValueRanges& ranges);
+    SplineWords(const CoreParameters& setting, int axes, ValueRanges& ranges);
 
     void load(const RunSegment& segment);
     void step();
@@ -72,7 +72,7 @@ class SplineWords {
     void sample_series(RunWord tau, RunWord* out) const;
     void sample_polynomial(RunWord tau, RunWord* out) const;
 
-    const Setting setting_;
+    const CoreParameters setting_;
     const int axes_;
     const int order_;
     const int bits_;
@@ -96,4 +96,4 @@ class SplineWords {
     RunWord position_[kMostAxes] = {};
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

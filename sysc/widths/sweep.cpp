@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/sweep.hpp"
+#include "sysc/widths/sweep.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,23 +9,27 @@
 #include <mutex>
 #include <thread>
 
-#include "tb/command/interrupt.hpp"
-#include "tb/command/progress_bar.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/host/progress_bar.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 namespace {
 
-bool same_plan(const Setting& a, const Setting& b) {
-    Setting other = b;
+bool same_plan(const CoreParameters& a, const CoreParameters& b) {
+    CoreParameters other = b;
     other.anchor = a.anchor;
+    for (const ref::Parameter& row : ref::kParameters) {
+        if (!row.samples) other.*row.value = a.*row.value;
+    }
     return a == other;
 }
 
 /// Workers take group after group of settings; the caller's thread draws the bar.
 class Workers {
   public:
-    Workers(const Subject& subject, const Cutter& cutter, const std::vector<Setting>& settings)
-        : subject_(subject), cutter_(cutter), settings_(settings), rows_(settings.size()) {
+    Workers(const Subject& subject, const Segmenter& segmenter,
+            const std::vector<CoreParameters>& settings)
+        : subject_(subject), segmenter_(segmenter), settings_(settings), rows_(settings.size()) {
         for (std::size_t i = 0; i < settings.size(); ++i) {
             if (i == 0 || !same_plan(settings[i - 1], settings[i])) groups_.push_back(i);
         }
@@ -77,19 +81,20 @@ class Workers {
 
     void compare(std::size_t first) {
         InterruptGuard::check();
-        const Cut cut = cutter_.cut(settings_[first].format);
+        const SegmentedProgram segmented = segmenter_.segment(settings_[first]);
         for (std::size_t i = first;
              i < settings_.size() && same_plan(settings_[first], settings_[i]); ++i) {
-            rows_[i] = compare_setting(subject_, settings_[i], cut, [this](std::int64_t samples) {
-                InterruptGuard::check();
-                done_ += samples;
-            });
+            rows_[i] =
+                compare_setting(subject_, settings_[i], segmented, [this](std::int64_t samples) {
+                    InterruptGuard::check();
+                    done_ += samples;
+                });
         }
     }
 
     const Subject& subject_;
-    const Cutter& cutter_;
-    const std::vector<Setting>& settings_;
+    const Segmenter& segmenter_;
+    const std::vector<CoreParameters>& settings_;
     std::vector<std::size_t> groups_;  // first of each, and the end
     std::vector<std::optional<Row>> rows_;
     std::atomic<std::size_t> next_{0};
@@ -104,18 +109,19 @@ class Workers {
 }  // namespace
 
 SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
-                  const std::vector<Setting>& settings, const SweepOptions& options) {
+                  const std::vector<CoreParameters>& settings, const SweepOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     SweepResult result;
-    const Cutter cutter(program, machine, options.unit_mm, options.limit, options.times_segments);
-    result.reference_segments = cutter.reference_segments();
-    result.most_segments = cutter.most_segments();
+    const Segmenter segmenter(program, machine, options.unit_mm, options.limit,
+                              options.times_segments);
+    result.reference_segments = segmenter.reference_segments();
+    result.most_segments = segmenter.most_segments();
     const auto is_spline = [](const ref::Move& move) {
         return move.kind == ref::Move::Kind::kCubic;
     };
     const auto splines = std::count_if(program.moves.begin(), program.moves.end(), is_spline);
     const auto moves = static_cast<std::ptrdiff_t>(program.moves.size());
-    Subject subject{program, options.unit_mm, splines<moves, splines> 0, {}, options.target};
+    Subject subject{program, options.unit_mm, splines<moves, splines> 0, {}, options.device};
     const auto all = static_cast<std::int64_t>(settings.size() + 1) * options.samples;
     ProgressBar bar(static_cast<std::uint64_t>(all), options.quiet);
     try {
@@ -128,7 +134,7 @@ SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
         result.interrupted = true;
         return result;
     }
-    Workers workers(subject, cutter, settings);
+    Workers workers(subject, segmenter, settings);
     workers.run(bar, options.samples);
     result.rows = workers.finished();
     result.interrupted = workers.interrupted();
@@ -138,4 +144,4 @@ SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
     return result;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

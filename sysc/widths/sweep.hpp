@@ -2,16 +2,16 @@
 // Many configurations against one program, on all processors.
 #pragma once
 
-#include "tb/compare/comparison.hpp"
+#include "sysc/widths/comparison.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 struct SweepOptions {
     double unit_mm = 1e-6;
     double limit = 0.1;      // units: derived bound that the plans keep
     int times_segments = 4;  // of those that the widest words need
     std::int64_t samples = 100000;
-    Target target;
+    const Device* device = nullptr;
     bool quiet = false;  // no bar
 };
 
@@ -25,10 +25,10 @@ struct SweepResult {
     double seconds = 0;
 };
 
-/// Settings that follow each other in the list and differ in the scheme alone share a plan.
+/// Settings that follow each other in the list and differ in what no plan depends on share one.
 /// An interruption (InterruptGuard) ends it with the rows that are finished.
-/// @throws ref::InputError, as Cutter does
+/// @throws ref::InputError, as Segmenter does
 SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
-                  const std::vector<Setting>& settings, const SweepOptions& options);
+                  const std::vector<CoreParameters>& settings, const SweepOptions& options);
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tb/compare/value_ranges.hpp"
+#include "sysc/widths/value_ranges.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 const VariableFormat& variable_format(Variable variable) {
     static constexpr std::array<VariableFormat, kVariables> kFormats{{
@@ -23,7 +23,7 @@ int ValueRange::bits() const {
 }
 
 int ValueRanges::missing() const {
-    int most = 0;
+    int most = unnamed_.empty() ? 0 : std::max(0, unnamed_.bits() - coef_bits_);
     for (const auto& orders : ranges_) {
         for (const ValueRange& range : orders) {
             if (!range.empty()) most = std::max(most, range.bits() - coef_bits_);
@@ -32,4 +32,4 @@ int ValueRanges::missing() const {
     return most;
 }
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

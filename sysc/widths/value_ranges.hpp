@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "tb/compare/run_time_words.hpp"
+#include "sysc/widths/run_time_words.hpp"
 
-namespace curvecore::tb {
+namespace curvecore::sysc {
 
 /// The variables of both networks: hls/spherical_kernel.hpp, hls/spline_network.hpp.
 enum class Variable {
@@ -73,6 +73,12 @@ class ValueRanges {
         return wrapped(value, coef_bits_);
     }
 
+    /// The same for a word that the report does not name.
+    RunWord keep(RunWord value) {
+        unnamed_.add(value);
+        return wrapped(value, coef_bits_);
+    }
+
     const ValueRange& range(Variable variable, int order) const {
         return ranges_[static_cast<std::size_t>(variable)][static_cast<std::size_t>(order)];
     }
@@ -86,7 +92,8 @@ class ValueRanges {
     }
 
     int coef_bits_;
+    ValueRange unnamed_;
     std::array<std::array<ValueRange, kMostOrders>, kVariables> ranges_;
 };
 
-}  // namespace curvecore::tb
+}  // namespace curvecore::sysc

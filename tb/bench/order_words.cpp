@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fewest multiplier blocks of a parallel sampler of arcs that keeps a wish: all orders alike
-// against a width for each (TurnBits).
-#include "ref/order_words.hpp"
+// The fewest multiplier blocks of a parallel sampler of arcs that keeps a requirement: all orders
+// alike against a width for each (TurnBits).
+#include "ref/format/order_words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "ref/plan/arc_cover.hpp"
+#include "ref/segment/arc_cover.hpp"
 
 namespace {
 
@@ -21,23 +21,23 @@ constexpr double kSegmentWords = 17;
 constexpr double kStepsPerSecond = 1e6;  // at 150 MHz, 150 clocks each
 constexpr int kLanes = 3;
 
-struct Wish {
+struct Requirement {
     const char* text;
     double unit_mm, limit, radius_mm, feed, host_words;
 };
 
 /// Every radius from 10 um up, each as fast as 5 m/s^2 and 100 m/s^3 let it go
-/// (ref/plan/limits.cpp).
-bool keeps(const Wish& wish, const ref::WordFormat& format) {
+/// (ref/feed/limits.cpp).
+bool keeps(const Requirement& requirement, const ref::WordFormat& format) {
     const double ratio = std::sqrt(2.0);
-    for (double high = wish.radius_mm; high > 0.01; high /= ratio) {
-        const ref::ArcCover cover =
-            ref::arc_cover(format, high / ratio / wish.unit_mm, high / wish.unit_mm, wish.limit);
+    for (double high = requirement.radius_mm; high > 0.01; high /= ratio) {
+        const ref::ArcCover cover = ref::arc_cover(format, high / ratio / requirement.unit_mm,
+                                                   high / requirement.unit_mm, requirement.limit);
         if (cover.longest == 0) return false;
-        const double speed = std::min({wish.feed, std::sqrt(0.866 * 5000 * high),
+        const double speed = std::min({requirement.feed, std::sqrt(0.866 * 5000 * high),
                                        std::cbrt(0.4 * 1e5 * high * high)}) /
-                             wish.unit_mm;
-        if (speed / cover.shortest * kSegmentWords > wish.host_words) return false;
+                             requirement.unit_mm;
+        if (speed / cover.shortest * kSegmentWords > requirement.host_words) return false;
         if (speed * cover.steps_per_unit > kStepsPerSecond) return false;
     }
     return true;
@@ -65,7 +65,7 @@ std::pair<int, int> cost(const ref::WordFormat& format) {
 }
 
 /// The cheapest; of orders from `least_order` on and turn bits up to `most_turn_bits`.
-ref::WordFormat search(const Wish& wish, int least_order, int most_turn_bits) {
+ref::WordFormat search(const Requirement& requirement, int least_order, int most_turn_bits) {
     ref::WordFormat best;
     std::pair<int, int> least{1 << 30, 0};
     for (int order = least_order; order <= 8; ++order) {
@@ -73,7 +73,7 @@ ref::WordFormat search(const Wish& wish, int least_order, int most_turn_bits) {
             for (int turn = 0; turn <= most_turn_bits; ++turn) {
                 const ref::WordFormat format{order, width, 32, 12, false, turn};
                 const auto its = cost(format);
-                if (its >= least || !keeps(wish, format)) continue;
+                if (its >= least || !keeps(requirement, format)) continue;
                 best = format;
                 least = its;
             }
@@ -113,22 +113,23 @@ int main(int argc, char** argv) {
     std::string output;
     app.add_option("-o,--output", output, "the table as .json");
     CLI11_PARSE(app, argc, argv);
-    const Wish wishes[] = {
+    const Requirement requirements[] = {
         {"1 um, R <= 300 mm, 10 m/min", 1e-3, 0.5, 300, 10e3 / 60, 100e3},
         {"1 nm, R <= 1 m, 60 m/min", 1e-6, 0.5, 1000, 1000, 100e3},
         {"1 nm, R <= 1 m, 60 m/min, host 10,000 words/s", 1e-6, 0.5, 1000, 1000, 10e3},
     };
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-    for (const Wish& wish : wishes) {
+    for (const Requirement& requirement : requirements) {
         for (const int least_order : {2, 4, 6}) {
-            const ref::WordFormat alike = search(wish, least_order, 0);
-            const ref::WordFormat own = search(wish, least_order, ref::kMostTurnBits);
-            rows.push_back({{"wish", wish.text},
+            const ref::WordFormat alike = search(requirement, least_order, 0);
+            const ref::WordFormat own = search(
+                requirement, least_order, ref::parameter_of(&ref::CoreParameters::turn_bits).high);
+            rows.push_back({{"requirement", requirement.text},
                             {"least_order", least_order},
                             {"alike", json(alike)},
                             {"own", json(own)}});
-            fmt::print("{}, order >= {}\n    alike {}\n    own   {}\n", wish.text, least_order,
-                       text(alike), text(own));
+            fmt::print("{}, order >= {}\n    alike {}\n    own   {}\n", requirement.text,
+                       least_order, text(alike), text(own));
         }
     }
     if (!output.empty()) {

@@ -10,10 +10,10 @@
 
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
-#include "ref/plan/geometry.hpp"
+#include "ref/segment/geometry.hpp"
 #include "ref/series/spline_tables.hpp"
+#include "sysc/widths/built_in_curves.hpp"
 #include "tb/bench/others/interpolators.hpp"
-#include "tb/compare/built_in_curves.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ Drawing draw_core(const DrawnCurve& curve, double feed) {
     options.unit_mm = kUnit;
     options.format = {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
                       C::kMode == hls::SamplerMode::kPolynomial};
-    const ref::Geometry geometry = make_geometry(program, tb::unlimited_machine(), options);
+    const ref::Geometry geometry = make_geometry(program, sysc::unlimited_machine(), options);
     Drawing drawing{{}, bits_of(geometry.segments.size())};
     hls::MotionKernel<C> kernel;
     std::size_t next = 0;

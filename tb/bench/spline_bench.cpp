@@ -7,7 +7,7 @@
 
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
-#include "ref/plan/spline_segment.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 namespace {
 

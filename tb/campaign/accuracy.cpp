@@ -18,8 +18,8 @@
 #include "hls/interpolator_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/helix.hpp"
-#include "ref/plan/geometry.hpp"
-#include "tb/support/arc_families.hpp"
+#include "ref/segment/geometry.hpp"
+#include "sysc/widths/arc_families.hpp"
 
 namespace {
 
@@ -81,7 +81,7 @@ std::int64_t landing_error(std::int64_t position, double end) {
 }
 
 template <class C>
-void draw(const ref::Move& move, int samples, tb::ArcMaker& random, Seen& seen) {
+void draw(const ref::Move& move, int samples, sysc::ArcMaker& random, Seen& seen) {
     ref::Machine machine;
     for (auto& axis : machine.axis) {
         axis.min = -3000;
@@ -139,8 +139,8 @@ int main(int argc, char** argv) {
 
     nlohmann::json rows = nlohmann::json::array();
     bool good = true;
-    for (const tb::ArcFamily& family : tb::arc_families()) {
-        tb::ArcMaker random(1);
+    for (const sysc::ArcFamily& family : sysc::arc_families()) {
+        sysc::ArcMaker random(1);
         Seen seen;
         for (int n = 0; n < curves; ++n) {
             draw<hls::DefaultConfiguration>(random.next(family), samples, random, seen);

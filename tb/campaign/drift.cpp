@@ -15,8 +15,8 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/curve/segment_curve.hpp"
-#include "ref/plan/geometry.hpp"
-#include "ref/plan/spline_segment.hpp"
+#include "ref/segment/geometry.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 namespace {
 

@@ -16,8 +16,8 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/spline_segment.hpp"
-#include "tb/support/spline_families.hpp"
+#include "ref/segment/spline_segment.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace {
 
@@ -48,7 +48,7 @@ double distance(const ref::Cubic& cubic, double u, const ref::Vec3& point) {
 }
 
 template <class C>
-void draw(const ref::Cubic& cubic, int samples, tb::SplineMaker& random, Seen& seen) {
+void draw(const ref::Cubic& cubic, int samples, sysc::SplineMaker& random, Seen& seen) {
     const ref::WordFormat format{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
                                  C::kMode == hls::SamplerMode::kPolynomial};
     const std::vector<ref::Segment> segments = ref::split_spline(cubic, format, 0.1);
@@ -116,8 +116,8 @@ int main(int argc, char** argv) {
 
     nlohmann::json rows = nlohmann::json::array();
     bool good = true;
-    for (const tb::SplineFamily& family : tb::spline_families()) {
-        tb::SplineMaker random(1);
+    for (const sysc::SplineFamily& family : sysc::spline_families()) {
+        sysc::SplineMaker random(1);
         Seen seen;
         for (int n = 0; n < curves; ++n) {
             draw<hls::DefaultSplineConfiguration>(random.next(family), samples, random, seen);

@@ -10,23 +10,27 @@
 namespace curvecore::tb {
 namespace {
 
-struct BadWish {
+struct BadRequirement {
     const char* name;
-    std::vector<std::string> options;  // instead of the good wish's, or beside them
+    std::vector<std::string> options;  // instead of the good requirement's, or beside them
     std::string message;               // after "curvecore: error: "
 };
 
-void PrintTo(const BadWish& bad, std::ostream* out) { *out << bad.name; }
+void PrintTo(const BadRequirement& bad, std::ostream* out) { *out << bad.name; }
 
-const std::vector<BadWish> kBadWishes{
+const std::vector<BadRequirement> kBadRequirementes{
     {"ErrorNegative", {"--error", "-1um"}, "--error must be in [1e-07, 10] mm"},
     {"ErrorZero", {"--error", "0um"}, "--error must be in [1e-07, 10] mm"},
-    {"ErrorWithoutUnit", {"--error", "1"}, "--error '1': the unit must be nm, um, mm or m"},
+    {"ErrorWithoutUnit", {"--error", "1"}, "--error '1': the unit must be nm, um, mm, m or in"},
     {"ErrorNotANumber", {"--error", "small"}, "--error 'small': not a number"},
     {"ErrorEmpty", {"--error", ""}, "--error '': not a number"},
     {"FeedZero", {"--feed", "0m/min"}, "--feed must be in [0.001, 1e9] mm/min"},
-    {"FeedWithoutTime", {"--feed", "10mm"}, "--feed '10mm': the unit must be mm/min or m/min"},
-    {"FeedPerHour", {"--feed", "10km/s"}, "--feed '10km/s': the unit must be m/s or mm/s"},
+    {"FeedWithoutTime",
+     {"--feed", "10mm"},
+     "--feed '10mm': the unit must be mm/min, m/min, in/min, mm/s or m/s"},
+    {"FeedPerHour",
+     {"--feed", "10km/s"},
+     "--feed '10km/s': the unit must be mm/min, m/min, in/min, mm/s or m/s"},
     {"FeedNegative", {"--feed", "-10mm/s"}, "--feed must be in [0.001, 1e9] mm/min"},
     {"DeviceUnknown",
      {"--device", "ecp5-12"},
@@ -38,7 +42,7 @@ const std::vector<BadWish> kBadWishes{
     {"RadiiEmpty", {"--least-radius", "1m"}, "--least-radius must be in [0.0001, 300] mm"},
     {"LengthNegative", {"--length=-1mm"}, "--length must be in [0.001, 100000] mm"},
     {"TravelEmpty", {"--travel", "mm"}, "--travel 'mm': not a number"},
-    {"UnitUnknown", {"--unit", "1mm"}, "--unit '1mm': must be 1nm, 10nm, 0.1um or 1um"},
+    {"UnitTooLarge", {"--unit", "1in"}, "--unit must be in [1e-07, 1] mm"},
     {"SampleRateZero", {"--sample-rate", "0Hz"}, "--sample-rate must be in [1, 1e+09] Hz"},
     {"SampleRateAsTime",
      {"--sample-rate", "100us"},
@@ -53,10 +57,12 @@ const std::vector<BadWish> kBadWishes{
     {"BuildNotMeasuredThere",
      {"--device", "gw2a-18", "--build", "parallel"},
      "--device gw2a-18: there are no measured runs of the parallel build for it yet"},
-    {"OptionOfCompare", {"--order", "6"}, "The following arguments were not expected: 6 --order"},
+    {"OptionOfCompare",
+     {"--set", "Order=6"},
+     "The following arguments were not expected: Order=6 --set"},
 };
 
-class BadChoose : public testing::TestWithParam<BadWish> {};
+class BadChoose : public testing::TestWithParam<BadRequirement> {};
 
 TEST_P(BadChoose, IsRefused) {
     const ProgramRun program;
@@ -77,7 +83,7 @@ TEST_P(BadChoose, IsRefused) {
     EXPECT_EQ(program.files(), std::vector<std::string>{});
 }
 
-INSTANTIATE_TEST_SUITE_P(Cli, BadChoose, testing::ValuesIn(kBadWishes),
+INSTANTIATE_TEST_SUITE_P(Cli, BadChoose, testing::ValuesIn(kBadRequirementes),
                          [](const auto& test) { return test.param.name; });
 
 TEST(BadChooseOther, NoCurves) {

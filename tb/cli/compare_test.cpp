@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "tb/cli/program_run.hpp"
 
@@ -50,9 +51,9 @@ class Compare : public testing::Test {
 
 TEST_F(Compare, WritesARowForEveryCombination) {
     program_.write("part.ngc", kPart);
-    const Json json =
-        compare({"part.ngc", "--order", "4,6", "--coef-bits", "28:36:4", "--guard-bits", "8,10",
-                 "--mode", "0,1", "--anchor", "0,1", "--samples", "2000"});
+    const Json json = compare({"part.ngc", "--set", "Order=4,6", "--set", "CoefBits=28:36:4",
+                               "--set", "GuardBits=8,10", "--set", "Mode=0,1", "--set",
+                               "Anchor=0,1", "--samples", "2000"});
     EXPECT_EQ(program_.files(), (Arguments{"out", "part.ngc"}));
     EXPECT_EQ(json["rows"].size(), 48U);
     EXPECT_EQ(json["finished"], json["asked"]);
@@ -72,7 +73,7 @@ TEST_F(Compare, WritesARowForEveryCombination) {
                 EXPECT_GT(errors["rms"], 0) << part << ' ' << figure;
             }
         }
-        if (row["scheme"] == "propagated") {
+        if (row["anchor"] == 0) {
             EXPECT_TRUE(row["bound"].is_null());
             continue;
         }
@@ -91,9 +92,9 @@ TEST_F(Compare, WritesARowForEveryCombination) {
 
 TEST_F(Compare, EstimatesWhatRowsCostOnADevice) {
     const auto rows = [this](const std::string& build, const std::string& interval) {
-        return compare({"--curves", "arcs", "--order", "6", "--coef-bits", "18,36", "--mode", "0",
-                        "--samples", "500", "--device", "ecp5-25", "--build", build, "--interval",
-                        interval});
+        return compare({"--curves", "arcs", "--set", "Order=6", "--set", "CoefBits=18,36", "--set",
+                        "Mode=0", "--samples", "500", "--device", "ecp5-25", "--build", build,
+                        "--set", "SampleInterval=" + interval});
     };
     const Json four = rows("parallel", "4")["rows"];
     EXPECT_EQ(four[0]["estimate"]["dsp"], 6);  // 3 axes, passes of 4 and 2, one block each
@@ -109,8 +110,9 @@ TEST_F(Compare, EstimatesWhatRowsCostOnADevice) {
 TEST_F(Compare, SaysWhereNothingIsKnownOfADevice) {
     const auto printed = [this](const std::string& build) {
         return program_
-            .run({"compare", "--curves", "arcs", "--order", "6", "--coef-bits", "20", "--mode", "0",
-                  "--samples", "100", "--device", "gw2a-18", "--build", build, "-o", build})
+            .run({"compare", "--curves", "arcs", "--set", "Order=6", "--set", "CoefBits=20",
+                  "--set", "Mode=0", "--samples", "100", "--device", "gw2a-18", "--build", build,
+                  "-o", build})
             .out;
     };
     const std::string parallel = printed("parallel");
@@ -123,8 +125,8 @@ TEST_F(Compare, SaysWhereNothingIsKnownOfADevice) {
 }
 
 TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
-    const Json json = compare({"--order", "8", "--coef-bits", "20:36:4", "--mode", "0",
-                               "--guard-bits", "12", "--samples", "4000"});
+    const Json json = compare({"--set", "Order=8", "--set", "CoefBits=20:36:4", "--set", "Mode=0",
+                               "--set", "GuardBits=12", "--samples", "4000"});
     const Json& rows = json["rows"];
     ASSERT_EQ(rows.size(), 5U);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
@@ -146,8 +148,9 @@ TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
 }
 
 TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
-    const Json rows = compare({"--curves", "arcs", "--order", "3", "--coef-bits", "28", "--mode",
-                               "0", "--turn-bits", "0,4,8", "--samples", "4000"})["rows"];
+    const Json rows =
+        compare({"--curves", "arcs", "--set", "Order=3", "--set", "CoefBits=28", "--set", "Mode=0",
+                 "--set", "TurnBits=0,4,8", "--samples", "4000"})["rows"];
     ASSERT_EQ(rows.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(rows[i]["turn_bits"], 4 * i);
@@ -162,8 +165,9 @@ TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
 }
 
 TEST_F(Compare, AFineParameterNeedsFewerSegments) {
-    const Json rows = compare({"--curves", "splines", "--order", "4", "--coef-bits", "32", "--mode",
-                               "1", "--parameter-guard", "0,4", "--samples", "4000"})["rows"];
+    const Json rows =
+        compare({"--curves", "splines", "--set", "Order=4", "--set", "CoefBits=32", "--set",
+                 "Mode=1", "--set", "ParameterGuard=0,4", "--samples", "4000"})["rows"];
     ASSERT_EQ(rows.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(rows[i]["parameter_guard"], 4 * i);
@@ -176,8 +180,8 @@ TEST_F(Compare, AFineParameterNeedsFewerSegments) {
 
 TEST_F(Compare, RefusalsSayWhy) {
     program_.write("part.ngc", kPart);
-    const Json rows = compare({"part.ngc", "--order", "6", "--coef-bits", "18", "--mode", "1",
-                               "--samples", "500"})["rows"];
+    const Json rows = compare({"part.ngc", "--set", "Order=6", "--set", "CoefBits=18", "--set",
+                               "Mode=1", "--samples", "500"})["rows"];
     EXPECT_EQ(rows[0]["refused"].get<std::string>().rfind(
                   "line 3: this spline cannot stay within 0.1 units of the exact curve in ", 0),
               0U)
@@ -185,8 +189,8 @@ TEST_F(Compare, RefusalsSayWhy) {
 }
 
 TEST_F(Compare, HoldsTheBoundOfAxesFasterThanThePath) {
-    const Json rows = compare({DATA_DIR "/aux_axes.ngc", "--order", "3,6", "--coef-bits", "18:24",
-                               "--samples", "2000"})["rows"];
+    const Json rows = compare({DATA_DIR "/aux_axes.ngc", "--set", "Order=3,6", "--set",
+                               "CoefBits=18:24", "--samples", "2000"})["rows"];
     for (const Json& row : rows) {
         EXPECT_LE(row["max_of_bound"], 1) << row["coef_bits"];
         EXPECT_EQ(row["landing"], 0);
@@ -194,11 +198,13 @@ TEST_F(Compare, HoldsTheBoundOfAxesFasterThanThePath) {
 }
 
 TEST_F(Compare, PropagationIsWorseOnLongChains) {
-    const Json rows = compare({"--curves", "splines", "--order", "6", "--coef-bits", "36", "--mode",
-                               "0,1", "--anchor", "1,0", "--samples", "4000"})["rows"];
+    const Json rows =
+        compare({"--curves", "splines", "--set", "Order=6", "--set", "CoefBits=36", "--set",
+                 "Mode=0,1", "--set", "Anchor=1,0", "--samples", "4000"})["rows"];
     ASSERT_EQ(rows.size(), 4U);
     for (std::size_t i = 0; i < 4; i += 2) {
-        EXPECT_EQ(rows[i]["scheme"], "anchored");
+        EXPECT_EQ(rows[i]["anchor"], 1);
+        EXPECT_EQ(rows[i + 1]["anchor"], 0);
         EXPECT_EQ(rows[i]["segments"], rows[i + 1]["segments"]);
         EXPECT_GT(worst(rows[i + 1], "unrounded"), 5 * worst(rows[i], "unrounded"));
         // What is lost is lost along the path.
@@ -208,8 +214,8 @@ TEST_F(Compare, PropagationIsWorseOnLongChains) {
 }
 
 TEST_F(Compare, RangesFitTheirWordsAndShrinkWithTheOrder) {
-    const Json rows =
-        compare({"--order", "8", "--coef-bits", "36", "--mode", "0", "--samples", "1000"})["rows"];
+    const Json rows = compare({"--set", "Order=8", "--set", "CoefBits=36", "--set", "Mode=0",
+                               "--samples", "1000"})["rows"];
     const Json& ranges = rows[0]["ranges"];
     for (const auto& [name, variable] : ranges.items()) {
         for (std::size_t i = 0; i < variable["low"].size(); ++i) {
@@ -231,13 +237,13 @@ TEST_F(Compare, RangesFitTheirWordsAndShrinkWithTheOrder) {
 }
 
 TEST_F(Compare, ThreadsDoNotChangeTheRows) {
-    const Arguments options{"--order", "4,6", "--coef-bits", "24,36", "--samples", "3000"};
+    const Arguments options{"--set", "Order=4,6", "--set", "CoefBits=24,36", "--samples", "3000"};
     EXPECT_EQ(compare(options)["rows"], compare(options, "again")["rows"]);
 }
 
 TEST_F(Compare, PrintsATableLineForEveryRow) {
     const ProgramResult result = program_.run(
-        {"compare", "-o", "out", "--curves", "arcs", "--order", "6", "--samples", "500"});
+        {"compare", "-o", "out", "--curves", "arcs", "--set", "Order=6", "--samples", "500"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "") << "the bar is for terminals";
     EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 2);
@@ -246,8 +252,11 @@ TEST_F(Compare, PrintsATableLineForEveryRow) {
 
 TEST_F(Compare, InterruptedKeepsFinishedRows) {
     const Arguments samples{"--samples", "1000000"};
-    Arguments arguments{"compare", "-q",          "-o",    "out",          "--order",
-                        "6:12",    "--coef-bits", "30:36", "--guard-bits", "6:12"};
+    Arguments arguments{"compare", "-q",
+                        "-o",      "out",
+                        "--set",   "Order=6:12",
+                        "--set",   "CoefBits=30:36",
+                        "--set",   "GuardBits=6:12"};
     arguments.insert(arguments.end(), samples.begin(), samples.end());
     ProgramResult result;
     for (int wait_ms = 500; wait_ms <= 16000 && !program_.exists("out"); wait_ms *= 2) {
@@ -266,10 +275,13 @@ TEST_F(Compare, InterruptedKeepsFinishedRows) {
     EXPECT_EQ(result.err, "curvecore: interrupted: " + std::to_string(finished) +
                               " of 686 configurations are in out\n");
     const Json& row = json["rows"][0];
-    Arguments alone{"--order",      row["order"].dump(),
-                    "--coef-bits",  row["coef_bits"].dump(),
-                    "--guard-bits", row["guard_bits"].dump(),
-                    "--mode",       row["mode"] == "series" ? "0" : "1"};
+    Arguments alone;
+    for (const auto& [field, name] : {std::pair{"order", "Order="},
+                                      {"coef_bits", "CoefBits="},
+                                      {"guard_bits", "GuardBits="},
+                                      {"mode", "Mode="}}) {
+        alone.insert(alone.end(), {"--set", name + row[field].dump()});
+    }
     alone.insert(alone.end(), samples.begin(), samples.end());
     EXPECT_EQ(compare(alone, "whole")["rows"][0], row);
 }

@@ -79,6 +79,7 @@ TEST_F(GoodRun, ReportHasEveryField) {
                              "landing_lsb",
                              "speed",
                              "limits",
+                             "time_kept",
                              "rtl_equals_kernel",
                              "underruns",
                              "duration_s",
@@ -131,8 +132,8 @@ TEST_F(GoodRun, SerialGivesTheSameSamples) {
 }
 
 TEST_F(GoodRun, DrawsWithAWidthForEachOrder) {
-    const Json json = report(
-        {"--set", "Order=3", "--set", "CoefBits=27", "--set", "TurnBits=8", "--limit", "0.5"});
+    const Json json = report({"--set", "Order=3", "--set", "CoefBits=27", "--set", "TurnBits=8",
+                              "--error", "1nm", "--on", "kernel"});
     EXPECT_EQ(json["parameters"]["TurnBits"], 8);
     EXPECT_EQ(json["rtl_equals_kernel"], 0);
     EXPECT_EQ(json["landing_lsb"], 0);
@@ -168,7 +169,7 @@ TEST_F(GoodRun, EveryUnitHolds) {
 
 TEST_F(GoodRun, AuxiliaryAxesChooseTheirCore) {
     program_.write("part.ngc", "G21 G90 F600\nG1 X3 A10\nG2 X5 Y2 I0 J2 A-5 B2\nM2\n");
-    const Json json = report();
+    const Json json = report({"--build", "serial"});
     EXPECT_GE(json["parameters"]["AuxAxes"], 2);
     EXPECT_EQ(rows()[0], "k,segment,s,x,y,z,a,b");
 }

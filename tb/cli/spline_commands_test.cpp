@@ -60,11 +60,13 @@ TEST_F(SplineCommands, PlanSaysWhatEverySegmentIs) {
 }
 
 /// Worst figures of a run of the part with these options.
-class SplineRuns : public SplineCommands, public testing::WithParamInterface<const char*> {};
+class SplineRuns : public SplineCommands,
+                   public testing::WithParamInterface<std::vector<std::string>> {};
 
 TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
-    const ProgramResult result =
-        program_.run({"run", "part.ngc", "-q", "-o", "out", "--stall", "3", "--set", GetParam()});
+    std::vector<std::string> arguments{"run", "part.ngc", "-q", "-o", "out"};
+    arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
+    const ProgramResult result = program_.run(arguments);
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(program_.read("out/report.json"));
     EXPECT_EQ(report["core"], "curve");
@@ -86,12 +88,17 @@ TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns, testing::Values("Mode=0", "Mode=1", "AuxAxes=3"));
+INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns,
+                         testing::Values(std::vector<std::string>{"--stall", "3"},
+                                         std::vector<std::string>{"--on", "kernel", "--set",
+                                                                  "Mode=1"},
+                                         std::vector<std::string>{"--stall", "3", "--build",
+                                                                  "serial", "--set", "AuxAxes=6"}));
 
 TEST_F(SplineCommands, RunsWithAFineParameter) {
-    const ProgramResult result =
-        program_.run({"run", "part.ngc", "-q", "-o", "out", "--set", "Order=4", "--set",
-                      "CoefBits=28", "--set", "Mode=1", "--set", "ParameterGuard=4"});
+    const ProgramResult result = program_.run({"run", "part.ngc", "-q", "-o", "out", "--set",
+                                               "Order=4", "--set", "CoefBits=28", "--set", "Mode=1",
+                                               "--set", "ParameterGuard=4", "--on", "kernel"});
     ASSERT_EQ(result.status, 0) << result.err;
     const Json report = Json::parse(program_.read("out/report.json"));
     EXPECT_EQ(report["parameters"]["ParameterGuard"], 4);
@@ -105,7 +112,7 @@ TEST_F(SplineCommands, NoSplinesAreForACoreWithout) {
     const ProgramResult result =
         program_.run({"run", "part.ngc", "-o", "out", "--set", "Splines=0"});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err, "part.ngc:3: error: a spline, and --set Splines=0\n");
+    EXPECT_EQ(result.err, "part.ngc:3: error: a spline, and the core has Splines=0\n");
     EXPECT_FALSE(program_.exists("out"));
 }
 

@@ -29,7 +29,7 @@ struct BadCommand {
 void PrintTo(const BadCommand& bad, std::ostream* out) { *out << bad.name; }
 
 const std::vector<BadCommand> kBadCommands{
-    {"UnknownDevice", {"--device", "ecp6"}, "synth: unknown device 'ecp6': one of ecp5-25, "},
+    {"UnknownDevice", {"--device", "ecp6"}, "synth: unknown device 'ecp6': one of up5k, "},
     {"UnknownCore", {"--core", "circle"}, "synth: unknown core 'circle': one of spherical, "},
     {"NoSuchBuild",
      {"--core", "spline", "--build", "serial"},
@@ -100,6 +100,18 @@ TEST(SynthCommand, SpeedAndParametersAreInTheName) {
     options.insert(options.end(), {"--speed", "8"});
     EXPECT_EQ(synth.synth(options).status, 0);
     EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-speed8-Order4.json"));
+}
+
+TEST(SynthCommand, TakesTheCoreThatChooseWrote) {
+    const SynthRun synth;
+    synth.write("core.json",
+                R"({"core": "spherical", "build": "serial", "device": "ecp5-25", "parameters":
+                    {"Order": 5, "CoefBits": 36, "Splines": 0, "MultiplierForm": 1}})");
+    const ProgramResult result = synth.synth({"--core", "core.json", "--seeds", "1"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-Order5.json")) << result.out;
+    synth.write("core.json", "{}");
+    EXPECT_EQ(synth.synth({"--core", "core.json"}).status, 2);
 }
 
 TEST(SynthCommand, TooSlowIsAFailureWithItsResultKept) {

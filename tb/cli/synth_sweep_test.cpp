@@ -40,7 +40,7 @@ const std::vector<BadTable> kBadTables{
          "spline,serial,ecp5-25,,1,,4\n"
          "curve,serial,ecp5-25,,1,,4\n"
          "curve,serial,ecp5-25,6,1,,4\n",
-     "t.csv:3: error: unknown device 'ecp5-26': one of ecp5-25, ecp5-45, ecp5-85, up5k, hx8k, "
+     "t.csv:3: error: unknown device 'ecp5-26': one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
      "gw2a-18, lifcl-40\n"
      "t.csv:4: error: speed '9' of ecp5-25 must be one of 6, 7, 8\n"
      "t.csv:5: error: seeds '0' must be in [1, 100]\n"

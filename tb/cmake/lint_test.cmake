@@ -44,17 +44,22 @@ function(add_lint_tests)
   foreach(file ${RTL_PACKAGES} ${RTL_MODULES} ${test_modules})
     lint_style(${file})
   endforeach()
-  foreach(tree ref hls rtl tb)
+  foreach(tree ref hls rtl sysc tb)
     lint_test(${tree}.format ${PROJECT_SOURCE_DIR}/tb/lint/clang_format.sh ${CLANG_FORMAT}
               ${PROJECT_SOURCE_DIR}/${tree})
   endforeach()
   # hls has headers only: they are seen through these. Not the tests: GoogleTest's macros take
   # clang-tidy half a minute a file.
-  foreach(tree ref rtl tb/command tb/program tb/compare tb/choose tb/campaign)
+  foreach(tree ref rtl sysc tb/campaign)
     string(REPLACE "/" "." name ${tree})
     lint_test(${name}.tidy ${PROJECT_SOURCE_DIR}/tb/lint/clang_tidy.sh ${CLANG_TIDY}
               ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR}/${tree})
     set_tests_properties(lint.${name}.tidy PROPERTIES PROCESSORS 2 COST 1000)
   endforeach()
+  lint_test(files.curvecore.f.elaborates ${VERILATOR} --lint-only -Wall ${lint_waivers}
+            -F ${PROJECT_SOURCE_DIR}/rtl/curvecore.f --top-module motion_interpolator)
+  lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
+  lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
+  set_tests_properties(lint.readme_tables PROPERTIES FIXTURES_REQUIRED paper_table)
   lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})
 endfunction()

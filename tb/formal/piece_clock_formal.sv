@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_clock.sv: every tick gives one event in order, pieces begin one after the other
-// and only when they are loaded, time waits where no piece is queued, nothing gets stuck. Ticks are
-// numbered through their rates, pieces through their banks.
+// and only when they are loaded, time waits where no piece is queued, no program begins in a tick
+// that is held, nothing gets stuck. Ticks are numbered through their rates, pieces through their
+// banks.
 // control: LOSES_TICK s/assign rate_ready_o = .*/assign rate_ready_o = 1'b1;/
-// control: TAKES_MISSING s/ \&\& !last_o \&\& next_valid_i/ \&\& !last_o/
-// control: SKIPS_QUEUED s/(last_o || !queued_i)/(last_o || !next_valid_i)/
-// control: RUNS_ON s/if (last_o) active_o <= 1'b0;//
+// control: TAKES_MISSING s/ \&\& !ends \&\& next_valid_i/ \&\& !ends/
+// control: SKIPS_QUEUED s/(ends || !queued_i)/(ends || !next_valid_i)/
+// control: BEGINS_HELD s/last_o || barred_q/last_o/
+// control: RUNS_ON s/(active_o \&\& !(stops \&\& last_o))/active_o/
 // control: NO_RESET s/after_valid_q <= 1'b0;//
 `default_nettype none
 module piece_clock_formal (
@@ -13,6 +15,7 @@ module piece_clock_formal (
     input wire logic       rst_ni,
     input wire logic       slot_i,
     input wire logic       rate_valid_i,
+    input wire logic       held_i,
     input wire logic       queued_i,
     input wire logic       next_valid_i,
     input wire logic [1:0] next_ticks_i,
@@ -21,6 +24,7 @@ module piece_clock_formal (
 
   logic [2:0] sent_q;
   logic [2:0] taken_q;
+  logic held_q[4];  // of the ticks inside
   logic [2:0] seen_q;
   logic [2:0] piece_q;
   logic next_take;
@@ -53,6 +57,7 @@ module piece_clock_formal (
       .rate_valid_i,
       .rate_ready_o(rate_ready),
       .rate_i({1'b0, sent_q, 13'b0}),
+      .held_i,
       .tick_taken_o(taken),
       .valid_o(valid),
       .begin_o(begins),
@@ -69,6 +74,7 @@ module piece_clock_formal (
   logic unused;
   assign unused = ^{elapsed, time_exponent, ticks_left};
 
+  logic held_before_q;
   logic started_q = 1'b0;
   logic kept_next_q;
   logic kept_final_q;
@@ -103,6 +109,8 @@ module piece_clock_formal (
       event_piece_q <= '0;
     end else begin
       if (rate_valid_i && rate_ready) sent_q <= sent_q + 1'b1;
+      if (rate_valid_i && rate_ready) held_q[sent_q[1:0]] <= held_i;
+      if (taken) held_before_q <= held_q[taken_q[1:0]] && next_valid_i;
       if (taken) taken_q <= taken_q + 1'b1;
       if (valid) seen_q <= seen_q + 1'b1;
       if (next_take) piece_q <= piece_q + 1'b1;
@@ -120,6 +128,7 @@ module piece_clock_formal (
       if (kept_queued_q || next_valid_i) assume (queued_i);
 
       FewInside : assert (in_piece <= 3'd3);
+      if (next_take && !active) BeginsFree : assert (!held_q[taken_q[1:0]]);
       if (next_take) TakesLoaded : assert (next_valid_i && taken);
       if (taken) TakesAtSlot : assert (slot_i && in_piece != '0);
       EventPerTick : assert (valid == event_q);
@@ -128,10 +137,11 @@ module piece_clock_formal (
       if (valid && still) Nowhere : assert (!begins);
       if (last) LastIsActive : assert (active);
       if (was_last_q && !last) FinalStops : assert (!active);
-      if (valid && ends && !begins) StopsAtTheEnd : assert (may_stop_q[3]);
+      if (valid && ends && !begins) StopsAtTheEnd : assert (may_stop_q[3] || still);
       if (last) FinalEnds : assert (!next_take);
       if (idle_q == '1) NeverStuck : assert (1'b0);
 
+      BeginsAfterAHold : cover (next_take && !active && held_before_q);
       Passes : cover (valid && begins && event_piece_q == 3'd2);
       Ends : cover (valid && still && event_piece_q == 3'd1);
     end

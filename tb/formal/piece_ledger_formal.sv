@@ -1,53 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of words
+// rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
 // and takes that the queue allows; ticks follow two clocks later. Pieces are of one or two ticks.
-// control: LOSES_PIECE s/!take_i) pieces_q/!take_i \&\& !final_o) pieces_q/
-// control: BOTH_AT_ONCE s/if (put \&\& !take_i)/if (put)/
-// control: FINAL_STAYS s/if (take_final \&\& !put_final)/if (take_final \&\& !put)/
+// control: LOSES_PIECE s/!take_i) pieces_q/!take_i \&\& finals_q == '0) pieces_q/
+// control: BOTH_AT_ONCE s/if (put_i \&\& !take_i)/if (put_i)/
+// control: FINAL_STAYS s/if (takes_final \&\& !enters_final)/if (takes_final \&\& !put_i)/
 // control: NARROW s/(QueueWords + 2) \/ 5 + 1/(QueueWords + 2) \/ 5 - 1/
-// control: LOSES_TICKS s/put_ticks_q  <= put ?/put_ticks_q  <= (put \&\& !take_i) ?/
+// control: LOSES_TICKS s/put_ticks_q  <= put_i ?/put_ticks_q  <= (put_i \&\& !take_i) ?/
 // control: NO_RESET s/finals_q <= '0;//
 `default_nettype none
 module piece_ledger_formal (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic word_i,
+    input wire logic put_i,
     input wire logic double_i,
     input wire logic final_i,
     input wire logic take_i
 );
 
   localparam int QueueWords = 16;
-  localparam int Held = QueueWords + 2 + 5;  // with the queue's output and the loader
   localparam int Pieces = 4;
 
-  // The pieces that wait, oldest first, and the words of the one that comes in.
+  // The pieces that wait, oldest first.
   logic [2:0] pieces_q;
-  logic [2:0] words_q;
-  logic first_double_q;
-  logic first_final_q;
   logic [Pieces-1:0] double_q;
   logic [Pieces-1:0] final_q;
-  logic put;
-  assign put = word_i && words_q == 3'd4;
 
   logic queued;
-  logic plenty;
-  logic final_waits;
+  logic [9:0] finals;
   logic [31:0] ticks;
   piece_ledger #(
       .QueueWords(QueueWords)
   ) u_dut (
       .clk_i,
       .rst_ni,
-      .word_i,
-      .data_i({16'b0, final_i, 29'b0, double_i, !double_i}),
+      .put_i,
+      .put_ticks_i({18'b0, double_i, !double_i}),
+      .put_final_i(final_i),
       .take_i,
       .take_ticks_i({18'b0, double_q[0], !double_q[0]}),
       .take_final_i(final_q[0]),
       .queued_o(queued),
-      .plenty_o(plenty),
-      .final_o(final_waits),
+      .finals_o(finals),
       .ticks_o(ticks)
   );
 
@@ -58,23 +51,17 @@ module piece_ledger_formal (
     started_q <= 1'b1;
     if (!rst_ni) begin
       pieces_q <= '0;
-      words_q  <= '0;
       final_q  <= '0;
     end else begin
-      if (word_i) words_q <= put ? 3'd0 : words_q + 3'd1;
-      if (word_i && words_q == 3'd0) begin
-        first_double_q <= double_i;
-        first_final_q  <= final_i;
-      end
-      pieces_q <= pieces_q + {2'b0, put} - {2'b0, take_i};
+      pieces_q <= pieces_q + {2'b0, put_i} - {2'b0, take_i};
       if (take_i) begin
         final_q  <= {1'b0, final_q[Pieces-1:1]};
         double_q <= {1'b0, double_q[Pieces-1:1]};
       end
       for (int n = 0; n < Pieces; n = n + 1) begin
-        if (put && place == 3'(n)) begin
-          double_q[n] <= first_double_q;
-          final_q[n]  <= first_final_q;
+        if (put_i && place == 3'(n)) begin
+          double_q[n] <= double_i;
+          final_q[n]  <= final_i;
         end
       end
     end
@@ -93,21 +80,23 @@ module piece_ledger_formal (
     waiting_q[1] <= rst_ni ? waiting_q[0] : '0;
   end
 
-  logic [5:0] held;
-  assign held = {1'b0, pieces_q, 2'b0} + {3'b0, pieces_q} + {3'b0, words_q};
+  logic [2:0] finals_now;
+  always_comb begin
+    finals_now = '0;
+    for (int n = 0; n < Pieces; n = n + 1) finals_now = finals_now + {2'b0, final_q[n]};
+  end
   always_comb begin
     if (!started_q) begin
       assume (!rst_ni);
     end else if (rst_ni) begin
-      if (held >= 6'(Held)) assume (!word_i);
+      if (pieces_q == 3'(Pieces)) assume (!put_i);
       if (pieces_q == '0) assume (!take_i);
 
       Queued : assert (queued == (pieces_q != '0));
-      Plenty : assert (plenty == (pieces_q >= 3'd2));
-      Final : assert (final_waits == (final_q != '0));
+      Finals : assert (finals == {7'b0, finals_now});
       Ticks : assert (ticks == {28'b0, waiting_q[1]});
 
-      Full : cover (held == 6'(Held) && final_q == 4'b1010 && ticks == 32'd7);
+      Full : cover (pieces_q == 3'(Pieces) && final_q == 4'b1010 && ticks == 32'd7);
       TakesLast : cover (!queued && ticks == 32'd2 && waiting == '0);
     end
   end

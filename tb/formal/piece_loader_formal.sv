@@ -82,7 +82,7 @@ module piece_loader_formal (
       Coefficients : assert (coef_write == (word && words_q >= 3'd2));
       if (coef_write) Place : assert (coef_pass == 4'd4 - {1'b0, words_q});
       if (coef_write) Coefficient : assert (coef == word_i[35:0]);
-      if (bound_write) Length : assert (ds == word_i);
+      if (bound_write) Length : assert (ds == {4'b0, word_i[43:0]});
       if (words_q != 3'd0) begin
         Control : assert ({is_final, exponent, time_exponent, ticks} == first_q);
       end

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/sample_gate.sv: no more requests and ticks on the way than there is room for, a tick for
-// the first of every 2^n samples and for no other, kill for good, nothing gets stuck.
+// the first of every 2^n samples and for no other, none while paused, kill for good, no time
+// without good settings, nothing gets stuck. n changes where it may.
 // control: OVERFLOWS s/8'(Room - 2)/8'(Room)/
 // control: TICKS_OVERFLOW s/started_o <= 5'd14/started_o <= 5'd17/
 // control: TICK_EACH s/assign tick = admit \&\& first/assign tick = admit/
 // control: KILL_PASSES s/if (kill_i) killed_o <= 1'b1/killed_o <= kill_i/
+// control: PAUSE_PASSES s/tick_room_q \&\& !pause_i/tick_room_q/
+// control: BAD_RUNS s/ || !good_i//
+// control: NEVER_MIND_TICKS s/assign quiet_o = .*/assign quiet_o = admitted_q == '0;/
 // control: NO_RESET s/admitted_q  <= '0;//
 `default_nettype none
 module sample_gate_formal (
     input wire logic        clk_i,
     input wire logic        rst_ni,
     input wire logic [ 1:0] n_i,
+    input wire logic        pause_i,
+    input wire logic        good_i,
     input wire logic        request_i,
     input wire logic        kill_i,
     input wire logic        hold_i,
@@ -23,6 +29,7 @@ module sample_gate_formal (
   localparam int Room = 20;
   localparam int Ticks = 16;
 
+  logic quiet;
   logic ready;
   logic tick;
   logic [16:0] target;
@@ -35,6 +42,9 @@ module sample_gate_formal (
       .clk_i,
       .rst_ni,
       .samples_per_tick_log2_i({2'b0, n_i}),
+      .pause_i,
+      .good_i,
+      .quiet_o(quiet),
       .request_valid_i(request_i),
       .request_ready_o(ready),
       .kill_i,
@@ -58,6 +68,7 @@ module sample_gate_formal (
   logic was_first_q;
   logic was_killed_q;
   logic was_held_q;
+  logic may_change_q;
   logic [1:0] idle_q;  // cycles without anything on the way
   logic admit;
   logic first;
@@ -68,7 +79,8 @@ module sample_gate_formal (
     n_q          <= n_i;
     was_first_q  <= rst_ni && admit && first;
     was_killed_q <= rst_ni && (kill_i || was_killed_q);
-    was_held_q   <= hold_i || underrun_i || kill_i;
+    was_held_q   <= hold_i || underrun_i || kill_i || !good_i;
+    may_change_q <= !rst_ni || (quiet && pause_i);
     if (!rst_ni) begin
       admitted_q <= '0;
       ticks_q    <= '0;
@@ -86,7 +98,7 @@ module sample_gate_formal (
     if (!begun_q) begin
       assume (!rst_ni);
     end else begin
-      assume (n_i == n_q);
+      if (!may_change_q) assume (n_i == n_q);
       if (rst_ni) begin
         if (admitted_q == '0) assume (!sent_i);
         if (ticks_q == '0) assume (!taken_i);
@@ -95,12 +107,15 @@ module sample_gate_formal (
         RoomForTicks : assert (ticks_q <= 5'(Ticks));
         CountsTicks : assert (started == ticks_q);
         WantsWhatIsAdmitted : assert (wanted == (admitted_q != '0));
+        Quiet : assert (quiet == (admitted_q == '0 && index_q == '0));
+        if (pause_i && first) Pauses : assert (!ready);
         TickForTheFirst : assert (tick == was_first_q);
         KillIsForGood : assert (killed == was_killed_q);
         if (was_held_q || was_killed_q) Stops : assert (target == '0);
         Bounded : assert (target <= 17'h1_0000);
-        if (idle_q == 2'd2) NeverStuck : assert (ready);
+        if (idle_q == 2'd2 && !pause_i) NeverStuck : assert (ready);
 
+        GoesOnInAPause : cover (pause_i && admit);
         Fills : cover (admitted_q == 5'(Room));
         TicksFill : cover (ticks_q == 5'(Ticks));
         FourSamples : cover (tick && index_q == 3'd1 && n_i == 2'd2 && killed);

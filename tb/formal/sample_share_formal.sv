@@ -21,7 +21,7 @@ module sample_share_formal (
   logic sent;
   logic sample_valid;
   logic [47:0] sample_ds;
-  logic [16:0] sample_rate;
+  logic [17:0] sample_rate;
   sample_share u_dut (
       .clk_i,
       .rst_ni,
@@ -29,7 +29,7 @@ module sample_share_formal (
       .tick_valid_i,
       .tick_ready_o(tick_ready),
       .tick_ds_i,
-      .tick_rate_i({13'b0, tick_number_q}),
+      .tick_rate_i({14'b0, tick_number_q}),
       .wanted_i,
       .sent_o(sent),
       .sample_valid_o(sample_valid),
@@ -75,7 +75,7 @@ module sample_share_formal (
       assume (n_i == n_q);
       if (rst_ni) begin
         FewInside : assert (ticks_inside <= 4'd5);
-        if (sample_valid) InOrder : assert (sample_rate == {13'b0, sample_tick_q});
+        if (sample_valid) InOrder : assert (sample_rate == {14'b0, sample_tick_q});
         if (sample_valid) NothingInvented : assert (ticks_inside != '0);
         if (kept_q) KeepsOffer : assert (sample_valid);
         if (sent) Wanted : assert (wanted_i);

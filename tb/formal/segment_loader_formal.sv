@@ -31,8 +31,8 @@ module segment_loader_formal (
     data        = '0;
     data[8:7]   = segment_q;
     data[6]     = watched;
-    data[37:36] = segment_q;
-    data[47]    = words_q == 5'd0;
+    data[39:38] = segment_q;
+    data[43]    = words_q == 5'd0;
     if (words_q == 5'd0 && empty_i) data = '0;
   end
 
@@ -122,8 +122,8 @@ module segment_loader_formal (
       if (word) words_q <= words_q + 5'd1;
       if (word && words_q == 5'd0) empty_q <= empty_i;
       if (word && words_q == 5'(Words - 1) && empty_q) begin
-        words_q   <= '0;
-        empties_q <= empties_q + 16'd1;
+        words_q <= '0;
+        if (empties_q != '1) empties_q <= empties_q + 16'd1;
         segment_q <= segment_q + 2'd1;
       end
       if (taken) begin
@@ -145,7 +145,7 @@ module segment_loader_formal (
       NeverStuck : assert (ready == (words_q != 5'(Words)));
       CountsEmpty : assert (empty_segments == empties_q);
       if (segment_valid) begin
-        Length : assert (length[47] && length[8:7] == segment_q);
+        Length : assert (length[43] && length[8:7] == segment_q);
         Theta : assert (theta[8:7] == segment_q && k == {3'b0, segment_q});
       end
       if (present_q) Place : assert (seen[6] && seen[8:7] == present_segment_q);

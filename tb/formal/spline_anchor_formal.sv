@@ -18,6 +18,7 @@ module spline_anchor_formal (
 
   localparam int Clocks = 136;
 
+  logic [spline_pkg::LoadBits-1:0] load;
   logic [2:0] six_a;
   logic [2:0] v;
   logic [2:0] w;
@@ -49,13 +50,7 @@ module spline_anchor_formal (
       .a_i('0),
       .b_i('0),
       .c_i('0),
-      .load_six_a_o(six_a),
-      .load_v_o(v),
-      .load_w_o(w),
-      .load_phi_o(phi),
-      .load_q_o(q),
-      .load_r_o(r),
-      .again_o(again),
+      .load_o(load),
       .start_o(start_network),
       .word_o(word),
       .step_a_there_o(step_a),
@@ -65,6 +60,13 @@ module spline_anchor_formal (
       .factors_o(factors),
       .product_i('0)
   );
+  assign six_a = load[spline_pkg::SixA+:3];
+  assign v     = load[spline_pkg::V+:3];
+  assign w     = load[spline_pkg::W+:3];
+  assign phi   = load[spline_pkg::Phi];
+  assign q     = load[spline_pkg::Q];
+  assign r     = load[spline_pkg::R];
+  assign again = load[spline_pkg::Again];
   logic unused;
   assign unused = ^{axis, word, d_word, factors};
 

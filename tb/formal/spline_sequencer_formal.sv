@@ -3,7 +3,7 @@
 // in its header, each control in its cycle and in no other, and leads to done in the clocks stated;
 // starts are taken in idle only and none of those is lost.  Order 2 with Anchor 0 and Mode 1, order
 // 3 with 1 and 0.  A reset lasts two clocks, and starts nothing.
-// control: ONE_ORDER_LESS s/order_o == 4'(Top)/order_o == 4'(Top - 1)/
+// control: ONE_ORDER_LESS s/order_q == 4'(Top)/order_q == 4'(Top - 1)/
 // control: HURRIES_PHI s/8'(3 \* i + 13);/8'(3 * i + 12);/
 // control: NO_PAUSE s/3 \* i + 13 + Pause/3 * i + 13/
 // control: NEVER_DONE s/default: next = Idle/default: next = Last/
@@ -38,6 +38,7 @@ module spline_sequencer_formal (
     localparam int Mode = 1 - Anchor;
     localparam int Top = Order - Anchor;
 
+    logic [spline_pkg::ControlBits-1:0] control;
     logic ready;
     logic start_v;
     logic start_x;
@@ -55,13 +56,14 @@ module spline_sequencer_formal (
         .rst_ni,
         .start_i,
         .ready_o(ready),
-        .start_v_o(start_v),
-        .start_x_o(start_x),
-        .start_p_o(start_p),
-        .start_phi_o(start_phi),
-        .order_o(order),
+        .control_o(control),
         .done_o(done)
     );
+    assign start_v   = control[spline_pkg::StartV];
+    assign start_x   = control[spline_pkg::StartX];
+    assign start_p   = control[spline_pkg::StartP];
+    assign start_phi = control[spline_pkg::StartPhi];
+    assign order     = control[spline_pkg::Order+:4];
 
     // The cycle within an order of the table; order Top + 1 is the rest that Anchor 1 has.
     localparam int RestQ = Order + Digits + 6;

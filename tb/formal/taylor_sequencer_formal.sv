@@ -21,6 +21,7 @@ module taylor_sequencer_formal #(
   localparam int Slot = Digits + 3;
   localparam int Latency = Order * Slot + 5;
 
+  logic [riemann_pkg::ExpansionBits-1:0] control;
   logic ready;
   logic take;
   logic close;
@@ -46,21 +47,22 @@ module taylor_sequencer_formal #(
       .fresh_i,
       .theta_i('0),
       .ready_o(ready),
-      .take_o(take),
-      .close_o(close),
-      .triple_o(triple),
-      .step_o(step),
-      .last_o(last),
-      .digit_o(digit),
-      .advance_o(advance),
-      .zeroth_o(zeroth),
-      .collect_o(collect),
-      .first_o(first),
+      .control_o(control),
       .zeroth_there_o(zeroth_there),
       .collect_there_o(collect_there),
       .order_there_o(order_there),
       .done_o(done)
   );
+  assign take = control[digits_pkg::Take];
+  assign triple = control[digits_pkg::Triple];
+  assign step = control[digits_pkg::Step];
+  assign last = control[digits_pkg::Last];
+  assign digit = control[digits_pkg::Digit+:2];
+  assign close = control[riemann_pkg::Close];
+  assign advance = control[riemann_pkg::Advance];
+  assign zeroth = control[riemann_pkg::Zeroth];
+  assign collect = control[riemann_pkg::Collect];
+  assign first = control[riemann_pkg::First];
   logic unused;
   assign unused = ^digit;
 

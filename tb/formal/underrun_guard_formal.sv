@@ -1,94 +1,135 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/underrun_guard.sv: hold comes exactly where the ticks of some clocks before do not
-// exceed stop ticks + 8, goes where they exceed twice as many + 8 or nothing can run out, stays
-// otherwise; underrun is sticky; after reset there is neither. Counts are small ones.
-// control: LATE s/assign over_stop = stop_q - left_q/assign over_stop = stop_q - left_q - 34'sd1/
+// rtl/path/underrun_guard.sv: hold comes exactly where the ticks that a stream covers, as they were
+// some clocks before, do not exceed stop ticks + 10; it goes where those of both exceed twice as
+// many + 10, or a full queue's exceed a stop, or nothing can run out; it stays otherwise. A program
+// begins where a hold would go; underrun and fault are sticky; after reset there is neither. Counts
+// are small ones.
+// control: LATE s/pieces_over_stop   = stop_q - pieces_q;/pieces_over_stop   = go_q - pieces_q;/
 // control: NO_HYSTERESIS s/{1'b0, stop_ticks_i, 1'b0} + Age/{2'b0, stop_ticks_i} + Age/
-// control: HOLDS_FINAL s/ || final_i//
+// control: FORGETS_SEGMENTS s/pieces_q + 34'(lead_q)/pieces_q/
+// control: HOLDS_COMPLETE s/(low \& ~complete_q\[1\]) != 2'b00/low != 2'b00/
 // control: FORGETS_STARTED s/ - \$signed({29'b0, started_i})//
+// control: TRUSTS_FULL s/(full_q\[1\] \& ~low)/full_q[1]/
 // control: NO_RESET s/underrun_o <= 1'b0;//
 `default_nettype none
 module underrun_guard_formal (
     input wire logic              clk_i,
     input wire logic              rst_ni,
     input wire logic        [2:0] stop_i,
-    input wire logic              plenty_i,
-    input wire logic              final_i,
+    input wire logic        [1:0] full_i,
+    input wire logic        [1:0] complete_i,
     input wire logic        [4:0] ticks_i,
+    input wire logic signed [4:0] lead_i,
     input wire logic              active_i,
-    input wire logic              present_final_i,
     input wire logic signed [4:0] present_i,
     input wire logic        [1:0] started_i
 );
 
   logic hold;
+  logic begins;
   logic underrun;
+  logic fault;
   underrun_guard u_dut (
       .clk_i,
       .rst_ni,
       .stop_ticks_i({29'b0, stop_i}),
-      .plenty_i,
-      .final_i,
+      .pieces_full_i(full_i[0]),
+      .pieces_complete_i(complete_i[0]),
       .ticks_i({27'b0, ticks_i}),
+      .segments_full_i(full_i[1]),
+      .segments_complete_i(complete_i[1]),
+      .lead_i({{27{lead_i[4]}}, lead_i}),
       .active_i,
-      .present_final_i,
       .present_ticks_i({{17{present_i[4]}}, present_i}),
       .started_i({3'b0, started_i}),
       .hold_o(hold),
-      .underrun_o(underrun)
+      .begin_o(begins),
+      .underrun_o(underrun),
+      .fault_o(fault)
   );
 
-  // Ticks as they stood: the present piece's a clock before the queue's.
+  // Ticks as they stood, clock by clock along the guard's registers.
   logic [2:0] age_q = 3'd0;
   logic [2:0] stop_q;
-  logic signed [7:0] present_q;
-  logic signed [7:0] left_q[2];
-  logic exempt_q[2];
+  logic signed [8:0] present_q;
+  logic signed [8:0] pieces_q[2];
+  logic signed [8:0] segments_q;
+  logic signed [4:0] lead_q;
+  logic signed [8:0] segments_before_q;
+  logic [1:0] complete_q[2];
+  logic [1:0] full_q[2];
+  logic active_q;
   logic ran_q;  // no reset in the clock before
+  logic [2:0] ran_long_q;
   logic was_hold_q;
   logic ever_q;
-  logic signed [7:0] low;
-  logic signed [7:0] enough;
-  assign low    = $signed({5'b0, stop_q}) + 8'sd8;
-  assign enough = $signed({4'b0, stop_q, 1'b0}) + 8'sd8;
+  logic signed [8:0] low;
+  logic signed [8:0] enough;
+  assign low    = $signed({6'b0, stop_q}) + 9'sd10;
+  assign enough = $signed({5'b0, stop_q, 1'b0}) + 9'sd10;
   always_ff @(posedge clk_i) begin
     if (age_q != '1) age_q <= age_q + 3'd1;
-    stop_q      <= stop_i;
-    present_q   <= {{3{present_i[4]}}, present_i} - $signed({6'b0, started_i});
-    left_q[0]   <= $signed({3'b0, ticks_i}) + present_q;
-    left_q[1]   <= left_q[0];
-    exempt_q[0] <= !active_i || present_final_i || final_i || plenty_i;
-    exempt_q[1] <= exempt_q[0];
-    ran_q       <= rst_ni;
-    was_hold_q  <= hold && rst_ni;
-    ever_q      <= rst_ni && (hold || ever_q);
+    stop_q            <= stop_i;
+    present_q         <= {{4{present_i[4]}}, present_i} - $signed({7'b0, started_i});
+    pieces_q[0]       <= $signed({4'b0, ticks_i}) + present_q;
+    pieces_q[1]       <= pieces_q[0];
+    lead_q            <= lead_i;
+    segments_q        <= pieces_q[0] + {{4{lead_q[4]}}, lead_q};
+    segments_before_q <= segments_q;
+    complete_q[0]     <= complete_i;
+    complete_q[1]     <= complete_q[0];
+    full_q[0]         <= rst_ni ? full_i : 2'b00;
+    full_q[1]         <= rst_ni ? full_q[0] : 2'b00;
+    active_q          <= active_i;
+    ran_q             <= rst_ni;
+    was_hold_q        <= hold && rst_ni;
+    ever_q            <= rst_ni && (hold || ever_q);
   end
 
-  logic signed [7:0] left_before_q;
-  always_ff @(posedge clk_i) left_before_q <= left_q[1];
+  logic signed [8:0] pieces_before_q;
+  logic [1:0] complete_before_q;
+  logic [1:0] full_before_q;
+  always_ff @(posedge clk_i) begin
+    pieces_before_q   <= pieces_q[0];
+    complete_before_q <= complete_q[1];
+    full_before_q     <= full_q[1];
+  end
+  logic signed [8:0] pieces_then_q;
+  logic signed [8:0] segments_then_q;
+  always_ff @(posedge clk_i) begin
+    pieces_then_q   <= pieces_before_q;
+    segments_then_q <= segments_before_q;
+  end
+
+  logic [1:0] is_low;
+  logic [1:0] is_enough;
+  logic covered;
+  assign is_low    = {segments_then_q <= low, pieces_then_q <= low};
+  assign is_enough = {segments_then_q > enough, pieces_then_q > enough};
+  assign covered   = (complete_before_q | is_enough | (full_before_q & ~is_low)) == 2'b11;
 
   always_comb begin
     if (age_q != '0) assume (stop_i == stop_q);
-    if (age_q < 3'd5) begin
+    if (age_q < 3'd6) begin
       assume (!rst_ni);
     end else if (rst_ni) begin
       Sticky : assert (underrun == (ever_q || hold));
-      if (!ran_q) AfterReset : assert (!hold && !underrun);
+      if (!ran_q) AfterReset : assert (!hold && !underrun && !fault && !begins);
       if (ran_q) begin
-        if (exempt_q[1])
-          Exempt :
+        Begins : assert (begins == covered);
+        if (!active_q || covered)
+          GoesOn :
           assert (!hold);
-          else if (left_before_q > enough)
-            GoesOn :
-            assert (!hold);
-            else if (left_before_q <= low)
-              Holds :
-              assert (hold);
-              else Stays : assert (hold == was_hold_q);
+          else if ((is_low & ~complete_before_q) != 2'b00)
+            Holds :
+            assert (hold);
+            else Stays : assert (hold == was_hold_q);
+        if ((is_low & full_before_q & ~complete_before_q) != 2'b00) ShortQueue : assert (fault);
       end
 
-      Recovers : cover (ran_q && was_hold_q && !hold && !exempt_q[1]);
-      HoldsBetween : cover (hold && left_before_q > low);
+      Recovers : cover (ran_q && was_hold_q && !hold && active_q);
+      SegmentsHold : cover (hold && pieces_then_q > enough && !complete_before_q[1]);
+      Faults : cover (fault && !full_before_q[0] && !full_before_q[1]);
     end
   end
 

@@ -9,7 +9,7 @@ complain() {
   echo "$*"
   status=1
 }
-for file in $(find CMakeLists.txt ref hls rtl tb scripts -type f \
+for file in $(find CMakeLists.txt ref hls rtl sysc tb scripts -type f \
     \( -name '*.[ch]pp' -o -name '*.sv' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' \
     -o -name CMakeLists.txt \)); do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: Apache-2.0' ||

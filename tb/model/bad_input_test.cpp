@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/program_reader.hpp"
 #include "tb/support/bad_input_case.hpp"

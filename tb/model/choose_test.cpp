@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What choose answers, drawn by the bit-true kernel: the error keeps the wish on hard curves; a bit
-// less does not.
+// What choose answers, drawn by the bit-true kernel: the error keeps the requirement on hard
+// curves; a bit less does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "tb/choose/chooser.hpp"
-#include "tb/choose/concession.hpp"
-#include "tb/compare/built_in_curves.hpp"
-#include "tb/compare/comparison.hpp"
-#include "tb/support/arc_families.hpp"
-#include "tb/support/spline_families.hpp"
+#include "sysc/widths/arc_families.hpp"
+#include "sysc/widths/built_in_curves.hpp"
+#include "sysc/widths/chooser.hpp"
+#include "sysc/widths/comparison.hpp"
+#include "sysc/widths/relaxation.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 const Device& device(std::string_view name) {
@@ -20,42 +21,43 @@ const Device& device(std::string_view name) {
                          [&](const Device& one) { return one.name == name; });
 }
 
-struct NamedWish {
+struct NamedRequirement {
     const char* name;
     double error_mm, radius_mm, length_mm, feed;
     const char* device;
 
-    Wish wish() const {
-        Wish wish;
-        wish.error_mm = error_mm;
-        wish.radius_mm = radius_mm;
-        wish.length_mm = length_mm;
-        wish.feed = feed;
-        wish.travel_mm = 1500;
-        wish.device = &tb::device(device);
-        return wish;
+    Requirement requirement() const {
+        Requirement requirement;
+        requirement.error_mm = error_mm;
+        requirement.radius_mm = radius_mm;
+        requirement.length_mm = length_mm;
+        requirement.feed = feed;
+        requirement.travel_mm = 1500;
+        requirement.device = &tb::device(device);
+        return requirement;
     }
 };
 
-void PrintTo(const NamedWish& wish, std::ostream* out) { *out << wish.name; }
+void PrintTo(const NamedRequirement& requirement, std::ostream* out) { *out << requirement.name; }
 
-/// Seeded arcs in any plane, helices, lines and cubics up to the wish's sizes.
-ref::Program hard_curves(const Wish& wish) {
+/// Seeded arcs in any plane, helices, lines and cubics up to the requirement's sizes.
+ref::Program hard_curves(const Requirement& requirement) {
     ref::Program program;
     program.file = "hard curves";
     ArcMaker arcs(7);
     SplineMaker splines(7);
     for (double size = 1; size > 1e-3; size /= 4) {
-        if (wish.arcs()) {
-            const double radius = std::max(size * wish.radius_mm, wish.least_radius_mm);
+        if (requirement.arcs()) {
+            const double radius =
+                std::max(size * requirement.radius_mm, requirement.least_radius_mm);
             for (const bool helix : {false, false, true}) {
                 program.moves.push_back(arcs.next({"", radius, helix}));
             }
         }
-        if (!wish.splines()) continue;
+        if (!requirement.splines()) continue;
         for (const SplineShape shape : {SplineShape::kRandom, SplineShape::kHairpin}) {
             ref::Cubic cubic = splines.next({"", shape, 1e6});
-            const double scale = size * wish.length_mm / cubic.c.norm();
+            const double scale = size * requirement.length_mm / cubic.c.norm();
             ref::Move move;
             move.kind = ref::Move::Kind::kCubic;
             move.feed = 10;
@@ -65,37 +67,36 @@ ref::Program hard_curves(const Wish& wish) {
             program.moves.push_back(move);
         }
     }
-    if (wish.arcs()) program.moves.push_back(arcs.next({"", 0, false}));
+    if (requirement.arcs()) program.moves.push_back(arcs.next({"", 0, false}));
     int line = 0;
     for (ref::Move& move : program.moves) move.line = ++line;
     return program;
 }
 
 /// The candidate's plan, drawn with `fewer` coefficient bits less than planned for.
-Row draw(const Wish& wish, const Candidate& candidate, int fewer) {
-    const ref::Program program = hard_curves(wish);
+Row draw(const Requirement& requirement, const Candidate& candidate, int fewer) {
+    const ref::Program program = hard_curves(requirement);
     const ref::Machine machine = unlimited_machine();
-    const Cutter cutter(program, machine, candidate.unit_mm, candidate.limit, 100000);
-    const ref::WordFormat format = candidate.parameters.format();
-    const Cut cut = cutter.cut(format);
-    EXPECT_EQ(cut.refused, "");
-    const Subject subject{program, candidate.unit_mm, wish.arcs(), wish.splines(),
+    const Segmenter segmenter(program, machine, candidate.unit_mm, candidate.limit, 100000);
+    CoreParameters setting = candidate.parameters;
+    const SegmentedProgram segmented = segmenter.segment(setting);
+    EXPECT_EQ(segmented.refused, "");
+    const Subject subject{program, candidate.unit_mm, requirement.arcs(), requirement.splines(),
                           exact_samples(program, candidate.unit_mm, 30000, [](std::int64_t) {})};
-    Setting setting{format, true};
-    setting.format.coef_bits -= fewer;
-    return compare_setting(subject, setting, cut, [](std::int64_t) {});
+    setting.coef_bits -= fewer;
+    return compare_setting(subject, setting, segmented, [](std::int64_t) {});
 }
 
-class Choose : public testing::TestWithParam<NamedWish> {};
+class Choose : public testing::TestWithParam<NamedRequirement> {};
 
 TEST_P(Choose, TheKernelKeepsTheProvenError) {
-    const Wish wish = GetParam().wish();
-    const std::vector<Choice> choices = Chooser(wish).smallest(2);
+    const Requirement requirement = GetParam().requirement();
+    const std::vector<Choice> choices = Chooser(requirement).smallest(2);
     ASSERT_FALSE(choices.empty());
     for (const Choice& choice : choices) {
         const Candidate& candidate = choice.candidate;
-        const Row row = draw(wish, candidate, 0);
-        EXPECT_LE(row.output.worst() * candidate.unit_mm, wish.error_mm);
+        const Row row = draw(requirement, candidate, 0);
+        EXPECT_LE(row.output.worst() * candidate.unit_mm, requirement.error_mm);
         EXPECT_LE(row.of_bound.value_or(2), 1);
         EXPECT_EQ(row.missing_bits, 0);
         EXPECT_LE(choice.demand.bound(), candidate.limit);
@@ -103,8 +104,8 @@ TEST_P(Choose, TheKernelKeepsTheProvenError) {
 }
 
 TEST_P(Choose, ABitLessThanTheAnswerIsRuledOut) {
-    const Wish wish = GetParam().wish();
-    Chooser chooser(wish);
+    const Requirement requirement = GetParam().requirement();
+    Chooser chooser(requirement);
     const std::vector<Choice> choices = chooser.smallest(1);
     ASSERT_FALSE(choices.empty());
     for (const auto& [name, reason] : choices.front().binds)
@@ -117,49 +118,52 @@ TEST_P(Choose, ABitLessThanTheAnswerIsRuledOut) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Model, Choose,
-                         testing::Values(NamedWish{"Micrometre", 1e-3, 300, 0, 10e3 / 60, "up5k"},
-                                         NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"},
-                                         NamedWish{"Half", 0.6e-6, 100, 0, 100, "ecp5-25"},
-                                         NamedWish{"Splines", 1e-3, 0, 100, 100, "up5k"},
-                                         NamedWish{"Both", 2e-5, 50, 50, 50, "ecp5-45"}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Model, Choose,
+    testing::Values(NamedRequirement{"Micrometre", 1e-3, 300, 0, 10e3 / 60, "up5k"},
+                    NamedRequirement{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"},
+                    NamedRequirement{"Half", 0.6e-6, 100, 0, 100, "ecp5-25"},
+                    NamedRequirement{"Splines", 1e-3, 0, 100, 100, "up5k"},
+                    NamedRequirement{"Both", 2e-5, 50, 50, 50, "ecp5-45"}),
+    [](const auto& test) { return test.param.name; });
 
 TEST(ChooseOwnWidths, AreTheSmallestForASampleAClock) {
-    Wish wish = NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.wish();
-    wish.sample_period_s = 10e-9;
-    const std::vector<Choice> choices = Chooser(wish).smallest(1);
+    Requirement requirement =
+        NamedRequirement{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.requirement();
+    requirement.sample_period_s = 10e-9;
+    const std::vector<Choice> choices = Chooser(requirement).smallest(1);
     ASSERT_FALSE(choices.empty());
     const Candidate& candidate = choices.front().candidate;
     EXPECT_GT(candidate.parameters.turn_bits, 0);
-    const Row row = draw(wish, candidate, 0);
-    EXPECT_LE(row.output.worst() * candidate.unit_mm, wish.error_mm);
+    const Row row = draw(requirement, candidate, 0);
+    EXPECT_LE(row.output.worst() * candidate.unit_mm, requirement.error_mm);
     EXPECT_LE(row.of_bound.value_or(2), 1);
     EXPECT_EQ(row.missing_bits, 0);
 }
 
 /// Planned for the answer's words, drawn with two bits less, an error is beyond its bound.
 TEST(ChooseControl, NarrowerWordsBreakTheProof) {
-    const Wish wish = NamedWish{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.wish();
-    const Candidate answer = Chooser(wish).smallest(1).at(0).candidate;
-    const Row row = draw(wish, answer, 2);
+    const Requirement requirement =
+        NamedRequirement{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.requirement();
+    const Candidate answer = Chooser(requirement).smallest(1).at(0).candidate;
+    const Row row = draw(requirement, answer, 2);
     EXPECT_GT(row.of_bound.value_or(0), 1);
 }
 
-TEST(ChooseControl, ConcessionsArePossibleAndNeeded) {
-    Wish wish = NamedWish{"", 1e-3, 300, 0, 10e3 / 60, "up5k"}.wish();
-    wish.unit_mm = 1e-3;
-    wish.error_mm = 0.4e-3;  // less than the rounding to the unit
-    EXPECT_TRUE(Chooser(wish).smallest(1).empty());
-    const std::vector<Concession> found = concessions(wish);
+TEST(ChooseControl, RelaxationsArePossibleAndNeeded) {
+    Requirement requirement = NamedRequirement{"", 1e-3, 300, 0, 10e3 / 60, "up5k"}.requirement();
+    requirement.unit_mm = 1e-3;
+    requirement.error_mm = 0.4e-3;  // less than the rounding to the unit
+    EXPECT_TRUE(Chooser(requirement).smallest(1).empty());
+    const std::vector<Relaxation> found = relaxations(requirement);
     ASSERT_GE(found.size(), 2U);
     EXPECT_EQ(found[0].name, "error");
     EXPECT_GT(found[0].possible, 0.5e-3);
     EXPECT_LT(found[0].possible, 1e-3);
-    wish.error_mm = found[0].possible;
-    EXPECT_FALSE(Chooser(wish).smallest(1).empty());
-    wish.error_mm = found[0].possible / 1.1;
-    EXPECT_TRUE(Chooser(wish).smallest(1).empty());
+    requirement.error_mm = found[0].possible;
+    EXPECT_FALSE(Chooser(requirement).smallest(1).empty());
+    requirement.error_mm = found[0].possible / 1.1;
+    EXPECT_TRUE(Chooser(requirement).smallest(1).empty());
     EXPECT_EQ(found[1].name, "unit");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The derived bounds against the kernel: never exceeded, and never idle.
-#include "ref/error_bound.hpp"
+#include "ref/bound/error_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include "hls/quantise.hpp"
 #include "hls/spherical_kernel.hpp"
 #include "ref/curve/segment_curve.hpp"
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {

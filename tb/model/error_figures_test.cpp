@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures that `curvecore compare` reports of many errors, and the curve that it takes them
 // from.
-#include "tb/compare/error_figures.hpp"
+#include "sysc/widths/error_figures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "ref/curve/curve_follower.hpp"
-#include "ref/plan/geometry.hpp"
-#include "tb/compare/built_in_curves.hpp"
-#include "tb/compare/exact_samples.hpp"
-#include "tb/compare/value_ranges.hpp"
+#include "ref/segment/geometry.hpp"
+#include "sysc/widths/built_in_curves.hpp"
+#include "sysc/widths/exact_samples.hpp"
+#include "sysc/widths/value_ranges.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 TEST(ErrorFigures, OfEvenlySpreadErrors) {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "hls/words.hpp"
+#include "hls/quantise.hpp"
 
 namespace curvecore::hls {
 namespace {
@@ -56,12 +56,26 @@ TEST(FixedWord, ReciprocalsAreNearest) {
     }
 }
 
+TEST(Words, ALengthThatItsWordCannotHoldIsRefusedNotCut) {
+    using C = DefaultConfiguration;
+    ref::Segment segment;
+    segment.length = (std::uint64_t{1} << kBusLengthBits) - 1;
+    EXPECT_EQ(to_int<kLengthBits + 1>(to_words<C>(segment).length), (std::int64_t{1} << 44) - 1);
+    ++segment.length;
+    EXPECT_THROW(to_words<C>(segment), std::range_error);
+    ref::ProfilePiece piece;
+    piece.ds = segment.length;
+    EXPECT_THROW(to_words(piece), std::range_error);
+}
+
 TEST(Words, SegmentFieldsKeepTheirPlacesOnTheBus) {
     using C = Configuration<6, 36, 32, 10, 1, SamplerMode::kSeries>;
     SegmentWords<C> segment;
     segment.length = 1;
     segment.theta = 2;
     segment.step_exponent = 27;
+    segment.ticks = 0x44332211;
+    segment.last = true;
     for (int axis = 0; axis < C::kAxes; ++axis) {
         segment.start[axis] = 100 + axis;
         segment.end[axis] = -1 - axis;
@@ -72,21 +86,25 @@ TEST(Words, SegmentFieldsKeepTheirPlacesOnTheBus) {
         segment.normal[axis] = 300 + axis;
     }
     std::uint64_t bus[segment_bus_words<C>()];
-    pack(segment, bus);
-    EXPECT_EQ(bus[0], 1U);
-    EXPECT_EQ(bus[1], 2U | (std::uint64_t(27) << 36));
-    EXPECT_EQ(bus[2], 100U);
-    EXPECT_EQ(bus[3], 0xFFFFFFFFFFFFU);  // sign-extended to the bus
-    EXPECT_EQ(bus[4], 200U);
-    EXPECT_EQ(bus[5], 300U);
-    EXPECT_EQ(bus[6], 400U);
-    EXPECT_EQ(bus[7], 101U);
-    EXPECT_EQ(bus[17], 103U);  // the auxiliary axis: start, end, advance
-    EXPECT_EQ(bus[18], 0xFFFFFFFFFFFCU);
-    EXPECT_EQ(bus[19], 403U);
+    pack(segment, 0x1AB, bus);
+    EXPECT_EQ(bus[0], 0x100000000001U);
+    EXPECT_EQ(bus[1], 0x2EC000000002U);  // last, k = 27, kind 0
+    EXPECT_EQ(bus[2], 0x300000000064U);
+    EXPECT_EQ(bus[3], 0x4FFFFFFFFFFFU);  // sign-extended to 44 bits
+    EXPECT_EQ(bus[4], 0x5AB0000000C8U);  // the low byte of the sequence
+    EXPECT_EQ(bus[5], 0x60000000012CU);
+    EXPECT_EQ(bus[6], 0x700000000190U);
+    EXPECT_EQ(bus[7], 0x300000000065U);
+    EXPECT_EQ(bus[9], 0x5110000000C9U);  // a byte of ticks each
+    EXPECT_EQ(bus[10], 0x62200000012DU);
+    EXPECT_EQ(bus[14], 0x5330000000CAU);
+    EXPECT_EQ(bus[15], 0x64400000012EU);
+    EXPECT_EQ(bus[17], 0x300000000067U);  // the auxiliary axis: start, end, advance
+    EXPECT_EQ(bus[18], 0x4FFFFFFFFFFCU);
+    EXPECT_EQ(bus[19], 0x700000000193U);
 }
 
-TEST(Words, ASplineHasItsScaleAndKindBesideTheStepExponent) {
+TEST(Words, ASplineHasItsKindBesideTheStepExponentAndItsScaleInTheNormal) {
     using C = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
     SegmentWords<C> segment;
     segment.kind = SegmentKind::kSpline;
@@ -94,8 +112,9 @@ TEST(Words, ASplineHasItsScaleAndKindBesideTheStepExponent) {
     segment.step_exponent = 21;
     segment.lambda = 25;
     std::uint64_t bus[segment_bus_words<C>()];
-    pack(segment, bus);
-    EXPECT_EQ(bus[1], (3ULL << 33) | (21ULL << 36) | (25ULL << 41) | (1ULL << 47));
+    pack(segment, 0, bus);
+    EXPECT_EQ(bus[1], (3ULL << 33) | (1ULL << 36) | (21ULL << 38) | (2ULL << 44));
+    EXPECT_EQ(bus[5], (25ULL << 36) | (6ULL << 44));
 }
 
 TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
@@ -107,11 +126,12 @@ TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
     piece.ds = 7;
     piece.c[0] = -1;
     std::uint64_t bus[kProfileBusWords];
-    pack(piece, bus);
-    EXPECT_EQ(bus[0], (1U << 19) | (19U << 20) | (46ULL << 25) | (1ULL << 31));
-    EXPECT_EQ(bus[1], 7U);
-    EXPECT_EQ(bus[2], 0xFFFFFFFFFFFFU);
-    EXPECT_EQ(bus[4], 0U);
+    pack(piece, 5, bus);
+    EXPECT_EQ(bus[0], (1U << 19) | (19U << 20) | (46ULL << 25) | (1ULL << 31) | (5ULL << 32) |
+                          (8ULL << 44));
+    EXPECT_EQ(bus[1], 0x900000000007U);
+    EXPECT_EQ(bus[2], 0xA00FFFFFFFFFU);
+    EXPECT_EQ(bus[4], 0xC00000000000U);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // LinuxCNC's machine files: units, axes and joints, defaults that are said.
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 
 #include <gtest/gtest.h>
 

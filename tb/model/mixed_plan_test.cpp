@@ -6,12 +6,13 @@
 #include "hls/path_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/curve_follower.hpp"
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/program/program_reader.hpp"
-#include "tb/program/path_cursor.hpp"
+#include "sysc/host/path_cursor.hpp"
 #include "tb/support/random_splines.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 using C = hls::DefaultSplineConfiguration;

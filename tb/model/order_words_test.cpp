@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words of a width of their own for each order: in real numbers every sum fits its word, of every
 // configuration, and would not fit one that is a bit narrower; what a cut of tau loses.
-#include "ref/order_words.hpp"
+#include "ref/format/order_words.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/parameters.hpp"
+
 namespace curvecore::tb {
 namespace {
 
-constexpr double kMostSteps = 4096;  // of a segment, ref/plan/geometry.hpp
+constexpr double kMostSteps = 4096;  // of a segment, ref/segment/geometry.hpp
 
 TEST(OrderWords, FactorialBitsAreThoseOfTheFactorial) {
     for (int i = 1; i <= 12; ++i) {
@@ -35,7 +37,8 @@ double most_sum(int order, int coef_bits, double theta, int i) {
 
 template <class Visit>
 void each_stage(Visit visit) {
-    for (int turn_bits = 1; turn_bits <= ref::kMostTurnBits; ++turn_bits) {
+    for (int turn_bits = 1; turn_bits <= ref::parameter_of(&ref::CoreParameters::turn_bits).high;
+         ++turn_bits) {
         for (int order = 2; order <= 12; ++order) {
             for (int coef_bits = 18; coef_bits <= 36; ++coef_bits) {
                 for (int i = 2; i <= order; ++i) visit(turn_bits, order, coef_bits, i);

@@ -91,6 +91,18 @@ TEST(PathKernel, WaitsAtThePiecesEndWhenItIsNotFed) {
     EXPECT_FALSE(path.active());
 }
 
+TEST(PathKernel, NoProgramBeginsInATickThatIsHeld) {
+    std::int64_t total = 0;
+    Feeder feeder = random_program(7, total);
+    PathKernel path;
+    for (int tick = 0; tick < 100; ++tick) EXPECT_EQ(path.tick(65536, feeder, true), 0);
+    EXPECT_FALSE(path.active());
+    std::int64_t walked = path.tick(65536, feeder);
+    EXPECT_TRUE(path.active());
+    while (path.active()) walked += path.tick(65536, feeder, true);
+    EXPECT_EQ(walked, total);
+}
+
 TEST(SampleShare, SharesATickEvenlyAndWholly) {
     std::mt19937_64 random(5);
     for (int n = 0; n <= 8; ++n) {

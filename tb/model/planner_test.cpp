@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments of a plan: they join, stay within their bounds and words, and what cannot be is refused.
-#include "ref/plan/planner.hpp"
+#include "ref/feed/planner.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hls/quantise.hpp"
 #include "ref/curve/segment_curve.hpp"
-#include "ref/plan/geometry.hpp"
-#include "ref/plan/travel.hpp"
+#include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/segment/geometry.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {

@@ -241,9 +241,9 @@ TEST(PointFit, ParametersAreChordsTheirRootsOrOne) {
     std::vector<FitPoint> points(3);
     points[1].position = Vec3(3, 4, 0);
     points[2].position = Vec3(3, 4, 16);
-    EXPECT_EQ(parameters(points, Parameter::kChord), (std::vector<double>{0, 5, 21}));
-    EXPECT_EQ(parameters(points, Parameter::kCentripetal)[2], std::sqrt(5.0) + 4);
-    EXPECT_EQ(parameters(points, Parameter::kUniform), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(parameters(points, Parametrisation::kChord), (std::vector<double>{0, 5, 21}));
+    EXPECT_EQ(parameters(points, Parametrisation::kCentripetal)[2], std::sqrt(5.0) + 4);
+    EXPECT_EQ(parameters(points, Parametrisation::kUniform), (std::vector<double>{0, 1, 2}));
 }
 
 TEST(PointFit, EveryFitPassesItsPointsWithItsSlopes) {
@@ -255,11 +255,11 @@ TEST(PointFit, EveryFitPassesItsPointsWithItsSlopes) {
         point.d2 = Vec3(0, 0.01, 0.02 * i);
         points.push_back(point);
     }
-    for (const Parameter parameter :
-         {Parameter::kChord, Parameter::kCentripetal, Parameter::kUniform}) {
+    for (const Parametrisation parametrisation :
+         {Parametrisation::kChord, Parametrisation::kCentripetal, Parametrisation::kUniform}) {
         for (const Fit fit : {Fit::kBessel, Fit::kAkima, Fit::kNatural, Fit::kClamped,
                               Fit::kHermite, Fit::kMoments, Fit::kQuintic}) {
-            const auto chains = fit_points(points, fit, parameter);
+            const auto chains = fit_points(points, fit, parametrisation);
             ASSERT_EQ(chains.size(), 8U);
             for (std::size_t i = 0; i < 8; ++i) {
                 EXPECT_LE((chains[i].front().position(0) - points[i].position).norm(), 1e-13);
@@ -281,7 +281,7 @@ TEST(PointFit, QuinticStaysWithinItsTolerance) {
     points[0] = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0.05, 0)};
     points[1] = {Vec3(10, 5, 2), Vec3(0, 1, 0), Vec3(-0.03, 0, 0.1)};
     HermitePiece piece;
-    piece.h = parameters(points, Parameter::kChord)[1];
+    piece.h = parameters(points, Parametrisation::kChord)[1];
     piece.end = points[1].position;
     piece.start_d1 = *points[0].d1;
     piece.end_d1 = *points[1].d1;
@@ -292,7 +292,7 @@ TEST(PointFit, QuinticStaysWithinItsTolerance) {
         quintic.points.emplace_back(point.x(), point.y(), point.z(), 1);
     }
     const std::vector<Cubic> cubics =
-        fit_points(points, Fit::kQuintic, Parameter::kChord, kFitTolerance).front();
+        fit_points(points, Fit::kQuintic, Parametrisation::kChord, kFitTolerance).front();
     const tb::CurveDistance exact(quintic);
     double worst = 0;
     for (const Cubic& cubic : cubics) worst = std::max(worst, exact.of(cubic));

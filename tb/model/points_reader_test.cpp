@@ -69,9 +69,9 @@ TEST(PointsReader, FitAndParameterChangeTheCurveAndNotThePoints) {
         EXPECT_EQ(other.moves[2].feed, 7);
     }
     options.fit = Fit::kBessel;
-    for (const ref::Parameter parameter :
-         {ref::Parameter::kCentripetal, ref::Parameter::kUniform}) {
-        options.parameter = parameter;
+    for (const ref::Parametrisation parametrisation :
+         {ref::Parametrisation::kCentripetal, ref::Parametrisation::kUniform}) {
+        options.parametrisation = parametrisation;
         const Program other = ref::read_points_text(text, "points.csv", options);
         EXPECT_GT((other.moves[2].cubic.c - bessel.moves[2].cubic.c).norm(), 0.05);
     }

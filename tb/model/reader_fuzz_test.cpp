@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <random>
 
-#include "ref/plan/machine.hpp"
+#include "ref/machine/machine.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/points_reader.hpp"
@@ -182,7 +182,8 @@ TEST(ReaderFuzz, MutatedPointsAreRefusedOrSound) {
             {ref::Fit::kHermite, ref::Fit::kClamped},
             {ref::Fit::kMoments, ref::Fit::kQuintic}};
         options.fit = fits[known][mutator.below(fits[known].size())];
-        options.parameter = static_cast<ref::Parameter>(mutator.below(ref::kParameterNames.size()));
+        options.parametrisation =
+            static_cast<ref::Parametrisation>(mutator.below(ref::kParametrisationNames.size()));
         try {
             const ref::Program program = ref::read_points_text(text, "points.csv", options);
             ++read;

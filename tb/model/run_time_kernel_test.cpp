@@ -2,7 +2,7 @@
 // The kernel with widths at run time gives the words of the compile-time form: positions of seeded
 // streams of arcs, helices, lines and splines, and the series of every step, at the edges of every
 // parameter.
-#include "tb/compare/run_time_kernel.hpp"
+#include "sysc/widths/run_time_kernel.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,22 @@
 #include "tb/support/mixed_segments.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 using hls::SamplerMode;
 
 template <class C>
-Setting setting_of() {
-    return {{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-             C::kMode == SamplerMode::kPolynomial, C::kTurnBits, C::kParameterGuard},
-            C::kAnchor};
+CoreParameters setting_of() {
+    CoreParameters setting{C::kOrder,
+                           C::kCoefBits,
+                           C::kPositionBits,
+                           C::kGuardBits,
+                           C::kMode == SamplerMode::kPolynomial,
+                           C::kTurnBits,
+                           C::kParameterGuard};
+    setting.anchor = C::kAnchor ? 1 : 0;
+    return setting;
 }
 
 template <class C>
@@ -74,7 +81,8 @@ TYPED_TEST(RunTimeKernelOf, DrawsTheSameSamples) {
         length += words.back().length;
     }
     ValueRanges ranges(C::kCoefBits);
-    RunTimeKernel run(setting_of<C>(), segments, C::kAxes, ranges);
+    RunTimeKernel run(setting_of<C>(), C::kAxes, ranges);
+    std::size_t run_next = 0;
     hls::MotionKernel<C> kernel;
     std::size_t next = 0;
     std::mt19937_64 engine(1);
@@ -94,12 +102,13 @@ TYPED_TEST(RunTimeKernelOf, DrawsTheSameSamples) {
         RunWord got[kMostAxes];
         kernel.sample(
             ds, [&]() -> const hls::SegmentWords<C>& { return words.at(next++); }, expected);
-        run.sample(ds, got);
+        run.sample(
+            ds, [&]() -> const RunSegment& { return segments.at(run_next++); }, got);
         for (int axis = 0; axis < C::kAxes; ++axis) {
             ASSERT_EQ(got[axis], expected[axis])
                 << "axis " << axis << " sample " << samples << " segment " << next - 1;
         }
-        ASSERT_EQ(run.segment() + 1, next);
+        ASSERT_EQ(run_next, next);
         ++samples;
     }
     EXPECT_GT(samples, 300);
@@ -108,7 +117,7 @@ TYPED_TEST(RunTimeKernelOf, DrawsTheSameSamples) {
 /// Pieces of a plan as words: the same fields from the same real numbers.
 TYPED_TEST(RunTimeKernelOf, LoadsTheSameWords) {
     using C = TypeParam;
-    const ref::WordFormat format = setting_of<C>().format;
+    const CoreParameters format = setting_of<C>();
     SplineMaker maker(2);
     std::vector<ref::Segment> segments =
         ref::split_spline(maker.next({"", SplineShape::kRandom, 20e3}), format, 400);

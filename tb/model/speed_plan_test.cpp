@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Speed plans over zones whose limits differ by orders of magnitude, as along a hairpin.
-#include "ref/plan/speed_plan.hpp"
+#include "ref/feed/speed_plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "ref/plan/ramp_pair.hpp"
+#include "ref/feed/ramp_pair.hpp"
 
 namespace curvecore::tb {
 namespace {

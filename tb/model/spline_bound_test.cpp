@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spline kernel against the exact curve: within the derived bound, and the bound is not idle.
-#include "ref/spline_bound.hpp"
+#include "ref/bound/spline_bound.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,11 @@
 #include "hls/quantise.hpp"
 #include "hls/spline_kernel.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/spline_segment.hpp"
-#include "tb/support/spline_families.hpp"
+#include "ref/segment/spline_segment.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 using hls::SamplerMode;

@@ -13,11 +13,12 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/spline_segment.hpp"
-#include "ref/series/spline_roundings.hpp"
-#include "tb/support/spline_families.hpp"
+#include "ref/segment/spline_segment.hpp"
+#include "ref/series/spline_words.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 using hls::SamplerMode;
@@ -26,7 +27,7 @@ template <int P, int W, SamplerMode Mode, bool Anchor = true, int Aux = 0>
 using Core = hls::Configuration<P, W, 32, 10, Aux, Mode, Anchor>;
 
 /// Every coefficient of one step from random words of order 0, taken as exact, against the series
-/// of numbers; errors by the recurrences of ref/series/spline_roundings.hpp.
+/// of numbers; errors by ref/series/spline_words.hpp.
 template <class C>
 void expect_series(int steps) {
     constexpr int kBits = C::kCoefBits;
@@ -54,33 +55,33 @@ void expect_series(int steps) {
             segment.b[k] = std::ldexp(bend, -1 - kBits) / 2;
             segment.a[k] = std::ldexp(six_a, -1 - kBits) / 6;
         }
-        ref::SplineSeries series;
-        series.expand(segment, 0, 1, C::kOrder);
-        network.phi[0] = std::llround(std::ldexp(series.phi[0], kBits - 2));
+        ref::SplineWords words(format, segment);
+        std::array<ref::Enclosed, 3> V, W;
+        for (int k = 0; k < 3; ++k) {
+            V[k] = segment.c[k];
+            W[k] = 2 * segment.b[k];
+        }
+        const double phi = 1 / segment.c.norm();
+        words.open(V, W, {phi, ref::half_bit(kBits - 2), 0});
+        words.expand();
+        network.phi[0] = std::llround(std::ldexp(phi, kBits - 2));
         network.derivatives_of_phi();
         network.expand();
-        ref::SplineRoundings roundings;
-        roundings.anchor.phi = ref::half_bit(kBits - 2);
-        roundings.expand(format, series);
-        const auto check = [&](std::int64_t got, int frac, double exact, double error) {
-            const double wrong = std::abs(std::ldexp(static_cast<double>(got), -frac) - exact);
-            EXPECT_LE(wrong, error * (1 + 1e-6) + 1e-15);
-            worst = std::max(worst, wrong / error);
+        const auto check = [&](std::int64_t got, int frac, const ref::Enclosed& wanted) {
+            const double wrong =
+                std::abs(std::ldexp(static_cast<double>(got), -frac) - wanted.value);
+            EXPECT_LE(wrong, wanted.rounding * (1 + 1e-6) + 1e-15);
+            worst = std::max(worst, wrong / wanted.rounding);
         };
-        for (std::size_t i = 1; i <= C::kOrder; ++i) {
-            check(network.q[i], kBits - 2, series.q[i], roundings.q[i]);
-            if (i <= hls::SplineNetwork<C>::kTop) {
-                check(network.phi[i], kBits - 2, series.phi[i], roundings.phi[i]);
-            }
-            if (i < hls::SplineNetwork<C>::kTop) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    check(network.W[k][i], kBits + 1, series.W[k][i],
-                          std::abs(series.six_a[static_cast<int>(k)]) * roundings.q[i] +
-                              ref::half_bit(kBits + 1));
+        for (int i = 1; i <= C::kOrder; ++i) {
+            check(network.q[i], kBits - 2, words.q(i));
+            if (i <= hls::SplineNetwork<C>::kTop) check(network.phi[i], kBits - 2, words.phi(i));
+            for (int k = 0; k < 3; ++k) {
+                if (i < hls::SplineNetwork<C>::kTop) {
+                    check(network.W[k][i], kBits + 1, words.W(k, i));
                 }
-            }
-            for (std::size_t k = 0; k < 3 && hls::SplineNetwork<C>::kSeries; ++k) {
-                check(network.x[k][i], kBits - 2, series.x[k][i], roundings.x[k][i]);
+                if (hls::SplineNetwork<C>::kSeries)
+                    check(network.x[k][i], kBits - 2, words.x(k, i));
             }
         }
     }

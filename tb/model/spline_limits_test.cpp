@@ -2,8 +2,8 @@
 // How fast cubics are drawn: bounds of their curvature, the machine's limits along the exact curve.
 #include <gtest/gtest.h>
 
-#include "ref/plan/limit_report.hpp"
-#include "ref/plan/spline_shape.hpp"
+#include "ref/feed/limit_report.hpp"
+#include "ref/feed/spline_shape.hpp"
 #include "tb/support/cubics.hpp"
 #include "tb/support/random_splines.hpp"
 #include "tb/support/spline_loads.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cubic cut into what the core can draw: ranges, joints, lengths, refusals; and the bound's
 // sense.
-#include "ref/plan/spline_segment.hpp"
+#include "ref/segment/spline_segment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,13 @@
 
 #include "hls/quantise.hpp"
 #include "hls/spline_kernel.hpp"
+#include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/curve/segment_curve.hpp"
-#include "ref/spline_bound.hpp"
-#include "tb/support/spline_families.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 const ref::WordFormat kFormat{6, 36, 32, 10, true};
@@ -107,9 +108,9 @@ TEST(SplineError, GrowsAsWidthOrOrderShrink) {
 
 TEST(SplineError, RefusesStepsBeyondTheWordsRanges) {
     ref::Segment segment = piece();
-    EXPECT_TRUE(ref::spline_error(kFormat, segment).in_range);
+    EXPECT_EQ(ref::spline_error(kFormat, segment).shorten, ref::Shorten::kNothing);
     segment.step_exponent = segment.lambda;
-    EXPECT_FALSE(ref::spline_error(kFormat, segment).in_range);
+    EXPECT_EQ(ref::spline_error(kFormat, segment).shorten, ref::Shorten::kSteps);
 }
 
 template <class C>

@@ -23,7 +23,7 @@ TEST_P(TimeScalerBounds, DifferencesStayBoundedForAnyTargets) {
     TimeScaler scaler(bounds.acceleration, bounds.slope);
     std::mt19937 random(3);
     std::int32_t target = 1 << 16;
-    std::int64_t rate = 1 << 16;
+    std::int64_t rate = scaler.tick(target);
     std::int64_t slope = 0;
     for (int tick = 0; tick < 200000; ++tick) {
         if (random() % 50 == 0) {
@@ -48,7 +48,7 @@ TEST_P(TimeScalerBounds, ArrivesExactlyAndWithoutOvershoot) {
     const Bounds bounds = GetParam();
     for (const std::int32_t target : {0, 1, 12345, 65535, 65536}) {
         TimeScaler scaler(bounds.acceleration, bounds.slope);
-        std::int32_t rate = 1 << 16;
+        std::int32_t rate = scaler.tick(1 << 16);
         int ticks = 0;
         while (rate != target && ticks < 10000000) {
             const std::int32_t next = scaler.tick(target);
@@ -72,12 +72,21 @@ std::string name_of(const ::testing::TestParamInfo<Bounds>& bounds) {
 INSTANTIATE_TEST_SUITE_P(Machines, TimeScalerBounds,
                          ::testing::Values(Bounds{1 << 16, 1 << 24}, Bounds{1000, 1000 * 4000},
                                            Bounds{std::int64_t(1) << 31, std::int64_t(1) << 32},
-                                           Bounds{77777, 77777}),
+                                           Bounds{77777, 77777}, Bounds{200000, 2000001},
+                                           Bounds{200000, 2199999}),
                          name_of);
+
+TEST(TimeScaler, FirstTickLandsOnItsTarget) {
+    for (const std::int32_t target : {0, 1, 12345, 65536}) {
+        TimeScaler scaler(1 << 10, 1 << 20);
+        for (int tick = 0; tick < 10; ++tick) EXPECT_EQ(scaler.tick(target), target);
+    }
+}
 
 TEST(TimeScaler, StopsNearlyAsFastAsTheBoundsAllow) {
     const std::int64_t acceleration = 1 << 20;
     TimeScaler scaler(acceleration, acceleration * 1000);
+    scaler.tick(1 << 16);
     int ticks = 0;
     while (scaler.tick(0) != 0) ++ticks;
     // No slope limit in reach: 2 sqrt(1 / a) = 128 ticks is the shortest time.

@@ -41,7 +41,7 @@ SegmentWords<C> random_segment(Random& random) {
     for (int axis = 0; axis < C::kAxes; ++axis) {
         segment.start[axis] = std::int64_t(random.uniform(-1e6, 1e6));
         segment.end[axis] = std::int64_t(random.uniform(-1e6, 1e6));
-        segment.advance[axis] = std::int64_t(random.uniform(-1, 1) * one);
+        segment.advance[axis] = std::int64_t(random.uniform(-0.9, 0.9) * one);
     }
     for (int axis = 0; axis < 3; ++axis) {
         segment.normal[axis] = std::int64_t(wave[axis] * one);
@@ -113,7 +113,8 @@ void print_path() {
             words.time_exponent = 9;
             words.exponent = int(random.uniform(0, 41));
             words.ds = std::int64_t(random.uniform(0, std::ldexp(1.0, words.exponent)));
-            for (auto& c : words.c) c = std::int64_t(random.uniform(-1, 1) * std::ldexp(1.0, 34));
+            for (auto& c : words.c)
+                c = std::int64_t(random.uniform(-0.6, 0.6) * std::ldexp(1.0, 34));
             return true;
         };
         const Word<kLengthBits + 1> ds = path.tick(int(random.uniform(0, 65536)), piece);

@@ -8,7 +8,11 @@
 
 #include <type_traits>
 
-#include "tb/support/core_configuration.hpp"
+#include "sysc/board/core_configuration.hpp"
+
+namespace curvecore::tb {
+using namespace sysc;
+}
 
 #if __has_include("Vcurve_interpolator.h")
 

@@ -12,15 +12,23 @@
 #include <utility>
 #include <vector>
 
+#include "hls/clocks.hpp"
 #include "hls/interpolator_kernel.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/core_configuration.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/core_configuration.hpp"
+#include "sysc/board/port_word.hpp"
 #include "tb/support/legal_segments.hpp"
-#include "tb/support/port_word.hpp"
 
 namespace curvecore::tb {
 
+using namespace sysc;
+
 using Fine = std::array<int64_t, kAxes>;
+
+constexpr hls::TimedCore timed_core(bool serial, bool arcs, bool splines) {
+    return {serial, Config::kOrder, Config::kCoefBits,  Config::kAuxAxes, CFG_Mode == 0,
+            arcs,   splines,        CFG_SampleInterval, Config::kAnchor};
+}
 
 /// Kernel: of the curve; Shapes: its segments, `next()` and `whole(k, steps)`.
 /// Rounds: of 500 samples.
@@ -39,7 +47,7 @@ class CurveCoreBench : public testing::Test {
     void add(const hls::SegmentWords<Config>& segment) {
         segments_.push_back(segment);
         std::array<uint64_t, hls::segment_bus_words<Config>()> words;
-        hls::pack(segment, words.data());
+        hls::pack(segment, 0, words.data());
         bus_.insert(bus_.end(), words.begin(), words.end());
     }
 
@@ -180,9 +188,11 @@ class CurveCoreBench : public testing::Test {
         EXPECT_EQ(dut_->empty_segments_o, kernel_.empty_segments());
     }
 
-    /// One sample per interval, over all of these segments, while each step holds `step_samples`.
+    /// One sample per interval, over all of these segments, while steps hold the samples of
+    /// `step_clocks`.
     void gives_one_sample_per_interval(const std::vector<hls::SegmentWords<Config>>& segments,
-                                       int step_samples, int step_clocks) {
+                                       int step_clocks) {
+        const int step_samples = (step_clocks + CFG_SampleInterval - 1) / CFG_SampleInterval;
         int64_t count = 0;
         for (const hls::SegmentWords<Config>& segment : segments) {
             add(segment);
@@ -198,6 +208,30 @@ class CurveCoreBench : public testing::Test {
         const uint64_t first = dut_.cycle();
         while (!expected_.empty() && !this->HasFatalFailure()) clock(true, true, true);
         EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>((count - 1) * CFG_SampleInterval));
+    }
+
+    /// Samples that go on by a step each come at the pace of the steps; a sample that waits for its
+    /// step is tried every second slot.
+    void takes_the_stated_clocks_a_step(const std::vector<hls::SegmentWords<Config>>& segments,
+                                        int clocks) {
+        for (const hls::SegmentWords<Config>& segment : segments) {
+            add(segment);
+            const int64_t ds = int64_t{1} << (segment.step_exponent + hls::kPathFrac);
+            for (int64_t left = segment.length; left > 0; left -= ds) {
+                requests_.push_back(ds);
+                expected_.push_back(predict(ds, [] { FAIL(); }));
+            }
+        }
+        const auto until = [&](std::size_t left) {
+            while (expected_.size() > left && !this->HasFatalFailure()) clock(true, true, true);
+            return static_cast<double>(last_sample_);
+        };
+        // The first ones find room ahead; the last one of a segment needs no step after it.
+        const std::size_t count = expected_.size() - 9;
+        const double first = until(count + 1);
+        EXPECT_NEAR(until(1) - first, static_cast<double>(count) * clocks, 2 * CFG_SampleInterval);
+        until(0);
+        start_afresh();
     }
 
     /// Clocks from request to sample in [low, low + SampleInterval), in the first of two steps.
@@ -226,6 +260,27 @@ class CurveCoreBench : public testing::Test {
         EXPECT_FALSE(requests_.empty());
         drain([] { return true; });
     }
+
+    /// The count of empty segments stays at its end.
+    void counts_65535_empty_segments() {
+        hls::SegmentWords<Config> empty = Shapes(5).whole(4, 1);
+        empty.length = 0;
+        for (int n = 0; n < 65540; ++n) add(empty);
+        add(Shapes(5).whole(4, 1));
+        requests_.push_back(10);
+        expected_.push_back(predict(10, [] { FAIL(); }));
+        ASSERT_NO_FATAL_FAILURE(drain([] { return true; }));
+        EXPECT_EQ(kernel_.empty_segments(), 65540);
+        EXPECT_EQ(dut_->empty_segments_o, 65535);
+    }
+
+    /// Clocks that are bounded by `bound`, and come as close to it.
+    static void reaches(uint64_t clocks, uint64_t bound, uint64_t close) {
+        EXPECT_LE(clocks, bound);
+        EXPECT_GE(clocks + close, bound);
+    }
+
+    static constexpr uint64_t kSamples = 60;
 
     /// Clocks for `count` samples of a step after its first.
     uint64_t clocks_within_a_step(const hls::SegmentWords<Config>& segment, uint64_t count) {
@@ -277,7 +332,7 @@ class CurveCoreBench : public testing::Test {
 
     /// Resets the core, and forgets what it was asked.
     void start_afresh() {
-        dut_.reset();
+        dut_.reset(1);
         kernel_ = {};
         segments_.clear();
         bus_.clear();
@@ -288,8 +343,8 @@ class CurveCoreBench : public testing::Test {
         path_end_ = 0;
     }
 
-    /// After two clocks of reset, whatever was under way, it is a fresh core: every output in every
-    /// clock.
+    /// After a clock of reset, whatever was under way, it is a fresh core, and so is one whose
+    /// registers woke up with anything in them: every output in every clock.
     void starts_afresh_after_a_reset() {
         Shapes shapes(3);
         const auto run = [&](uint64_t clocks) {
@@ -303,10 +358,13 @@ class CurveCoreBench : public testing::Test {
         };
         for (int round = 0; round < 40; ++round) {
             run(random_() % 1000);
-            start_afresh();
             fresh_ = std::make_unique<ClockedDut<Model>>(round + 2);
+            (*fresh_)->rst_ni = 1;
             drive(*fresh_, true, true, true);
-            fresh_->reset();
+            fresh_->tick(random_() % 100);
+            start_afresh();
+            drive(*fresh_, true, true, true);
+            fresh_->reset(1);
             run(2000);
             fresh_.reset();
         }

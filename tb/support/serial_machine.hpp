@@ -10,7 +10,7 @@
 #include <string>
 
 #include "hls/sampling.hpp"
-#include "ref/plan/segment.hpp"  // its kSpline before that of the figures: -Wshadow
+#include "ref/curve/segment.hpp"  // its kSpline before that of the figures: -Wshadow
 #include "rtl/serial/spline_program.hpp"
 
 namespace curvecore::tb {

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/plan/limits.hpp"
-#include "ref/plan/profile_words.hpp"
+#include "ref/feed/limits.hpp"
+#include "ref/feed/profile_words.hpp"
 
 namespace curvecore::tb {
 

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "hls/quantise.hpp"
-#include "ref/plan/spline_segment.hpp"
-#include "tb/support/spline_families.hpp"
+#include "ref/segment/spline_segment.hpp"
+#include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
+
+using namespace sysc;
 
 /// The cubic as words of fewer position bits can hold it.
 template <class C>

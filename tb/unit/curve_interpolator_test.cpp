@@ -3,12 +3,14 @@
 // throughput over changes of kind, and latency.
 #include "Vcurve_interpolator.h"
 #include "hls/curve_kernel.hpp"
-#include "tb/support/core_timing.hpp"
 #include "tb/support/curve_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
 
 namespace curvecore::tb {
 namespace {
+
+constexpr hls::TimedCore kCore = timed_core(false, true, true);
+constexpr int kStepClocks = hls::spline_clocks(kCore).segment;  // an arc's take fewer
 
 using CurveInterpolator =
     CurveCoreBench<Vcurve_interpolator, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
@@ -21,16 +23,16 @@ TEST_F(CurveInterpolator, GivesOneSamplePerIntervalOverChangesOfKind) {
     MixedSegments<Config> shapes(5);
     std::vector<hls::SegmentWords<Config>> segments;
     for (int n = 0; n < 30; ++n) segments.push_back(shapes.whole(10, 1 + n % 3));
-    gives_one_sample_per_interval(segments, samples_of(kSplineStepClocks), kSplineStepClocks);
+    gives_one_sample_per_interval(segments, kStepClocks);
 }
 
 TEST_F(CurveInterpolator, HasTheStatedLatencyForBothKinds) {
     MixedSegments<Config> shapes(5);
     add(shapes.whole(10, 2));
-    has_latency(sample_latency(kBothCurves), kSplineStepClocks);
+    has_latency(hls::sample_latency(kCore), kStepClocks);
     start_afresh();
     add(shapes.whole(10, 2));
-    has_latency(sample_latency(kBothCurves), kSplineStepClocks);
+    has_latency(hls::sample_latency(kCore), kStepClocks);
 }
 
 TEST_F(CurveInterpolator, HoldsItsSampleWhileStalled) { holds_its_sample_while_stalled(); }

@@ -7,10 +7,11 @@
 
 #include "Vhorner.h"
 #include "hls/fixed_word.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kPasses = CFG_Passes;

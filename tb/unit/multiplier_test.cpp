@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "Vmultiplier.h"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 __extension__ using Wide = __int128;

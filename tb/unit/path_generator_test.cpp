@@ -7,11 +7,12 @@
 
 #include "Vpath_generator.h"
 #include "hls/path_kernel.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 #include "tb/support/random_pieces.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kInterval = CFG_Interval;
@@ -21,6 +22,7 @@ class PathGenerator : public testing::Test {
   protected:
     PathGenerator() {
         dut_->word_valid_i = 0;
+        dut_->begin_i = 1;
         dut_->queued_i = 0;
         dut_->rate_valid_i = 0;
         dut_.reset();
@@ -31,7 +33,7 @@ class PathGenerator : public testing::Test {
         for (const hls::ProfileWords& piece : pieces) {
             published_.push_back(piece);
             uint64_t words[hls::kProfileBusWords];
-            hls::pack(piece, words);
+            hls::pack(piece, 0, words);
             words_.insert(words_.end(), words, words + hls::kProfileBusWords);
         }
     }
@@ -43,9 +45,10 @@ class PathGenerator : public testing::Test {
         if (dut_->word_valid_i) dut_->word_i = words_.front();
         dut_->rate_valid_i = rate >= 0 ? 1 : 0;
         dut_->rate_i = to_port(std::max(rate, 0), 17);
+        dut_->held_i = static_cast<int>(random_() % 100) < held_percent_;
         dut_.settle();
         const bool ticked = rate >= 0 && dut_->rate_ready_o;
-        if (ticked) rates_.push_back(rate);
+        if (ticked) rates_.push_back({rate, dut_->held_i != 0});
         if (dut_->tick_taken_o) predict();
         if (dut_->piece_take_o) ++taken_;
         if (dut_->word_valid_i && dut_->word_ready_o) words_.pop_front();
@@ -55,13 +58,14 @@ class PathGenerator : public testing::Test {
     }
 
     void predict() {
-        const int32_t rate = rates_.front();
+        const auto [rate, held] = rates_.front();
         rates_.pop_front();
-        const int64_t ds = kernel_.tick(rate, [this](hls::ProfileWords& piece) {
+        const auto next_piece = [this](hls::ProfileWords& piece) {
             if (next_ == published_.size()) return false;
             piece = published_[next_++];
             return true;
-        });
+        };
+        const int64_t ds = kernel_.tick(rate, next_piece, held);
         expected_.push_back({ds, rate, dut_.cycle()});
         ++ticks_;
     }
@@ -123,7 +127,8 @@ class PathGenerator : public testing::Test {
     std::size_t next_ = 0;   // piece of the kernel
     std::size_t taken_ = 0;  // pieces of the RTL
     std::deque<uint64_t> words_;
-    std::deque<int32_t> rates_;
+    std::deque<std::pair<int32_t, bool>> rates_;  // and whether held
+    int held_percent_ = 0;
     std::deque<Expected> expected_;
     int64_t walked_ = 0;
     int64_t ticks_ = 0;
@@ -154,7 +159,7 @@ TEST_F(PathGenerator, EqualsKernelWithLongPieces) {
     for (int exponent = 10; exponent <= 19; ++exponent) {
         const int32_t ticks = (1 << exponent) - (exponent % 2);
         publish({piece_of(int64_t{1} << (20 + exponent), ticks, 0.3, false),
-                 piece_of((int64_t{1} << 46) + 12345, ticks / 2 + 1, 1.7, true)});
+                 piece_of((int64_t{1} << 43) + 12345, ticks / 2 + 1, 1.7, true)});
         run([] { return 65536; }, 0, 0);
         ASSERT_FALSE(HasFatalFailure()) << "exponent " << exponent;
     }
@@ -207,6 +212,23 @@ TEST_F(PathGenerator, TakesATickEveryIntervalAcrossPieces) {
     while (kernel_.active()) clock(65536);
     EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>(kInterval * (ticks_ - ticks)));
     drain();
+}
+
+TEST_F(PathGenerator, NoProgramBeginsInATickThatIsHeld) {
+    for (uint32_t seed = 1; seed <= 40; ++seed) {
+        publish(random_pieces(seed, 20, seed % 2 ? 100 : 4));
+        const int64_t walked = walked_;
+        held_percent_ = 100;
+        for (int n = 0; n < 200; ++n) clock(any_rate());
+        drain();
+        ASSERT_EQ(walked_, walked) << "seed " << seed;
+        ASSERT_FALSE(dut_->active_o) << "seed " << seed;
+        // Once begun it goes on at its rates, held or not.
+        held_percent_ = 90;
+        run([this] { return any_rate(); }, 30, 30);
+        ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;
+    }
+    EXPECT_EQ(walked_, length(published_));
 }
 
 TEST_F(PathGenerator, StandsStillWithoutAPiece) {

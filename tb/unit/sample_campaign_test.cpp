@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "hls/interpolator_kernel.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 #include "tb/support/campaign_core.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kBusWords = hls::segment_bus_words<Config>();
@@ -100,7 +101,8 @@ class Campaign : public testing::Test {
             for (int n = 0; n < 500; ++n) chain_.push_back(shapes.next());
         }
         bus_.resize(chain_.size() * kBusWords);
-        for (std::size_t n = 0; n < chain_.size(); ++n) hls::pack(chain_[n], &bus_[n * kBusWords]);
+        for (std::size_t n = 0; n < chain_.size(); ++n)
+            hls::pack(chain_[n], static_cast<unsigned>(n), &bus_[n * kBusWords]);
     }
 
     ClockedDut<CampaignCore::Model> dut_;

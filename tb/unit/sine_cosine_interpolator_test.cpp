@@ -7,10 +7,11 @@
 
 #include "Vsine_cosine_interpolator.h"
 #include "hls/spherical_kernel.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 using Config = hls::Configuration<CFG_Order, CFG_CoefBits, 32, 10, 0, hls::SamplerMode::kSeries>;
@@ -27,7 +28,15 @@ class SineCosineInterpolator : public testing::Test {
     SineCosineInterpolator() {
         dut_->step_i = 0;
         dut_->load_i = 0;
-        dut_.reset();
+        start_afresh();
+    }
+
+    /// A clock of reset; it is ready a clock after that.
+    void start_afresh() {
+        dut_->step_i = 0;
+        dut_.reset(1);
+        EXPECT_EQ(dut_->ready_o, 0);
+        dut_.tick();
     }
 
     void load(int64_t theta, double angle) {
@@ -90,6 +99,20 @@ TEST_F(SineCosineInterpolator, EqualsKernelOnEveryOrderOfEveryStep) {
         load(theta, std::uniform_real_distribution<double>(-4, 4)(random));
         for (int n = 0; n < 10 && !HasFatalFailure(); ++n) step();
         ASSERT_FALSE(HasFatalFailure()) << "arc " << arc << " theta " << theta;
+    }
+}
+
+TEST_F(SineCosineInterpolator, StartsAfreshAfterAReset) {
+    std::mt19937_64 random(5);
+    const auto theta = [&] { return static_cast<int64_t>(random() & low_mask(kBits - 2)); };
+    for (int round = 0; round < 100; ++round) {
+        load(theta(), 1.0);
+        dut_->step_i = 1;
+        dut_.tick(random() % kStepClocks);
+        start_afresh();
+        load(theta(), 2.0);
+        step();
+        ASSERT_FALSE(HasFatalFailure()) << "round " << round;
     }
 }
 

@@ -10,10 +10,12 @@
 #include <random>
 
 #include "Vspline_network.h"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
+#include "tb/support/spline_load.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kOrder = CFG_Order;
@@ -26,6 +28,7 @@ using Config =
                        kAnchor>;
 using Network = hls::SplineNetwork<Config>;
 using Coef = hls::Word<kBits>;
+constexpr int kTermBits = kBits + 5;  // {there, order, coefficient}
 
 // As stated in the header of the sequencer.
 constexpr int kTop = Network::kTop;
@@ -47,9 +50,7 @@ class SplineNetwork : public testing::Test {
     }
 
     void clear() {
-        dut_->load_six_a_i = dut_->load_v_i = dut_->load_w_i = 0;
-        dut_->load_phi_i = dut_->load_q_i = dut_->load_r_i = 0;
-        dut_->again_i = 0;
+        dut_->load_i = 0;
         dut_->start_i = 0;
     }
 
@@ -77,8 +78,8 @@ class SplineNetwork : public testing::Test {
         kernel_.derivatives_of_phi();
     }
 
-    void give(std::uint8_t& port, std::uint8_t value, Coef word, bool start = false) {
-        port = value;
+    void give(int place, Coef word, bool start = false) {
+        dut_->load_i = static_cast<std::uint16_t>(1 << place);
         dut_->initial_i = to_port(word, kBits);
         dut_->start_i = start;
         dut_.tick();
@@ -88,14 +89,13 @@ class SplineNetwork : public testing::Test {
     void load() {
         draw();
         for (int k = 0; k < 3; ++k) {
-            const auto axis = static_cast<std::uint8_t>(1 << k);
-            give(dut_->load_six_a_i, axis, kernel_.six_a[k]);
-            give(dut_->load_v_i, axis, kernel_.V[k][0]);
-            give(dut_->load_w_i, axis, kernel_.W[k][0]);
+            give(load::kSixA + k, kernel_.six_a[k]);
+            give(load::kV + k, kernel_.V[k][0]);
+            give(load::kW + k, kernel_.W[k][0]);
         }
-        give(dut_->load_r_i, 1, kernel_.R[0]);
-        give(dut_->load_q_i, 1, kernel_.Q[0]);
-        give(dut_->load_phi_i, 1, kernel_.phi[0], true);
+        give(load::kR, kernel_.R[0]);
+        give(load::kQ, kernel_.Q[0]);
+        give(load::kPhi, kernel_.phi[0], true);
     }
 
     /// The next step from the words that this one has reached (Anchor = 0).
@@ -107,7 +107,7 @@ class SplineNetwork : public testing::Test {
             kernel_.V[k][0] = Network::sum(kernel_.V[k], 0, kOrder);
             kernel_.W[k][0] = Network::sum(kernel_.W[k], 0, kOrder);
         }
-        dut_->again_i = 1;
+        dut_->load_i = 1 << load::kAgain;
         dut_->start_i = 1;
         dut_.tick();
         clear();
@@ -132,16 +132,12 @@ class SplineNetwork : public testing::Test {
             dut_.settle();
             ASSERT_EQ(dut_->done_o, cycle == kStepClocks) << cycle;
             check(dut_->q_o, kernel_.q, kOrder, q);
-            check(dut_->x_o, kernel_.x[0], kOrder, x[0]);
-            check(dut_->y_o, kernel_.x[1], kOrder, x[1]);
-            check(dut_->z_o, kernel_.x[2], kOrder, x[2]);
-            check(dut_->vx_o, kernel_.V[0], kTop, v[0]);
-            check(dut_->vy_o, kernel_.V[1], kTop, v[1]);
-            check(dut_->vz_o, kernel_.V[2], kTop, v[2]);
             const int top_w = kAnchor ? kTop - 1 : kOrder;
-            check(dut_->wx_o, kernel_.W[0], top_w, w[0]);
-            check(dut_->wy_o, kernel_.W[1], top_w, w[1]);
-            check(dut_->wz_o, kernel_.W[2], top_w, w[2]);
+            for (int k = 0; k < 3; ++k) {
+                check(field(dut_->x_o, k * kTermBits, kTermBits), kernel_.x[k], kOrder, x[k]);
+                check(field(dut_->v_o, k * kTermBits, kTermBits), kernel_.V[k], kTop, v[k]);
+                check(field(dut_->w_o, k * kTermBits, kTermBits), kernel_.W[k], top_w, w[k]);
+            }
             if (HasFatalFailure()) FAIL() << "cycle " << cycle;
             dut_.tick();
         }

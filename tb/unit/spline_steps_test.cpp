@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "Vspline_steps.h"
+#include "hls/clocks.hpp"
 #include "hls/spline_kernel.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 #include "tb/support/spline_segments.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kOrder = CFG_Order;
@@ -41,15 +43,7 @@ struct Kernel : hls::SplineKernel<Config> {
     using Base::step_b_;
 };
 
-// As stated in the headers of the RTL.
-constexpr int kTop = kAnchor ? kOrder - 1 : kOrder;
-constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kPause = kTop >= (kAnchor ? 2 : 3) ? std::max(0, 2 * kDigits - 31) : 0;
-constexpr int kRestQ = kOrder + kDigits + 6;
-constexpr int kRest = kSeries ? std::max(kRestQ, 4 * kOrder + 15) : kRestQ;
-constexpr int kRestStates = 9 * kOrder + 32 + (kOrder == 2 ? 14 : 0);
-constexpr int kNetwork =
-    9 * kTop * (kTop + 1) / 2 + 27 * kTop + kPause + (kAnchor ? kRest : kRestStates) + 1;
+constexpr hls::TimedCore kCore{false, kOrder, kBits, CFG_AuxAxes, kSeries, false, true, 1, kAnchor};
 
 class SplineSteps : public testing::Test {
   protected:
@@ -99,44 +93,54 @@ class SplineSteps : public testing::Test {
         dut_.settle();
     }
 
-    void check_term(std::uint64_t term, const Coef* series, int& last) {
-        if (term >> (kBits + 4) == 0) return;
-        ASSERT_EQ(static_cast<int>(term >> kBits & 15), last + 1);
-        ++last;
-        ASSERT_EQ(from_port(term, kBits), series[last]) << "order " << last;
+    /// What goes into the bank: terms one order after the other, words of the cubic.
+    void check_write() {
+        const std::uint32_t write = dut_->write_o;
+        const int place = static_cast<int>(write >> 2 & 15);
+        const auto word = [&](int lane) {
+            return signed_field(dut_->words_o, lane * kBits, kBits);
+        };
+        if ((write >> 10) != 0) {
+            ASSERT_EQ(write & 3, bank_ & 3);
+        }
+        for (int k = 0; k < 3; ++k) {
+            if ((write >> (10 + k) & 1) == 0) continue;
+            if (kSeries) {
+                ASSERT_EQ(place, ++x_[k]);
+                ASSERT_EQ(word(k), kernel_.net_.x[k][place]) << "order " << place;
+            } else {
+                const Coef cubic[] = {kernel_.net_.V[k][0], kernel_.step_b_[k], kernel_.step_a_[k]};
+                ASSERT_TRUE(place >= 1 && place <= 3) << place;
+                ASSERT_EQ(word(k), cubic[place - 1]) << "power " << place;
+                ++cubic_[place - 1];
+            }
+        }
+        if ((write >> 13 & 1) != 0) {
+            const int order = static_cast<int>(write >> 6 & 15);
+            ASSERT_EQ(order, ++own_);
+            ASSERT_EQ(word(3), kernel_.net_.q[order]) << "order " << order;
+        }
+        ASSERT_EQ(write >> 14, 0U);
     }
 
     /// All words between two done_o.
     void follow(const Segment& segment, int clocks) {
-        int q = 0, x[3] = {}, a = 0, v = 0, b = 0, points = 0, rates = 0;
+        int points = 0, rates = 0;
+        own_ = 0;
+        for (int k = 0; k < 3; ++k) x_[k] = cubic_[k] = 0;
+        dut_->bank_i = bank_ & 3;
         for (int cycle = 1;; ++cycle) {
             answer(segment);
-            check_term(dut_->q_o, kernel_.net_.q, q);
-            check_term(dut_->x_o, kernel_.net_.x[0], x[0]);
-            check_term(dut_->y_o, kernel_.net_.x[1], x[1]);
-            check_term(dut_->z_o, kernel_.net_.x[2], x[2]);
-            for (int k = 0; k < 3; ++k) {
-                if (dut_->a_write_o >> k & 1) {
-                    ASSERT_EQ(from_port(dut_->a_o, kBits), kernel_.step_a_[k]);
-                    ++a;
-                }
-                if (dut_->v_write_o >> k & 1) {
-                    ASSERT_EQ(signed_field(dut_->v_o, k * kBits, kBits), kernel_.net_.V[k][0]);
-                    ++v;
-                }
-                if (dut_->b_write_o >> k & 1) {
-                    ASSERT_EQ(signed_field(dut_->b_o, k * kBits, kBits), kernel_.step_b_[k]);
-                    ++b;
-                }
-            }
-            if (dut_->rate_valid_o) {
-                ASSERT_EQ(from_port(dut_->advance_o, kBits), kernel_.advance_[dut_->rate_axis_o]);
+            check_write();
+            if (field(dut_->rate_o, kBits + 4, 1) != 0) {
+                const auto axis = field(dut_->rate_o, kBits, 4);
+                ASSERT_EQ(signed_field(dut_->rate_o, 0, kBits), kernel_.advance_[axis]);
                 ++rates;
             }
-            if (dut_->point_write_o) {
-                const int axis = dut_->point_axis_o;
-                ASSERT_EQ(from_port(dut_->origin_o, kFine), kernel_.position_[axis]) << axis;
-                ASSERT_EQ(from_port(dut_->end_o, kFine), segment.end[axis]) << axis;
+            if (field(dut_->point_o, 2 * kFine + 4, 1) != 0) {
+                const auto axis = field(dut_->point_o, 2 * kFine, 4);
+                ASSERT_EQ(signed_field(dut_->point_o, 0, kFine), kernel_.position_[axis]) << axis;
+                ASSERT_EQ(signed_field(dut_->point_o, kFine, kFine), segment.end[axis]) << axis;
                 ++points;
             }
             if (HasFatalFailure()) FAIL() << "cycle " << cycle;
@@ -148,15 +152,25 @@ class SplineSteps : public testing::Test {
             break;
         }
         ASSERT_TRUE(dut_->ready_o);
-        ASSERT_EQ(q, kOrder);
-        for (int order : x) ASSERT_EQ(order, kSeries ? kOrder : 0);
-        ASSERT_TRUE(a == 3 && v == 3 && b == 3) << a << v << b;
+        // The last term comes now, into the same bank; the next step has another.
+        dut_->bank_i = (bank_ + 1) & 3;
+        dut_.settle();
+        check_write();
+        ++bank_;
+        ASSERT_EQ(own_, kSeries ? 0 : kOrder);
+        for (int order : x_) ASSERT_EQ(order, kSeries ? kOrder : 0);
+        for (int count : cubic_) ASSERT_EQ(count, kSeries ? 0 : 3);
         ASSERT_EQ(points, kAxes);
         ASSERT_EQ(rates, kAxes - 3);
     }
 
     ClockedDut<Vspline_steps> dut_;
     int point_ = 0;  // asked for in the clock before
+    unsigned bank_ = 0;
+    // Written in this step: orders of the own series, of X Y Z; words of V, B', a'.
+    int own_ = 0;
+    int x_[3] = {};
+    int cubic_[3] = {};
     Kernel kernel_;
     std::vector<Segment> segments_;
 };
@@ -171,7 +185,7 @@ TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
         for (bool first = true; rest > 0; first = false, rest -= full) {
             first ? kernel_.load(segment) : kernel_.step();
             start(first);
-            follow(segment, (kAnchor || first ? 92 : 3) + kNetwork);
+            follow(segment, hls::spline_step_clocks(kCore, first));
             ASSERT_FALSE(HasFatalFailure()) << "segment " << n << " rest " << rest;
             ++steps;
         }

@@ -6,10 +6,11 @@
 
 #include "Vstieltjes_integrator.h"
 #include "hls/series_node.hpp"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 constexpr int kBits = CFG_Bits;
@@ -17,14 +18,17 @@ constexpr int kShift = CFG_Shift;
 constexpr int kDrop = CFG_Drop;
 constexpr int kFirst = CFG_First;
 constexpr int kOrder = 12;
+// As in rtl/node/series_pkg.sv.
+constexpr int kAgain = 1 << 0;
+constexpr int kLoad = 1 << 1;
+constexpr int kOrderBit = 2;
+constexpr int kStart = 1 << 6;
 using Word = hls::Word<kBits>;
 
 class StieltjesIntegrator : public testing::Test {
   protected:
     StieltjesIntegrator() {
-        dut_->start_i = 0;
-        dut_->load_i = 0;
-        dut_->again_i = 0;
+        dut_->control_i = 0;
         dut_->u_i = 0;
         dut_->s_i = 0;
         dut_.reset();
@@ -33,9 +37,7 @@ class StieltjesIntegrator : public testing::Test {
 
     void tick() {
         dut_.tick();
-        dut_->start_i = 0;
-        dut_->load_i = 0;
-        dut_->again_i = 0;
+        dut_->control_i = 0;
         dut_->u_i = 0;
         dut_->s_i = 0;
         dut_.settle();
@@ -58,8 +60,7 @@ class StieltjesIntegrator : public testing::Test {
     /// A new initial word, or the state that the step before has reached.
     void open(bool again) {
         if (!again) state_ = word();
-        dut_->load_i = !again;
-        dut_->again_i = again;
+        dut_->control_i = again ? kAgain : kLoad;
         dut_->initial_i = to_port(again ? word() : state_, kBits);
         tick();
         ASSERT_EQ(there(dut_->x_o), true);
@@ -75,8 +76,7 @@ class StieltjesIntegrator : public testing::Test {
         tick();
         const Word d = hls::convolve<kBits, kShift>(u_, s_, i);
         const Word x = hls::over_order<kBits, kDrop>(d, i);
-        dut_->start_i = 1;
-        dut_->order_i = static_cast<uint8_t>(i);
+        dut_->control_i = static_cast<uint8_t>(kStart | i << kOrderBit);
         for (int cycle = 0; cycle <= 4 * i + 17; ++cycle) {
             if (cycle == i) dut_->s_i = term(i - 1 + kFirst, s_[i]);
             tick();

@@ -8,10 +8,11 @@
 #include <random>
 
 #include "Vtime_scaler.h"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 struct Bounds {
@@ -19,13 +20,16 @@ struct Bounds {
     int64_t slope;
 };
 
-class TimeScaler : public testing::TestWithParam<Bounds> {
+class TimeScalerBench : public testing::Test {
   protected:
-    TimeScaler() : kernel_(GetParam().acceleration, GetParam().slope) {
-        dut_->acceleration_i = to_port(GetParam().acceleration, 32);
-        dut_->slope_i = to_port(GetParam().slope, 33);
+    void start(const Bounds& bounds) {
+        kernel_ = hls::TimeScaler(bounds.acceleration, bounds.slope);
+        dut_->acceleration_i = to_port(bounds.acceleration, 32);
+        dut_->slope_i = to_port(bounds.slope, 33);
         dut_->valid_i = 0;
         dut_.reset();
+        expected_.clear();
+        stands_ = false;
     }
 
     /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
@@ -34,7 +38,7 @@ class TimeScaler : public testing::TestWithParam<Bounds> {
         dut_->target_i = to_port(target, 17);
         dut_.settle();
         const bool taken = dut_->valid_i && dut_->ready_o;
-        if (taken) expected_.push_back(kernel_.tick(target));
+        if (taken) expected_.push_back({target, kernel_.tick(target)});
         if (dut_->valid_o) compare();
         dut_.tick();
         return taken;
@@ -42,8 +46,14 @@ class TimeScaler : public testing::TestWithParam<Bounds> {
 
     void compare() {
         ASSERT_FALSE(expected_.empty());
-        ASSERT_EQ(static_cast<int32_t>(dut_->rate_o), expected_.front()) << "tick " << ticks_;
-        rate_ = expected_.front();
+        const Tick tick = expected_.front();
+        ASSERT_EQ(static_cast<int32_t>(dut_->rate_o), tick.rate) << "tick " << ticks_;
+        ASSERT_EQ(dut_->held_o != 0, tick.target == 0) << "tick " << ticks_;
+        // Standing still lasts until a target is not 0.
+        if (tick.target != 0) stands_ = false;
+        if (dut_->still_o) stands_ = true;
+        ASSERT_TRUE(tick.target == 0 || !dut_->still_o) << "tick " << ticks_;
+        ASSERT_TRUE(tick.rate == 0 || !stands_) << "tick " << ticks_;
         expected_.pop_front();
         ++ticks_;
     }
@@ -58,12 +68,22 @@ class TimeScaler : public testing::TestWithParam<Bounds> {
         return kind == 0 ? 0 : kind == 1 ? 65536 : static_cast<int32_t>(random_() % 65537);
     }
 
+    struct Tick {
+        int32_t target;
+        int32_t rate;
+    };
+
     ClockedDut<Vtime_scaler> dut_;
-    hls::TimeScaler kernel_;
-    std::deque<int32_t> expected_;
-    int32_t rate_ = 65536;
+    hls::TimeScaler kernel_{1, 1};
+    std::deque<Tick> expected_;
+    bool stands_ = false;
     int64_t ticks_ = 0;
-    std::mt19937 random_{1};
+    std::mt19937_64 random_{1};
+};
+
+class TimeScaler : public TimeScalerBench, public testing::WithParamInterface<Bounds> {
+  protected:
+    TimeScaler() { start(GetParam()); }
 };
 
 TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
@@ -76,6 +96,23 @@ TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
             if (HasFatalFailure()) FAIL() << "a new target every " << every << " ticks";
         }
     }
+}
+
+TEST_P(TimeScaler, FirstTickLandsOnItsTarget) {
+    for (const int32_t target : {0, 1, 23456, 65535, 65536}) {
+        for (int n = 0; n < 100; ++n) take(any_target());
+        start(GetParam());
+        take(target);
+        ASSERT_EQ(expected_.back().rate, target);
+        for (int n = 0; n < 10; ++n) take(target);
+        ASSERT_FALSE(HasFatalFailure()) << "target " << target;
+    }
+}
+
+TEST_P(TimeScaler, TellsThatTimeStandsStill) {
+    take(65536);
+    for (int n = 0; n < 300000 && !stands_; ++n) take(0);
+    EXPECT_TRUE(stands_);
 }
 
 TEST_P(TimeScaler, EqualsKernelForNeighbouringTargets) {
@@ -112,11 +149,39 @@ TEST_P(TimeScaler, LatencyIsThree) {
     EXPECT_EQ(ticks_, 1);
 }
 
+// Any words, also impossible ones: those are never obeyed, every target is 0 then.
+TEST_F(TimeScalerBench, EqualsKernelForRandomWords) {
+    const auto word = [&](int bits) {
+        return static_cast<int64_t>(random_() >> (64 - bits) >> (random_() % bits));
+    };
+    int possible = 0;
+    for (int set = 0; set < 2000; ++set) {
+        Bounds bounds{word(32), word(33)};
+        if (set % 3 == 1) bounds.slope = (1 + word(8)) * bounds.acceleration;
+        if (set % 3 == 2) bounds.slope = bounds.acceleration + word(4);
+        bounds.slope &= (int64_t{1} << 33) - 1;
+        const bool obeyed = hls::TimeScaler::fits(bounds.acceleration, bounds.slope);
+        possible += obeyed ? 1 : 0;
+        start(bounds);
+        int32_t target = 0;
+        const auto every = static_cast<unsigned>(1 + random_() % 200);
+        for (int n = 0; n < 700; ++n) {
+            if (n == 0 || random_() % every == 0) target = obeyed ? any_target() : 0;
+            take(target);
+        }
+        ASSERT_FALSE(HasFatalFailure())
+            << "acceleration " << bounds.acceleration << " slope " << bounds.slope;
+    }
+    EXPECT_GT(possible, 800);
+    EXPECT_LT(possible, 1800);
+}
+
 INSTANTIATE_TEST_SUITE_P(Machines, TimeScaler,
                          testing::Values(Bounds{1 << 16, 1 << 24}, Bounds{1000, 1000 * 4000},
                                          Bounds{1 << 22, 1 << 26}, Bounds{77777, 77777},
                                          Bounds{int64_t{1} << 31, int64_t{1} << 32},
                                          Bounds{(1 << 20) + 12345, 16LL * ((1 << 20) + 12345)},
+                                         Bounds{200000, 2000001}, Bounds{200000, 2199999},
                                          Bounds{1, int64_t{1} << 32}));
 
 }  // namespace

@@ -6,10 +6,11 @@
 #include <random>
 
 #include "Vword_queue.h"
-#include "tb/support/clocked_dut.hpp"
-#include "tb/support/port_word.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/port_word.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 namespace {
 
 class WordQueue : public testing::Test {

@@ -46,20 +46,22 @@ bool wants_d1(Fit fit) {
 
 bool wants_d2(Fit fit) { return fit == Fit::kMoments || fit == Fit::kQuintic; }
 
-std::vector<double> parameters(const std::vector<FitPoint>& points, Parameter parameter) {
+std::vector<double> parameters(const std::vector<FitPoint>& points,
+                               Parametrisation parametrisation) {
     std::vector<double> t{0};
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double chord = (points[i].position - points[i - 1].position).norm();
-        t.push_back(t.back() + (parameter == Parameter::kChord         ? chord
-                                : parameter == Parameter::kCentripetal ? std::sqrt(chord)
-                                                                       : 1));
+        t.push_back(t.back() + (parametrisation == Parametrisation::kChord ? chord
+                                : parametrisation == Parametrisation::kCentripetal
+                                    ? std::sqrt(chord)
+                                    : 1));
     }
     return t;
 }
 
 std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
-                                           Parameter parameter, double tolerance) {
-    const std::vector<double> t = parameters(points, parameter);
+                                           Parametrisation parametrisation, double tolerance) {
+    const std::vector<double> t = parameters(points, parametrisation);
     const Vectors m = slopes(points, fit, t);
     std::vector<std::vector<Cubic>> chains;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

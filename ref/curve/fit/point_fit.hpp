@@ -30,8 +30,9 @@ constexpr std::array<std::string_view, 7> kFitNames = {"bessel",  "akima",   "na
 
 /// Step of the parameter from point to point: their distance, its square root, or 1. Derivatives
 /// are by this parameter: with kChord a first derivative of length 1 is a unit tangent.
-enum class Parameter { kChord, kCentripetal, kUniform };
-constexpr std::array<std::string_view, 3> kParameterNames = {"chord", "centripetal", "uniform"};
+enum class Parametrisation { kChord, kCentripetal, kUniform };
+constexpr std::array<std::string_view, 3> kParametrisationNames = {"chord", "centripetal",
+                                                                   "uniform"};
 
 struct FitPoint {
     Vec3 position = Vec3::Zero();
@@ -43,12 +44,14 @@ bool wants_d1(Fit fit);
 bool wants_d2(Fit fit);
 
 /// Parameter of every point, the first one at 0.
-std::vector<double> parameters(const std::vector<FitPoint>& points, Parameter parameter);
+std::vector<double> parameters(const std::vector<FitPoint>& points,
+                               Parametrisation parametrisation);
 
 /// One chain of cubics for every two neighbours: a single cubic, for quintics as many as the
 /// tolerance wants. At least two points, no two neighbours the same, with the derivatives that the
 /// fit wants.
 std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
-                                           Parameter parameter, double tolerance = kFitTolerance);
+                                           Parametrisation parametrisation,
+                                           double tolerance = kFitTolerance);
 
 }  // namespace curvecore::ref

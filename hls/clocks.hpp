@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clocks of the cores, as functions of their parameters. The RTL is held to them by the latency
+// tests of tb/unit; planner, choose and run ask them.
+//
+// No clock depends on the values of words. Segment words are taken to come without a pause.
+#pragma once
+
+#include <algorithm>
+
+namespace curvecore {
+namespace hls {
+
+/// Parameters of rtl/curve_interpolator.sv, or of rtl/curve_interpolator_serial.sv.
+struct TimedCore {
+    bool serial = false;
+    int order = 6;
+    int coef_bits = 36;
+    int aux_axes = 0;
+    bool series = true;  // Mode 0
+    bool arcs = true;    // Curves
+    bool splines = false;
+    int sample_interval = 1;  // of the parallel build
+    bool anchor = true;       // of splines
+};
+
+/// | field   | parallel build                         | serial build, at most              |
+/// |---------|----------------------------------------|------------------------------------|
+/// | sample  | from a sample to the next              | the same, average of a step        |
+/// | step    | from an integration step to the next,  | from the last sample of a step to  |
+/// |         | while samples before it are drawn      | the first of the next              |
+/// | segment | the same, between segments of one step | the same, to the next segment      |
+struct Clocks {
+    int sample, step, segment;
+};
+
+/// Samples that a core makes ahead of the one that is taken, if requests wait: the serial core
+/// holds so many, the parallel one more.
+constexpr int kSamplesAhead = 2;
+
+/// Words of a segment on the bus (hls/words.hpp), one a clock, and two clocks to hand them over.
+constexpr int load_clocks(const TimedCore& core) { return 19 + 3 * core.aux_axes; }
+
+/// Digits of two bits of a weight: rtl/arithmetic/digit_multiplier.sv.
+constexpr int weight_digits(const TimedCore& core) { return (core.coef_bits + 1) / 2; }
+
+/// A step of rtl/network/spherical_steps.sv, from one start to the next.
+constexpr int arc_step_clocks(const TimedCore& core) {
+    return core.order * (weight_digits(core) + 3) + 7;
+}
+
+/// rtl/control/spline_sequencer.sv, from start_i to done_o.
+constexpr int spline_network_clocks(const TimedCore& core) {
+    const int order = core.order;
+    const int digits = weight_digits(core);
+    const int top = core.anchor ? order - 1 : order;
+    const int pause = top >= (core.anchor ? 2 : 3) ? std::max(0, 2 * digits - 31) : 0;
+    const int rest_q = order + digits + 6;
+    const int rest_series = core.series ? std::max(rest_q, 4 * order + 15) : rest_q;
+    const int rest_states = 9 * order + 32 + (order == 2 ? 14 : 0);
+    return 9 * top * (top + 1) / 2 + 27 * top + pause + (core.anchor ? rest_series : rest_states) +
+           1;
+}
+
+/// A step of rtl/network/spline_steps.sv, from start_i to done_o; `fresh`: of a segment's first.
+constexpr int spline_step_clocks(const TimedCore& core, bool fresh) {
+    return (core.anchor || fresh ? 92 : 3) + spline_network_clocks(core);
+}
+
+constexpr int kNextSplineStep = 2;  // from done_o to the next start_i
+
+/// rtl/arithmetic/horner.sv.
+constexpr int horner_clocks(const TimedCore& core, int passes) {
+    return core.sample_interval == 1 ? passes * 6 + 1
+                                     : passes * (core.sample_interval == 2 ? 7 : 9);
+}
+
+/// From tau to a displacement: rtl/sampler/curve_sampler.sv.
+constexpr int sampler_clocks(const TimedCore& core) {
+    if (core.series) return horner_clocks(core, core.order);
+    if (!core.splines) {
+        return horner_clocks(core, core.order / 2) + (core.sample_interval == 2 ? 19 : 18);
+    }
+    return horner_clocks(core, core.order) + horner_clocks(core, 3) + (core.arcs ? 1 : 0);
+}
+
+/// Parallel build, from a request to its sample; up to sample_interval - 1 more.
+constexpr int sample_latency(const TimedCore& core) {
+    return 12 + 3 * core.sample_interval + sampler_clocks(core);
+}
+
+/// Serial build: everything goes in rotations of nine clocks (rtl/serial/serial_sequencer.sv). A
+/// sample is so many of them, one for every frame of its program.
+constexpr int kRotation = 9;
+constexpr int aux_frames(const TimedCore& core) { return (core.aux_axes + 2) / 3; }
+constexpr int sample_frames(const TimedCore& core, bool spline) {
+    return (core.series ? core.order
+            : spline    ? core.order + 3
+                        : 4 + core.order / 2) +
+           aux_frames(core);
+}
+
+/// Three samples at a time share the multiplier; the fewest clocks are those from request to tau.
+constexpr int serial_sample_clocks(const TimedCore& core, bool spline) {
+    return aux_frames(core) < 2 ? std::max(24, 3 * (sample_frames(core, spline) + 2))
+                                : std::max(36, 3 * (sample_frames(core, spline) + 3));
+}
+
+/// Reached by arcs' steps in every configuration; a segment's words end within a rotation, so its
+/// bound is up to two of them above the clocks.
+constexpr Clocks serial_arc_clocks(const TimedCore& core) {
+    const int order = core.order;
+    const int sample = kRotation * sample_frames(core, false);
+    const int aux_words = (3 * core.aux_axes + 7) / kRotation;
+    const int angle = core.series ? 0 : 9 * order + 36;
+    return {serial_sample_clocks(core, false), kRotation * ((5 * order + 1) / 3) + sample + 75,
+            27 * order + sample + kRotation * aux_words + 57 + angle};
+}
+
+constexpr Clocks serial_spline_clocks(const TimedCore& core) {
+    const int order = core.order;
+    const int sample = kRotation * sample_frames(core, true);
+    const int network =
+        4 * order * order + 37 * order + (core.series ? 3 * order * (order + 11) / 2 - 9 : 0);
+    return {serial_sample_clocks(core, true), network + 2 * order + sample + 120,
+            network + sample + 3 * core.aux_axes + 162};
+}
+
+/// Along lines, arcs and helices.
+constexpr Clocks arc_clocks(const TimedCore& core) {
+    if (core.serial) return serial_arc_clocks(core);
+    const int step = arc_step_clocks(core);
+    return {core.sample_interval, step, std::max(step, load_clocks(core))};
+}
+
+/// Along splines.
+constexpr Clocks spline_clocks(const TimedCore& core) {
+    if (core.serial) return serial_spline_clocks(core);
+    return {core.sample_interval, spline_step_clocks(core, false) + kNextSplineStep,
+            std::max(spline_step_clocks(core, true) + kNextSplineStep, load_clocks(core))};
+}
+
+}  // namespace hls
+}  // namespace curvecore

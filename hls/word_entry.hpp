@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which words may enter a core's queues: whole frames, each word one that can be, frame after
+// frame. The first word that is not cuts the stream. Twins: rtl/queue/segment_entry.sv,
+// rtl/path/piece_entry.sv.
+#pragma once
+
+#include "hls/words.hpp"
+
+namespace curvecore {
+namespace hls {
+
+/// What becomes of a word.
+enum class Entry {
+    kPassed,     // it is in the queue
+    kCompleted,  // and ends its frame
+    kBadWord,    // it cannot be here: the stream is cut
+    kBadOrder,   // a frame is missing or came twice: the stream is cut
+    kDropped     // the stream is cut
+};
+
+namespace detail {
+
+/// The low `bits` of a field of `field_bits`, sign-extended: all bits above the sign are like it.
+inline bool sign_extended(std::uint64_t word, int bits, int field_bits) {
+    const std::uint64_t above =
+        (word & ((std::uint64_t(1) << field_bits) - 1)) >> static_cast<unsigned>(bits - 1);
+    return above == 0 || above == (std::uint64_t(1) << (field_bits - bits + 1)) - 1;
+}
+
+/// What both streams share: the place in a frame, the frame's number, the cut.
+class FrameEntry {
+  public:
+    bool cut() const { return cut_; }
+
+  protected:
+    Entry verdict(std::uint64_t word, bool can_be, bool in_order, bool completes) {
+        if (cut_) return Entry::kDropped;
+        const bool tagged = get(kTagField, word) == static_cast<std::uint64_t>(tag_);
+        cut_ = !(tagged && can_be && in_order);
+        if (!(tagged && can_be)) return Entry::kBadWord;
+        if (!in_order) return Entry::kBadOrder;
+        if (!completes) return Entry::kPassed;
+        sequence_ = (sequence_ + 1) & mask(kSequenceField);
+        return Entry::kCompleted;
+    }
+
+    Tag tag_;  // that the next word must have
+    std::uint64_t sequence_ = 0;
+
+    explicit FrameEntry(Tag first) : tag_(first) {}
+
+  private:
+    bool cut_ = false;
+};
+
+}  // namespace detail
+
+/// Segments for a core with or without splines.
+template <class C, bool kSplines>
+class SegmentEntry : public detail::FrameEntry {
+  public:
+    SegmentEntry() : FrameEntry(Tag::kLength) {}
+
+    Entry take(std::uint64_t word) {
+        const bool completes = tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
+        const bool numbered = tag_ == Tag::kTangent && axis_ == 0;
+        const bool in_order = !numbered || get(kSequenceField, word) == sequence_;
+        const Entry entry = verdict(word, can_be(word), in_order, completes);
+        if (tag_ == Tag::kTheta) {
+            spline_ = get(kKindField, word) == 1;
+            k_ = get(kStepExponentField, word);
+        }
+        if (entry == Entry::kPassed || entry == Entry::kCompleted) advance(completes);
+        return entry;
+    }
+
+  private:
+    bool can_be(std::uint64_t word) const {
+        const bool coef = detail::sign_extended(word, C::kCoefBits, kCoefField.bits);
+        switch (tag_) {
+            case Tag::kTheta:
+                return scale_can_be(word);
+            case Tag::kStart:
+            case Tag::kEnd:
+                return detail::sign_extended(word, C::kFineBits, kPointField.bits);
+            case Tag::kTangent:
+                return coef;
+            case Tag::kNormal:
+                return coef && (axis_ != 0 || lambda_can_be(word));
+            case Tag::kAdvance:
+                return coef && get({36, 8}, word) == 0;
+            default:
+                return true;
+        }
+    }
+
+    bool scale_can_be(std::uint64_t word) const {
+        const std::uint64_t kind = get(kKindField, word);
+        const std::uint64_t theta = get(kCoefField, word);
+        const std::uint64_t one = std::uint64_t(1) << (C::kCoefBits - 1);
+        const bool turn = C::kTurnBits == 0 ? theta < one : theta <= one >> C::kTurnBits;
+        const bool phi = theta < one && theta >= one / 2;
+        return get(kStepExponentField, word) <= kMaxStepExponent &&
+               ((kind == 0 && turn) || (kind == 1 && kSplines && phi));
+    }
+
+    bool lambda_can_be(std::uint64_t word) const {
+        const std::uint64_t lambda = get({36, 8}, word);
+        return spline_ ? lambda <= kMaxStepExponent && k_ <= lambda : lambda == 0;
+    }
+
+    void advance(bool completes) {
+        if (completes) {
+            tag_ = Tag::kLength;
+            axis_ = 0;
+        } else if (tag_ == Tag::kAdvance) {
+            tag_ = Tag::kStart;
+            ++axis_;
+        } else if (tag_ == Tag::kEnd && axis_ >= 3) {
+            tag_ = Tag::kAdvance;
+        } else {
+            tag_ = static_cast<Tag>(static_cast<int>(tag_) + 1);
+        }
+    }
+
+    int axis_ = 0;
+    bool spline_ = false;
+    std::uint64_t k_ = 0;
+};
+
+class PieceEntry : public detail::FrameEntry {
+  public:
+    PieceEntry() : FrameEntry(Tag::kPiece) {}
+
+    Entry take(std::uint64_t word) {
+        const bool completes = tag_ == Tag::kC3;
+        const bool in_order = tag_ != Tag::kPiece || get(kPieceSequenceField, word) == sequence_;
+        const Entry entry = verdict(word, can_be(word), in_order, completes);
+        if (entry == Entry::kPassed) tag_ = static_cast<Tag>(static_cast<int>(tag_) + 1);
+        if (entry == Entry::kCompleted) tag_ = Tag::kPiece;
+        return entry;
+    }
+
+  private:
+    bool can_be(std::uint64_t word) const {
+        if (tag_ == Tag::kDs) return true;
+        if (tag_ != Tag::kPiece) return get({36, 8}, word) == 0;
+        const std::uint64_t ticks = get(kPieceTicksField, word);
+        const std::uint64_t m = get(kTimeExponentField, word);
+        return m <= kMaxTimeExponent && get(kExponentField, word) <= kMaxProfileExponent &&
+               ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({40, 4}, word) == 0;
+    }
+};
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What waits in a core's queues must outlast a stop: else a host that stalls would end the motion
+// with a jerk, so the core refuses to begin (rtl/path/underrun_guard.sv).
+#pragma once
+
+#include <vector>
+
+#include "ref/segment/geometry.hpp"
+
+namespace curvecore::ref {
+
+/// Where three quarters of a queue, the rest is the host's to refill, do not last for a stop of
+/// the plan: lowers `speeds` (mm/s, one per planned move) so that they would.
+/// @returns the number of planned moves that it slowed
+std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
+                          std::vector<double>& speeds);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// The velocity vector of a planned motion over time, with its jumps at joints.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ref/curve/curve_follower.hpp"
+#include "ref/feed/path_shape.hpp"
+#include "ref/feed/speed_plan.hpp"
+
+namespace curvecore::ref {
+
+/// V is off its straight line between knots by no more than this share of A T, T = JointTime.
+constexpr double kStraight = 0.0075;
+
+/// V(t) = v r'(s), mm/s, linear between knots: joints, ends of segments and of phases, and where V
+/// bends as many more as kStraight needs, with |V''| <= J at most every sqrt(8 kStraight T A / J).
+/// A joint is the end of a move, but not between lines in one direction.
+class VelocityCourse {
+  public:
+    struct Knot {
+        double t;                  // s
+        double v;                  // along the path
+        AxisVector before, after;  // V: they differ at joints alone
+        std::uint64_t s;           // quanta; of joints alone
+        bool joint;
+    };
+
+    VelocityCourse(const std::vector<Segment>& segments, double unit_mm, int axes,
+                   const Machine& machine);
+
+    /// Runs, each over its segments, and rests, in the order of the program.
+    void rest(double seconds) { time_ += seconds; }
+    void run(const std::vector<Phase>& phases, std::size_t first_segment, std::size_t last_segment);
+
+    const std::vector<Knot>& knots() const { return knots_; }
+    const std::vector<std::size_t>& joints() const { return joints_; }  // among the knots
+    std::size_t axes() const { return axes_; }
+
+    /// On the late side of a jump. `knot`: the last one at or before an earlier time; moved on.
+    AxisVector at(double t, std::size_t& knot) const;
+    AxisVector at(double t) const;
+
+  private:
+    AxisVector velocity(std::size_t segment, double s, double v);
+    double distance(const Knot& middle, const Knot& from, const Knot& to) const;
+    int count(double time, double off, bool line) const;
+
+    const std::vector<Segment>& segments_;
+    double unit_mm_;
+    std::size_t axes_;
+    double resolution_;         // s
+    double precision_ = 1e300;  // mm/s
+    CurveFollower curve_;
+    double time_ = 0;
+    std::vector<Knot> knots_;
+    std::vector<std::size_t> joints_;
+};
+
+}  // namespace curvecore::ref

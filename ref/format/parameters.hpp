@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A configuration of a core, and the table of its parameters (ref/format/parameters.def); text of
+// both: ref/format/parameter_text.hpp.
+#pragma once
+
+namespace curvecore {
+namespace ref {
+
+enum class Build { kParallel, kSerial };
+
+/// A field for each row of the table, with the row's default.
+struct CoreParameters {
+#define PARAMETER(field, Name, low, high, default_value, ...) int field = default_value;
+#include "ref/format/parameters.def"
+    Build build = Build::kParallel;
+
+    int axes() const { return 3 + aux_axes; }
+    bool polynomial() const { return mode == 1; }
+};
+
+enum class ParameterValues { kWhole, kPowerOfTwo };
+enum class ParameterBuilds { kBothBuilds, kParallelAlone };
+
+/// A row of the table.
+struct Parameter {
+    const char* field;
+    const char* name;
+    int CoreParameters::*value;
+    int low;
+    int high;
+    int default_value;
+    ParameterValues values;
+    ParameterBuilds builds;
+    const char* needs;
+    bool samples;
+    const char* sentence;
+
+    constexpr bool holds(int number) const {
+        return number >= low && number <= high &&
+               (values == ParameterValues::kWhole || (number & (number - 1)) == 0);
+    }
+};
+
+constexpr Parameter kParameters[] = {
+#define PARAMETER(field, Name, low, high, default_value, values, builds, needs, samples, sentence) \
+    {#field,                                                                                       \
+     #Name,                                                                                        \
+     &CoreParameters::field,                                                                       \
+     low,                                                                                          \
+     high,                                                                                         \
+     default_value,                                                                                \
+     ParameterValues::values,                                                                      \
+     ParameterBuilds::builds,                                                                      \
+     needs,                                                                                        \
+     samples,                                                                                      \
+     sentence},
+#include "ref/format/parameters.def"
+};
+
+/// The row of a field, which it has.
+constexpr const Parameter& parameter_of(int CoreParameters::*value) {
+    const Parameter* row = kParameters;
+    while (row->value != value) ++row;
+    return *row;
+}
+
+inline bool operator==(const CoreParameters& a, const CoreParameters& b) {
+    for (const Parameter& row : kParameters) {
+        if (a.*row.value != b.*row.value) return false;
+    }
+    return a.build == b.build;
+}
+
+}  // namespace ref
+}  // namespace curvecore

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tells that the machine stands: the rate of time rests at 0, and all samples that were asked for
+// before it did have left. It stands until a tick starts whose target is not 0.
+//
+//   clock          0       1        2       3
+//   scaled_i       still
+//   leaves_i               the last of those before
+//   standing_o                      1       1
+//   tick_i                          target not 0
+//
+// Reset: it stands.
+`default_nettype none
+module standstill (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Ticks: as they start, and, 16 later at most, as their rates come
+    input wire logic tick_i,
+    input wire logic stops_i,   // of tick_i: its target is 0
+    input wire logic scaled_i,
+    input wire logic held_i,    // of scaled_i: its target was 0
+    input wire logic still_i,   // of scaled_i: the rate rests at 0
+
+    // Samples: 511 under way at most
+    input wire logic asked_i,
+    input wire logic leaves_i,
+
+    output logic standing_o
+);
+
+  logic starts;
+  logic scaled;
+  assign starts = tick_i && !stops_i;
+  assign scaled = scaled_i && !held_i;
+
+  logic [4:0] ahead_q;  // ticks with another target than 0 that have no rate yet
+  logic [8:0] under_way_q;
+  logic [8:0] under_way_d;
+  logic rests_q;
+  logic [8:0] left_q;  // of the samples asked for before it rests
+  assign under_way_d = under_way_q + {8'b0, asked_i} - {8'b0, leaves_i};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      ahead_q     <= '0;
+      under_way_q <= '0;
+      rests_q     <= 1'b1;
+      left_q      <= '0;
+    end else begin
+      ahead_q     <= ahead_q + {4'b0, starts} - {4'b0, scaled};
+      under_way_q <= under_way_d;
+      if (starts) rests_q <= 1'b0;
+      else if (scaled_i && still_i && ahead_q == '0) rests_q <= 1'b1;
+      if (!rests_q) left_q <= under_way_d;
+      else if (leaves_i && left_q != '0) left_q <= left_q - 1'b1;
+    end
+  end
+  assign standing_o = rests_q && left_q == '0;
+
+endmodule
+`default_nettype wire

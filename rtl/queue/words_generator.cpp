@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes words_pkg.sv, the fields of hls/words.hpp as the RTL reads them, into the folder given.
+#include <fmt/os.h>
+
+#include <string>
+
+#include "hls/words.hpp"
+
+using namespace curvecore::hls;
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        fmt::print(stderr, "usage: words_generator FOLDER\n");
+        return 2;
+    }
+    auto file = fmt::output_file(std::string(argv[1]) + "/words_pkg.sv");
+    file.print(
+        "// SPDX-License-Identifier: Apache-2.0\n"
+        "// Made by rtl/queue/words_generator.cpp from hls/words.hpp, which explains the fields.\n"
+        "`default_nettype none\n"
+        "package words_pkg;\n\n");
+    const std::pair<const char*, Tag> tags[] = {
+        {"Length", Tag::kLength},   {"Theta", Tag::kTheta},     {"Start", Tag::kStart},
+        {"End", Tag::kEnd},         {"Tangent", Tag::kTangent}, {"Normal", Tag::kNormal},
+        {"Advance", Tag::kAdvance}, {"Piece", Tag::kPiece},     {"Ds", Tag::kDs},
+        {"C1", Tag::kC1},           {"C2", Tag::kC2},           {"C3", Tag::kC3}};
+    for (const auto& [name, tag] : tags) {
+        file.print("  localparam logic [3:0] Tag{} = 4'd{};\n", name, static_cast<int>(tag));
+    }
+    const std::pair<const char*, Field> fields[] = {{"Tag", kTagField},
+                                                    {"Kind", kKindField},
+                                                    {"StepExponent", kStepExponentField},
+                                                    {"Last", kLastField},
+                                                    {"Sequence", kSequenceField},
+                                                    {"Lambda", kLambdaField},
+                                                    {"TicksByte", kTicksByteField},
+                                                    {"PieceTicks", kPieceTicksField},
+                                                    {"TimeExponent", kTimeExponentField},
+                                                    {"Exponent", kExponentField},
+                                                    {"Final", kFinalField},
+                                                    {"PieceSequence", kPieceSequenceField}};
+    file.print("\n  // Lowest bits\n");
+    for (const auto& [name, field] : fields) {
+        file.print("  localparam int {}Low = {};\n", name, field.low);
+    }
+    file.print("\nendpackage\n`default_nettype wire\n");
+}

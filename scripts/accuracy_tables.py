@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""README tables of errors and rates: campaigns, benches, the demo."""
+
+import pathlib
+import re
+
+from readme_table import ROOT, load, table
+
+
+COLUMNS = {
+    "number": lambda r: f"{r['curves']:,}",
+    "samples": lambda r: f"{r['samples']:,}",
+    "worst error, rounded": lambda r: f"{r['worst_rounded']:.3f}",
+    "before rounding": lambda r: f"{r['worst_unrounded']:.4f}",
+    "derived bound": lambda r: f"{r['bound']:.4f}",
+    "bound / worst": lambda r: f"{r['bound'] / r['worst_unrounded']:.1f}",
+    "off the curve": lambda r: f"{r['worst_contour']:.4f}",
+    "path between samples": lambda r: f"{r['worst_speed']:.4f}",
+    "end points": lambda r: r["worst_landing"],
+}
+
+
+def campaign(name, what, *without):
+    """A row for each family of curves that a campaign drew."""
+    data = load(f"figures/{name}.json")
+    if data is None:
+        return None
+    head = [column for column in COLUMNS if column not in without]
+    rows = [(r["family"], *(COLUMNS[column](r) for column in head)) for r in data["families"]]
+    return table([what, *head], rows)
+
+
+def accuracy():
+    return campaign("accuracy", "curves", "off the curve", "path between samples")
+
+
+def splines():
+    return campaign("splines", "cubics", "samples")
+
+
+def throughput():
+    bench = load("bench.json")
+    if bench is None:
+        return None
+    return table(["what", "measured"], [(r["what"], r["measured"]) for r in bench["rows"]])
+
+
+def equality():
+    data = load("figures/equality.json")
+    if data is None:
+        return None
+    return (
+        f"RTL against kernel in {data['configurations']} configurations of both builds, with"
+        f" random stalls: {data['samples']:,} samples, {data['differ']} words differ."
+    )
+
+
+def demo():
+    report = load("demo/report.json")
+    if report is None:
+        return None
+    rows = [
+        (
+            kind,
+            f"{r['samples']:,}",
+            f"{r['unrounded_max_lsb']:.4f}",
+            f"{r['bound_lsb']:.4f}",
+            f"{r['speed_max_error_lsb']:.4f}",
+        )
+        for kind, r in report["kinds"].items()
+    ]
+    text = (
+        f"What the demo prints for `{pathlib.Path(report['input']).name}` ({report['moves']} moves,"
+        f" {report['segments']} segments, {report['samples']:,} samples, unit 1 nm): worst error"
+        f" {max(report['error']['max_lsb'].values()):.3f} units on any axis, words that differ"
+        f" between RTL and kernel {report['rtl_equals_kernel']}, exact stops off by"
+        f" {report['landing_lsb']} units; worst of each kind of segment:\n\n"
+    )
+    head = ["kind", "samples", "error before rounding", "derived bound", "path between samples"]
+    return text + table(head, rows)
+
+
+def errors():
+    """The worst rows of tb/README.md's two tables of accuracy."""
+    page = (ROOT / "tb/README.md").read_text()
+    rows = []
+    for kind, name, words in (
+        ("arcs", "accuracy", ("arcs",)),
+        ("helices", "accuracy", ("helices",)),
+        ("lines", "accuracy", ("lines",)),
+        ("splines", "splines", ("",)),
+    ):
+        body = re.search(rf"<!-- begin: {name}\b.*?-->\n(.*?)<!-- end", page, re.S)[1]
+        lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in body.split("\n")]
+        head, *found = [line for line in lines if line and "---" not in line[0]]
+        found = [row for row in found if row[0].startswith(words)]
+        worst = [max(row[head.index(column)] for row in found)
+                 for column in ("worst error, rounded", "before rounding", "derived bound")]
+        number = sum(int(row[head.index("number")].replace(",", "")) for row in found)
+        rows.append((kind, f"{number:,}", *worst))
+    return table(["drawn", "curves", "worst error, nm", "before rounding", "derived bound"], rows)

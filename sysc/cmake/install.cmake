@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` lays down, in three components:
+#   libraries   ref, hls and the host's side, for find_package(curvecore)
+#   rtl         the cores' sources with their file lists
+#   program     curvecore
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(headers ${CMAKE_INSTALL_INCLUDEDIR}/curvecore)  # they include each other as "ref/..", "hls/.."
+set(config ${CMAKE_INSTALL_LIBDIR}/cmake/curvecore)
+foreach(library ref hls host)
+  set_target_properties(curvecore_${library} PROPERTIES EXPORT_NAME ${library})
+  add_library(curvecore::${library} ALIAS curvecore_${library})
+  install(TARGETS curvecore_${library} EXPORT curvecore COMPONENT libraries
+          INCLUDES DESTINATION ${headers})
+endforeach()
+foreach(folder ref hls sysc/host)
+  cmake_path(GET folder PARENT_PATH parent)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers}/${parent}
+          COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/sysc/board/board.hpp DESTINATION ${headers}/sysc/board
+        COMPONENT libraries)
+install(EXPORT curvecore NAMESPACE curvecore:: FILE curvecoreTargets.cmake DESTINATION ${config}
+        COMPONENT libraries)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/curvecoreConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/sysc/cmake/curvecoreConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/curvecoreConfigVersion.cmake
+        DESTINATION ${config} COMPONENT libraries)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/rtl DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore
+        COMPONENT rtl FILES_MATCHING PATTERN *.sv PATTERN *.vlt PATTERN *.f PATTERN *.core)
+if(CURVECORE_PROGRAM)
+  install(TARGETS curvecore COMPONENT program)
+  # What the program makes cores of, in the tree's order beside rtl.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/board ${PROJECT_SOURCE_DIR}/sysc/cmake
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
+          USE_SOURCE_PERMISSIONS
+          FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
+endif()

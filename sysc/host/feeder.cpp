@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/host/feeder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "sysc/host/bus_words.hpp"
+#include "sysc/host/path_source.hpp"
+
+namespace curvecore::sysc {
+
+BoardSettings board_settings(const Job& job) {
+    const ref::Plan& plan = job.plan;
+    BoardSettings settings;
+    settings.samples_per_tick_log2 = job.options.samples_per_tick_log2();
+    settings.override_word = job.options.override_word();
+    settings.hold_acceleration = plan.hold_acceleration;
+    settings.hold_slope = std::uint64_t(plan.hold_acceleration) * plan.hold_slope_steps;
+    settings.stop_ticks = plan.stop_ticks;
+    return settings;
+}
+
+Feeder::Feeder(const Job& job, std::uint64_t samples, Board& board)
+    : job_(job), board_(board), samples_(samples) {}
+
+void Feeder::turn(std::vector<Sample>& samples) {
+    write_segments();
+    write_profile();
+    std::uint64_t covered = std::min(this->covered(), samples_);
+    // A timer goes on once it has begun: the host must keep up with it.
+    if (board_.paced() && covered > 0) covered = samples_;
+    if (covered > requested_) {
+        board_.request(covered - requested_);
+        requested_ = covered;
+    }
+    const std::size_t before = samples.size();
+    board_.work(samples);
+    const std::size_t came = samples.size() - before;
+    received_ += came;
+    waited_ = came > 0 ? 0 : waited_ + 1;
+    if (waited_ > kPatience) {
+        throw std::runtime_error(fmt::format(
+            "the board gave no sample for a million turns; faults {:#x}", board_.status().fault));
+    }
+}
+
+void Feeder::write_segments() {
+    const std::vector<ref::Segment>& segments = job_.plan.segments;
+    while (segments_.send(board_, next_segment_ == segments.size()) &&
+           next_segment_ < segments.size()) {
+        const ref::Segment& segment = segments[next_segment_];
+        segments_.load(segment_bus_words(segment, next_segment_++, job_.options.core),
+                       segment.ticks);
+    }
+}
+
+void Feeder::write_profile() {
+    const std::vector<ref::ProfilePiece>& pieces = job_.plan.pieces;
+    while (profile_.send(board_, next_piece_ == pieces.size()) && next_piece_ < pieces.size()) {
+        const ref::ProfilePiece& piece = pieces[next_piece_];
+        profile_.load(profile_bus_words(piece, next_piece_++), piece.ticks);
+    }
+}
+
+bool Feeder::Outbox::send(Board& board, bool last) {
+    if (sent_ < words_.size()) {
+        sent_ += board.write(stream_, &words_[sent_], words_.size() - sent_);
+    }
+    if (sent_ < words_.size() || !board.arrived(stream_)) return false;
+    ticks_ += loaded_ticks_;
+    loaded_ticks_ = 0;
+    complete_ = last;
+    return true;
+}
+
+void Feeder::Outbox::load(std::vector<std::uint64_t> words, std::uint32_t ticks) {
+    words_ = std::move(words);
+    loaded_ticks_ = ticks;
+    sent_ = 0;
+}
+
+std::uint64_t Feeder::covered(const Outbox& outbox, Stream stream) const {
+    if (outbox.complete()) return samples_;
+    const std::int64_t stops = board_.full(stream) ? 1 : 2;
+    const std::int64_t reserve = stops * job_.plan.stop_ticks + kOnTheWay;
+    const std::int64_t ticks = std::max<std::int64_t>(outbox.ticks() - reserve, 0);
+    return static_cast<std::uint64_t>(ticks) << job_.options.samples_per_tick_log2();
+}
+
+std::uint64_t Feeder::covered() const {
+    return std::min(covered(segments_, Stream::kSegments), covered(profile_, Stream::kProfile));
+}
+
+}  // namespace curvecore::sysc

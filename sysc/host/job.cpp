@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/host/job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ref/program/input_error.hpp"
+#include "ref/program/program_reader.hpp"
+#include "ref/segment/geometry.hpp"
+#include "sysc/host/core_clocks.hpp"
+
+namespace curvecore::sysc {
+
+std::uint64_t Job::path_length() const {
+    const ref::Segment& last = plan.segments.back();
+    return last.s_start + last.length;
+}
+
+const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
+
+double Job::bound() const {
+    double bound = 0;
+    for (const ref::Segment& segment : plan.segments) bound = std::max(bound, segment.bound);
+    return bound;
+}
+
+namespace {
+
+bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
+
+/// The core draws splines if the program has them.
+void set_splines(Job& job) {
+    CoreParameters& core = job.options.core;
+    const auto first = std::find_if(job.program.moves.begin(), job.program.moves.end(), is_spline);
+    const bool any = first != job.program.moves.end();
+    const std::size_t line = any ? first->line : 0;
+    if (any && job.options.splines_set && core.splines == 0) {
+        throw ref::InputError(job.program.file, line, "a spline, and the core has Splines=0");
+    }
+    if (any) core.splines = 1;
+    const std::string reason = ref::why_not_built(core);
+    if (reason.empty()) return;
+    throw ref::InputError(job.program.file, line,
+                          (any ? "a spline, and " : "no spline, and ") + reason);
+}
+
+/// Narrow words are bought with segments, which the host has to send.
+void warn_of_segments(Job& job) {
+    constexpr std::size_t kMany = 10;
+    const std::size_t segments = job.plan.segments.size();
+    if (segments <= kMany * job.program.moves.size()) return;
+    ref::PlanOptions options = job.options.plan_options();
+    options.format = widest_words();
+    const std::size_t least = ref::make_geometry(job.program, job.machine, options).segments.size();
+    if (segments <= kMany * least) return;
+    const CoreParameters& core = job.options.core;
+    job.program.warnings.push_back(fmt::format(
+        "{}: warning: {} segments with Order={} CoefBits={} GuardBits={}, {} times the {} of the "
+        "widest words",
+        job.program.file, segments, core.order, core.coef_bits, core.guard_bits, segments / least,
+        least));
+}
+
+}  // namespace
+
+Job read_job(const Options& options) {
+    Job job;
+    job.options = options;
+    job.program = ref::read_program(options.file, options.points);
+    set_splines(job);
+    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
+    if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
+    return job;
+}
+
+void plan_job(Job& job) {
+    const bool splines = std::any_of(job.program.moves.begin(), job.program.moves.end(), is_spline);
+    check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz);
+    job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
+    if (job.plan.segments.empty()) {
+        throw ref::InputError(job.program.file, 0, "the program does not move");
+    }
+    warn_of_segments(job);
+    if (job.plan.slowed_moves > 0) {
+        job.program.warnings.push_back(
+            fmt::format("{}: warning: {} short moves are slowed: what fits into the core's queues "
+                        "would not outlast a stop at their feed",
+                        job.program.file, job.plan.slowed_moves));
+    }
+    job.limits = ref::limit_report(job.program, job.machine, job.plan);
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/watch/checker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hls/quantise.hpp"
+#include "sysc/widths/error_figures.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr double kRest = 1e-6;  // mm/s: words round, a stop ends a little above zero
+
+}  // namespace
+
+Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
+    : job_(job),
+      core_axes_(job.options.core.axes()),
+      axes_(std::min(core_axes_, 3 + job.plan.aux_axes)),
+      fine_unit_(std::ldexp(1.0, -job.options.core.guard_bits)),
+      chord_tolerance_(std::max(0.1, 2 * std::sqrt(3.0) * job.bound())),
+      source_(job.plan, job.options.samples_per_tick_log2(), job.options.override_word()),
+      ranges_(job.options.core.coef_bits),
+      kernel_(job.options.core, core_axes_, ranges_),
+      cursor_(job.plan),
+      samples_(samples),
+      pictures_(pictures),
+      drawn_(job.machine, job.plan.unit_mm, job.options.sample_period_s,
+             job.options.samples_per_tick, axes_),
+      rounded_(job.machine, job.plan.unit_mm, job.options.sample_period_s,
+               job.options.samples_per_tick, axes_, 0.5 + job.bound()) {
+    start();
+}
+
+const CheckResult& Checker::result() {
+    result_.drawn = drawn_.finish();
+    result_.rounded_limits = rounded_.finish();
+    return result_;
+}
+
+void Checker::take(const Sample& drawn) {
+    ++result_.samples;
+    const bool tick = source_.next();
+    compare_with_kernel(drawn);
+    const double share =
+        std::ldexp(static_cast<double>(source_.tick_ds()), -job_.options.samples_per_tick_log2());
+    result_.increment =
+        std::max(result_.increment, std::abs(static_cast<double>(drawn.ds) - share));
+    cursor_.advance(static_cast<std::uint64_t>(drawn.ds));
+    if (tick) {
+        pictures_.tick(source_.tick_ds(), curve_.curvature(cursor_.segment(), cursor_.local()));
+    }
+    compare_with_curve(drawn);
+    if (cursor_.at_end() && stops(cursor_.index())) compare_landing(drawn);
+    samples_.row(result_.samples, cursor_.index(), cursor_.s(), drawn.position.data());
+}
+
+/// The sample before the first request: the start words.
+void Checker::start() {
+    const RunSegment first = words(cursor_.index());
+    std::int64_t position[kMostAxes];
+    for (int axis = 0; axis < core_axes_; ++axis) {
+        position[axis] = to_position(first.start[axis]);
+        if (axis < 3) last_point_[axis] = static_cast<double>(first.start[axis]) * fine_unit_;
+    }
+    const ref::Segment& segment = cursor_.segment();
+    last_curve_ = segment.start;
+    meter(ref::exact_point(segment, segment.start, 0), position);
+    samples_.row(0, cursor_.index(), 0, position);
+    pictures_.sample(0, cursor_.index(), last_curve_, true);
+}
+
+RunSegment Checker::words(std::size_t segment) const {
+    return to_run_words(job_.plan.segments.at(segment), job_.options.core, core_axes_);
+}
+
+std::int64_t Checker::to_position(std::int64_t fine) const {
+    return Rounding(job_.options.core.guard_bits)(fine);
+}
+
+void Checker::compare_with_kernel(const Sample& drawn) {
+    std::int64_t fine[kMostAxes];
+    kernel_.sample(
+        source_.ds(), [this] { return words(next_segment_++); }, fine);
+    int differing = (drawn.ds != source_.ds()) + (drawn.rate != source_.rate());
+    for (int axis = 0; axis < core_axes_; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        differing += drawn.fine[a] != fine[axis];
+        differing += drawn.position[a] != to_position(fine[axis]);
+    }
+    if (differing != 0 && result_.differing_words == 0) {
+        result_.first_difference = fmt::format(
+            "sample {}, segment {}: board ds {} x {} y {} z {}, kernel ds {} x {} y {} z {} "
+            "(fine words)",
+            result_.samples, next_segment_ - 1, drawn.ds, drawn.fine[0], drawn.fine[1],
+            drawn.fine[2], source_.ds(), fine[0], fine[1], fine[2]);
+    }
+    result_.differing_words += static_cast<std::uint64_t>(differing);
+}
+
+void Checker::compare_with_curve(const Sample& drawn) {
+    const ref::Segment& segment = cursor_.segment();
+    const double s = cursor_.local();
+    const ref::Vec3 curve = curve_.position(segment, s);
+    ref::Vec3 point;
+    double worst = 0;
+    for (int axis = 0; axis < axes_; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const double exact = axis < 3 ? curve[axis] : ref::exact_aux(segment, a - 3, s);
+        const double fine = static_cast<double>(drawn.fine[a]) * fine_unit_;
+        if (axis < 3) point[axis] = fine;
+        worst = std::max(worst, std::abs(fine - exact));
+        result_.unrounded[a].add(fine - exact);
+        result_.rounded[a].add(static_cast<double>(drawn.position[a]) - exact);
+    }
+    KindResult& kind = kind_of(segment);
+    ++kind.samples;
+    kind.error = std::max(kind.error, worst);
+    kind.bound = std::max(kind.bound, segment.bound);
+    kind.of_bound = std::max(kind.of_bound, worst / segment.bound);
+    meter(ref::exact_point(segment, curve, s), drawn.position.data());
+    pictures_.error(cursor_.s(), worst, segment.bound);
+    pictures_.sample(cursor_.s(), cursor_.index(), point, cursor_.at_end());
+    compare_speed(point, curve);
+}
+
+void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
+    drawn_.take(exact, cursor_.index());
+    ref::AxisPoint rounded{};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(axes_); ++i) {
+        rounded[i] = static_cast<double>(position[i]);
+    }
+    rounded_.take(rounded, cursor_.index());
+}
+
+KindResult& Checker::kind_of(const ref::Segment& segment) {
+    if (segment_of_kind_ != &segment) {
+        segment_of_kind_ = &segment;
+        kind_ = &result_.kinds[ref::kind_name(segment)];
+    }
+    return *kind_;
+}
+
+/// Chords between successive samples, before rounding, against those of the exact curve.
+void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
+    const ref::Vec3 chord = curve - last_curve_;
+    const double length = chord.norm();
+    if (length > 0) {
+        const double error = std::abs((point - last_point_).norm() - length);
+        KindResult& kind = kind_of(cursor_.segment());
+        kind.speed_error = std::max(kind.speed_error, error);
+        result_.speed_of_allowed =
+            std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
+        if (length >= kSpeedChord) {
+            result_.speed_relative = std::max(result_.speed_relative, error / length);
+        }
+    }
+    last_curve_ = curve;
+    last_point_ = point;
+}
+
+bool Checker::stops(std::size_t segment) const {
+    return segment + 1 == job_.plan.segments.size() || job_.plan.segments[segment].feed_end < kRest;
+}
+
+/// The output word against the program's own end point.
+void Checker::compare_landing(const Sample& drawn) {
+    const CoreParameters& core = job_.options.core;
+    const ref::Move& move = job_.program.moves[cursor_.segment().move];
+    for (int axis = 0; axis < axes_; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        const double end = axis < 3 ? move.end[axis] : move.aux_end[a - 3];
+        const std::int64_t word = to_position(hls::quantise(
+            end / job_.plan.unit_mm, core.guard_bits, core.position_bits + core.guard_bits));
+        result_.landing = std::max(result_.landing, std::abs(drawn.position[a] - word));
+    }
+    if (cursor_.index() != last_stop_) ++result_.stops;
+    last_stop_ = cursor_.index();
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every sample of a board against the kernel's prediction, bit for bit, and against the exact curve
+// at the same path length.
+#pragma once
+
+#include "ref/curve/curve_follower.hpp"
+#include "sysc/board/board.hpp"
+#include "sysc/host/job.hpp"
+#include "sysc/host/path_cursor.hpp"
+#include "sysc/host/path_source.hpp"
+#include "sysc/watch/check_result.hpp"
+#include "sysc/watch/limit_meter.hpp"
+#include "sysc/watch/pictures.hpp"
+#include "sysc/watch/samples_writer.hpp"
+#include "sysc/widths/run_time_kernel.hpp"
+
+namespace curvecore::sysc {
+
+class Checker {
+  public:
+    Checker(const Job& job, SamplesWriter& samples, Pictures& pictures);
+
+    void take(const Sample& drawn);
+
+    /// After the last sample.
+    const CheckResult& result();
+
+  private:
+    void start();
+    void compare_with_kernel(const Sample& drawn);
+    void compare_with_curve(const Sample& drawn);
+    void meter(const ref::AxisPoint& exact, const std::int64_t* position);
+    KindResult& kind_of(const ref::Segment& segment);
+    void compare_speed(const ref::Vec3& point, const ref::Vec3& curve);
+    bool stops(std::size_t segment) const;
+    void compare_landing(const Sample& drawn);
+    RunSegment words(std::size_t segment) const;
+    std::int64_t to_position(std::int64_t fine) const;
+
+    const Job& job_;
+    const int core_axes_;
+    const int axes_;  // in use; the others stand at 0
+    const double fine_unit_;
+    const double chord_tolerance_;  // both ends off by the bound on every axis
+    PathSource source_;
+    ValueRanges ranges_;
+    RunTimeKernel kernel_;
+    PathCursor cursor_;
+    ref::CurveFollower curve_;
+    SamplesWriter& samples_;
+    Pictures& pictures_;
+    LimitMeter drawn_;    // the exact curve at the samples' path lengths
+    LimitMeter rounded_;  // the samples
+    const ref::Segment* segment_of_kind_ = nullptr;
+    KindResult* kind_ = nullptr;  // of that segment
+    std::size_t next_segment_ = 0;
+    std::size_t last_stop_ = static_cast<std::size_t>(-1);
+    ref::Vec3 last_point_ = ref::Vec3::Zero();
+    ref::Vec3 last_curve_ = ref::Vec3::Zero();
+    CheckResult result_;
+};
+
+}  // namespace curvecore::sysc

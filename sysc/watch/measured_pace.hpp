@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample period that a core has kept along a plan, from the clocks of its samples.
+#pragma once
+
+#include "sysc/board/board.hpp"
+#include "sysc/host/job.hpp"
+#include "sysc/host/step_walk.hpp"
+#include "sysc/watch/sample_pace.hpp"
+
+namespace curvecore::sysc {
+
+class MeasuredPace {
+  public:
+    explicit MeasuredPace(const Job& job)
+        : walk_(job.plan), in_turn_(job.options.core.build == Build::kSerial) {}
+
+    void take(const Sample& drawn) {
+        bool first = samples_ == 0;
+        s_ += static_cast<std::uint64_t>(drawn.ds);
+        walk_.to(s_, [&first](const ref::Segment&, bool) { first = true; });
+        if (in_turn_ || first) pace_.sample(samples_, drawn.clock);
+        ++samples_;
+    }
+
+    double period() const { return pace_.period(); }
+
+  private:
+    StepWalk walk_;
+    bool in_turn_;  // samples and steps
+    SamplePace pace_;
+    std::uint64_t s_ = 0;  // quanta
+    std::uint64_t samples_ = 0;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample period that a core will keep along a plan, from its clocks alone.
+#pragma once
+
+#include <array>
+
+#include "sysc/host/core_clocks.hpp"
+#include "sysc/host/step_walk.hpp"
+#include "sysc/watch/sample_pace.hpp"
+
+namespace curvecore::sysc {
+
+/// The serial core makes samples and steps in turn. The parallel one makes steps on its own, up to
+/// three ahead of the one that the last sample lies in.
+class PredictedPace {
+  public:
+    PredictedPace(const ref::Plan& plan, const CoreParameters& core)
+        : walk_(plan),
+          serial_(core.build == Build::kSerial),
+          latency_(hls::sample_latency(timed_core(core))),
+          change_{change_clocks(core, false), change_clocks(core, true)},
+          sample_clocks_(
+              change_[plan.segments.front().kind == ref::Segment::Kind::kSpline].sample) {}
+
+    /// The next sample, `s` quanta along the path.
+    void sample(std::uint64_t s) {
+        bool first = samples_ == 0;
+        double ready = 0;
+        walk_.to(s, [&](const ref::Segment& segment, bool fresh) {
+            const hls::Clocks& clocks = change_[segment.kind == ref::Segment::Kind::kSpline];
+            ready = make_step(fresh ? clocks.segment : clocks.step);
+            sample_clocks_ = clocks.sample;
+            first = true;
+        });
+        clock_ = std::max(clock_ + sample_clocks_, ready);
+        if (serial_ || first) pace_.sample(samples_, static_cast<std::uint64_t>(clock_));
+        ++samples_;
+    }
+
+    double period() const { return pace_.period(); }
+
+  private:
+    /// Clock at which the next sample could be one of this step.
+    double make_step(int clocks) {
+        if (serial_) return clock_ += clocks;
+        double& bank = free_[steps_++ % free_.size()];
+        made_ = std::max(made_, bank) + clocks;
+        clock_ = std::max(clock_, made_);
+        bank = clock_ + latency_;
+        return made_;
+    }
+
+    StepWalk walk_;
+    bool serial_;
+    int latency_;
+    std::array<hls::Clocks, 2> change_;
+    int sample_clocks_;  // along the present segment
+    SamplePace pace_;
+    double clock_ = 0;              // of the last sample
+    double made_ = 0;               // the last step
+    std::array<double, 3> free_{};  // when the samples have left the step before
+    std::size_t steps_ = 0;
+    std::uint64_t samples_ = 0;
+};
+
+}  // namespace curvecore::sysc

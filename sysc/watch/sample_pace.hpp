@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sample period that a core keeps, from the clocks at which its samples came.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "hls/clocks.hpp"
+
+namespace curvecore::sysc {
+
+/// Samples came as fast as the core gave them. Taken at a period of T clocks instead, with
+/// requests always waiting, sample n is due (n - k) T after sample k, and the kSamplesAhead samples
+/// that the core holds make up for as many periods. So time is kept if for all k < n
+///
+///     clock[n] - clock[k] <= (n - k + kSamplesAhead) T
+///
+/// and the least T is the largest slope from (k, clock[k]) to (n + kSamplesAhead, clock[n]): k is a
+/// corner of the lower convex hull of the points before n.
+///
+/// A core that makes steps beside the samples is told `sample` of those only that are the first of
+/// their step: between others it runs ahead of T without making a step the sooner.
+class SamplePace {
+  public:
+    void sample(std::uint64_t n, std::uint64_t clock) {
+        const Point due{static_cast<double>(n + hls::kSamplesAhead), static_cast<double>(clock)};
+        if (!hull_.empty()) period_ = std::max(period_, steepest(due));
+        const Point point{static_cast<double>(n), static_cast<double>(clock)};
+        while (hull_.size() > 1 &&
+               slope(hull_[hull_.size() - 2], hull_.back()) >= slope(hull_.back(), point)) {
+            hull_.pop_back();
+        }
+        hull_.push_back(point);
+    }
+
+    /// The least T, clocks.
+    double period() const { return period_; }
+
+  private:
+    struct Point {
+        double n, clock;
+    };
+
+    static double slope(const Point& a, const Point& b) {
+        return (b.clock - a.clock) / (b.n - a.n);
+    }
+
+    /// Slopes to a point on the right rise along the hull, then fall.
+    double steepest(const Point& due) const {
+        std::size_t low = 0;
+        for (std::size_t high = hull_.size() - 1; low < high;) {
+            const std::size_t middle = (low + high) / 2;
+            if (slope(hull_[middle], due) < slope(hull_[middle + 1], due)) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return slope(hull_[low], due);
+    }
+
+    std::vector<Point> hull_;
+    double period_ = 0;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The grammar that all commands share: units, folders, pipes, devices, names.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class Grammar : public testing::Test {
+  protected:
+    Grammar() { program_.write("part.ngc", "G21 G90 G94 F600\nG1 X10\nG2 X20 Y10 I5 J5\nM2\n"); }
+
+    Json plan(Arguments options) {
+        options.insert(options.begin(), {"plan", "part.ngc", "-q", "-o", "out"});
+        const ProgramResult result = program_.run(options);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return Json::parse(program_.read("out/report.json"));
+    }
+
+    ProgramRun program_;
+};
+
+TEST_F(Grammar, AloneTheProgramPrintsItsHelp) {
+    const ProgramResult alone = program_.run({});
+    EXPECT_EQ(alone.status, 0);
+    EXPECT_EQ(alone.out, program_.run({"--help"}).out);
+    EXPECT_NE(alone.out.find("choose"), std::string::npos);
+}
+
+TEST_F(Grammar, ATypoNamesTheNearestCommand) {
+    const auto refusal = [this](const char* word) { return program_.run({word, "part.ngc"}).err; };
+    EXPECT_EQ(refusal("rnu"), "curvecore: error: there is no command 'rnu'; did you mean 'run'?\n");
+    EXPECT_EQ(refusal("compaer"),
+              "curvecore: error: there is no command 'compaer'; did you mean 'compare'?\n");
+    EXPECT_EQ(
+        refusal("draw").rfind("curvecore: error: there is no command 'draw'; there are run, ", 0),
+        0U);
+    EXPECT_EQ(program_.run({"rnu"}).status, 2);
+}
+
+TEST_F(Grammar, AnyLengthIsAUnit) {
+    EXPECT_EQ(plan({"--unit", "2.5um"})["unit_mm"], 2.5e-3);
+    EXPECT_EQ(plan({"--unit", "1/65536in"})["unit_mm"], 25.4 / 65536);
+    EXPECT_EQ(plan({"--unit", "0.01mm"})["unit_mm"], 0.01);
+    EXPECT_EQ(plan({})["unit_mm"], 1e-6);
+}
+
+TEST_F(Grammar, TheErrorIsThatOfTheRoundedPosition) {
+    const auto bound = [this](const Arguments& options) {
+        return plan(options)["unrounded"]["bound_lsb"].get<double>();
+    };
+    EXPECT_LE(bound({}), 0.1);
+    EXPECT_LE(bound({"--error", "0.52nm"}), 0.02);
+    const double loose = bound({"--error", "20nm"});
+    EXPECT_GT(loose, 0.1);
+    EXPECT_LE(loose, 19.5);
+}
+
+TEST_F(Grammar, WithoutAFolderResultsStandBesideTheFile) {
+    EXPECT_EQ(program_.run({"plan", "part.ngc", "-q"}).status, 0);
+    EXPECT_TRUE(program_.exists("part.ngc.out/report.json"));
+}
+
+TEST_F(Grammar, APipeIsReadAsGCode) {
+    const ProgramRun shell("/bin/sh");
+    shell.write("part.ngc", program_.read("part.ngc"));
+    const auto piped = [&](const std::string& text) {
+        return shell.run({"-c", text + " | " CURVECORE_PROGRAM " plan - -q"});
+    };
+    const ProgramResult result = piped("cat part.ngc");
+    EXPECT_EQ(result.status, 0) << result.err;
+    const Json report = plan({});
+    EXPECT_EQ(Json::parse(shell.read("stdin.out/report.json"))["segments"], report["segments"]);
+    const ProgramResult bad = piped("printf 'G21\\nG7\\n'");
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_EQ(bad.err.rfind("stdin:2: error: ", 0), 0U) << bad.err;
+}
+
+TEST_F(Grammar, ADeviceGivesClockAndMultipliers) {
+    const Json report = plan({"--device", "up5k", "--build", "serial"});
+    EXPECT_EQ(report["parameters"]["MultiplierForm"], 2);
+    EXPECT_GT(report["clock_hz"], 20e6);
+    EXPECT_LT(report["clock_hz"], 40e6);
+    EXPECT_EQ(plan({"--device", "up5k", "--build", "serial", "--clock", "12MHz"})["clock_hz"],
+              12e6);
+    const ProgramResult unknown = program_.run({"plan", "part.ngc", "--device", "gw2a-18"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_EQ(unknown.err,
+              "curvecore: error: --device gw2a-18: there are no measured runs of the parallel "
+              "build for it yet: say --clock\n");
+}
+
+TEST_F(Grammar, ManySegmentsOfNarrowWordsAreWarnedOf) {
+    program_.write("part.ngc", "G21 G90 G94 F600\nG2 X0 Y0 I300 J0\nM2\n");
+    const ProgramResult narrow = program_.run(
+        {"plan", "part.ngc", "-q", "--set", "CoefBits=22", "--set", "Order=4", "-o", "narrow"});
+    EXPECT_EQ(narrow.status, 0) << narrow.err;
+    EXPECT_NE(narrow.err.find(" segments with Order=4 CoefBits=22 GuardBits=10, "),
+              std::string::npos)
+        << narrow.err;
+    EXPECT_NE(narrow.err.find(" of the widest words"), std::string::npos) << narrow.err;
+    EXPECT_EQ(program_.run({"plan", "part.ngc", "-q"}).err, "");
+}
+
+}  // namespace
+}  // namespace curvecore::tb

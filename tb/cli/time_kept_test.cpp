@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// A sample is there within its period: planned so, measured, and refused where it cannot be.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+
+/// So many lines of 0.2 um.
+std::string joints(int count) {
+    std::string text = "G21 G90 F60000\n";
+    for (int n = 1; n <= count; ++n) text += fmt::format("G1 X{:.4f}\n", 2e-4 * n);
+    return text + "M2\n";
+}
+
+class TimeKept : public testing::Test {
+  protected:
+    Json report(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin() + 1, {"part.ngc", "-q", "-o", "out"});
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return Json::parse(program_.read("out/report.json"));
+    }
+
+    static Json check(const Json& report) {
+        for (const Json& one : report.at("checks")) {
+            if (one.at("name") == "time kept") return one;
+        }
+        ADD_FAILURE() << "no such check";
+        return {};
+    }
+
+    ProgramRun program_;
+};
+
+TEST_F(TimeKept, BySlowSerialCoresOverManyJoints) {
+    program_.write("part.ngc", joints(1500));
+    for (const char* clock : {"2MHz", "3MHz", "10MHz"}) {
+        const std::vector<std::string> options{"--build", "serial", "--clock", clock};
+        std::vector<std::string> command{"run"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Json ran = report(command);
+        command[0] = "plan";
+        const Json planned = report(command);
+        const double available = ran["time_kept"]["clocks_available"];
+        const double used = ran["time_kept"]["clocks_used"];
+        const double predicted = planned["time_kept"]["clocks_used"];
+        EXPECT_EQ(available, 100 * std::stod(clock));
+        EXPECT_LE(ran["clocks_per_sample"], available);
+        EXPECT_LE(used, predicted) << clock;
+        EXPECT_LE(predicted, available) << clock;
+        EXPECT_GT(used, available / 2) << clock << ": slower than it need be";
+        EXPECT_TRUE(check(ran)["held"]);
+        EXPECT_TRUE(check(planned)["held"]);
+    }
+}
+
+TEST_F(TimeKept, ByTheParallelCoreWithFewClocks) {
+    program_.write("part.ngc", joints(300));
+    const Json ran = report({"run", "--clock", "1MHz"});
+    const Json planned = report({"plan", "--clock", "1MHz"});
+    EXPECT_EQ(ran["time_kept"]["clocks_available"], 100);
+    EXPECT_GT(ran["time_kept"]["clocks_used"], 50);
+    EXPECT_LE(ran["time_kept"]["clocks_used"], 100);
+    const double predicted = planned["time_kept"]["clocks_used"];
+    EXPECT_NEAR(ran["time_kept"]["clocks_used"], predicted, 0.1 * predicted);
+}
+
+TEST_F(TimeKept, IsNotMeasuredWithStalls) {
+    program_.write("part.ngc", joints(30));
+    const Json stalled = report({"run", "--stall", "1"});
+    EXPECT_TRUE(stalled["time_kept"]["clocks_used"].is_null());
+    EXPECT_EQ(check(stalled)["detail"], "not measured");
+    EXPECT_TRUE(check(stalled)["held"]);
+}
+
+TEST_F(TimeKept, APeriodShorterThanTheCoresClocksIsRefused) {
+    program_.write("part.ngc", joints(30));
+    for (const char* command : {"run", "plan", "words"}) {
+        const ProgramResult result =
+            program_.run({command, "part.ngc", "-o", "out", "--build", "serial", "--sample-period",
+                          "1us", "--clock", "12MHz"});
+        EXPECT_EQ(result.status, 2);
+        EXPECT_NE(result.err.find("a sample period has 12 clocks, and this serial core needs "),
+                  std::string::npos)
+            << result.err;
+        EXPECT_FALSE(program_.exists("out"));
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb

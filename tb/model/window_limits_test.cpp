@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Machine limits over windows of time, of what is drawn: a curve in chords is no faster than the
+// limits allow, and hardly slower than the curve.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <climits>
+
+#include "ref/feed/limits.hpp"
+#include "ref/feed/profile_words.hpp"
+#include "tb/support/chopped_curves.hpp"
+#include "tb/support/drawn_limits.hpp"
+#include "tb/support/random_joints.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using ref::Machine;
+using ref::Plan;
+using ref::PlanOptions;
+using ref::Program;
+
+/// The rule alone is looked at: not what queues cover.
+PlanOptions endless_queues() {
+    PlanOptions options;
+    options.segment_queue_words = INT_MAX;
+    options.profile_queue_words = INT_MAX;
+    return options;
+}
+
+std::string text(const sysc::LimitLoads& loads) {
+    std::string all;
+    for (std::size_t i = 0; i < loads.worst.size(); ++i) {
+        const auto& worst = loads.worst[i];
+        all += fmt::format("{} {:.3f} over {:g} ms of {} at sample {}, ", sysc::kLimitedNames[i],
+                           worst.ratio, worst.window * 1e3, worst.of, worst.sample);
+    }
+    return all;
+}
+
+/// What the joints' own limits give when nothing adds them up: lines alone, without a stop.
+Plan joint_by_joint(const Program& program, const Machine& machine) {
+    Plan plan = make_plan(program, machine, endless_queues());
+    std::vector<ref::Zone> zones;
+    for (const ref::Move& move : program.moves) {
+        const ref::PathShape shape = path_shape(move);
+        if (!zones.empty()) {
+            const ref::PathShape before = path_shape(*(&move - 1));
+            zones.push_back({0, joint_velocity(before, shape, machine), 1e300, 1e300});
+        }
+        const double v = std::min(top_speed(shape, machine), move.feed);
+        const ref::PathLimits limits = along_path(shape, machine, v);
+        zones.push_back({shape.length, v, ref::kAccelerationShare * limits.acceleration,
+                         ref::kJerkShare * limits.jerk});
+    }
+    const ref::Segment& last = plan.segments.back();
+    plan.pieces.clear();
+    append_run(plan_speed(zones), last.s_start + last.length,
+               ref::PieceGrid(machine, plan.unit_mm, plan.tick_s), plan.pieces);
+    plan.pieces.back().final = true;
+    return plan;
+}
+
+struct Curve {
+    const char* name;
+    ChoppedCurve chopped;
+};
+const Curve kCurves[] = {
+    {"turn", chopped_turn}, {"wave", chopped_wave}, {"circle", chopped_circle}};
+
+class ChordSize : public testing::TestWithParam<double> {};
+
+TEST_P(ChordSize, KeepsTheLimits) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        for (const double feed : {25.0, 100.0, 1000.0 / 3}) {
+            const Plan smooth = make_plan(curve.chopped(0, feed), machine, endless_queues());
+            const Plan plan = make_plan(curve.chopped(GetParam(), feed), machine, endless_queues());
+            const sysc::LimitLoads loads = drawn_limits(plan, machine);
+            EXPECT_LE(loads.most(), 1) << curve.name << " at " << feed << ": " << text(loads);
+            const double time = plan.duration_s / smooth.duration_s;
+            RecordProperty(fmt::format("{}_{:g}_{:.0f}", curve.name, GetParam(), feed),
+                           fmt::format("{:.3f}", time));
+            if (GetParam() <= 0.1) {
+                EXPECT_LE(time, 1.1) << curve.name << " at " << feed;
+            }
+            EXPECT_GE(time, 0.7) << curve.name << " at " << feed;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, ChordSize, testing::Values(2, 1, 0.5, 0.1, 0.02, 0.005));
+
+TEST(WindowLimits, CurvesThemselvesKeepThem) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        const Plan plan = make_plan(curve.chopped(0, 1000.0 / 3), machine, PlanOptions());
+        const sysc::LimitLoads loads = drawn_limits(plan, machine);
+        EXPECT_LE(loads.most(), 1) << curve.name << ": " << text(loads);
+    }
+}
+
+// Control: every joint within its own limit, and the chain many times beyond.
+TEST(WindowLimits, JointsThatDoNotAddUpBreakThem) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        const Program program = curve.chopped(0.02, 1000.0 / 3);
+        const sysc::LimitLoads loads = drawn_limits(joint_by_joint(program, machine), machine);
+        EXPECT_GT(loads.worst[sysc::kAcceleration].ratio, 2) << curve.name;
+        EXPECT_GT(loads.worst[sysc::kJerk].ratio, 3) << curve.name;
+    }
+}
+
+TEST(WindowLimits, RandomJointsKeepThem) {
+    double acceleration = 0;
+    double jerk = 0;
+    for (unsigned seed = 0; seed < 150; ++seed) {
+        const JointCase random = RandomJoints(seed).make();
+        const Plan plan = make_plan(random.program, random.machine, random.options);
+        const sysc::LimitLoads loads = drawn_limits(plan, random.machine, random.options);
+        EXPECT_LE(loads.most(), 1) << seed << ": " << text(loads);
+        acceleration = std::max(acceleration, loads.worst[sysc::kAcceleration].ratio);
+        jerk = std::max(jerk, loads.worst[sysc::kJerk].ratio);
+    }
+    EXPECT_GT(acceleration, 0.75) << "the limits are idle";
+    EXPECT_GT(jerk, 0.9) << "the limits are idle";
+}
+
+TEST(WindowLimits, OverridesKeepThem) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        const Plan plan = make_plan(curve.chopped(0.1, 1000.0 / 3), machine, PlanOptions());
+        for (const double rate : {0.1, 0.37, 0.8}) {
+            const auto word = static_cast<std::int32_t>(std::lround(rate * 65536));
+            const sysc::LimitLoads loads = drawn_limits(plan, machine, PlanOptions(), word);
+            EXPECT_LE(loads.most(), 1) << curve.name << " at " << rate << ": " << text(loads);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// plan FILE: plans a program for the default core, and says what the plan has.
+#include <cstdio>
+
+#include "hls/interpolator_kernel.hpp"
+#include "sysc/host/job.hpp"
+
+int main(int, char** argv) {
+    curvecore::sysc::Options options;
+    options.file = argv[1];
+    curvecore::sysc::Job job = curvecore::sysc::read_job(options);
+    curvecore::sysc::plan_job(job);
+    std::printf("%zu segments, bound %.3f\n", job.plan.segments.size(), job.bound());
+
+    using Kernel =
+        curvecore::hls::InterpolatorKernel<curvecore::hls::DefaultConfiguration>;  // draws them
+    return sizeof(Kernel) == 0;
+}

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+# What stands in HIDDEN is not on this machine, and may not be looked for.
+function(refuse_hidden)
+  foreach(name ${ARGN})
+    if(name IN_LIST HIDDEN)
+      message(FATAL_ERROR "hidden: ${name}")
+    endif()
+  endforeach()
+endfunction()
+
+macro(find_package)
+  refuse_hidden(${ARGN})
+  _find_package(${ARGN})
+endmacro()
+macro(find_program)
+  refuse_hidden(${ARGN})
+  _find_program(${ARGN})
+endmacro()
+macro(find_file)
+  refuse_hidden(${ARGN})
+  _find_file(${ARGN})
+endmacro()

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bench for motion_interpolator against the kernels: path increments from the rates it reports,
+// samples from its path increments.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <deque>
+#include <functional>
+#include <random>
+
+#include "Vmotion_interpolator.h"
+#include "hls/curve_kernel.hpp"
+#include "hls/path_kernel.hpp"
+#include "hls/time_scaler.hpp"
+#include "ref/feed/hold_bounds.hpp"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/core_configuration.hpp"
+#include "tb/support/legal_segments.hpp"
+#if CFG_Splines
+#include "tb/support/mixed_segments.hpp"
+#endif
+#include "sysc/board/port_word.hpp"
+#include "tb/support/random_pieces.hpp"
+
+namespace curvecore::tb {
+using namespace sysc;
+using C = Config;
+constexpr int64_t kAcceleration = int64_t{1} << 22;
+constexpr int64_t kSlope = 40 * kAcceleration;
+const uint32_t kStopTicks = ref::stop_ticks(kAcceleration, 40);
+constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program
+
+class MotionInterpolator : public testing::Test {
+  protected:
+    MotionInterpolator() {
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
+        dut_->sample_request_valid_i = 0;
+        dut_->sample_ready_i = 0;
+        dut_->hold_i = 0;
+        dut_->override_i = 65536;
+        dut_->kill_i = 0;
+        dut_->samples_per_tick_log2_i = 0;
+        dut_->hold_acceleration_i = kAcceleration;
+        dut_->hold_slope_i = kSlope;
+        dut_->stop_ticks_i = kStopTicks;
+        dut_.reset();
+    }
+
+    /// A program, after those before it: `pieces` and random segments as long.
+    void program(const std::vector<hls::ProfileWords>& pieces) {
+        int64_t length = 0;
+        for (const hls::ProfileWords& piece : pieces) length += piece.ds;
+#if CFG_Splines
+        MixedSegments<C> shapes(random_(), kMaxStepExponent);
+        program(pieces, chain(shapes, length, int64_t{1} << (kMaxStepExponent + hls::kPathFrac)));
+#else
+        LegalSegments<C> shapes(random_(), kMaxStepExponent);
+        program(pieces, chain(shapes, length));
+#endif
+    }
+
+    void program(const std::vector<hls::ProfileWords>& pieces,
+                 std::vector<hls::SegmentWords<C>> segments) {
+        set_ticks(pieces, segments);
+        send(pieces, segments);
+    }
+
+    void send(const std::vector<hls::ProfileWords>& pieces,
+              const std::vector<hls::SegmentWords<C>>& segments) {
+        for (const hls::ProfileWords& words : pieces) {
+            pieces_.push_back(words);
+            uint64_t bus[hls::kProfileBusWords];
+            hls::pack(words, piece_sequence_++, bus);
+            profile_words_.insert(profile_words_.end(), bus, bus + hls::kProfileBusWords);
+            length_ += words.ds;
+        }
+        for (const hls::SegmentWords<C>& words : segments) {
+            segments_.push_back(words);
+            uint64_t bus[hls::segment_bus_words<C>()];
+            hls::pack<C>(words, segment_sequence_++, bus);
+            segment_words_.insert(segment_words_.end(), bus, bus + hls::segment_bus_words<C>());
+        }
+    }
+
+    /// The ticks in which the pieces draw each segment: of whole pieces only, so never too many.
+    static void set_ticks(const std::vector<hls::ProfileWords>& pieces,
+                          std::vector<hls::SegmentWords<C>>& segments) {
+        std::size_t piece = 0;
+        int64_t begin = 0;  // path and ticks of the pieces before
+        int64_t ticks = 0;
+        int64_t path = 0;  // of the segments so far
+        int64_t drawn = 0;
+        for (hls::SegmentWords<C>& segment : segments) {
+            path += segment.length;
+            while (piece < pieces.size() && begin + pieces[piece].ds <= path) {
+                begin += pieces[piece].ds;
+                ticks += pieces[piece++].ticks;
+            }
+            segment.ticks = static_cast<uint32_t>(ticks - drawn);
+            drawn = ticks;
+        }
+        segments.back().last = true;
+    }
+
+    /// Pieces of a machine: `mean` quanta per tick.
+    static std::vector<hls::ProfileWords> pieces(uint32_t seed, int count, int shortest,
+                                                 int longest, int64_t mean) {
+        std::mt19937 random(seed);
+        std::vector<hls::ProfileWords> result;
+        for (int n = 0; n < count; ++n) {
+            const int ticks = shortest + static_cast<int>(random() % (longest - shortest + 1));
+            result.push_back(piece_of(ticks * mean + random() % 1000, ticks,
+                                      1e-3 * (random() % 1900), n == count - 1));
+        }
+        return result;
+    }
+
+    void samples_per_tick_log2(int n) {
+        dut_->samples_per_tick_log2_i = to_port(n, 4);
+        share_ = hls::SampleShare(n);
+    }
+
+    /// One clock. Valid words and requests stay until they are taken.
+    void clock() {
+        if (!dut_->segment_valid_i && !segment_words_.empty() && go(segment_stall_) && go(stall_)) {
+            dut_->segment_data_i = segment_words_.front();
+            dut_->segment_valid_i = 1;
+        }
+        if (!dut_->profile_valid_i && !profile_words_.empty() && go(profile_stall_)) {
+            dut_->profile_data_i = profile_words_.front();
+            dut_->profile_valid_i = 1;
+        }
+        if (requesting_ && go(stall_)) dut_->sample_request_valid_i = 1;
+        dut_->sample_ready_i = taking_ && go(stall_) ? 1 : 0;
+        dut_.settle();
+        const bool segment_word = dut_->segment_valid_i && dut_->segment_ready_o;
+        const bool profile_word = dut_->profile_valid_i && dut_->profile_ready_o;
+        const bool request = dut_->sample_request_valid_i && dut_->sample_request_ready_o;
+        if (dut_->path_valid_o) check_move();
+        if (dut_->sample_valid_o && dut_->sample_ready_i) check_sample();
+        dut_.tick();
+        if (segment_word) segment_words_.pop_front();
+        if (profile_word) profile_words_.pop_front();
+        if (segment_word) dut_->segment_valid_i = 0;
+        if (profile_word) dut_->profile_valid_i = 0;
+        if (request) dut_->sample_request_valid_i = 0;
+        requested_ += request ? 1 : 0;
+    }
+
+    void check_move() {
+        const auto rate = static_cast<int32_t>(dut_->path_rate_o);
+        if (share_.needs_tick()) {
+            // Which tick a program begins in is the RTL's choice; the rest follows.
+            const bool waits = !dut_->path_active_o;
+            const auto next_piece = [this](hls::ProfileWords& piece) {
+                if (next_piece_ == pieces_.size()) return false;
+                piece = pieces_[next_piece_++];
+                return true;
+            };
+            share_.tick(path_kernel_.tick(rate, next_piece, waits));
+            check_rate(rate);
+        }
+        const int64_t ds = share_.sample();
+        path_ += ds;
+        ASSERT_EQ(static_cast<int64_t>(dut_->path_ds_o), ds) << "move " << moves_.size();
+        ASSERT_EQ(static_cast<int64_t>(dut_->path_o), path_);
+        moves_.push_back(ds);
+    }
+
+    /// First and second differences are bounded; the port has 16 of the 32 fraction bits.
+    void check_rate(int32_t rate) {
+        if (moves_.empty()) rate_ = rate_before_ = rate;  // the first lands at once
+        ASSERT_LE(std::abs(rate - rate_), (kSlope >> 16) + 1) << "move " << moves_.size();
+        ASSERT_LE(std::abs(rate - 2 * rate_ + rate_before_), (kAcceleration >> 16) + 2)
+            << "move " << moves_.size();
+        rate_before_ = rate_;
+        rate_ = rate;
+    }
+
+    void check_sample() {
+        ASSERT_LT(samples_, static_cast<int64_t>(moves_.size())) << "a sample before its move";
+        hls::Word<C::kFineBits> fine[C::kAxes];
+        kernel_.sample(
+            moves_[static_cast<std::size_t>(samples_)],
+            [this] { return segments_.at(next_segment_++); }, fine);
+        for (int axis = 0; axis < C::kAxes; ++axis) {
+            ASSERT_EQ(signed_field(dut_->sample_fine_o, axis * C::kFineBits, C::kFineBits),
+                      from_port(static_cast<uint64_t>(fine[axis]), C::kFineBits))
+                << "sample " << samples_ << " axis " << axis;
+            ASSERT_EQ(
+                signed_field(dut_->sample_position_o, axis * C::kPositionBits, C::kPositionBits),
+                from_port(static_cast<uint64_t>(hls::to_position<C>(fine[axis])), C::kPositionBits))
+                << "sample " << samples_ << " axis " << axis;
+        }
+        ++samples_;
+    }
+
+    /// Fills the queues.
+    void fill() {
+        for (int n = 0; n < 6000; ++n) clock();
+    }
+
+    /// Requests until the machine stands.
+    void stand() {
+        for (int n = 0; n < 3; ++n) clock();  // it is told three clocks late
+        for (int n = 0; n < 100000 && !dut_->standing_o && !HasFatalFailure(); ++n) clock();
+        EXPECT_TRUE(dut_->standing_o);
+        EXPECT_EQ(rate_, 0);
+    }
+
+    /// Requests until the program is over; `each` runs before every clock.
+    void run(const std::function<void()>& each = [] {}) {
+        requesting_ = true;
+        while (!HasFatalFailure() && (path_ < length_ || path_kernel_.active())) {
+            each();
+            clock();
+            ASSERT_EQ(dut_->fault_o, 0);
+        }
+        if (HasFatalFailure()) return;
+        requesting_ = false;
+        const int rest = 20000;
+        for (int n = 0; n < rest && (samples_ < requested_ || n < 200); ++n) clock();
+        EXPECT_EQ(samples_, requested_);
+        EXPECT_EQ(path_, length_);
+        EXPECT_FALSE(dut_->active_o);
+    }
+
+    /// Resets the core, and forgets all programs.
+    void start_afresh() {
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
+        dut_->sample_request_valid_i = 0;
+        dut_->hold_i = 0;
+        dut_->kill_i = 0;
+        requesting_ = false;
+        taking_ = true;
+        dut_.reset(1);
+        pieces_.clear();
+        segments_.clear();
+        profile_words_.clear();
+        segment_words_.clear();
+        next_piece_ = 0;
+        next_segment_ = 0;
+        piece_sequence_ = 0;
+        segment_sequence_ = 0;
+        length_ = 0;
+        path_kernel_ = {};
+        share_ = hls::SampleShare(0);
+        kernel_ = {};
+        rate_ = 0;
+        path_ = 0;
+        moves_.clear();
+        requested_ = 0;
+        samples_ = 0;
+    }
+
+    bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
+
+    ClockedDut<Vmotion_interpolator> dut_;
+    std::mt19937 random_{1};
+    int stall_ = 0;  // percent of clocks, every handshake
+    int segment_stall_ = 0;
+    int profile_stall_ = 0;
+    bool requesting_ = false;
+    bool taking_ = true;
+
+    std::vector<hls::ProfileWords> pieces_;
+    std::vector<hls::SegmentWords<C>> segments_;
+    std::deque<uint64_t> profile_words_;
+    std::deque<uint64_t> segment_words_;
+    std::size_t next_piece_ = 0;
+    std::size_t next_segment_ = 0;
+    unsigned piece_sequence_ = 0;
+    unsigned segment_sequence_ = 0;
+    int64_t length_ = 0;
+
+    hls::PathKernel path_kernel_;
+    hls::SampleShare share_{0};
+    hls::MotionKernel<C> kernel_;
+    int32_t rate_ = 0;
+    int32_t rate_before_ = 0;
+    int64_t path_ = 0;
+    std::deque<int64_t> moves_;
+    int64_t requested_ = 0;
+    int64_t samples_ = 0;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/motion_interpolator.sv keeps the time that a plan gives it: with requests waiting, a sample
+// is there whenever one is due.
+#include "hls/quantise.hpp"
+#include "sysc/host/core_clocks.hpp"
+#include "tb/support/motion_bench.hpp"
+#include "tb/support/tiny_moves.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+class MotionTime : public MotionInterpolator {
+  protected:
+    /// A plan for a core that has `faster` times so many clocks in a sample period.
+    void planned(const ref::Program& program, int period, double faster) {
+        constexpr double kPeriod = 100e-6;
+        CoreParameters core;
+        core.build = static_cast<Build>(CFG_Build);
+        core.aux_axes = CFG_AuxAxes;
+        core.splines = CFG_Splines;
+        core.mode = CFG_Mode;
+        core.sample_interval = CFG_SampleInterval;
+        core.parameter_guard = CFG_ParameterGuard;
+        ref::PlanOptions options;
+        options.sample_period_s = kPeriod;
+        options.format = core;
+        options.core = core_time(core, faster * period / kPeriod);
+        const ref::Plan plan = make_plan(program, ref::Machine(), options);
+        std::vector<hls::ProfileWords> pieces;
+        for (const ref::ProfilePiece& piece : plan.pieces) pieces.push_back(hls::to_words(piece));
+        std::vector<hls::SegmentWords<C>> words;
+        for (const ref::Segment& segment : plan.segments) {
+            words.push_back(hls::to_words<C>(segment));
+        }
+        send(pieces, words);
+    }
+
+    /// Samples that are not there when they are due, one every `period` clocks.
+    int late_samples(int period) {
+        fill();
+        requesting_ = true;
+        taking_ = false;
+        for (int n = 0; n < 4000; ++n) clock();
+        int late = 0;
+        while (path_ < length_ && !HasFatalFailure()) {
+            const int64_t before = samples_;
+            taking_ = true;
+            clock();
+            late += samples_ == before ? 1 : 0;
+            taking_ = false;
+            for (int n = 1; n < period; ++n) clock();
+        }
+        EXPECT_FALSE(dut_->underrun_o);
+        return late;
+    }
+
+    static ref::Program tiny_program(unsigned seed) {
+        return CFG_Splines ? tiny_splines(seed, 60) : tiny_moves(seed, 120);
+    }
+};
+
+/// For so few clocks that the core bounds the speed.
+TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
+    if (CFG_Anchor == 0 && CFG_Splines == 1) GTEST_SKIP() << "planned for Anchor 1";
+    const std::vector<int> periods = CFG_Build == 0 ? std::vector<int>{8, 60}
+                                     : CFG_Splines  ? std::vector<int>{230, 333}
+                                                    : std::vector<int>{110, 200};
+    for (const int period : periods) {
+        for (unsigned seed = 1; seed <= 2; ++seed) {
+            planned(tiny_program(seed), period, 1);
+            EXPECT_EQ(late_samples(period), 0) << period << " clocks, seed " << seed;
+            EXPECT_GT(samples_, 100);
+            start_afresh();
+        }
+    }
+    // Control: the core is four times as slow as it was planned for.
+    planned(even_lines(1000), periods[0], 4);
+    EXPECT_GT(late_samples(periods[0]), 0);
+}
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/motion_interpolator.sv and the host: words that come late, and words that cannot be. Whatever
+// comes, the path is the kernel's, time's rate keeps its bounds, and a sample comes or a fault is
+// up.
+#include "hls/word_entry.hpp"
+#include "tb/support/motion_bench.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+enum Fault {
+    kSegmentWord,
+    kSegmentOrder,
+    kPieceWord,
+    kPieceOrder,
+    kApart,
+    kShortQueue,
+    kSettings,
+    kNoSample
+};
+
+int stalls() {
+    const char* count = std::getenv("CURVECORE_STALLS");
+    return count ? std::atoi(count) : 60;
+}
+
+class MotionWords : public MotionInterpolator {
+  protected:
+    /// A host that stops feeding a stream now and then, for any time.
+    class Host {
+      public:
+        explicit Host(uint32_t seed) : random_(seed) {}
+        /// Percent of clocks in which it feeds nothing.
+        int stall() {
+            if (left_-- == 0) {
+                away_ = !away_;
+                left_ = static_cast<int>(std::exp(static_cast<double>(random_() % 1000) / 120));
+                stalls_ += away_ ? 1 : 0;
+            }
+            return away_ ? 100 : 0;
+        }
+        int stalls() const { return stalls_; }
+
+      private:
+        std::mt19937 random_;
+        bool away_ = false;
+        int left_ = 1;
+        int stalls_ = 0;
+    };
+
+    /// Requests until all words are taken and the machine stands or is idle.
+    void run_out() {
+        requesting_ = true;
+        int64_t path = -1;
+        for (int still = 0; still < 3 && !HasFatalFailure();) {
+            const int64_t samples = samples_;
+            for (int n = 0; n < 3000 && !HasFatalFailure(); ++n) clock();
+            if (fault() == 0 && dut_->active_o) {
+                ASSERT_GT(samples_, samples) << "no sample, and no fault";
+            }
+            const bool words = !segment_words_.empty() || !profile_words_.empty();
+            still = words || path_ != path ? 0 : still + 1;
+            path = path_;
+        }
+    }
+
+    int fault() { return dut_->fault_o; }
+};
+
+TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
+    int stalls_seen = 0;
+    for (uint32_t seed = 1; stalls_seen < stalls() && !HasFatalFailure(); ++seed) {
+        Host segments(2 * seed);
+        Host profile(2 * seed + 1);
+        program(pieces(seed, 60, 5, 40, (seed % 8) << 16));
+        int64_t waited = 0;  // clocks without a sample of those that were asked for
+        int64_t samples = 0;
+        run([&] {
+            segment_stall_ = seed % 3 == 0 ? 0 : segments.stall();
+            profile_stall_ = seed % 3 == 1 ? 0 : profile.stall();
+            waited = samples_ < requested_ && samples_ == samples ? waited + 1 : 0;
+            samples = samples_;
+            ASSERT_LT(waited, 20000);
+        });
+        stalls_seen += segments.stalls() + profile.stalls();
+        if (HasFatalFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST_F(MotionWords, StandUntilTheyCoverAStop) {
+    program(pieces(3, 300, 5, 20, 3 << 16));
+    segment_stall_ = 100;
+    fill();
+    requesting_ = true;
+    fill();
+    EXPECT_EQ(path_, 0);
+    EXPECT_FALSE(dut_->active_o);
+    segment_stall_ = 0;
+    run();
+    EXPECT_FALSE(dut_->underrun_o);
+}
+
+TEST_F(MotionWords, OfSegmentsThatRunLowStopTheMotionInTime) {
+    program(pieces(7, 600, 5, 20, 3 << 16));
+    segment_stall_ = 90;
+    fill();
+    int64_t stood = 0;
+    run([&] {
+        // The host feeds segments, slowly, only when the motion stands.
+        segment_stall_ = rate_ == 0 || !dut_->active_o ? 97 : 100;
+        stood += rate_ == 0 ? 1 : 0;
+    });
+    EXPECT_TRUE(dut_->underrun_o);
+    EXPECT_GT(stood, 0);
+}
+
+// A program of pieces so short that a full queue of them is over before a stop is.
+TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
+    program(pieces(5, 400, 1, 1, 3 << 16));
+    dut_->stop_ticks_i = 500;
+    dut_.reset();
+    requesting_ = true;
+    for (int n = 0; n < 8000; ++n) clock();
+    EXPECT_EQ(fault(), 1 << kShortQueue);
+    EXPECT_EQ(path_, 0);
+}
+
+// Segments that claim more time than they have, and then do not come: the guard is deceived.
+TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
+    const auto whole = pieces(9, 200, 20, 20, 3 << 16);
+    LegalSegments<C> shapes(9, kMaxStepExponent);
+    auto segments = chain(shapes, 200 * 20 * (int64_t{3} << 16));
+    program(whole, segments);
+    segment_words_.clear();
+    set_ticks(whole, segments);
+    const std::size_t cut = segments.size() / 3;
+    uint32_t stolen = 0;
+    for (std::size_t n = cut; n < segments.size(); ++n) {
+        stolen += segments[n].ticks;
+        segments[n].ticks = 0;
+    }
+    segments[0].ticks += stolen;
+    for (std::size_t n = 0; n < cut; ++n) {
+        uint64_t bus[hls::segment_bus_words<C>()];
+        hls::pack<C>(segments[n], static_cast<unsigned>(n), bus);
+        segment_words_.insert(segment_words_.end(), bus, bus + hls::segment_bus_words<C>());
+    }
+    fill();
+    requesting_ = true;
+    for (int n = 0; n < 60000 && fault() == 0; ++n) clock();
+    EXPECT_EQ(fault(), 1 << kNoSample);
+}
+
+// The words of one stream, as they should be and as they come.
+struct Stream {
+    std::deque<uint64_t>& words;
+    const std::deque<uint64_t>& other;
+    std::size_t frame;
+};
+
+/// Something that goes wrong between host and core.
+void damage(const Stream& stream, std::mt19937& random) {
+    std::deque<uint64_t>& words = stream.words;
+    const std::size_t at = random() % words.size();
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    switch (random() % 9) {
+        case 0:
+            words.erase(begin);
+            return;
+        case 1:
+            words.insert(begin, *begin);
+            return;
+        case 2:
+            *begin = 0;
+            return;
+        case 3:
+            *begin = (uint64_t{1} << 48) - 1;
+            return;
+        case 4:
+            *begin = stream.other[random() % stream.other.size()];
+            return;
+        case 5:
+            *begin ^= uint64_t{1} << (44 + random() % 4);
+            return;
+        case 6:
+            std::swap(*begin, words[at == 0 ? 1 : at - 1]);
+            return;
+        case 7: {  // a whole frame
+            const auto first = words.begin() + static_cast<std::ptrdiff_t>(at - at % stream.frame);
+            words.erase(first, first + static_cast<std::ptrdiff_t>(stream.frame));
+            return;
+        }
+        default:
+            words.resize(at);  // the host is gone
+            return;
+    }
+}
+
+TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
+    std::mt19937 random(11);
+    int found = 0;
+    const int rounds = stalls();
+    for (int round = 0; round < rounds; ++round) {
+        program(pieces(300 + round, 60, 5, 20, (round % 8) << 16));
+        const bool of_segments = round % 2 == 0;
+        const Stream stream =
+            of_segments ? Stream{segment_words_, profile_words_, hls::segment_bus_words<C>()}
+                        : Stream{profile_words_, segment_words_, hls::kProfileBusWords};
+        const std::deque<uint64_t> intended = stream.words;
+        damage(stream, random);
+
+        // What the twin of the entry says of it
+        hls::SegmentEntry<C, CFG_Splines != 0> segment_entry;
+        hls::PieceEntry piece_entry;
+        int expected = 0;
+        for (const uint64_t word : stream.words) {
+            const hls::Entry entry =
+                of_segments ? segment_entry.take(word) : piece_entry.take(word);
+            const int cause = of_segments ? kSegmentWord : kPieceWord;
+            if (entry == hls::Entry::kBadWord) expected |= 1 << cause;
+            if (entry == hls::Entry::kBadOrder) expected |= 2 << cause;
+        }
+        const bool same = stream.words == intended;
+        run_out();
+        EXPECT_EQ(fault(), expected) << "round " << round;
+        if (same) {
+            EXPECT_EQ(path_, length_) << "round " << round;
+        }
+        found += expected != 0 ? 1 : 0;
+        start_afresh();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+    EXPECT_GT(found, rounds / 2);
+}
+
+// Fields that are legal by themselves: a path or ticks that are not the other stream's.
+TEST_F(MotionWords, ThatEndApartAreAFault) {
+    for (int round = 0; round < 8; ++round) {
+        const auto whole = pieces(400 + round, 40, 10, 20, 3 << 16);
+        LegalSegments<C> shapes(9, kMaxStepExponent);
+        int64_t length = 0;
+        for (const hls::ProfileWords& piece : whole) length += piece.ds;
+        auto segments = chain(shapes, length + (round % 2 == 0 ? 1 : round % 4 == 1 ? -1 : 0));
+        program(whole, segments);
+        if (round % 4 == 3) {
+            // A tick more in the second segment
+            uint64_t& low_byte = segment_words_[hls::segment_bus_words<C>() + 9];
+            low_byte ^= uint64_t{1} << hls::kTicksByteField.low;
+        }
+        run_out();
+        EXPECT_EQ(fault(), 1 << kApart) << "round " << round;
+        start_afresh();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
