@@ -327,7 +327,7 @@ foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4,8 0,1,1
               TOP motion_interpolator LIBRARIES curvecore_host
               PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
                      Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                     ParameterGuard=${parameter} ProfileQueueWords=512)
+                     ParameterGuard=${parameter} SegmentQueueWords=4096 ProfileQueueWords=512)
   endforeach()
 endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")

@@ -28,7 +28,7 @@ module serial_program #(
     program_rom[9]   = 61'h00112900a0091280;
     program_rom[10]  = 61'h00140000a00a00a0;
     program_rom[11]  = 61'h00110700a0081081;
-    program_rom[12]  = 61'h00140000a00a00a0;
+    program_rom[12]  = 61'h00150600a00a00a0;
     program_rom[13]  = 61'h00140000a00a00a0;
     program_rom[14]  = 61'h00140000a00a00a0;
     program_rom[15]  = 61'h00140000a00a00a0;
@@ -48,7 +48,7 @@ module serial_program #(
     program_rom[29]  = 61'h00140000a00a00a0;
     program_rom[30]  = 61'h00140000a00a00a0;
     program_rom[31]  = 61'h00150700a00a00a0;
-    program_rom[32]  = 61'h00140000a00a00a0;
+    program_rom[32]  = 61'h00152610a00a00a0;
     program_rom[33]  = 61'h00140000a00a00a0;
     program_rom[34]  = 61'h00140000a00a00a0;
     program_rom[35]  = 61'h00140000a00a00a0;
