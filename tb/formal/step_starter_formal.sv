@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/control/step_starter.sv: one step at a time, only with room, of one kind; a step is the first
 // of its segment exactly if the one before was the last of its own; nothing gets stuck while
-// segments with a length come.  Words are free.
+// words come: one is taken, or a step starts.  Words are free.
 // control: TWICE s/ \&\& start_o == 2'b00 / /
 // control: NO_ROOM s/ \&\& room_i / /
 // control: STUCK s/(there || !fresh_o)/there/
@@ -20,7 +20,6 @@ module step_starter_formal (
 );
 
   logic        segment_ready;
-  logic [15:0] empty;
   logic        busy_q;
   logic [ 1:0] start;
   logic        fresh;
@@ -35,7 +34,7 @@ module step_starter_formal (
       .segment_valid_i,
       .segment_ready_o(segment_ready),
       .segment_data_i,
-      .empty_segments_o(empty),
+      .empty_segments_o(),
       .room_i,
       .ready_i(!busy_q),
       .done_i,
@@ -65,24 +64,26 @@ module step_starter_formal (
   logic room_q;
   logic first_q;  // the next step must be the first of its segment
   logic [1:0] start_q;
-  logic [15:0] empty_q;
-  logic [5:0] idle_q;
+  logic [3:0] idle_q;
+  logic [1:0] within_q;  // clocks in which a step of the present segment could have started
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     room_q    <= room_i;
     start_q   <= start;
-    empty_q   <= empty;
     if (!rst_ni) begin
       busy_q  <= 1'b0;
       first_q <= 1'b1;
-      idle_q  <= '0;
+      idle_q   <= '0;
+      within_q <= '0;
       start_q <= 2'b00;
     end else begin
       if (start != 2'b00) busy_q <= 1'b1;
       else if (done_i) busy_q <= 1'b0;
       if (done_i) first_q <= last;
-      idle_q <= idle_q + 6'd1;
-      if (start != 2'b00 || busy_q || !room_i || !segment_valid_i || empty != empty_q) idle_q <= '0;
+      within_q <= within_q + 2'd1;
+      if (start != 2'b00 || busy_q || !room_i || first_q) within_q <= '0;
+      idle_q <= idle_q + 4'd1;
+      if (start != 2'b00 || busy_q || !room_i || !segment_valid_i || segment_ready) idle_q <= '0;
     end
   end
 
@@ -97,8 +98,8 @@ module step_starter_formal (
       if (start != 2'b00) WithRoom : assert (room_q);
       if (start != 2'b00) FirstOfItsSegment : assert (fresh == first_q);
       if (start_q != 2'b00) Kind : assert (spline == start_q[1]);
-      if (idle_q == 6'd3 && !first_q) GoesOn : assert (1'b0);
-      if (idle_q == 6'd40) NeverStuck : assert (1'b0);
+      if (within_q == 2'd3) GoesOn : assert (1'b0);
+      if (idle_q == 4'd6) NeverStuck : assert (1'b0);
 
       Goes : cover (start != 2'b00 && !fresh);
       Changes : cover (start[0] && fresh && spline);
