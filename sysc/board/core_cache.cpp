@@ -130,6 +130,15 @@ int run(const std::vector<std::string>& arguments, const fs::path& log) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+/// The line of a tool's output that says what went wrong.
+std::string first_error(const fs::path& log) {
+    std::ifstream lines(log);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find("rror") != std::string::npos) return line;
+    }
+    return "no error in its output";
+}
+
 /// Verilator's parameters of the top module.
 std::vector<std::string> model_parameters(const CoreParameters& parameters) {
     std::vector<std::string> all{
@@ -209,7 +218,8 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
         command.push_back(std::move(parameter));
     }
     if (run(command, log) != 0) {
-        throw std::runtime_error(fmt::format("the core could not be made: see {}", log.string()));
+        throw std::runtime_error(fmt::format("the core could not be made: {}; see {}",
+                                             first_error(log), log.string()));
     }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");

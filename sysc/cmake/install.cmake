@@ -38,4 +38,6 @@ if(CURVECORE_PROGRAM)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
           FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
+  install(FILES ${PROJECT_SOURCE_DIR}/ref/format/queues.hpp
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/ref/format COMPONENT program)
 endif()

@@ -92,6 +92,7 @@ using Columns = std::vector<const ref::Parameter*>;
 
 Columns columns_of(const std::vector<Choice>& choices) {
     std::vector<CoreParameters> all;
+    all.reserve(choices.size());
     for (const Choice& choice : choices) all.push_back(choice.candidate.parameters);
     return sysc::columns_of(all);
 }

@@ -106,10 +106,10 @@ TEST(SynthCommand, TakesTheCoreThatChooseWrote) {
     const SynthRun synth;
     synth.write("core.json",
                 R"({"core": "spherical", "build": "serial", "device": "ecp5-25", "parameters":
-                    {"Order": 5, "CoefBits": 36, "Splines": 0, "MultiplierForm": 1}})");
+                    {"Order": 4, "CoefBits": 36, "Splines": 0, "MultiplierForm": 1}})");
     const ProgramResult result = synth.synth({"--core", "core.json", "--seeds", "1"});
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-Order5.json")) << result.out;
+    EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-Order4.json")) << result.out;
     synth.write("core.json", "{}");
     EXPECT_EQ(synth.synth({"--core", "core.json"}).status, 2);
 }

@@ -11,6 +11,7 @@ complain() {
   status=1
 }
 cp -r "$1" "$folder/scripts"
+ln -s "$(realpath "$1/../sysc")" "$(realpath "$1/../ref")" "$folder"
 "$1/setup.sh" --help >/dev/null || complain "setup.sh --help: exit status $?"
 printf '#!/bin/sh\nexit 99\n' >"$folder/scripts/setup.sh"
 for command in bench campaign demo format real_parts synth test; do

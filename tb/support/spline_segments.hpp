@@ -80,7 +80,7 @@ class SplineSegments {
         return with_auxiliary(words);
     }
 
-    /// The one of most steps among those of 2^k units or more, that many steps of it at most.
+    /// The one of most steps among those of 2^k units or more, that many whole steps of it at most.
     Words whole(int k, int steps) {
         const auto count = [](const Words& words) {
             return words.length >> (words.step_exponent + 16);
@@ -89,8 +89,7 @@ class SplineSegments {
         for (const Words& piece : pieces_) {
             if (piece.step_exponent >= k && count(piece) >= count(words)) words = piece;
         }
-        words.length = std::min<std::int64_t>(words.length, static_cast<std::int64_t>(steps)
-                                                                << (words.step_exponent + 16));
+        words.length = std::min<std::int64_t>(count(words), steps) << (words.step_exponent + 16);
         return with_auxiliary(words);
     }
 
