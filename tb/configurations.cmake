@@ -105,7 +105,7 @@ illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 # The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
 function(arc_configuration order coef position guard aux mode interval)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
-  core_test(sample_campaign ${name} TOP spherical_interpolator
+  core_test(spherical_interpolator ${name} TOP spherical_interpolator
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
 endfunction()
@@ -134,15 +134,18 @@ arc_configuration(10 33 32 9 1 0 4)
 arc_configuration(11 29 26 5 0 1 2)
 arc_configuration(12 36 32 12 0 0 2)
 arc_configuration(12 36 32 12 0 1 8)
+arc_configuration(2 18 16 2 6 0 1)
+arc_configuration(2 36 32 10 0 1 2)
+arc_configuration(3 18 16 12 0 1 8)
+arc_configuration(5 33 28 7 3 0 2)
+arc_configuration(12 36 32 12 6 0 8)
+arc_configuration(12 25 20 5 1 1 1)
 
 # The serial build of it; the interval changes nothing there.
 foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,6,2,0 3,30,28,8,6,1
         4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
   read_row(${size} order coef position guard aux mode)
   set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  core_test(sample_campaign ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode})
   core_test(spherical_interpolator_serial ${name} TOP curve_interpolator_serial
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode})
@@ -153,11 +156,9 @@ foreach(size 6,36,32,10,0,1 6,36,32,10,0,0 2,18,16,2,1,1 3,30,28,8,1,1 8,36,32,1
         12,36,32,10,6,1 12,30,31,12,4,0)
   read_row(${size} order coef position guard aux mode)
   set(name both_serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  foreach(test curve_interpolator_serial sample_campaign)
-    core_test(${test} ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
-              PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
-                     GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
-  endforeach()
+  core_test(curve_interpolator_serial ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
+            PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
+                   GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
 endforeach()
 core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial
           PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
@@ -208,16 +209,6 @@ foreach(size 2,18 6,36 7,29 12,33)
 endforeach()
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
-# The parallel arc core: order, coefficient, position, guard bits, auxiliary axes, mode, interval.
-foreach(size 6,36,32,10,0,0,1 6,36,32,10,0,0,4 6,36,32,10,0,1,1 6,36,32,10,0,1,4 2,18,16,2,6,0,1
-        2,36,32,10,0,1,2 3,18,16,12,0,1,8 5,33,28,7,3,0,2 12,36,32,12,6,0,8 12,25,20,5,1,1,1)
-  read_row(${size} order coef position guard aux mode interval)
-  core_test(spherical_interpolator
-            p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval}
-            TOP spherical_interpolator LIBRARIES Eigen3::Eigen
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
-endforeach()
 foreach(core spherical_interpolator spline_interpolator curve_interpolator
              curve_interpolator_serial)
   illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
@@ -236,11 +227,9 @@ foreach(size 2,28,32,10,0,9 3,36,32,12,1,4 6,36,32,10,0,2 4,33,28,8,2,1 12,36,32
         2,23,31,3,0,10)
   read_row(${size} order coef position guard aux turn)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_t${turn})
-  foreach(test spherical_interpolator sample_campaign)
-    core_test(${test} ${name} TOP spherical_interpolator LIBRARIES Eigen3::Eigen
-              PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                     AuxAxes=${aux} Mode=0 SampleInterval=1 TurnBits=${turn})
-  endforeach()
+  core_test(spherical_interpolator ${name} TOP spherical_interpolator
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=0 SampleInterval=1 TurnBits=${turn})
 endforeach()
 foreach(core spherical_interpolator curve_interpolator horner)
   illegal_parameter_test(${core} TurnBits=15 "TurnBits must be in .0, 14.")
@@ -255,13 +244,13 @@ illegal_parameter_test(curve_interpolator TurnBits=1 "TurnBits works with Curves
 
 # The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval
 # and, where there is one, parameter guard.
-function(spline_configuration test size)
+function(spline_configuration size)
   read_row(${size},0 order coef position guard aux mode anchor interval parameter)
   set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
   if(parameter)
     string(APPEND name _u${parameter})
   endif()
-  core_test(${test} ${name} TOP spline_interpolator LIBRARIES curvecore_ref
+  core_test(spline_interpolator ${name} TOP spline_interpolator LIBRARIES curvecore_ref
             PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
                    AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
                    ParameterGuard=${parameter})
@@ -269,9 +258,6 @@ endfunction()
 set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
                  6,36,32,10,0,0,0,1 6,36,32,10,1,0,0,4 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4
                  4,28,32,10,0,1,1,1,4 6,33,32,10,0,0,0,2,8)
-foreach(size ${spline_sizes})
-  spline_configuration(spline_interpolator ${size})
-endforeach()
 # Samples by the million in the others too: scripts/campaign.sh.
 option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
 set(spline_campaign ${spline_sizes} 2,18,16,2,1,1,1,2,1 5,30,32,8,1,1,1,4 12,25,22,6,2,0,1,2)
@@ -285,7 +271,7 @@ if(CURVECORE_FULL_CAMPAIGN)
        11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8)
 endif()
 foreach(size ${spline_campaign})
-  spline_configuration(sample_campaign ${size})
+  spline_configuration(${size})
 endforeach()
 illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must be in .0, 8.")
@@ -295,12 +281,10 @@ foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10
         6,36,32,10,0,1,0,2 6,36,32,10,0,0,0,1 3,30,28,8,1,1,1,8,5 8,36,32,12,6,0,1,2)
   read_row(${size},0 order coef position guard aux mode anchor interval parameter)
   set(name both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
-  foreach(test curve_interpolator sample_campaign)
-    core_test(${test} ${name} TOP curve_interpolator LIBRARIES curvecore_ref
-              PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                     AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                     ParameterGuard=${parameter})
-  endforeach()
+  core_test(curve_interpolator ${name} TOP curve_interpolator LIBRARIES curvecore_ref
+            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
+                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
+                   ParameterGuard=${parameter})
 endforeach()
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
 

@@ -18,6 +18,7 @@
 #include "sysc/board/core_configuration.hpp"
 #include "sysc/board/port_word.hpp"
 #include "tb/support/legal_segments.hpp"
+#include "tb/support/sample_campaign.hpp"
 
 namespace curvecore::tb {
 
@@ -36,6 +37,8 @@ template <class Model, class Kernel = hls::SphericalKernel<Config>,
           class Shapes = LegalSegments<Config>, int Rounds = 60>
 class CurveCoreBench : public testing::Test {
   protected:
+    using Campaign = SampleCampaign<Model, Kernel, Shapes>;
+
     CurveCoreBench() {
         dut_.limit_cycles(20'000'000);
         dut_->segment_valid_i = 0;

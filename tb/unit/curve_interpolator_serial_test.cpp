@@ -21,6 +21,8 @@ TEST_F(CurveInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();
 }
 
+TEST_F(CurveInterpolatorSerial, EqualsKernelOverManySamples) { Campaign(100'000, 6).run(); }
+
 /// Splines whose steps are shorter than the planner would take them, 2^0 to 2^k units: the scales
 /// 2^-(lambda - k) of every size.
 TEST_F(CurveInterpolatorSerial, DrawsStepsOfAnyLength) {

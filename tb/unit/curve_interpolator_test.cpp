@@ -19,6 +19,8 @@ TEST_F(CurveInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();
 }
 
+TEST_F(CurveInterpolator, EqualsKernelOverManySamples) { Campaign(450'000, 7).run(); }
+
 TEST_F(CurveInterpolator, GivesOneSamplePerIntervalOverChangesOfKind) {
     MixedSegments<Config> shapes(5);
     std::vector<hls::SegmentWords<Config>> segments;

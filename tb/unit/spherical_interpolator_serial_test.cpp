@@ -18,6 +18,8 @@ TEST_F(SphericalInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) 
     equals_kernel_with_random_stalls();
 }
 
+TEST_F(SphericalInterpolatorSerial, EqualsKernelOverManySamples) { Campaign(200'000, 6).run(); }
+
 TEST_F(SphericalInterpolatorSerial, HoldsItsSampleWhileStalled) {
     holds_its_sample_while_stalled();
 }

@@ -16,6 +16,8 @@ TEST_F(SphericalInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();
 }
 
+TEST_F(SphericalInterpolator, EqualsKernelOverManySamples) { Campaign(500'000, 6).run(); }
+
 TEST_F(SphericalInterpolator, GivesOneSamplePerIntervalWhileStepsHoldTheNetworksLatency) {
     LegalSegments<Config> shapes(5);
     std::vector<hls::SegmentWords<Config>> segments;

@@ -19,6 +19,8 @@ TEST_F(SplineInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();
 }
 
+TEST_F(SplineInterpolator, EqualsKernelOverManySamples) { Campaign(450'000, 7).run(); }
+
 TEST_F(SplineInterpolator, GivesOneSamplePerIntervalWhileStepsHoldTheNetworksLatency) {
     SplineSegments<Config> shapes(5);
     gives_one_sample_per_interval({shapes.whole(10, 40)}, kClocks.segment);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Many samples of a core against its kernel: every fine word and position of random chains of
-// segments, mostly at a working density (arcs: 64 to 512 samples per step, splines: 128 to 1024),
-// with random stalls and holds. CURVECORE_SAMPLES sets how many (scripts/campaign.sh: 10^9 over all
-// configurations).
+// segments, mostly at a working density, with random stalls and holds. CURVECORE_SAMPLES sets how
+// many (scripts/campaign.sh: 10^9 over all configurations).
+#pragma once
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,19 +13,22 @@
 
 #include "hls/interpolator_kernel.hpp"
 #include "sysc/board/clocked_dut.hpp"
+#include "sysc/board/core_configuration.hpp"
 #include "sysc/board/port_word.hpp"
-#include "tb/support/campaign_core.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
-namespace {
 
-constexpr int kBusWords = hls::segment_bus_words<Config>();
-constexpr std::size_t kRing = 1024;  // more than the core holds in flight
-
-class Campaign : public testing::Test {
-  protected:
-    Campaign() {
+/// Kernel: of the curve; Shapes: its segments.
+template <class Model, class Kernel, class Shapes>
+class SampleCampaign {
+  public:
+    /// `samples` without CURVECORE_SAMPLES: a few seconds' worth, of slow models fewer. 2^density
+    /// samples at least in a step, but for requests that are held.
+    SampleCampaign(int samples, int density)
+        : samples_(kPortable ? samples : samples / 50), least_density_(density) {
+        const char* wanted = std::getenv("CURVECORE_SAMPLES");
+        if (wanted != nullptr) samples_ = std::atoll(wanted);
         dut_->segment_valid_i = 0;
         dut_->request_valid_i = 0;
         dut_->sample_ready_i = 0;
@@ -32,10 +36,30 @@ class Campaign : public testing::Test {
         dut_.limit_cycles(~std::uint64_t{0});
     }
 
-    static std::int64_t samples() {
-        const char* wanted = std::getenv("CURVECORE_SAMPLES");
-        return wanted != nullptr ? std::atoll(wanted) : CampaignCore::kSamples;
+    void run() {
+        make_chain();
+        const auto wanted = static_cast<std::size_t>(samples_);
+        std::size_t waiting = 0;
+        std::size_t before = 0;
+        bool stalling = false;
+        while (compared_ < wanted) {
+            if (compared_ % 4096 == 0) stalling = random_() % 4 == 0;
+            clock(stalling ? static_cast<unsigned>(random_() & random_()) : 0);
+            waiting = compared_ == before ? waiting + 1 : 0;
+            before = compared_;
+            ASSERT_LT(waiting, 100'000U) << "no sample comes after " << compared_;
+            ASSERT_EQ(differing_, 0) << "at sample " << compared_;
+        }
+        testing::Test::RecordProperty("samples", std::to_string(compared_));
+        testing::Test::RecordProperty("segments", std::to_string(drawn_));
+        std::printf("%zu samples of %zu segments in %llu clocks, %lld words differ\n", compared_,
+                    drawn_, static_cast<unsigned long long>(dut_.cycle()),
+                    static_cast<long long>(differing_));
     }
+
+  private:
+    static constexpr int kBusWords = hls::segment_bus_words<Config>();
+    static constexpr std::size_t kRing = 1024;  // more than the core holds in flight
 
     /// The chain comes again and again; the core and the kernel read it each at its own pace.
     const hls::SegmentWords<Config>& segment(std::size_t n) const {
@@ -46,7 +70,7 @@ class Campaign : public testing::Test {
         if (--density_left_ < 0) {
             density_left_ = static_cast<std::int64_t>(random_() % 2000);
             hold_ = random_() % 16 == 0;
-            density_ = CampaignCore::kDensity + static_cast<int>(random_() % 4);
+            density_ = least_density_ + static_cast<int>(random_() % 4);
         }
         const int step = segment(drawn_ == 0 ? 0 : drawn_ - 1).step_exponent + hls::kPathFrac;
         const std::int64_t ds = step > density_ ? std::int64_t{1} << (step - density_) : 1;
@@ -97,7 +121,7 @@ class Campaign : public testing::Test {
 
     void make_chain() {
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            CampaignCore::Shapes shapes(seed);
+            Shapes shapes(seed);
             for (int n = 0; n < 500; ++n) chain_.push_back(shapes.next());
         }
         bus_.resize(chain_.size() * kBusWords);
@@ -105,8 +129,10 @@ class Campaign : public testing::Test {
             hls::pack(chain_[n], static_cast<unsigned>(n), &bus_[n * kBusWords]);
     }
 
-    ClockedDut<CampaignCore::Model> dut_;
-    hls::InterpolatorKernel<Config, CampaignCore::Kernel> kernel_;
+    std::int64_t samples_;
+    int least_density_;
+    ClockedDut<Model> dut_;
+    hls::InterpolatorKernel<Config, Kernel> kernel_;
     std::mt19937_64 random_{3};
     std::vector<hls::SegmentWords<Config>> chain_;
     std::vector<std::uint64_t> bus_;
@@ -119,30 +145,8 @@ class Campaign : public testing::Test {
     std::int64_t ds_ = 0;
     bool requesting_ = false;
     std::int64_t density_left_ = 0;
-    int density_ = CampaignCore::kDensity;
+    int density_ = 0;
     bool hold_ = false;
 };
 
-TEST_F(Campaign, EqualsKernelOverManySamples) {
-    make_chain();
-    const auto wanted = static_cast<std::size_t>(samples());
-    std::size_t waiting = 0;
-    std::size_t before = 0;
-    bool stalling = false;
-    while (compared_ < wanted) {
-        if (compared_ % 4096 == 0) stalling = random_() % 4 == 0;
-        clock(stalling ? static_cast<unsigned>(random_() & random_()) : 0);
-        waiting = compared_ == before ? waiting + 1 : 0;
-        before = compared_;
-        ASSERT_LT(waiting, 100'000U) << "no sample comes after " << compared_;
-        ASSERT_EQ(differing_, 0) << "at sample " << compared_;
-    }
-    RecordProperty("samples", std::to_string(compared_));
-    RecordProperty("segments", std::to_string(drawn_));
-    std::printf("%zu samples of %zu segments in %llu clocks, %lld words differ\n", compared_,
-                drawn_, static_cast<unsigned long long>(dut_.cycle()),
-                static_cast<long long>(differing_));
-}
-
-}  // namespace
 }  // namespace curvecore::tb
