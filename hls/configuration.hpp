@@ -51,9 +51,10 @@ struct Configuration {
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;
 using DefaultSplineConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
 
-/// Formats that no parameter changes; two of them the planner knows too.
+/// Formats that no parameter changes; some of them the planner knows too.
 using ref::kBusLengthBits;
 using ref::kPathFrac;
+using ref::kProfileBusWords;
 constexpr int kMaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
 constexpr int kLengthBits = 48;       // path lengths inside the core, in quanta
 constexpr int kPathBits = 64;         // program-wide path length, in quanta

@@ -139,9 +139,8 @@ constexpr std::uint64_t get(Field field, std::uint64_t word) {
 
 template <class C>
 constexpr int segment_bus_words() {
-    return 17 + 3 * C::kAuxAxes;
+    return ref::segment_bus_words(C::kAuxAxes);
 }
-constexpr int kProfileBusWords = 5;
 
 namespace detail {
 template <int Bits>

@@ -76,6 +76,7 @@ path/tau_shift.sv
 path/time_scaler.sv
 path/underrun_guard.sv
 path/word_streams.sv
+queue/frame_entry.sv
 queue/frame_room.sv
 queue/sample_queue.sv
 queue/segment_entry.sv

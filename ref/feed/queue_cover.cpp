@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ref/format/path_words.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -58,12 +60,12 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
             if (ends[i] >= to) break;
         }
     };
-    const std::size_t frame = 17 + 3 * static_cast<std::size_t>(plan.aux_axes);
-    const auto frames = [](int words, std::size_t each) {
-        return static_cast<std::size_t>(words) / each * 3 / 4;
+    const auto frames = [](int words, int each) {
+        return static_cast<std::size_t>(words / each * 3 / 4);
     };
-    each_short_run(segments, frames(options.segment_queue_words, frame), needed, slow);
-    each_short_run(pieces, frames(options.profile_queue_words, 5), needed, slow);
+    const int segment = segment_bus_words(plan.aux_axes);
+    each_short_run(segments, frames(options.segment_queue_words, segment), needed, slow);
+    each_short_run(pieces, frames(options.profile_queue_words, kProfileBusWords), needed, slow);
     return static_cast<std::size_t>(std::count(slowed.begin(), slowed.end(), true));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of path length: the one place of their sizes. C++14, for hls/.
+// Words of path length and frames of words: the one place of their sizes. C++14, for hls/.
 #pragma once
 
 namespace curvecore {
@@ -8,6 +8,11 @@ namespace ref {
 constexpr int kPathFrac = 16;       // a path quantum is 2^-16 length unit
 constexpr int kBusLengthBits = 44;  // a segment's length, a piece's ds: unsigned, quanta
 constexpr int kProgramBits = 63;    // the path of a whole program, so that differences are signed
+
+/// Words of 48 bits on the bus (hls/words.hpp).
+constexpr int kAxisBusWords = 3;     // of an auxiliary axis in a segment
+constexpr int kProfileBusWords = 5;  // of a piece
+constexpr int segment_bus_words(int aux_axes) { return 17 + kAxisBusWords * aux_axes; }
 
 /// In length units; a path reaches less.
 constexpr double kLongestSegment = 1LL << (kBusLengthBits - kPathFrac);

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lets words into the queue of pieces: whole pieces, one after the other, of words that can be.
-// The first other word cuts the stream: it and all that follow are taken and dropped, until reset.
-// Word format: hls/words.hpp.  Twin: hls/word_entry.hpp.
-//
-//   clock      0      1      2
-//   valid_i    1
-//   data_i     word
-//   valid_o           1               until ready_i
-//   data_o            word
-//   piece_o                  1        it was a piece's last word; ticks_o, ds_o, final_o: of it
-//   fault_o                  1        or it could not be: stays
-//
-// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.
+// Clocks: rtl/queue/frame_entry.sv; ticks_o, ds_o and final_o with piece_o, a piece's last word.
+// Word format: hls/words.hpp.  Twin: PieceEntry of hls/word_entry.hpp.
 `default_nettype none
 module piece_entry (
     input wire logic clk_i,
@@ -34,51 +24,55 @@ module piece_entry (
     output logic [ 1:0] fault_o   // word, sequence
 );
 
-  // The word at hand
-  logic held_q;
-  logic cut;
-  logic good;
-  logic pass;
-  assign cut     = cut_i || fault_o != 2'b00;
-  assign valid_o = held_q && good && !cut && !wait_i;
-  assign pass    = valid_o && ready_i;
-  assign ready_o = !held_q || pass || cut;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) held_q <= 1'b0;
-    else if (ready_o) held_q <= valid_i && !cut;
-  end
-  always_ff @(posedge clk_i) if (ready_o) data_o <= data_i;
-
   // Which word it has to be
   logic [3:0] tag_q;
   logic complete;
+  logic can_be;
+  logic pass;
   assign complete = tag_q == words_pkg::TagC3;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) tag_q <= words_pkg::TagPiece;
     else if (pass) tag_q <= complete ? words_pkg::TagPiece : tag_q + 4'd1;
   end
 
-  // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m
-  logic [7:0] sequence_q;
-  logic [19:0] ticks_less_one;
-  logic [19:0] beyond;
-  logic [4:0] m;
-  logic [5:0] e;
-  logic piece_word;
-  assign m              = data_o[words_pkg::TimeExponentLow+:5];
-  assign e              = data_o[words_pkg::ExponentLow+:6];
-  assign ticks_less_one = data_o[words_pkg::PieceTicksLow+:20] - 20'd1;
-  assign beyond         = ticks_less_one >> m;
-  assign piece_word     = m <= 5'd19 && e <= 6'd46 && beyond == 20'd0 && data_o[43:40] == 4'd0;
+  frame_entry #(
+      .SequenceLow(words_pkg::PieceSequenceLow)
+  ) u_entry (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .ready_o,
+      .data_i,
+      .cut_i,
+      .wait_i,
+      .valid_o,
+      .ready_i,
+      .data_o,
+      .tag_i(tag_q),
+      .can_be_i(can_be),
+      .numbered_i(tag_q == words_pkg::TagPiece),
+      .complete_i(complete),
+      .pass_o(pass),
+      .frame_o(piece_o),
+      .fault_o
+  );
 
+  // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m
+  localparam int FirstSpare = words_pkg::PieceSequenceLow + words_pkg::PieceSequenceBits;
+  localparam int CoefBits = words_pkg::CoefBits;
+  logic [words_pkg::PieceTicksBits-1:0] ticks_less_one;
+  logic [words_pkg::TimeExponentBits-1:0] m;
+  logic [words_pkg::ExponentBits-1:0] e;
+  logic lasts;
+  logic piece_word;
   logic no_rest;  // the bits above a coefficient
-  logic tag_fits;
-  logic can_be;
-  logic in_order;
-  assign no_rest = data_o[43:36] == 8'd0;
-  assign tag_fits = data_o[words_pkg::TagLow+:4] == tag_q;
-  assign in_order =
-      tag_q != words_pkg::TagPiece || data_o[words_pkg::PieceSequenceLow+:8] == sequence_q;
+  assign ticks_less_one = data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits] - 1'b1;
+  assign m = data_o[words_pkg::TimeExponentLow+:words_pkg::TimeExponentBits];
+  assign e = data_o[words_pkg::ExponentLow+:words_pkg::ExponentBits];
+  assign lasts = ticks_less_one >> m == '0;
+  assign piece_word = m <= words_pkg::MostTimeExponent && e <= words_pkg::MostExponent && lasts &&
+      data_o[words_pkg::TagLow-1:FirstSpare] == '0;
+  assign no_rest = data_o[words_pkg::TagLow-1:CoefBits] == '0;
   always_comb begin
     case (tag_q)
       words_pkg::TagPiece: can_be = piece_word;
@@ -86,27 +80,15 @@ module piece_entry (
       default:             can_be = no_rest;
     endcase
   end
-  assign good = tag_fits && can_be && in_order;
 
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      fault_o    <= 2'b00;
-      piece_o    <= 1'b0;
-      sequence_q <= '0;
-    end else begin
-      if (held_q && !cut && !(tag_fits && can_be)) fault_o[0] <= 1'b1;
-      if (held_q && !cut && tag_fits && !in_order) fault_o[1] <= 1'b1;
-      piece_o <= pass && complete;
-      if (pass && complete) sequence_q <= sequence_q + 8'd1;
-    end
-  end
-
+  // What the ledgers want to know of it
   always_ff @(posedge clk_i) begin
     if (pass && tag_q == words_pkg::TagPiece) begin
-      ticks_o <= data_o[words_pkg::PieceTicksLow+:20];
+      ticks_o <= data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits];
       final_o <= data_o[words_pkg::FinalLow];
     end
-    if (pass && tag_q == words_pkg::TagDs) ds_o <= data_o[43:0];
+    if (pass && tag_q == words_pkg::TagDs)
+      ds_o <= data_o[words_pkg::PathLengthLow+:words_pkg::PathLengthBits];
   end
 
 endmodule

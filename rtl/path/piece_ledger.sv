@@ -34,7 +34,7 @@ module piece_ledger #(
   initial if (QueueWords < 16 || QueueWords > 4096) $fatal(1, "QueueWords must be in [16, 4096]");
 
   // The queue, its output registers and the loader.
-  localparam int MaxPieces = (QueueWords + 2) / 5 + 1;
+  localparam int MaxPieces = (QueueWords + 2) / words_pkg::PieceWords + 1;
   localparam int CountBits = $clog2(MaxPieces + 1);
 
   logic [CountBits-1:0] pieces_q;

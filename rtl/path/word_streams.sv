@@ -106,7 +106,7 @@ module word_streams #(
   logic segments_full;
   frame_room #(
       .Depth(SegmentQueueWords),
-      .Frame(17 + 3 * AuxAxes)
+      .Frame(words_pkg::SegmentWords + words_pkg::AxisWords * AuxAxes)
   ) u_segment_room (
       .clk_i,
       .rst_ni,
@@ -156,7 +156,7 @@ module word_streams #(
   logic pieces_full;
   frame_room #(
       .Depth(ProfileQueueWords),
-      .Frame(5)
+      .Frame(words_pkg::PieceWords)
   ) u_piece_room (
       .clk_i,
       .rst_ni,

@@ -3,9 +3,11 @@
 #include <fmt/os.h>
 
 #include <string>
+#include <tuple>
 
 #include "hls/words.hpp"
 
+using namespace curvecore;
 using namespace curvecore::hls;
 
 int main(int argc, char** argv) {
@@ -28,6 +30,9 @@ int main(int argc, char** argv) {
         file.print("  localparam logic [3:0] Tag{} = 4'd{};\n", name, static_cast<int>(tag));
     }
     const std::pair<const char*, Field> fields[] = {{"Tag", kTagField},
+                                                    {"PathLength", kLengthField},
+                                                    {"Point", kPointField},
+                                                    {"Coef", kCoefField},
                                                     {"Kind", kKindField},
                                                     {"StepExponent", kStepExponentField},
                                                     {"Last", kLastField},
@@ -39,9 +44,25 @@ int main(int argc, char** argv) {
                                                     {"Exponent", kExponentField},
                                                     {"Final", kFinalField},
                                                     {"PieceSequence", kPieceSequenceField}};
-    file.print("\n  // Lowest bits\n");
+    file.print("\n  // Lowest bits, and how many\n");
     for (const auto& [name, field] : fields) {
         file.print("  localparam int {}Low = {};\n", name, field.low);
+        file.print("  localparam int {}Bits = {};\n", name, field.bits);
     }
+    file.print("\n  // Largest values\n");
+    const std::tuple<const char*, Field, int> largest[] = {
+        {"StepExponent", kStepExponentField, kMaxStepExponent},
+        {"Lambda", kLambdaField, kMaxStepExponent},
+        {"TimeExponent", kTimeExponentField, kMaxTimeExponent},
+        {"Exponent", kExponentField, kMaxProfileExponent}};
+    for (const auto& [name, field, value] : largest) {
+        file.print("  localparam logic [{}:0] Most{} = {}'d{};\n", field.bits - 1, name, field.bits,
+                   value);
+    }
+    file.print(
+        "\n  // Words of a frame; of a segment without auxiliary axes, and what each adds\n");
+    file.print("  localparam int SegmentWords = {};\n", ref::segment_bus_words(0));
+    file.print("  localparam int AxisWords = {};\n", ref::kAxisBusWords);
+    file.print("  localparam int PieceWords = {};\n", kProfileBusWords);
     file.print("\nendpackage\n`default_nettype wire\n");
 }

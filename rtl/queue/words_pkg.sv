@@ -16,19 +16,48 @@ package words_pkg;
   localparam logic [3:0] TagC2 = 4'd11;
   localparam logic [3:0] TagC3 = 4'd12;
 
-  // Lowest bits
+  // Lowest bits, and how many
   localparam int TagLow = 44;
+  localparam int TagBits = 4;
+  localparam int PathLengthLow = 0;
+  localparam int PathLengthBits = 44;
+  localparam int PointLow = 0;
+  localparam int PointBits = 44;
+  localparam int CoefLow = 0;
+  localparam int CoefBits = 36;
   localparam int KindLow = 36;
+  localparam int KindBits = 2;
   localparam int StepExponentLow = 38;
+  localparam int StepExponentBits = 5;
   localparam int LastLow = 43;
+  localparam int LastBits = 1;
   localparam int SequenceLow = 36;
+  localparam int SequenceBits = 8;
   localparam int LambdaLow = 36;
+  localparam int LambdaBits = 6;
   localparam int TicksByteLow = 36;
+  localparam int TicksByteBits = 8;
   localparam int PieceTicksLow = 0;
+  localparam int PieceTicksBits = 20;
   localparam int TimeExponentLow = 20;
+  localparam int TimeExponentBits = 5;
   localparam int ExponentLow = 25;
+  localparam int ExponentBits = 6;
   localparam int FinalLow = 31;
+  localparam int FinalBits = 1;
   localparam int PieceSequenceLow = 32;
+  localparam int PieceSequenceBits = 8;
+
+  // Largest values
+  localparam logic [4:0] MostStepExponent = 5'd27;
+  localparam logic [5:0] MostLambda = 6'd27;
+  localparam logic [4:0] MostTimeExponent = 5'd19;
+  localparam logic [5:0] MostExponent = 6'd46;
+
+  // Words of a frame; of a segment without auxiliary axes, and what each adds
+  localparam int SegmentWords = 17;
+  localparam int AxisWords = 3;
+  localparam int PieceWords = 5;
 
 endpackage
 `default_nettype wire

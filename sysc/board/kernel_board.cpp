@@ -56,7 +56,7 @@ hls::ProfileWords unpack_piece(Word&& next) {
 KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settings)
     : core_(core),
       target_(settings.override_word),
-      segment_words_(static_cast<std::size_t>(17 + 3 * core.aux_axes)),
+      segment_words_(static_cast<std::size_t>(ref::segment_bus_words(core.aux_axes))),
       scaler_(settings.hold_acceleration, static_cast<std::int64_t>(settings.hold_slope)),
       share_(settings.samples_per_tick_log2),
       ranges_(core.coef_bits),

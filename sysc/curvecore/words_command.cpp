@@ -35,7 +35,7 @@ std::string head(const Job& job, const char* what, std::size_t words) {
 
 std::string segments_hex(const Job& job) {
     const ref::Plan& plan = job.plan;
-    const int each = 17 + 3 * job.options.core.aux_axes;
+    const int each = ref::segment_bus_words(job.options.core.aux_axes);
     const int fine = job.options.core.position_bits + job.options.core.guard_bits;
     const int coef = job.options.core.coef_bits;
     std::string text = head(job, "segments", plan.segments.size() * static_cast<std::size_t>(each));
@@ -89,7 +89,7 @@ std::string words_json(const Job& job, std::uint64_t samples) {
     json["parameters"] = parameters_json(job.options.core);
     json["segments"] = {{"file", "segments.hex"},
                         {"count", job.plan.segments.size()},
-                        {"words_each", 17 + 3 * job.options.core.aux_axes}};
+                        {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
     json["profile"] = {{"file", "profile.hex"},
                        {"count", job.plan.pieces.size()},
                        {"words_each", hls::kProfileBusWords}};

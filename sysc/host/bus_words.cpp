@@ -39,10 +39,9 @@ std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::s
                                              const CoreParameters& parameters) {
     const int choice = (parameters.coef_bits - kLeastCoefBits) * kGuardBitsChoices +
                        parameters.guard_bits - kLeastGuardBits;
-    const int each = 17 + 3 * parameters.aux_axes;
-    std::vector<std::uint64_t> words(17 + 3 * ref::kAuxAxes);
+    std::vector<std::uint64_t> words(ref::segment_bus_words(ref::kAuxAxes));
     kPack[static_cast<std::size_t>(choice)](segment, static_cast<unsigned>(index), words.data());
-    words.resize(static_cast<std::size_t>(each));
+    words.resize(static_cast<std::size_t>(ref::segment_bus_words(parameters.aux_axes)));
     return words;
 }
 

@@ -10,7 +10,7 @@
 
 namespace curvecore::sysc {
 
-/// 17 + 3 AuxAxes words of 48 bits (hls/words.hpp) of the plan's segment `index`.
+/// The words (hls/words.hpp) of the plan's segment `index`.
 std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
                                              const CoreParameters& parameters);
 

@@ -4,7 +4,7 @@
 // control: LOSES_PIECE s/!take_i) pieces_q/!take_i \&\& finals_q == '0) pieces_q/
 // control: BOTH_AT_ONCE s/if (put_i \&\& !take_i)/if (put_i)/
 // control: FINAL_STAYS s/if (takes_final \&\& !enters_final)/if (takes_final \&\& !put_i)/
-// control: NARROW s/(QueueWords + 2) \/ 5 + 1/(QueueWords + 2) \/ 5 - 1/
+// control: NARROW s/PieceWords + 1/PieceWords - 1/
 // control: LOSES_TICKS s/put_ticks_q  <= put_i ?/put_ticks_q  <= (put_i \&\& !take_i) ?/
 // control: NO_RESET s/finals_q <= '0;//
 `default_nettype none

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// The word at the entry of a queue: it passes if it is the one that has to come, and can be.  The
+// first that is not cuts the stream: it and all that follow are taken and dropped, until reset.
+// Which word has to come, and what it may be, the stream says: rtl/queue/segment_entry.sv,
+// rtl/path/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
+//
+//   clock        0      1      2
+//   valid_i      1
+//   data_i       word
+//   data_o              word          tag_i to complete_i: of it
+//   valid_o             1             until ready_i
+//   pass_o              with ready_i
+//   frame_o                    1      it was a frame's last
+//   fault_o                    1      or it could not be: stays
+//
+// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.
+`default_nettype none
+module frame_entry #(
+    parameter int SequenceLow = 36  // the frame's number, in the word with numbered_i
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic        valid_i,
+    output logic             ready_o,
+    input  wire logic [47:0] data_i,
+
+    input  wire logic        cut_i,
+    input  wire logic        wait_i,
+    output logic             valid_o,
+    input  wire logic        ready_i,
+    output logic      [47:0] data_o,
+
+    input  wire logic [3:0] tag_i,       // that the word must have
+    input  wire logic       can_be_i,
+    input  wire logic       numbered_i,
+    input  wire logic       complete_i,  // it ends its frame
+    output logic            pass_o,
+    output logic            frame_o,
+    output logic      [1:0] fault_o      // word, sequence
+);
+
+  localparam int Bits = words_pkg::SequenceBits;
+  initial if (SequenceLow < 0 || SequenceLow > 36) $fatal(1, "SequenceLow must be in [0, 36]");
+
+  logic held_q;
+  logic cut;
+  logic tag_fits;
+  logic can_be;
+  logic in_order;
+  logic [Bits-1:0] sequence_q;
+  assign cut      = cut_i || fault_o != 2'b00;
+  assign tag_fits = data_o[words_pkg::TagLow+:words_pkg::TagBits] == tag_i;
+  assign can_be   = tag_fits && can_be_i;
+  assign in_order = !numbered_i || data_o[SequenceLow+:Bits] == sequence_q;
+  assign valid_o  = held_q && can_be && in_order && !cut && !wait_i;
+  assign pass_o   = valid_o && ready_i;
+  assign ready_o  = !held_q || pass_o || cut;
+  always_ff @(posedge clk_i) if (ready_o) data_o <= data_i;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      held_q     <= 1'b0;
+      fault_o    <= 2'b00;
+      frame_o    <= 1'b0;
+      sequence_q <= '0;
+    end else begin
+      if (ready_o) held_q <= valid_i && !cut;
+      if (held_q && !cut) fault_o <= {tag_fits && !in_order, !can_be};
+      frame_o <= pass_o && complete_i;
+      if (pass_o && complete_i) sequence_q <= sequence_q + 1'b1;
+    end
+  end
+
+endmodule
+`default_nettype wire
