@@ -7,7 +7,7 @@
 //   full_o              1 when fewer than Frame words would fit
 `default_nettype none
 module frame_room #(
-    parameter int Depth = 512,  // [16, 65536] of the queue
+    parameter int Depth = 512,  // [2, 65536] of the queue
     parameter int Frame = 5     // [2, Depth] words
 ) (
     input wire logic clk_i,

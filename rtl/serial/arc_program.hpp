@@ -43,14 +43,14 @@ inline void weights(Program& program) {
     program.frame(words, kLoopHalt, 11);
 }
 
-/// The series of sine and cosine, for the polynomial mode; the versine has no constant term, and the
-/// sine's polynomial may start an order above the last.
+/// The series of sine and cosine, for the polynomial mode; the versine has no constant term, and
+/// the sine's polynomial may start an order above the last.
 inline void angle(Program& program) {
     const std::size_t sine = kAngle + kSineCosine.node("y");
     const std::size_t cosine = kAngle + kSineCosine.node("z");
-    program.frame({make(state(cosine), kZero, kOne, kOne, kCoef),
-                   make(state(sine), kZero, kZero, kZero)},
-                  kNext);
+    program.frame(
+        {make(state(cosine), kZero, kOne, kOne, kCoef), make(state(sine), kZero, kZero, kZero)},
+        kNext);
     program.frame(expansion(kSineCosine, kAngle), kLoop, 11);
     program.frame({make(state(cosine), kZero, kZero, kZero),
                    make(above(coefficient(sine)), kZero, kZero, kZero)},

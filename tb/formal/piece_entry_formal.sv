@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
+// numbers; a word passes exactly if it can be, as hls/words.hpp says it; whole pieces alone are
+// counted, each with the ticks, ds and final of its own words.
+// control: SKIPS_WORD s/: tag_q + 4'd1/: tag_q + 4'd1 + {3'b0, tag_q == words_pkg::TagC1}/
+// control: ZERO_TICKS s/- 1'b1;/;/
+// control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
+// control: ANY_REST s/default:  *can_be = no_rest;/default: can_be = 1'b1;/
+// control: SEVERAL_FINALS s/pass \&\& tag_q == words_pkg::TagPiece/pass/
+// control: NO_RESET s/if (!rst_ni) tag_q <= words_pkg::TagPiece;/if (!rst_ni) tag_q <= tag_q;/
+`default_nettype none
+module piece_entry_formal (
+    input wire logic        clk_i,
+    input wire logic        rst_ni,
+    input wire logic        valid_i,
+    input wire logic [47:0] data_i,
+    input wire logic        cut_i,
+    input wire logic        wait_i,
+    input wire logic        ready_i
+);
+
+  logic ready;
+  logic valid;
+  logic [47:0] data;
+  logic piece;
+  logic [19:0] ticks;
+  logic [43:0] ds;
+  logic is_final;
+  logic [1:0] fault;
+  piece_entry u_dut (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .ready_o(ready),
+      .data_i,
+      .cut_i,
+      .wait_i,
+      .valid_o(valid),
+      .ready_i,
+      .data_o(data),
+      .piece_o(piece),
+      .ticks_o(ticks),
+      .ds_o(ds),
+      .final_o(is_final),
+      .fault_o(fault)
+  );
+
+  logic [2:0] place_q;  // of the word that has to come in its piece
+  logic [7:0] pieces_q;
+  logic held_q;
+  logic ends_q;
+  logic [19:0] ticks_q;
+  logic [43:0] ds_q;
+  logic final_q;
+  logic started_q = 1'b0;
+  logic pass;
+  assign pass = valid && ready_i;
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    ends_q    <= rst_ni && pass && place_q == 3'd4;
+    if (!rst_ni) begin
+      place_q  <= '0;
+      pieces_q <= '0;
+      held_q   <= 1'b0;
+    end else begin
+      if (pass) begin
+        place_q <= place_q == 3'd4 ? 3'd0 : place_q + 3'd1;
+        if (place_q == 3'd4) pieces_q <= pieces_q + 8'd1;
+      end
+      if (ready) held_q <= valid_i && !cut_i && fault == 2'b00;
+    end
+    if (pass && place_q == 3'd0) begin
+      ticks_q <= data[19:0];
+      final_q <= data[31];
+    end
+    if (pass && place_q == 3'd1) ds_q <= data[43:0];
+  end
+
+  // hls/words.hpp: ticks 1 .. 2^m, m 0 .. 19, e 0 .. 46, 4 spare bits
+  logic can_be;
+  always_comb begin
+    can_be = data[43:36] == '0;
+    if (place_q == 3'd1) can_be = 1'b1;
+    if (place_q == 3'd0) begin
+      can_be = data[24:20] <= 5'd19 && data[30:25] <= 6'd46 && data[43:40] == '0;
+      if (data[19:0] == '0 || {12'b0, data[19:0]} > (32'd1 << data[24:20])) can_be = 1'b0;
+      if (data[39:32] != pieces_q) can_be = 1'b0;
+    end
+    if (data[47:44] != 4'd8 + {1'b0, place_q}) can_be = 1'b0;
+  end
+
+  always_comb begin
+    if (!started_q) begin
+      assume (!rst_ni);
+    end else if (rst_ni) begin
+      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && fault == 2'b00));
+      Counted : assert (piece == ends_q);
+      if (piece) OfIts : assert ({is_final, ticks} == {final_q, ticks_q} && ds == ds_q);
+
+      SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
+      Refused : cover (fault == 2'b01 && pieces_q == 8'd1 && place_q == 3'd3);
+    end
+  end
+
+endmodule
+`default_nettype wire

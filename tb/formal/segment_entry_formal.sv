@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/queue/segment_entry.sv, whatever words come: they pass as segments, word by word, of
+// consecutive numbers; a word passes exactly if it can be, as hls/words.hpp says it; whole segments
+// alone are counted, each with the length, ticks and last of its own words.
+// control: AUX_AS_XYZ s/ \&\& !xyz//
+// control: ANY_LAMBDA s/ \&\& {1'b0, k_q} <= lambda//
+// control: WIDE_POINT s/PointField-1:FineBits-1\]/PointField-1:FineBits]/g
+// control: SHORT_PHI s/assign phi_fits   = positive.*/assign phi_fits = positive;/
+// control: TICKS_OF_X s/ticks_o\[31:8\]/ticks_o[31:16], 8'd0/
+// control: LAST_STAYS s/last_o   <= /last_o <= last_o || /
+// control: NO_RESET s/axis_q <= 4'd0;/axis_q <= axis_q;/
+// configuration: ArcsOfSmallTurns Splines=0 TurnBits=3 AuxAxes=0
+`default_nettype none
+module segment_entry_formal #(
+    parameter int Splines  = 1,
+    parameter int TurnBits = 0,
+    parameter int AuxAxes  = 1
+) (
+    input wire logic        clk_i,
+    input wire logic        rst_ni,
+    input wire logic        valid_i,
+    input wire logic [47:0] data_i,
+    input wire logic        cut_i,
+    input wire logic        wait_i,
+    input wire logic        ready_i
+);
+
+  localparam int CoefBits = 20;
+  localparam int FineBits = 24;
+  localparam int Last = 16 + 3 * AuxAxes;
+
+  logic ready;
+  logic valid;
+  logic [47:0] data;
+  logic segment;
+  logic [43:0] length;
+  logic [31:0] ticks;
+  logic last;
+  logic [1:0] fault;
+  segment_entry #(
+      .CoefBits(CoefBits),
+      .FineBits(FineBits),
+      .AuxAxes (AuxAxes),
+      .Splines (Splines),
+      .TurnBits(TurnBits)
+  ) u_dut (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .ready_o(ready),
+      .data_i,
+      .cut_i,
+      .wait_i,
+      .valid_o(valid),
+      .ready_i,
+      .data_o(data),
+      .segment_o(segment),
+      .length_o(length),
+      .ticks_o(ticks),
+      .last_o(last),
+      .fault_o(fault)
+  );
+
+  logic [4:0] place_q;  // of the word that has to come in its segment
+  logic [7:0] segments_q;
+  logic held_q;
+  logic ends_q;
+  // Of length and ticks the bits at the ends: all would be the cost of this proof.
+  logic [3:0] length_q;
+  logic [1:0] ticks_q[4];
+  logic last_q;
+  logic spline_q;
+  logic [4:0] k_q;
+  logic started_q = 1'b0;
+  logic pass;
+  assign pass = valid && ready_i;
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    ends_q    <= rst_ni && pass && place_q == 5'(Last);
+    if (!rst_ni) begin
+      place_q    <= '0;
+      segments_q <= '0;
+      held_q     <= 1'b0;
+    end else begin
+      if (pass) begin
+        place_q <= place_q == 5'(Last) ? 5'd0 : place_q + 5'd1;
+        if (place_q == 5'(Last)) segments_q <= segments_q + 8'd1;
+      end
+      if (ready) held_q <= valid_i && !cut_i && fault == 2'b00;
+    end
+    if (pass) begin
+      case (place_q)
+        5'd0:    length_q <= {data[43:42], data[1:0]};
+        5'd1:    {last_q, k_q, spline_q} <= {data[43:38], data[36]};
+        5'd9:    ticks_q[0] <= {data[43], data[36]};
+        5'd10:   ticks_q[1] <= {data[43], data[36]};
+        5'd14:   ticks_q[2] <= {data[43], data[36]};
+        5'd15:   ticks_q[3] <= {data[43], data[36]};
+        default: ;
+      endcase
+    end
+  end
+
+  // hls/words.hpp: places and ranges
+  logic signed [35:0] coef;
+  logic signed [43:0] point;
+  assign coef  = data[35:0];
+  assign point = data[43:0];
+  localparam logic signed [35:0] One = 36'sd1 << (CoefBits - 1);
+  localparam logic signed [43:0] Edge = 44'sd1 << (FineBits - 1);
+  logic [3:0] tag;
+  logic can_be;
+  logic coef_fits;
+  logic point_fits;
+  assign coef_fits  = coef >= -One && coef < One;
+  assign point_fits = point >= -Edge && point < Edge;
+  always_comb begin
+    tag = 4'd0;
+    case (place_q)
+      5'd0: tag = 4'd1;
+      5'd1: tag = 4'd2;
+      5'd2, 5'd7, 5'd12, 5'd17: tag = 4'd3;
+      5'd3, 5'd8, 5'd13, 5'd18: tag = 4'd4;
+      5'd4, 5'd9, 5'd14: tag = 4'd5;
+      5'd5, 5'd10, 5'd15: tag = 4'd6;
+      default: tag = 4'd7;
+    endcase
+    can_be = 1'b1;
+    case (tag)
+      4'd2: begin
+        can_be = 1'b0;
+        if (data[37:36] == 2'd0)
+          can_be = coef >= 0 && (TurnBits == 0 ? coef < One : coef <= One >>> TurnBits);
+        if (data[37:36] == 2'd1 && Splines == 1) can_be = coef >= One >>> 1 && coef < One;
+        if (data[42:38] > 5'd27) can_be = 1'b0;
+      end
+      4'd3, 4'd4: can_be = point_fits;
+      4'd5: can_be = coef_fits && (place_q != 5'd4 || data[43:36] == segments_q);
+      4'd6: begin
+        can_be = coef_fits;
+        if (place_q == 5'd5 && !spline_q && data[43:36] != '0) can_be = 1'b0;
+        if (place_q == 5'd5 && (data[43:36] < {3'b0, k_q} || data[43:36] > 8'd27) && spline_q)
+          can_be = 1'b0;
+      end
+      4'd7: can_be = coef_fits && data[43:36] == '0;
+      default: ;
+    endcase
+    if (data[47:44] != tag) can_be = 1'b0;
+  end
+
+  logic [7:0] ends_of_ticks;
+  always_comb begin
+    for (int n = 0; n < 4; n = n + 1) ends_of_ticks[2*n+:2] = {ticks[8*n+7], ticks[8*n]};
+  end
+  always_comb begin
+    if (!started_q) begin
+      assume (!rst_ni);
+    end else if (rst_ni) begin
+      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && fault == 2'b00));
+      Counted : assert (segment == ends_q);
+      if (segment) Length : assert ({length[43:42], length[1:0]} == length_q);
+      if (segment)
+        Ticks : assert (ends_of_ticks == {ticks_q[3], ticks_q[2], ticks_q[1], ticks_q[0]});
+      if (segment) LastOne : assert (last == last_q);
+
+      Second : cover (segment && last && segments_q == 8'd2 && ticks == 32'h01020304);
+      Refused : cover (fault == 2'b10 && segments_q == 8'd1);
+    end
+  end
+
+endmodule
+`default_nettype wire
