@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/frame_entry.sv, whatever words come: those that pass are the words that came, none lost
-// or doubled, each with its tag, one that can be, in a frame of the next number; and every such word
-// passes. The first other one is told, with its cause, and nothing passes after it; nor while
+// or doubled, each with its tag, one that can be, in a frame of the next number; and every such
+// word passes. The first other one is told, with its cause, and nothing passes after it; nor while
 // another stream is cut, or it has to wait. Words are numbered; a reset makes all as new.
 // control: LETS_TAG s/assign tag_fits = .*/assign tag_fits = 1'b1;/
 // control: ANY_ORDER s/!numbered_i ||/1'b1 ||/

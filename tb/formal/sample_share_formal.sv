@@ -5,6 +5,11 @@
 // control: LOSES_TICK s/assign tick_ready_o = .*/assign tick_ready_o = 1'b1;/
 // control: UNWANTED s/ \&\& wanted_i//
 // control: NO_RESET s/index_q        <= '0;//
+// forget: u_dut.coarse_rate_q unless u_dut.coarse_valid_q
+// forget: u_dut.fine_rate_q unless u_dut.fine_valid_q
+// forget: u_dut.share_rate_q unless u_dut.share_valid_q
+// forget: u_dut.rate_q unless u_dut.sum_valid_q
+// forget: u_dut.sample_rate_o unless u_dut.sample_valid_o
 `default_nettype none
 module sample_share_formal (
     input wire logic        clk_i,

@@ -8,6 +8,7 @@
 // control: LOSES_WORD s/sum_kind_q == anchor_pkg::Slope;/sum_kind_q == anchor_pkg::E;/
 // control: ENDS_EARLY s/time_q == 8'd136) time_q/time_q == 8'd80) time_q/
 // control: NO_RESET s/there_q        <= 6'd0;/there_q        <= {there_q[4:0], run_end};/
+// forget: u_dut.u_program.op_q u_dut.u_program.op_axis_q unless u_dut.u_program.run_q
 `default_nettype none
 module spline_anchor_formal (
     input wire logic clk_i,
@@ -83,11 +84,12 @@ module spline_anchor_formal (
     started_q <= 1'b1;
     low_q     <= !rst_ni;
     reset_q   <= low_q;
+    if (!rst_ni) loud_q <= 1'b0;
+    else if (begin_i) loud_q <= fresh_i;
     if (!rst_ni) cycle_q <= '0;
     else if (begin_i) cycle_q <= 8'd1;
     else if (rest || cycle_q == 8'(Clocks)) cycle_q <= '0;
     else cycle_q <= cycle_q + 8'd1;
-    if (begin_i) loud_q <= fresh_i;
   end
 
   always_comb begin

@@ -19,12 +19,12 @@ module step_starter_formal (
     input wire logic [ 3:0] point_axis_i
 );
 
-  logic        segment_ready;
-  logic        busy_q;
-  logic [ 1:0] start;
-  logic        fresh;
-  logic        last;
-  logic        spline;
+  logic       segment_ready;
+  logic       busy_q;
+  logic [1:0] start;
+  logic       fresh;
+  logic       last;
+  logic       spline;
   step_starter #(
       .CoefBits(18),
       .FineBits(18)
@@ -71,11 +71,11 @@ module step_starter_formal (
     room_q    <= room_i;
     start_q   <= start;
     if (!rst_ni) begin
-      busy_q  <= 1'b0;
-      first_q <= 1'b1;
+      busy_q   <= 1'b0;
+      first_q  <= 1'b1;
       idle_q   <= '0;
       within_q <= '0;
-      start_q <= 2'b00;
+      start_q  <= 2'b00;
     end else begin
       if (start != 2'b00) busy_q <= 1'b1;
       else if (done_i) busy_q <= 1'b0;
