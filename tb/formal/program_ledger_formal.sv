@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/program_ledger.sv: a stream whose program has ended waits until the other's has, too;
 // then the two are apart exactly if path or ticks are not the same, and that stays. complete_o
-// tells whether the last segment of the program under way is in; lead_o is the ticks of all segments
-// less those of all pieces, and never turns negative from too many. Lengths and ticks are 0, 1 or
-// 2^30.
+// tells whether the last segment of the program under way is in; lead_o is the ticks of all
+// segments less those of all pieces, and never turns negative from too many. Lengths and ticks are
+// 0, 1 or 2^30.
 // Frames come with a clock between, no program is over before its last segment is in.
 // control: BLIND_TO_PATH s/(ticks_q != '0 || path_q != '0)/ticks_q != '0/
 // control: BLIND_TO_TICKS s/(ticks_q != '0 || path_q != '0)/path_q != '0/
