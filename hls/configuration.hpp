@@ -1,8 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A configuration of the cores: the parameters that change words. Same names and ranges as the RTL.
+//
+// Kernels are templates on such a format C, which they inherit: C::kOrder is a constant of the type
+// here, or a value of the object where widths are known at run time only (RunTimeFormat,
+// sysc/widths/run_time_format.hpp). A format has
+//
+//     Coef, Fine, FineParameter, Product   types of words; Product holds a sum of 13 products
+//     kMostOrder, kMostAxes                constants, for arrays
+//     keep(variable, order, value)         called for every word of a network: the value as the
+//                                          word keeps it
 #pragma once
 
-#include "hls/storage.hpp"
+#include "hls/fixed_word.hpp"
+#include "hls/variables.hpp"
 #include "ref/format/order_words.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/path_words.hpp"
@@ -46,6 +56,17 @@ struct Configuration {
     static constexpr int kFineBits = PositionBits + GuardBits;
     static constexpr int kCoefFrac = CoefBits - 2;  // coefficients and unit vectors: |x| < 2
     static constexpr int kUnitFrac = CoefBits - 1;  // tau, theta, weights: 0 <= x < 1
+    static constexpr bool kSeries = Mode == SamplerMode::kSeries;
+    static constexpr int kTop = Anchor ? Order - 1 : Order;  // of a spline: highest phi_i needed
+
+    static constexpr int kMostOrder = kOrder;
+    static constexpr int kMostAxes = kAxes;
+    using Coef = Word<CoefBits>;
+    using Fine = Word<kFineBits>;
+    using FineParameter = Word<CoefBits + ParameterGuard>;
+    using Product = Word<2 * CoefBits + 4>;
+
+    static Coef keep(Variable /*variable*/, int /*order*/, const Coef& value) { return value; }
 };
 
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;

@@ -13,6 +13,9 @@ inline namespace CURVECORE_STORAGE {
 template <class C>
 class CurveKernel {
   public:
+    CurveKernel() = default;
+    explicit CurveKernel(const C& format) : spherical_(format), spline_(format) {}
+
     void load(const SegmentWords<C>& segment) {
         spline_now_ = segment.kind == SegmentKind::kSpline;
         spline_now_ ? spline_.load(segment) : spherical_.load(segment);
@@ -20,7 +23,7 @@ class CurveKernel {
 
     void step() { spline_now_ ? spline_.step() : spherical_.step(); }
 
-    void sample(const Word<kLengthBits + 1>& sigma, Word<C::kFineBits>* out) const {
+    void sample(const Word<kLengthBits + 1>& sigma, typename C::Fine* out) const {
         spline_now_ ? spline_.sample(sigma, out) : spherical_.sample(sigma, out);
     }
 

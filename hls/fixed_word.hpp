@@ -26,14 +26,14 @@ inline namespace CURVECORE_STORAGE {
 template <int Bits>
 using Word = ac_int<Bits, true>;
 template <int Bits>
-inline std::int64_t to_int(const Word<Bits>& word) {
+inline std::int64_t to_int(const ac_int<Bits, true>& word) {
     return word.to_int64();
 }
 #elif defined(CURVECORE_AP_INT)
 template <int Bits>
 using Word = ap_int<Bits>;
 template <int Bits>
-inline std::int64_t to_int(const Word<Bits>& word) {
+inline std::int64_t to_int(const ap_int<Bits>& word) {
     return word.to_int64();
 }
 #elif defined(CURVECORE_CHECKED)
@@ -74,40 +74,25 @@ struct Native<true> {
 }  // namespace detail
 template <int Bits>
 using Word = typename detail::Native<(Bits > 64)>::Type;
-template <int Bits>
-inline std::int64_t to_int(Word<Bits> word) {
-    return static_cast<std::int64_t>(word);
-}
+inline std::int64_t to_int(std::int64_t word) { return word; }
 #endif
 
-/// floor(value / 2^Shift + 1/2): to nearest, ties towards +infinity. The only rounding there is.
-template <int Bits, int Shift>
-inline Word<Bits> round_shift(const Word<Bits>& value) {
-    static_assert(Shift >= 0 && Shift < Bits, "shift must be shorter than the word");
-    const Word<Bits> half =
-        Shift > 0 ? Word<Bits>(Word<Bits>(1) << (Shift > 0 ? Shift - 1 : 0)) : Word<Bits>(0);
-    return Word<Bits>((value + half) >> Shift);
+/// floor(value / 2^shift + 1/2): to nearest, ties towards +infinity. The only rounding there is.
+/// The word holds 2^shift and the sum.
+template <class T>
+inline T round_shift(const T& value, int shift) {
+    return T((value + ((T(1) << shift) >> 1)) >> shift);
 }
 
-/// The same with a shift known only at run time, 0 <= shift < Bits: two exact floors, as in the
-/// RTL.
-template <int Bits>
-inline Word<Bits> round_shift(const Word<Bits>& value, int shift) {
-    const Word<Bits + 2> doubled = Word<Bits + 2>(value) * 2;
-    return Word<Bits>((Word<Bits + 2>(doubled >> shift) + 1) >> 1);
+/// Product in full, in a word that holds it, rounded once.
+template <class Product, class T>
+inline T rounded_product(const T& a, const T& b, int shift) {
+    return T(round_shift(Product(Product(a) * Product(b)), shift));
 }
 
-/// Full product of two words, rounded once.
-template <int Bits, int Shift>
-inline Word<Bits> rounded_product(const Word<Bits>& a, const Word<Bits>& b) {
-    const Word<2 * Bits> product = Word<2 * Bits>(a) * Word<2 * Bits>(b);
-    return Word<Bits>(round_shift<2 * Bits, Shift>(product));
-}
-
-/// round(2^Frac / i): the constants of Riemann's weights.
-template <int Frac>
-constexpr std::int64_t reciprocal(int i) {
-    return ((std::int64_t(1) << (Frac + 1)) / i + 1) / 2;
+/// round(2^frac / i): the constants of Riemann's weights.
+constexpr std::int64_t reciprocal(int i, int frac) {
+    return ((std::int64_t(1) << (frac + 1)) / i + 1) / 2;
 }
 
 }  // namespace CURVECORE_STORAGE

@@ -15,10 +15,13 @@ inline namespace CURVECORE_STORAGE {
 
 /// Kernel: load(words), step(), sample(sigma, out), as SphericalKernel has them.
 template <class C, class Kernel = SphericalKernel<C>>
-class InterpolatorKernel {
+class InterpolatorKernel : private C {
   public:
     using Length = Word<kLengthBits + 1>;
-    using Fine = Word<C::kFineBits>;
+    using Fine = typename C::Fine;
+
+    InterpolatorKernel() = default;
+    explicit InterpolatorKernel(const C& format) : C(format), kernel_(format) {}
 
     /// Moves ds quanta along the path and returns the fine position there. `next_segment()` gives
     /// the next segment's words; it is called only when the path has left the present one.
@@ -47,7 +50,8 @@ class InterpolatorKernel {
         }
     }
 
-    /// Segments drawn so far, and those consumed because they had no length.
+    /// Steps and segments begun so far, and segments consumed because they had no length.
+    std::int64_t steps() const { return steps_; }
     std::int64_t segments() const { return segments_; }
     std::int64_t empty_segments() const { return empty_segments_; }
 
@@ -71,6 +75,7 @@ class InterpolatorKernel {
     void measure() {
         const Length full = Length(Length(1) << (segment_.step_exponent + kPathFrac));
         step_length_ = rest_ < full ? rest_ : full;
+        ++steps_;
     }
 
     Kernel kernel_;
@@ -78,14 +83,15 @@ class InterpolatorKernel {
     Length sigma_ = 0;        // offset into the present step
     Length rest_ = 0;         // from the present step's start to the segment's end
     Length step_length_ = 0;  // of the present step
+    std::int64_t steps_ = 0;
     std::int64_t segments_ = 0;
     std::int64_t empty_segments_ = 0;
 };
 
 /// A fine position as the output word: whole length units, rounded once.
 template <class C>
-inline Word<C::kPositionBits> to_position(const Word<C::kFineBits>& fine) {
-    return Word<C::kPositionBits>(round_shift<C::kFineBits, C::kGuardBits>(fine));
+inline Word<C::kPositionBits> to_position(const typename C::Fine& fine) {
+    return Word<C::kPositionBits>(round_shift(fine, C::kGuardBits));
 }
 
 }  // namespace CURVECORE_STORAGE

@@ -21,11 +21,11 @@ inline Word<kLengthBits + 1> piece_path(const ProfileWords& piece, std::int64_t 
     constexpr int kLeft = kMaxProfileExponent - kProfileFrac;
     const Coef tau = Coef(time << (kMaxTimeExponent - piece.time_exponent));
     Coef d = piece.c[2];
-    d = Coef(piece.c[1] + rounded_product<kProfileBits, kTauFrac>(d, tau));
-    d = Coef(piece.c[0] + rounded_product<kProfileBits, kTauFrac>(d, tau));
-    d = rounded_product<kProfileBits, kTauFrac>(d, tau);
+    d = Coef(piece.c[1] + rounded_product<Word<2 * kProfileBits>>(d, tau, kTauFrac));
+    d = Coef(piece.c[0] + rounded_product<Word<2 * kProfileBits>>(d, tau, kTauFrac));
+    d = rounded_product<Word<2 * kProfileBits>>(d, tau, kTauFrac);
     const Word<kLengthBits + 1> wide = Word<kLengthBits + 1>(d) * (1 << kLeft);
-    return round_shift<kLengthBits + 1>(wide, kMaxProfileExponent - piece.exponent);
+    return round_shift(wide, kMaxProfileExponent - piece.exponent);
 }
 static_assert(kMaxTimeExponent + kRateFrac == kProfileBits - 1, "time fills tau exactly");
 

@@ -32,46 +32,47 @@ inline std::int64_t whole(std::uint64_t value, int bits) {
 
 /// What only a spline has.
 template <class C>
-inline void spline_words(const ref::Segment& segment, SegmentWords<C>& words) {
+inline void spline_words(const ref::Segment& segment, const C& c, SegmentWords<C>& words) {
     words.kind = SegmentKind::kSpline;
     words.lambda = segment.lambda;
-    words.theta = quantise(1 / segment.c.norm(), C::kCoefFrac, C::kCoefBits);
+    words.theta = quantise(1 / segment.c.norm(), c.kCoefFrac, c.kCoefBits);
     for (int axis = 0; axis < 3; ++axis) {
-        words.tangent[axis] = quantise(segment.a[axis], C::kCoefFrac, C::kCoefBits);
-        words.normal[axis] = quantise(segment.b[axis], C::kCoefFrac, C::kCoefBits);
-        words.advance[axis] = quantise(segment.c[axis], C::kCoefFrac, C::kCoefBits);
+        words.tangent[axis] = quantise(segment.a[axis], c.kCoefFrac, c.kCoefBits);
+        words.normal[axis] = quantise(segment.b[axis], c.kCoefFrac, c.kCoefBits);
+        words.advance[axis] = quantise(segment.c[axis], c.kCoefFrac, c.kCoefBits);
     }
 }
 
+/// @throws std::range_error, as quantise() and whole()
 template <class C>
-inline SegmentWords<C> to_words(const ref::Segment& segment) {
+inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
     SegmentWords<C> words;
     const double theta = segment.radius > 0
                              ? std::ldexp(segment.cos_pitch / segment.radius, segment.step_exponent)
                              : 0.0;
     words.length = whole(segment.length, kBusLengthBits);
-    words.theta = quantise(theta, C::kUnitFrac, C::kCoefBits);
+    words.theta = quantise(theta, c.kUnitFrac, c.kCoefBits);
     words.step_exponent = segment.step_exponent;
     words.ticks = segment.ticks;
     words.last = segment.last;
-    for (int axis = 0; axis < C::kAxes; ++axis) {
+    for (int axis = 0; axis < c.kAxes; ++axis) {
         const bool aux = axis >= 3;
         const std::size_t a = static_cast<std::size_t>(aux ? axis - 3 : 0);
         const double start = aux ? segment.aux_start[a] : segment.start[axis];
         const double end = aux ? segment.aux_end[a] : segment.end[axis];
         const double rate = aux ? segment.aux_advance[a] : segment.advance[axis];
-        words.start[axis] = quantise(start, C::kGuardBits, C::kFineBits);
-        words.end[axis] = quantise(end, C::kGuardBits, C::kFineBits);
-        words.advance[axis] = quantise(rate, C::kCoefFrac, C::kCoefBits);
+        words.start[axis] = quantise(start, c.kGuardBits, c.kFineBits);
+        words.end[axis] = quantise(end, c.kGuardBits, c.kFineBits);
+        words.advance[axis] = quantise(rate, c.kCoefFrac, c.kCoefBits);
         if (!aux) {
             words.tangent[axis] =
-                quantise(segment.tangent[axis] * segment.cos_pitch, C::kCoefFrac, C::kCoefBits);
+                quantise(segment.tangent[axis] * segment.cos_pitch, c.kCoefFrac, c.kCoefBits);
             words.normal[axis] =
-                quantise(segment.normal[axis] * segment.cos_pitch, C::kCoefFrac, C::kCoefBits);
+                quantise(segment.normal[axis] * segment.cos_pitch, c.kCoefFrac, c.kCoefBits);
         }
     }
     if (segment.kind == ref::Segment::Kind::kSpline) {
-        spline_words(segment, words);
+        spline_words(segment, c, words);
     }
     return words;
 }

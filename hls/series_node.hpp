@@ -16,29 +16,29 @@ namespace hls {
 inline namespace CURVECORE_STORAGE {
 
 /// Sum of u[j] ds[i - j] for j in [0, i), rounded once. At most 13 products.
-template <int Bits, int Shift>
-inline Word<Bits> convolve(const Word<Bits>* u, const Word<Bits>* ds, int i) {
-    Word<2 * Bits + 4> sum = 0;
+template <class Product, class T>
+inline T convolve(const T* u, const T* ds, int i, int shift) {
+    Product sum = 0;
     for (int j = 0; j < i; ++j) {
-        sum = Word<2 * Bits + 4>(sum + Word<2 * Bits>(u[j]) * Word<2 * Bits>(ds[i - j]));
+        sum = Product(sum + Product(u[j]) * Product(ds[i - j]));
     }
-    return Word<Bits>(round_shift<2 * Bits + 4, Shift>(sum));
+    return T(round_shift(sum, shift));
 }
 
-/// D_i / i with Drop fraction bits less: a product by the word of 1/i, Bits - 1 fraction bits. An
+/// D_i / i with `drop` fraction bits less: a product by the word of 1/i, bits - 1 fraction bits. An
 /// order that is a power of two is a shift; the product gives the same bits.
-template <int Bits, int Drop>
-inline Word<Bits> over_order(const Word<Bits>& d, int i) {
+template <class Product, class T>
+inline T over_order(const T& d, int i, int bits, int drop) {
     if (i == 1) {
-        return round_shift<Bits, Drop>(d);
+        return round_shift(d, drop);
     }
-    return rounded_product<Bits, Bits - 1 + Drop>(d, Word<Bits>(reciprocal<Bits - 1>(i)));
+    return rounded_product<Product>(d, T(reciprocal(i, bits - 1)), bits - 1 + drop);
 }
 
-/// A word with `Lift` more fraction bits, divided by 2^shift, shift in [0, 57], rounded once.
-template <int Bits, int Lift, int OutBits = Bits>
-inline Word<OutBits> scaled_down(const Word<Bits>& x, int shift) {
-    return Word<OutBits>(round_shift<58>(Word<58>(Word<58>(x) * (1 << Lift)), shift));
+/// A word with `lift` more fraction bits, divided by 2^shift, shift in [0, 57], rounded once.
+template <class Out, class T>
+inline Out scaled_down(const T& x, int lift, int shift) {
+    return Out(round_shift(Word<64>(Word<64>(x) * (1 << lift)), shift));
 }
 
 }  // namespace CURVECORE_STORAGE

@@ -16,8 +16,6 @@
 // Rounding: one per order and node; one per weight; one per state and step.
 #pragma once
 
-#include <type_traits>
-
 #include "hls/sampling.hpp"
 
 namespace curvecore {
@@ -29,42 +27,50 @@ inline namespace CURVECORE_STORAGE {
 /// network is three of these.
 template <class C>
 struct Oscillator {
-    using Coef = Word<C::kCoefBits>;
+    using Coef = typename C::Coef;
+    using Product = typename C::Product;
 
-    Coef y;                      // state: sine, or a component of n
-    Coef z;                      // state: cosine, or a component of t
-    Coef y_coef[C::kOrder + 1];  // [1 .. Order]
-    Coef z_coef[C::kOrder + 1];
+    Coef y;                          // state: sine, or a component of n
+    Coef z;                          // state: cosine, or a component of t
+    Coef y_coef[C::kMostOrder + 1];  // [1 .. Order]
+    Coef z_coef[C::kMostOrder + 1];
 
-    /// weight[i] = theta / i for i in [2, Order], weight[1] = theta.
-    void expand(const Coef* weight) {
-        y_coef[1] = z;
-        z_coef[1] = Coef(-y);
-        for (int i = 2; i <= C::kOrder; ++i) {
-            y_coef[i] = rounded_product<C::kCoefBits, C::kUnitFrac>(weight[i], z_coef[i - 1]);
-            z_coef[i] =
-                rounded_product<C::kCoefBits, C::kUnitFrac>(weight[i], Coef(-y_coef[i - 1]));
+    /// weight[i] = theta / i for i in [2, Order], weight[1] = theta; the words are those of `of_y`
+    /// and `of_z`.
+    void expand(const C& c, const Coef* weight, Variable of_y, Variable of_z) {
+        y = c.keep(of_y, 0, y);
+        z = c.keep(of_z, 0, z);
+        y_coef[1] = c.keep(of_y, 1, z);
+        z_coef[1] = c.keep(of_z, 1, Coef(-y));
+        for (int i = 2; i <= c.kOrder; ++i) {
+            y_coef[i] =
+                c.keep(of_y, i, rounded_product<Product>(weight[i], z_coef[i - 1], c.kUnitFrac));
+            z_coef[i] = c.keep(
+                of_z, i, rounded_product<Product>(weight[i], Coef(-y_coef[i - 1]), c.kUnitFrac));
         }
     }
 
-    void advance(const Coef& theta) {
+    void advance(const C& c, const Coef& theta) {
         Coef y_sum = 0;
         Coef z_sum = 0;
-        for (int i = 1; i <= C::kOrder; ++i) {
+        for (int i = 1; i <= c.kOrder; ++i) {
             y_sum = Coef(y_sum + y_coef[i]);
             z_sum = Coef(z_sum + z_coef[i]);
         }
-        y = Coef(y + rounded_product<C::kCoefBits, C::kUnitFrac>(theta, y_sum));
-        z = Coef(z + rounded_product<C::kCoefBits, C::kUnitFrac>(theta, z_sum));
+        y = Coef(y + rounded_product<Product>(theta, y_sum, c.kUnitFrac));
+        z = Coef(z + rounded_product<Product>(theta, z_sum, c.kUnitFrac));
     }
 };
 
 /// The integration steps of one segment and the samples inside a step.
 template <class C>
-class SphericalKernel {
+class SphericalKernel : private C {
   public:
-    using Coef = Word<C::kCoefBits>;
-    using Fine = Word<C::kFineBits>;
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+
+    SphericalKernel() = default;
+    explicit SphericalKernel(const C& format) : C(format) {}
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -78,114 +84,114 @@ class SphericalKernel {
             xyz_[axis].y = segment.normal[axis];
             xyz_[axis].z = segment.tangent[axis];
         }
-        weight_[1] = theta_;
+        weight_[1] = C::keep(Variable::kWeight, 1, theta_);
         for (int i = 2; i <= C::kOrder; ++i) {
-            weight_[i] = rounded_product<C::kCoefBits, C::kUnitFrac>(
-                theta_, Coef(reciprocal<C::kUnitFrac>(i)));
+            weight_[i] =
+                C::keep(Variable::kWeight, i, unit(theta_, Coef(reciprocal(i, C::kUnitFrac))));
         }
-        expand_angle(std::integral_constant<bool, C::kMode == SamplerMode::kPolynomial>());
+        if (!C::kSeries) {
+            angle_.y = 0;
+            angle_.z = Coef(Coef(1) << C::kCoefFrac);
+            angle_.expand(*this, weight_, Variable::kSine, Variable::kVersine);
+        }
         expand();
     }
 
     /// Goes on to the next integration step.
     void step() {
         for (int axis = 0; axis < C::kAxes; ++axis) {
-            Coef sum = 0;
-            for (int i = 1; i <= C::kOrder; ++i) {
-                sum = Coef(sum + displacement(axis, i));
+            Coef sum = axis < 3 ? Coef(0) : advance_[axis];
+            for (int i = 1; i <= C::kOrder && axis < 3; ++i) {
+                sum = Coef(sum + c_[axis][i]);
             }
-            position_[axis] = Fine(position_[axis] + to_fine<C>(sum, k_));
+            position_[axis] = Fine(position_[axis] + fine(sum));
         }
         for (int axis = 0; axis < 3; ++axis) {
-            xyz_[axis].advance(theta_);
+            xyz_[axis].advance(*this, theta_);
         }
         expand();
     }
 
     /// Fine position at an offset of sigma quanta into the present step.
     void sample(const Word<kLengthBits + 1>& sigma, Fine* out) const {
-        const Coef tau = to_tau<C>(sigma, k_);
-        sample_xyz(tau, out, std::integral_constant<bool, C::kMode == SamplerMode::kPolynomial>());
+        const Coef tau = to_tau<C>(*this, sigma, k_);
+        if (C::kSeries) {
+            sample_series(tau, out);
+        } else {
+            sample_polynomial(tau, out);
+        }
         for (int axis = 3; axis < C::kAxes; ++axis) {
-            const Coef d = rounded_product<C::kCoefBits, C::kUnitFrac>(advance_[axis], tau);
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+            out[axis] = Fine(position_[axis] + fine(unit(advance_[axis], tau)));
         }
     }
 
   private:
-    Coef displacement(int axis, int i) const {
-        const Coef linear = i == 1 ? advance_[axis] : Coef(0);
-        return axis < 3 ? Coef(xyz_[axis].y_coef[i] + linear) : linear;
+    using Product = typename C::Product;
+
+    Coef unit(const Coef& a, const Coef& b) const {
+        return rounded_product<Product>(a, b, C::kUnitFrac);
     }
+    Fine fine(const Coef& d) const { return to_fine<C>(*this, d, k_); }
 
     void expand() {
         for (int axis = 0; axis < 3; ++axis) {
-            xyz_[axis].expand(weight_);
+            xyz_[axis].expand(*this, weight_, Variable::kNormal, Variable::kTangent);
             for (int i = 1; i <= C::kOrder; ++i) {
-                c_[axis][i] = displacement(axis, i);
+                const Coef linear = i == 1 ? advance_[axis] : Coef(0);
+                c_[axis][i] = C::keep(Variable::kMove, i, Coef(xyz_[axis].y_coef[i] + linear));
             }
         }
     }
 
-    void expand_angle(std::false_type /*series*/) {}
-    void expand_angle(std::true_type /*polynomial*/) {
-        angle_.y = 0;
-        angle_.z = Coef(Coef(1) << C::kCoefFrac);
-        angle_.expand(weight_);
-    }
-
     /// Series mode: Horner in tau on the displacement's series.
-    void sample_xyz(const Coef& tau, Fine* out, std::false_type /*series*/) const {
+    void sample_series(const Coef& tau, Fine* out) const {
         for (int axis = 0; axis < 3; ++axis) {
             Coef d = 0;
             for (int i = C::kOrder; i >= 1; --i) {
-                d = rounded_product<C::kCoefBits, C::kUnitFrac>(Coef(c_[axis][i] + d),
-                                                                tau_of(tau, i));
+                d = unit(Coef(c_[axis][i] + d), tau_of(tau, i));
             }
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+            out[axis] = Fine(position_[axis] + fine(d));
         }
     }
 
     /// tau with the bits that stage i of a core has; its sums fit theirs
     /// (ref/format/order_words.hpp).
-    static Coef tau_of(const Coef& tau, int i) {
+    Coef tau_of(const Coef& tau, int i) const {
         const int cut = C::kCoefBits - ref::tau_bits(C::kCoefBits, C::kTurnBits, i);
         return Coef(Coef(tau >> cut) << cut);
     }
 
     /// Polynomial mode: r0 cos + f0 sin, from the two series of the angle in tau2 = tau^2:
     ///     d = (t (y_1 + y_3 tau2 + ..) + advance) tau + n (z_2 tau2 + z_4 tau2^2 + ..)
-    void sample_xyz(const Coef& tau, Fine* out, std::true_type /*polynomial*/) const {
-        constexpr int kOdd = C::kOrder % 2 == 1 ? C::kOrder : C::kOrder - 1;
-        constexpr int kEven = C::kOrder % 2 == 0 ? C::kOrder : C::kOrder - 1;
-        const Coef tau2 = rounded_product<C::kCoefBits, C::kUnitFrac>(tau, tau);
-        Coef sine = angle_.y_coef[kOdd];
-        for (int i = kOdd - 2; i >= 1; i -= 2) {
-            sine = Coef(angle_.y_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(sine, tau2));
+    void sample_polynomial(const Coef& tau, Fine* out) const {
+        const int odd = C::kOrder % 2 == 1 ? C::kOrder : C::kOrder - 1;
+        const int even = C::kOrder % 2 == 0 ? C::kOrder : C::kOrder - 1;
+        const Coef tau2 = unit(tau, tau);
+        Coef sine = angle_.y_coef[odd];
+        for (int i = odd - 2; i >= 1; i -= 2) {
+            sine = Coef(angle_.y_coef[i] + unit(sine, tau2));
         }
-        Coef versine = angle_.z_coef[kEven];
-        for (int i = kEven - 2; i >= 2; i -= 2) {
-            versine =
-                Coef(angle_.z_coef[i] + rounded_product<C::kCoefBits, C::kUnitFrac>(versine, tau2));
+        Coef versine = angle_.z_coef[even];
+        for (int i = even - 2; i >= 2; i -= 2) {
+            versine = Coef(angle_.z_coef[i] + unit(versine, tau2));
         }
-        versine = rounded_product<C::kCoefBits, C::kUnitFrac>(versine, tau2);
+        versine = unit(versine, tau2);
         for (int axis = 0; axis < 3; ++axis) {
-            const Coef rate = Coef(advance_[axis] +
-                                   rounded_product<C::kCoefBits, C::kCoefFrac>(xyz_[axis].z, sine));
-            const Coef inward = rounded_product<C::kCoefBits, C::kCoefFrac>(xyz_[axis].y, versine);
-            const Coef d = Coef(inward + rounded_product<C::kCoefBits, C::kUnitFrac>(rate, tau));
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+            const Coef rate =
+                Coef(advance_[axis] + rounded_product<Product>(xyz_[axis].z, sine, C::kCoefFrac));
+            const Coef inward = rounded_product<Product>(xyz_[axis].y, versine, C::kCoefFrac);
+            out[axis] = Fine(position_[axis] + fine(Coef(inward + unit(rate, tau))));
         }
     }
 
     Coef theta_ = 0;
     int k_ = 0;
-    Coef weight_[C::kOrder + 1] = {};
-    Fine position_[C::kAxes] = {};
-    Coef advance_[C::kAxes] = {};
+    Coef weight_[C::kMostOrder + 1] = {};
+    Fine position_[C::kMostAxes] = {};
+    Coef advance_[C::kMostAxes] = {};
     Oscillator<C> xyz_[3] = {};
     Oscillator<C> angle_ = {};
-    Coef c_[3][C::kOrder + 1] = {};
+    Coef c_[3][C::kMostOrder + 1] = {};
 };
 
 }  // namespace CURVECORE_STORAGE

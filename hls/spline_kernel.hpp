@@ -46,8 +46,6 @@
 //     position = origin + d 2^k (fine)
 #pragma once
 
-#include <type_traits>
-
 #include "hls/sampling.hpp"
 #include "hls/spline_network.hpp"
 
@@ -56,13 +54,15 @@ namespace hls {
 inline namespace CURVECORE_STORAGE {
 
 template <class C>
-class SplineKernel {
+class SplineKernel : private C {
   public:
-    static constexpr int kBits = C::kCoefBits;
-    using Coef = Word<kBits>;
-    using Fine = Word<C::kFineBits>;
-    using FineParameter = Word<kBits + C::kParameterGuard>;
+    using Coef = typename C::Coef;
+    using Fine = typename C::Fine;
+    using FineParameter = typename C::FineParameter;
     using Network = SplineNetwork<C>;
+
+    SplineKernel() = default;
+    explicit SplineKernel(const C& format) : C(format), net_(format) {}
 
     /// Opens a segment at its first step.
     void load(const SegmentWords<C>& segment) {
@@ -76,78 +76,101 @@ class SplineKernel {
             position_[axis] = segment.start[axis];
             advance_[axis] = segment.advance[axis];
         }
+        const int twice = 2 * (lambda_ - k_);
         for (int axis = 0; axis < 3; ++axis) {
             a_[axis] = segment.tangent[axis];
             b_[axis] = segment.normal[axis];
             three_a_[axis] = Coef(3 * a_[axis]);
-            step_a_[axis] = scaled_down<kBits, 1>(a_[axis], 2 * (lambda_ - k_));
-            net_.six_a[axis] = scaled_down<kBits, 4>(three_a_[axis], 2 * (lambda_ - k_));
+            step_a_[axis] = C::keep(Variable::kStepA, 0, scaled_down<Coef>(a_[axis], 1, twice));
+            net_.six_a[axis] =
+                C::keep(Variable::kSixA, 0, scaled_down<Coef>(three_a_[axis], 4, twice));
         }
         anchor();
-        net_.expand();
+        expand();
     }
 
     /// Goes on to the next integration step.
     void step() {
         const Coef moved = Network::sum(net_.q, 1, C::kOrder);
-        constexpr int kGuard = C::kParameterGuard;
         fine_v_ = FineParameter(
-            fine_v_ + scaled_down<kBits, 1 + kGuard, kBits + kGuard>(moved, lambda_ - k_));
-        v_ = Coef(round_shift<kBits + kGuard, kGuard>(fine_v_));
-        net_.phi[0] = Network::sum(net_.phi, 0, Network::kTop);
+            fine_v_ + scaled_down<FineParameter>(moved, 1 + C::kParameterGuard, lambda_ - k_));
+        v_ = C::keep(Variable::kParameter, 0, Coef(round_shift(fine_v_, C::kParameterGuard)));
+        net_.phi[0] = C::keep(Variable::kPhi, 0, Network::sum(net_.phi, 0, C::kTop));
         for (int axis = 3; axis < C::kAxes; ++axis) {
-            position_[axis] = Fine(position_[axis] + to_fine<C>(advance_[axis], k_));
+            position_[axis] = Fine(position_[axis] + fine(advance_[axis]));
         }
         if (C::kAnchor) {
             anchor();
         } else {
             propagate();
         }
-        net_.expand();
+        expand();
     }
 
     /// Fine position at an offset of sigma quanta into the present step.
     void sample(const Word<kLengthBits + 1>& sigma, Fine* out) const {
-        const Coef tau = to_tau<C>(sigma, k_);
-        sample_xyz(tau, out, std::integral_constant<bool, Network::kSeries>());
+        const Coef tau = to_tau<C>(*this, sigma, k_);
+        if (C::kSeries) {
+            for (int axis = 0; axis < 3; ++axis) {
+                out[axis] = Fine(position_[axis] + fine(horner(net_.x[axis], tau)));
+            }
+        } else {
+            sample_polynomial(tau, out);
+        }
         for (int axis = 3; axis < C::kAxes; ++axis) {
-            const Coef d = rounded_product<kBits, C::kUnitFrac>(advance_[axis], tau);
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+            out[axis] = Fine(position_[axis] + fine(unit(advance_[axis], tau)));
         }
     }
 
   protected:  // the words of a step, for the RTL's tests
+    using Product = typename C::Product;
+
+    Coef unit(const Coef& a, const Coef& b) const {
+        return rounded_product<Product>(a, b, C::kUnitFrac);
+    }
+    Coef coef(const Coef& a, const Coef& b) const {
+        return rounded_product<Product>(a, b, C::kCoefFrac);
+    }
+    Fine fine(const Coef& d) const { return to_fine<C>(*this, d, k_); }
+
+    void expand() {
+        net_.expand();
+        for (int axis = 0; axis < 3; ++axis) {
+            step_b_[axis] = round_shift(net_.W[axis][0], 3);
+        }
+    }
+
     /// Everything that the polynomial gives at v, and phi pulled onto 1 / |V|.
     void anchor() {
-        Word<2 * kBits + 2> norm = 0;
+        const int bits = C::kCoefBits;
+        Product norm = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            const Coef& b = b_[axis];
-            const Coef& c = advance_[axis];
-            const Word<2 * kBits> bend = Word<2 * kBits>(three_a_[axis]) * Word<2 * kBits>(v_);
-            const Coef slope = Coef(b + round_shift<2 * kBits, kBits - 1>(bend));
-            const Coef mean = Coef(b + round_shift<2 * kBits, kBits>(bend));
+            const Product bend = Product(Product(three_a_[axis]) * Product(v_));
+            const Coef slope =
+                C::keep(Variable::kSlope, 0, Coef(b_[axis] + round_shift(bend, bits - 1)));
+            const Coef mean =
+                C::keep(Variable::kSlope, 1, Coef(b_[axis] + round_shift(bend, bits)));
             // 2 M v alone may be beyond 1: it wraps, and V does so back.
-            const Word<2 * kBits> change = Word<2 * kBits>(mean) * Word<2 * kBits>(v_);
-            const Coef velocity = Coef(2 * c + round_shift<2 * kBits, kBits - 3>(change));
+            const Product change = Product(Product(mean) * Product(v_));
+            const Coef velocity = Coef(2 * advance_[axis] + round_shift(change, bits - 3));
             net_.V[axis][0] = velocity;
-            net_.W[axis][0] = scaled_down<kBits, 4>(slope, lambda_ - k_);
-            norm =
-                Word<2 * kBits + 2>(norm + Word<2 * kBits>(velocity) * Word<2 * kBits>(velocity));
+            net_.W[axis][0] = scaled_down<Coef>(slope, 4, lambda_ - k_);
+            norm = Product(norm + Product(velocity) * Product(velocity));
         }
-        net_.phi[0] = polished(net_.phi[0], Coef(round_shift<2 * kBits + 2, kBits - 1>(norm)));
+        net_.phi[0] =
+            polished(net_.phi[0], C::keep(Variable::kNorm, 0, Coef(round_shift(norm, bits - 1))));
         net_.derivatives_of_phi();
         place_origin();
-        share_with_sampler();
     }
 
     /// One Newton step of phi -> 1 / sqrt(norm): phi (3 - norm phi^2) / 2.
-    static Coef polished(const Coef& phi, const Coef& norm) {
-        const Coef speed = rounded_product<kBits, kBits - 2>(norm, phi);
-        const Word<2 * kBits> one = Word<2 * kBits>(Word<2 * kBits>(1) << (2 * kBits - 3));
-        const Word<2 * kBits> rest =
-            Word<2 * kBits>(one - Word<2 * kBits>(speed) * Word<2 * kBits>(phi));
-        const Coef z = Coef(round_shift<2 * kBits, kBits - 6>(rest));
-        return Coef(phi + rounded_product<kBits, kBits + 4>(z, phi));
+    Coef polished(const Coef& phi, const Coef& norm) const {
+        const int bits = C::kCoefBits;
+        const Coef speed = coef(norm, phi);
+        const Product one = Product(Product(1) << (2 * bits - 3));
+        const Product rest = Product(one - Product(speed) * Product(phi));
+        const Coef z = Coef(round_shift(rest, bits - 6));
+        return Coef(phi + rounded_product<Product>(z, phi, bits + 4));
     }
 
     void propagate() {
@@ -156,56 +179,39 @@ class SplineKernel {
         for (int axis = 0; axis < 3; ++axis) {
             net_.V[axis][0] = Network::sum(net_.V[axis], 0, C::kOrder);
             net_.W[axis][0] = Network::sum(net_.W[axis], 0, C::kOrder);
-            if (Network::kSeries) {
+            if (C::kSeries) {
                 const Coef d = Network::sum(net_.x[axis], 1, C::kOrder);
-                position_[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+                position_[axis] = Fine(position_[axis] + fine(d));
             }
         }
-        if (!Network::kSeries) {
+        if (!C::kSeries) {
             place_origin();
         }
-        share_with_sampler();
     }
 
     void place_origin() {
         for (int axis = 0; axis < 3; ++axis) {
-            const Coef e = Coef(b_[axis] + rounded_product<kBits, kBits - 1>(a_[axis], v_));
-            const Coef f = Coef(advance_[axis] + rounded_product<kBits, kBits - 1>(e, v_));
-            const Coef d = rounded_product<kBits, kBits - 1>(f, v_);
-            position_[axis] = Fine(start_[axis] + to_fine<C>(d, lambda_));
+            const Coef e = Coef(b_[axis] + unit(a_[axis], v_));
+            const Coef f = Coef(advance_[axis] + unit(e, v_));
+            position_[axis] = Fine(start_[axis] + to_fine<C>(*this, unit(f, v_), lambda_));
         }
     }
 
-    void share_with_sampler() {
-        for (int axis = 0; axis < 3; ++axis) {
-            step_b_[axis] = round_shift<kBits, 3>(net_.W[axis][0]);
-        }
-    }
-
-    void sample_xyz(const Coef& tau, Fine* out, std::true_type /*series*/) const {
-        for (int axis = 0; axis < 3; ++axis) {
-            const Coef d = horner(net_.x[axis], tau);
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
-        }
-    }
-
-    void sample_xyz(const Coef& tau, Fine* out, std::false_type /*polynomial*/) const {
+    void sample_polynomial(const Coef& tau, Fine* out) const {
         const Coef q = horner(net_.q, tau);
         for (int axis = 0; axis < 3; ++axis) {
-            const Coef e =
-                Coef(step_b_[axis] + rounded_product<kBits, C::kCoefFrac>(step_a_[axis], q));
-            const Coef f = Coef(net_.V[axis][0] + rounded_product<kBits, C::kCoefFrac>(e, q));
-            const Coef d = rounded_product<kBits, C::kUnitFrac>(f, q);
-            out[axis] = Fine(position_[axis] + to_fine<C>(d, k_));
+            const Coef e = Coef(step_b_[axis] + coef(step_a_[axis], q));
+            const Coef f = Coef(net_.V[axis][0] + coef(e, q));
+            out[axis] = Fine(position_[axis] + fine(unit(f, q)));
         }
     }
 
-    static Coef horner(const Coef* series, const Coef& tau) {
+    Coef horner(const Coef* series, const Coef& tau) const {
         Coef sum = series[C::kOrder];
         for (int i = C::kOrder - 1; i >= 1; --i) {
-            sum = Coef(series[i] + rounded_product<kBits, C::kUnitFrac>(sum, tau));
+            sum = Coef(series[i] + unit(sum, tau));
         }
-        return rounded_product<kBits, C::kUnitFrac>(sum, tau);
+        return unit(sum, tau);
     }
 
     int k_ = 0;
@@ -215,11 +221,11 @@ class SplineKernel {
     Coef a_[3] = {};
     Coef three_a_[3] = {};
     Coef b_[3] = {};
-    Coef advance_[C::kAxes] = {};  // c, and the auxiliary axes' rates
-    Coef step_a_[3] = {};          // a'
-    Coef step_b_[3] = {};          // B'
-    Fine start_[C::kAxes] = {};
-    Fine position_[C::kAxes] = {};
+    Coef advance_[C::kMostAxes] = {};  // c, and the auxiliary axes' rates
+    Coef step_a_[3] = {};              // a'
+    Coef step_b_[3] = {};              // B'
+    Fine start_[C::kMostAxes] = {};
+    Fine position_[C::kMostAxes] = {};
     Network net_;
 };
 

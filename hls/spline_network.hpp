@@ -40,50 +40,52 @@ namespace hls {
 inline namespace CURVECORE_STORAGE {
 
 template <class C>
-struct SplineNetwork {
-    static constexpr int kBits = C::kCoefBits;
-    using Coef = Word<kBits>;
+struct SplineNetwork : private C {
+    using Coef = typename C::Coef;
+    using Product = typename C::Product;
 
-    static constexpr bool kSeries = C::kMode == SamplerMode::kSeries;
-    static constexpr int kTop = C::kAnchor ? C::kOrder - 1 : C::kOrder;  // highest phi_i needed
+    SplineNetwork() = default;
+    explicit SplineNetwork(const C& format) : C(format) {}
 
     // Set before expand(): phi[0], Q[0], R[0], V[axis][0], W[axis][0], six_a[axis].
     Coef six_a[3] = {};
-    Coef q[C::kOrder + 1] = {};
-    Coef phi[C::kOrder + 1] = {};
-    Coef Q[C::kOrder + 1] = {};
-    Coef R[C::kOrder + 1] = {};
-    Coef W[3][C::kOrder + 1] = {};
-    Coef V[3][C::kOrder + 1] = {};
-    Coef x[3][C::kOrder + 1] = {};  // x[axis][1 ..], series mode
+    Coef q[C::kMostOrder + 1] = {};
+    Coef phi[C::kMostOrder + 1] = {};
+    Coef Q[C::kMostOrder + 1] = {};
+    Coef R[C::kMostOrder + 1] = {};
+    Coef W[3][C::kMostOrder + 1] = {};
+    Coef V[3][C::kMostOrder + 1] = {};
+    Coef x[3][C::kMostOrder + 1] = {};  // x[axis][1 ..], series mode
 
-    /// phi^2, from which R and Q = -phi^3 start.
-    static Coef square(const Coef& p) { return rounded_product<kBits, kBits - 1>(p, p); }
-    static Coef minus_three(const Coef& s) {
-        return Coef(round_shift<kBits + 3, 2>(Word<kBits + 3>(Word<kBits + 3>(s) * -3)));
-    }
-
-    /// Q and R of phi.
+    /// Q and R of phi: -phi^3 and -3 phi^2.
     void derivatives_of_phi() {
-        const Coef s = square(phi[0]);
-        Q[0] = Coef(-rounded_product<kBits, kBits - 1>(s, phi[0]));
+        const Coef s =
+            C::keep(Variable::kS, 0, rounded_product<Product>(phi[0], phi[0], C::kCoefBits - 1));
+        Q[0] = Coef(-rounded_product<Product>(s, phi[0], C::kCoefBits - 1));
         R[0] = minus_three(s);
     }
 
     void expand() {
+        phi[0] = C::keep(Variable::kPhi, 0, phi[0]);
+        Q[0] = C::keep(Variable::kBigQ, 0, Q[0]);
+        R[0] = C::keep(Variable::kR, 0, R[0]);
+        for (int axis = 0; axis < 3; ++axis) {
+            V[axis][0] = C::keep(Variable::kV, 0, V[axis][0]);
+            W[axis][0] = C::keep(Variable::kW, 0, W[axis][0]);
+        }
         for (int i = 1; i <= C::kOrder; ++i) {
             dq_[i] = phi[i - 1];
-            q[i] = over_order<kBits, 0>(dq_[i], i);
-            if (kSeries) {
+            q[i] = C::keep(Variable::kQ, i, over(dq_[i], i, 0));
+            if (C::kSeries) {
                 for (int axis = 0; axis < 3; ++axis) {
                     x[axis][i] =
-                        over_order<kBits, 0>(convolve<kBits, kBits - 1>(V[axis], dq_, i), i);
+                        C::keep(Variable::kX, i, over(sum_of_products(V[axis], dq_, i, 1), i, 0));
                 }
             }
-            if (i <= kTop) {
+            if (i <= C::kTop) {
                 phi_order(i);
             }
-            if (i < kTop || !C::kAnchor) {
+            if (i < C::kTop || !C::kAnchor) {
                 integrands(i);
             }
         }
@@ -92,42 +94,55 @@ struct SplineNetwork {
     /// The state a step farther on: the sum of a series' orders first .. last. What it is on the
     /// way may wrap in a register of CoefBits: the sum is the same.
     static Coef sum(const Coef* series, int first, int last) {
-        Word<kBits + 4> total = 0;
+        Product total = 0;
         for (int i = first; i <= last; ++i) {
-            total = Word<kBits + 4>(total + series[i]);
+            total = Product(total + series[i]);
         }
         return Coef(total);
     }
 
   private:
+    static Coef minus_three(const Coef& s) {
+        return Coef(round_shift(Product(Product(s) * -3), 2));
+    }
+    /// With CoefBits - `less` fraction bits fewer than the products.
+    Coef sum_of_products(const Coef* u, const Coef* ds, int i, int less) const {
+        return convolve<Product>(u, ds, i, C::kCoefBits - less);
+    }
+    Coef over(const Coef& d, int i, int drop) const {
+        return over_order<Product>(d, i, C::kCoefBits, drop);
+    }
+
     void phi_order(int i) {
-        Word<kBits + 2> dp = 0;
+        Product dp = 0;
         for (int axis = 0; axis < 3; ++axis) {
-            dv_[axis][i] = convolve<kBits, kBits - 2>(W[axis], dq_, i);
-            dp = Word<kBits + 2>(dp + convolve<kBits, kBits - 1>(V[axis], dv_[axis], i));
-            V[axis][i] = over_order<kBits, 2>(dv_[axis][i], i);
+            dv_[axis][i] = C::keep(Variable::kDV, i, sum_of_products(W[axis], dq_, i, 2));
+            dp = Product(dp + C::keep(Variable::kDP, i, sum_of_products(V[axis], dv_[axis], i, 1)));
+            V[axis][i] = C::keep(Variable::kV, i, over(dv_[axis][i], i, 2));
         }
-        dp_[i] = Coef(dp);
-        dphi_[i] = convolve<kBits, kBits - 3>(Q, dp_, i);
-        phi[i] = over_order<kBits, 2>(dphi_[i], i);
+        dp_[i] = C::keep(Variable::kDP, i, Coef(dp));
+        dphi_[i] = C::keep(Variable::kDphi, i, sum_of_products(Q, dp_, i, 3));
+        phi[i] = C::keep(Variable::kPhi, i, over(dphi_[i], i, 2));
     }
 
     void integrands(int i) {
         for (int axis = 0; axis < 3; ++axis) {
-            W[axis][i] = rounded_product<kBits, kBits - 2>(six_a[axis], q[i]);
+            W[axis][i] = C::keep(Variable::kW, i,
+                                 rounded_product<Product>(six_a[axis], q[i], C::kCoefBits - 2));
         }
-        Q[i] = over_order<kBits, 0>(convolve<kBits, kBits - 1>(R, dphi_, i), i);
-        Word<2 * kBits + 4> s = 0;
+        Q[i] = C::keep(Variable::kBigQ, i, over(sum_of_products(R, dphi_, i, 1), i, 0));
+        Product s = 0;
         for (int j = 0; j <= i; ++j) {
-            s = Word<2 * kBits + 4>(s + Word<2 * kBits>(phi[j]) * Word<2 * kBits>(phi[i - j]));
+            s = Product(s + Product(phi[j]) * Product(phi[i - j]));
         }
-        R[i] = minus_three(Coef(round_shift<2 * kBits + 4, kBits - 1>(s)));
+        const Coef square = C::keep(Variable::kS, i, Coef(round_shift(s, C::kCoefBits - 1)));
+        R[i] = C::keep(Variable::kR, i, minus_three(square));
     }
 
-    Coef dq_[C::kOrder + 1] = {};  // dq_[i] = i q_i = phi_{i-1}
-    Coef dv_[3][C::kOrder + 1] = {};
-    Coef dp_[C::kOrder + 1] = {};
-    Coef dphi_[C::kOrder + 1] = {};
+    Coef dq_[C::kMostOrder + 1] = {};  // dq_[i] = i q_i = phi_{i-1}
+    Coef dv_[3][C::kMostOrder + 1] = {};
+    Coef dp_[C::kMostOrder + 1] = {};
+    Coef dphi_[C::kMostOrder + 1] = {};
 };
 
 }  // namespace CURVECORE_STORAGE

@@ -64,16 +64,16 @@ template <class C>
 struct SegmentWords {
     SegmentKind kind = SegmentKind::kArc;
     Word<kLengthBits + 1> length = 0;
-    Word<C::kCoefBits> theta = 0;  // of a spline: phi
+    typename C::Coef theta = 0;  // of a spline: phi
     int step_exponent = 0;
     int lambda = 0;           // 0 for arcs
     std::uint32_t ticks = 0;  // of the profile, in which it is drawn
     bool last = false;        // of its program
-    Word<C::kFineBits> start[C::kAxes] = {};
-    Word<C::kFineBits> end[C::kAxes] = {};
-    Word<C::kCoefBits> tangent[3] = {};         // of a spline: a
-    Word<C::kCoefBits> normal[3] = {};          // of a spline: b
-    Word<C::kCoefBits> advance[C::kAxes] = {};  // of a spline's X Y Z: c
+    typename C::Fine start[C::kMostAxes] = {};
+    typename C::Fine end[C::kMostAxes] = {};
+    typename C::Coef tangent[3] = {};             // of a spline: a
+    typename C::Coef normal[3] = {};              // of a spline: b
+    typename C::Coef advance[C::kMostAxes] = {};  // of a spline's X Y Z: c
 };
 
 constexpr int kProfileBits = 36;                // coefficients of a profile piece
@@ -143,34 +143,67 @@ constexpr int segment_bus_words() {
 }
 
 namespace detail {
-template <int Bits>
-inline std::uint64_t bus_word(Tag tag, Field field, const Word<Bits>& word) {
-    return put(kTagField, static_cast<int>(tag)) | put(field, to_int<Bits>(word));
+inline std::uint64_t bus_word(Tag tag, Field field, std::int64_t value) {
+    return put(kTagField, static_cast<int>(tag)) | put(field, value);
+}
+/// The low `bits` of a bus word, as a signed value.
+inline std::int64_t signed_bits(std::uint64_t word, int bits) {
+    return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
 }
 }  // namespace detail
 
-/// A segment as the bus and the memory file carry it; `out` has segment_bus_words<C>() words.
+/// A segment as the bus and the memory file carry it: 17 + 3 AuxAxes words to `out`.
 template <class C>
-inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out) {
-    constexpr int kCoef = C::kCoefBits;
-    constexpr int kFine = C::kFineBits;
-    *out++ = detail::bus_word<kLengthBits + 1>(Tag::kLength, kLengthField, segment.length);
-    *out++ = detail::bus_word<kCoef>(Tag::kTheta, kCoefField, segment.theta) |
+inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out,
+                 const C& c = C()) {
+    using detail::bus_word;
+    *out++ = bus_word(Tag::kLength, kLengthField, to_int(segment.length));
+    *out++ = bus_word(Tag::kTheta, kCoefField, to_int(segment.theta)) |
              put(kKindField, static_cast<int>(segment.kind)) |
              put(kStepExponentField, segment.step_exponent) | put(kLastField, segment.last);
-    for (int axis = 0; axis < C::kAxes; ++axis) {
-        *out++ = detail::bus_word<kFine>(Tag::kStart, kPointField, segment.start[axis]);
-        *out++ = detail::bus_word<kFine>(Tag::kEnd, kPointField, segment.end[axis]);
+    for (int axis = 0; axis < c.kAxes; ++axis) {
+        *out++ = bus_word(Tag::kStart, kPointField, to_int(segment.start[axis]));
+        *out++ = bus_word(Tag::kEnd, kPointField, to_int(segment.end[axis]));
         if (axis < 3) {
             const std::int64_t ticks = axis == 0 ? 0 : segment.ticks >> (16 * (axis - 1));
-            *out++ = detail::bus_word<kCoef>(Tag::kTangent, kCoefField, segment.tangent[axis]) |
+            *out++ = bus_word(Tag::kTangent, kCoefField, to_int(segment.tangent[axis])) |
                      (axis == 0 ? put(kSequenceField, sequence) : put(kTicksByteField, ticks));
             *out++ =
-                detail::bus_word<kCoef>(Tag::kNormal, kCoefField, segment.normal[axis]) |
+                bus_word(Tag::kNormal, kCoefField, to_int(segment.normal[axis])) |
                 (axis == 0 ? put(kLambdaField, segment.lambda) : put(kTicksByteField, ticks >> 8));
         }
-        *out++ = detail::bus_word<kCoef>(Tag::kAdvance, kCoefField, segment.advance[axis]);
+        *out++ = bus_word(Tag::kAdvance, kCoefField, to_int(segment.advance[axis]));
     }
+}
+
+/// The same undone, but for sequence and ticks; next() gives a bus word.
+template <class C, class Next>
+inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
+    const auto coef = [&c](std::uint64_t word) {
+        return typename C::Coef(detail::signed_bits(word, c.kCoefBits));
+    };
+    const auto fine = [&c](std::uint64_t word) {
+        return typename C::Fine(detail::signed_bits(word, c.kFineBits));
+    };
+    SegmentWords<C> segment;
+    segment.length = static_cast<std::int64_t>(get(kLengthField, next()));
+    const std::uint64_t head = next();
+    segment.theta = coef(head);
+    segment.kind = get(kKindField, head) == 0 ? SegmentKind::kArc : SegmentKind::kSpline;
+    segment.step_exponent = static_cast<int>(get(kStepExponentField, head));
+    segment.last = get(kLastField, head) != 0;
+    for (int axis = 0; axis < c.kAxes; ++axis) {
+        segment.start[axis] = fine(next());
+        segment.end[axis] = fine(next());
+        if (axis < 3) {
+            segment.tangent[axis] = coef(next());
+            const std::uint64_t normal = next();
+            segment.normal[axis] = coef(normal);
+            if (axis == 0) segment.lambda = static_cast<int>(get(kLambdaField, normal));
+        }
+        segment.advance[axis] = coef(next());
+    }
+    return segment;
 }
 
 /// A profile piece as the bus and the memory file carry it; `out` has kProfileBusWords words.
@@ -178,11 +211,27 @@ inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* ou
     out[0] = put(kTagField, static_cast<int>(Tag::kPiece)) | put(kPieceTicksField, piece.ticks) |
              put(kTimeExponentField, piece.time_exponent) | put(kExponentField, piece.exponent) |
              put(kFinalField, piece.final) | put(kPieceSequenceField, sequence);
-    out[1] = detail::bus_word<kLengthBits + 1>(Tag::kDs, kLengthField, piece.ds);
+    out[1] = detail::bus_word(Tag::kDs, kLengthField, to_int(piece.ds));
     for (int i = 0; i < 3; ++i) {
         const Tag tag = static_cast<Tag>(static_cast<int>(Tag::kC1) + i);
-        out[2 + i] = detail::bus_word<kProfileBits>(tag, kCoefField, piece.c[i]);
+        out[2 + i] = detail::bus_word(tag, kCoefField, to_int(piece.c[i]));
     }
+}
+
+/// The same undone, but for the sequence.
+template <class Next>
+inline ProfileWords unpack_piece(Next&& next) {
+    ProfileWords piece;
+    const std::uint64_t head = next();
+    piece.ticks = static_cast<std::int32_t>(get(kPieceTicksField, head));
+    piece.time_exponent = static_cast<int>(get(kTimeExponentField, head));
+    piece.exponent = static_cast<int>(get(kExponentField, head));
+    piece.final = get(kFinalField, head) != 0;
+    piece.ds = static_cast<std::int64_t>(get(kLengthField, next()));
+    for (auto& c : piece.c) {
+        c = detail::signed_bits(next(), kProfileBits);
+    }
+    return piece;
 }
 
 }  // namespace CURVECORE_STORAGE

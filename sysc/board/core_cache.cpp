@@ -218,8 +218,8 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
         command.push_back(std::move(parameter));
     }
     if (run(command, log) != 0) {
-        throw std::runtime_error(fmt::format("the core could not be made: {}; see {}",
-                                             first_error(log), log.string()));
+        throw std::runtime_error(
+            fmt::format("the core could not be made: {}; see {}", first_error(log), log.string()));
     }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");

@@ -4,54 +4,6 @@
 #include <algorithm>
 
 namespace curvecore::sysc {
-namespace {
-
-using hls::get;
-
-/// The low `bits` of a bus word, as a signed value.
-std::int64_t signed_bits(std::uint64_t word, int bits) {
-    return wrapped(static_cast<std::int64_t>(word), bits);
-}
-
-/// hls::pack of a segment, undone.
-template <class Word>
-RunSegment unpack_segment(Word&& next, const CoreParameters& format, int axes) {
-    const int fine = format.position_bits + format.guard_bits;
-    RunSegment segment;
-    segment.length = static_cast<std::int64_t>(get(hls::kLengthField, next()));
-    const std::uint64_t head = next();
-    segment.theta = signed_bits(head, format.coef_bits);
-    segment.step_exponent = static_cast<int>(get(hls::kStepExponentField, head));
-    segment.spline = get(hls::kKindField, head) != 0;
-    for (int axis = 0; axis < axes; ++axis) {
-        segment.start[axis] = signed_bits(next(), fine);
-        segment.end[axis] = signed_bits(next(), fine);
-        if (axis < 3) {
-            segment.tangent[axis] = signed_bits(next(), format.coef_bits);
-            const std::uint64_t normal = next();
-            segment.normal[axis] = signed_bits(normal, format.coef_bits);
-            if (axis == 0) segment.lambda = static_cast<int>(get(hls::kLambdaField, normal));
-        }
-        segment.advance[axis] = signed_bits(next(), format.coef_bits);
-    }
-    return segment;
-}
-
-/// hls::pack of a profile piece, undone.
-template <class Word>
-hls::ProfileWords unpack_piece(Word&& next) {
-    hls::ProfileWords piece;
-    const std::uint64_t head = next();
-    piece.ticks = static_cast<std::int32_t>(get(hls::kPieceTicksField, head));
-    piece.time_exponent = static_cast<int>(get(hls::kTimeExponentField, head));
-    piece.exponent = static_cast<int>(get(hls::kExponentField, head));
-    piece.final = get(hls::kFinalField, head) != 0;
-    piece.ds = static_cast<std::int64_t>(get(hls::kLengthField, next()));
-    for (auto& c : piece.c) c = signed_bits(next(), hls::kProfileBits);
-    return piece;
-}
-
-}  // namespace
 
 KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settings)
     : core_(core),
@@ -60,7 +12,8 @@ KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settin
       scaler_(settings.hold_acceleration, static_cast<std::int64_t>(settings.hold_slope)),
       share_(settings.samples_per_tick_log2),
       ranges_(core.coef_bits),
-      kernel_(core, core.axes(), ranges_) {}
+      format_(core, core.axes(), &ranges_),
+      kernel_(format_) {}
 
 std::size_t KernelBoard::write(Stream stream, const std::uint64_t* words, std::size_t count) {
     Queue& queue = this->queue(stream);
@@ -96,7 +49,7 @@ bool KernelBoard::move() {
 
 bool KernelBoard::next_piece(hls::ProfileWords& words) {
     if (profile_.words.size() < hls::kProfileBusWords) return false;
-    words = unpack_piece([this] { return profile_.pop(); });
+    words = hls::unpack_piece([this] { return profile_.pop(); });
     final_ = words.final;
     return true;
 }
@@ -105,7 +58,7 @@ bool KernelBoard::cover() {
     const std::uint64_t reach = walked_ + static_cast<std::uint64_t>(ds_);
     while (covered_ == 0 || covered_ < reach) {
         if (segments_.words.size() < segment_words_) return false;
-        ahead_.push_back(unpack_segment([this] { return segments_.pop(); }, core_, core_.axes()));
+        ahead_.push_back(hls::unpack_segment([this] { return segments_.pop(); }, format_));
         covered_ += static_cast<std::uint64_t>(ahead_.back().length);
         empty_segments_ += ahead_.back().length == 0;
     }
@@ -124,10 +77,8 @@ void KernelBoard::draw(Sample& sample) {
     walked_ += static_cast<std::uint64_t>(ds_);
     sample.ds = ds_;
     sample.rate = rate_;
-    const int guard = core_.guard_bits;
-    const std::int64_t half = std::int64_t(1) << (guard - 1);
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(core_.axes()); ++axis) {
-        sample.position[axis] = wrapped((sample.fine[axis] + half) >> guard, core_.position_bits);
+        sample.position[axis] = hls::round_shift(sample.fine[axis], core_.guard_bits);
     }
 }
 

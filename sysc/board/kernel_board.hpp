@@ -8,7 +8,7 @@
 #include "hls/time_scaler.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/host/core_parameters.hpp"
-#include "sysc/widths/run_time_kernel.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 
@@ -52,6 +52,7 @@ class KernelBoard : public Board {
     hls::PathKernel path_;
     hls::SampleShare share_;
     ValueRanges ranges_;
+    const RunTimeFormat format_;
     RunTimeKernel kernel_;
     std::uint64_t requested_ = 0;
     bool moving_ = false;  // ds_ is the increment of a request that waits for segments

@@ -24,7 +24,8 @@ Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
       chord_tolerance_(std::max(0.1, 2 * std::sqrt(3.0) * job.bound())),
       source_(job.plan, job.options.samples_per_tick_log2(), job.options.override_word()),
       ranges_(job.options.core.coef_bits),
-      kernel_(job.options.core, core_axes_, ranges_),
+      format_(job.options.core, core_axes_, &ranges_),
+      kernel_(format_),
       cursor_(job.plan),
       samples_(samples),
       pictures_(pictures),
@@ -74,11 +75,11 @@ void Checker::start() {
 }
 
 RunSegment Checker::words(std::size_t segment) const {
-    return to_run_words(job_.plan.segments.at(segment), job_.options.core, core_axes_);
+    return hls::to_words(job_.plan.segments.at(segment), format_);
 }
 
 std::int64_t Checker::to_position(std::int64_t fine) const {
-    return Rounding(job_.options.core.guard_bits)(fine);
+    return hls::round_shift(fine, job_.options.core.guard_bits);
 }
 
 void Checker::compare_with_kernel(const Sample& drawn) {

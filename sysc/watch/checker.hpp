@@ -8,11 +8,11 @@
 #include "sysc/host/job.hpp"
 #include "sysc/host/path_cursor.hpp"
 #include "sysc/host/path_source.hpp"
+#include "sysc/host/run_time_format.hpp"
 #include "sysc/watch/check_result.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/samples_writer.hpp"
-#include "sysc/widths/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 
@@ -44,6 +44,7 @@ class Checker {
     const double chord_tolerance_;  // both ends off by the bound on every axis
     PathSource source_;
     ValueRanges ranges_;
+    const RunTimeFormat format_;
     RunTimeKernel kernel_;
     PathCursor cursor_;
     ref::CurveFollower curve_;

@@ -43,11 +43,11 @@ Json ranges_json(const ValueRanges& ranges) {
         Json high = Json::array();
         Json spare = Json::array();
         bool met = false;
-        for (int order = 0; order < kMostOrders; ++order) {
+        for (int order = 0; order <= hls::kMostOrder; ++order) {
             const ValueRange& range = ranges.range(variable, order);
             const bool some = !range.empty();
             met = met || some;
-            const auto real = [&](RunWord word) {
+            const auto real = [&](std::int64_t word) {
                 return some ? Json(std::ldexp(static_cast<double>(word), -frac)) : Json(nullptr);
             };
             low.push_back(real(range.low));

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "hls/quantise.hpp"
-#include "sysc/widths/run_time_kernel.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -52,8 +51,9 @@ class Comparison {
           guard_bits_(setting.guard_bits),
           unit_(std::ldexp(1.0, -guard_bits_)),
           axes_(3 + subject.program.aux_axes),
-          segments_(words(setting)),
-          kernel_(setting, axes_, row.ranges) {
+          format_(setting, axes_, &row.ranges),
+          segments_(words()),
+          kernel_(format_) {
         for (const ref::Segment& segment : segmented.segments) {
             per_bound_.push_back(segment.bound > 0 ? 1 / segment.bound : 0);
         }
@@ -84,11 +84,11 @@ class Comparison {
     }
 
   private:
-    std::vector<RunSegment> words(const CoreParameters& setting) const {
+    std::vector<RunSegment> words() const {
         std::vector<RunSegment> all;
         all.reserve(segmented_.segments.size());
         for (const ref::Segment& segment : segmented_.segments) {
-            all.push_back(to_run_words(segment, setting, axes_));
+            all.push_back(hls::to_words(segment, format_));
         }
         return all;
     }
@@ -99,8 +99,8 @@ class Comparison {
         walked_ = s;
     }
 
-    RunWord to_position(RunWord fine) const {
-        return (fine + (RunWord(1) << (guard_bits_ - 1))) >> guard_bits_;
+    std::int64_t to_position(std::int64_t fine) const {
+        return hls::round_shift(fine, guard_bits_);
     }
 
     void sample(std::size_t n) {
@@ -144,7 +144,7 @@ class Comparison {
         for (int axis = 0; axis < axes_; ++axis) {
             const double place =
                 axis < 3 ? move.end[axis] : move.aux_end[static_cast<std::size_t>(axis - 3)];
-            const RunWord word = hls::quantise(place / subject_.unit_mm, guard_bits_, 62);
+            const std::int64_t word = hls::quantise(place / subject_.unit_mm, guard_bits_, 62);
             row_.landing =
                 std::max(row_.landing, std::abs(to_position(fine_[axis]) - to_position(word)));
         }
@@ -152,7 +152,7 @@ class Comparison {
 
     void finish() {
         row_.samples = subject_.exact.samples.size();
-        row_.steps = kernel_.steps();
+        row_.steps = static_cast<std::uint64_t>(kernel_.steps());
         row_.fine = fine_count_->figures(axes_);
         row_.output = output_count_->figures(axes_);
         row_.missing_bits = row_.ranges.missing();
@@ -170,13 +170,14 @@ class Comparison {
     const int guard_bits_;
     const double unit_;
     const int axes_;
+    const RunTimeFormat format_;
     const std::vector<RunSegment> segments_;
     RunTimeKernel kernel_;
     std::size_t next_ = 0;  // segment after the present one
     std::vector<double> per_bound_;
     double of_bound_ = 0;
     std::int64_t walked_ = 0;
-    RunWord fine_[kMostAxes] = {};
+    std::int64_t fine_[kMostAxes] = {};
     double last_[3] = {};
     std::unique_ptr<PositionCount> fine_count_ = std::make_unique<PositionCount>();
     std::unique_ptr<PositionCount> output_count_ = std::make_unique<PositionCount>();

@@ -10,7 +10,7 @@
 #include "sysc/widths/exact_samples.hpp"
 #include "sysc/widths/multiplier_bits.hpp"
 #include "sysc/widths/segmented_program.hpp"
-#include "sysc/widths/value_ranges.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 

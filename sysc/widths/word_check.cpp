@@ -5,22 +5,24 @@
 
 #include <stdexcept>
 
+#include "hls/quantise.hpp"
 #include "ref/program/input_error.hpp"
-#include "sysc/widths/run_time_kernel.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 
 void check_words(const Job& job) {
     const CoreParameters& core = job.options.core;
     ValueRanges ranges(core.coef_bits);
+    const RunTimeFormat format(core, core.axes(), &ranges);
     for (const ref::Segment& segment : job.plan.segments) {
         const auto refuse = [&](const std::string& reason) {
             throw ref::InputError(job.program.file, job.program.moves[segment.move].line, reason);
         };
         try {
-            const RunSegment words = to_run_words(segment, core, core.axes());
-            RunTimeKernel kernel(core, core.axes(), ranges);
-            RunWord end[kMostAxes];
+            const RunSegment words = hls::to_words(segment, format);
+            RunTimeKernel kernel(format);
+            std::int64_t end[kMostAxes];
             kernel.sample(
                 words.length, [&] { return words; }, end);
         } catch (const std::range_error& error) {

@@ -52,7 +52,7 @@ class ByHand {
 
     explicit ByHand(const SegmentWords<C>& segment) : length_(segment.length) {
         weight_[1] = segment.theta;
-        for (int i = 2; i <= 6; ++i) weight_[i] = mul(weight_[1], reciprocal<35>(i));
+        for (int i = 2; i <= 6; ++i) weight_[i] = mul(weight_[1], reciprocal(i, 35));
         for (int axis = 0; axis < 3; ++axis) {
             start_[axis] = segment.start[axis];
             n_[axis] = segment.normal[axis];

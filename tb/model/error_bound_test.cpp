@@ -51,7 +51,7 @@ double worst_error(const ref::Segment& segment, std::mt19937_64& random, Spoil s
                 const double truth =
                     axis < 3 ? exact[static_cast<int>(axis)] : ref::exact_aux(segment, axis - 3, s);
                 const double got = std::ldexp(
-                    static_cast<double>(hls::to_int<C::kFineBits>(out[axis])), -C::kGuardBits);
+                    static_cast<double>(hls::to_int(out[axis])), -C::kGuardBits);
                 worst = std::max(worst, std::abs(got - truth));
             }
         }

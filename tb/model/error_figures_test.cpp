@@ -11,7 +11,7 @@
 #include "ref/segment/geometry.hpp"
 #include "sysc/widths/built_in_curves.hpp"
 #include "sysc/widths/exact_samples.hpp"
-#include "sysc/widths/value_ranges.hpp"
+#include "sysc/host/value_ranges.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
@@ -38,7 +38,7 @@ TEST(ErrorFigures, MostIsBelowRareErrors) {
 }
 
 TEST(ValueRange, BitsOfTheLeastWord) {
-    const auto bits = [](RunWord low, RunWord high) {
+    const auto bits = [](std::int64_t low, std::int64_t high) {
         ValueRange range;
         range.add(low);
         range.add(high);
@@ -49,8 +49,8 @@ TEST(ValueRange, BitsOfTheLeastWord) {
     EXPECT_EQ(bits(0, 1), 2);
     EXPECT_EQ(bits(-2, 1), 2);
     EXPECT_EQ(bits(-3, 1), 3);
-    EXPECT_EQ(bits(-(RunWord(1) << 35), (RunWord(1) << 35) - 1), 36);
-    EXPECT_EQ(bits(0, RunWord(1) << 35), 37);
+    EXPECT_EQ(bits(-(std::int64_t{1} << 35), (std::int64_t{1} << 35) - 1), 36);
+    EXPECT_EQ(bits(0, std::int64_t{1} << 35), 37);
 }
 
 TEST(ValueRanges, KeepWhatAWordHoldsAndCountWhatItLacks) {
@@ -60,7 +60,7 @@ TEST(ValueRanges, KeepWhatAWordHoldsAndCountWhatItLacks) {
     EXPECT_EQ(ranges.missing(), 0);
     EXPECT_EQ(ranges.keep(Variable::kW, 12, 131072), -131072);
     EXPECT_EQ(ranges.missing(), 1);
-    EXPECT_EQ(ranges.keep(Variable::kW, 12, -(RunWord(1) << 20) - 5), -5);
+    EXPECT_EQ(ranges.keep(Variable::kW, 12, -(std::int64_t{1} << 20) - 5), -5);
     EXPECT_EQ(ranges.missing(), 4);
     EXPECT_TRUE(ranges.range(Variable::kW, 11).empty());
 }

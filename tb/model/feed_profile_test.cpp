@@ -117,7 +117,7 @@ TEST(FeedProfile, KernelWalksThePathWithoutGoingBack) {
     std::int64_t s = 0;
     std::int64_t ticks = 0;
     do {
-        const std::int64_t ds = hls::to_int<hls::kLengthBits + 1>(kernel.tick(1 << 16, feed));
+        const std::int64_t ds = hls::to_int(kernel.tick(1 << 16, feed));
         ASSERT_GE(ds, 0);
         s += ds;
         ++ticks;
@@ -334,7 +334,7 @@ TEST(FeedProfile, HoldsStayWithinTheAccelerationLimit) {
             const bool hold = tick >= hold_at && tick < hold_at + 4000;
             const std::int32_t rate = scaler.tick(hold ? 0 : 1 << 16);
             const std::int64_t ds =
-                hls::to_int<hls::kLengthBits + 1>(kernel.tick(rate, feed, hold));
+                hls::to_int(kernel.tick(rate, feed, hold));
             s += ds;
             const double v = static_cast<double>(ds) * quantum / plan.tick_s;
             worst = std::max(worst, std::abs(v - before) / plan.tick_s);

@@ -52,7 +52,7 @@ Drawn draw(const ref::Program& program, const ref::Plan& plan, std::int64_t spoi
     Drawn drawn;
     std::size_t last_stop = plan.segments.size();
     do {
-        const auto ds = hls::to_int<hls::kLengthBits + 1>(path.tick(1 << 16, pieces));
+        const auto ds = hls::to_int(path.tick(1 << 16, pieces));
         hls::Word<C::kFineBits> fine[C::kAxes];
         kernel.sample(ds, segments, fine);
         cursor.advance(static_cast<std::uint64_t>(ds));

@@ -75,12 +75,12 @@ void expect_series(int steps) {
         };
         for (int i = 1; i <= C::kOrder; ++i) {
             check(network.q[i], kBits - 2, words.q(i));
-            if (i <= hls::SplineNetwork<C>::kTop) check(network.phi[i], kBits - 2, words.phi(i));
+            if (i <= C::kTop) check(network.phi[i], kBits - 2, words.phi(i));
             for (int k = 0; k < 3; ++k) {
-                if (i < hls::SplineNetwork<C>::kTop) {
+                if (i < C::kTop) {
                     check(network.W[k][i], kBits + 1, words.W(k, i));
                 }
-                if (hls::SplineNetwork<C>::kSeries)
+                if (C::kSeries)
                     check(network.x[k][i], kBits - 2, words.x(k, i));
             }
         }
@@ -120,7 +120,7 @@ double largest_newton_product(double limit,
                 const auto steps = piece.length >> (piece.step_exponent + 16);
                 for (std::uint64_t step = 0; step < steps; ++step) {
                     const std::int64_t phi =
-                        hls::SplineNetwork<C>::sum(kernel.net_.phi, 0, hls::SplineNetwork<C>::kTop);
+                        hls::SplineNetwork<C>::sum(kernel.net_.phi, 0, C::kTop);
                     kernel.step();
                     double norm = 0;
                     for (const auto& V : kernel.net_.V) {

@@ -20,8 +20,8 @@ ref::WordFormat format_of() {
 }
 
 TEST(CheckedWord, HoldsItsRangeAndThrowsBeyond) {
-    EXPECT_EQ(hls::to_int<4>(hls::Word<4>(7)), 7);
-    EXPECT_EQ(hls::to_int<4>(hls::Word<4>(-8)), -8);
+    EXPECT_EQ(hls::to_int(hls::Word<4>(7)), 7);
+    EXPECT_EQ(hls::to_int(hls::Word<4>(-8)), -8);
     EXPECT_THROW(hls::Word<4>(8), std::range_error);
     EXPECT_THROW(hls::Word<4>(-9), std::range_error);
     const hls::Word<36> largest = (std::int64_t{1} << 35) - 1;

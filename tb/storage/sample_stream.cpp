@@ -98,7 +98,7 @@ void print_samples(bool splines) {
         };
         kernel.sample(Word<kLengthBits + 1>(ds), next_segment, fine);
         for (const auto& word : fine) {
-            std::printf("%lld ", static_cast<long long>(to_int<C::kFineBits>(word)));
+            std::printf("%lld ", static_cast<long long>(to_int(word)));
         }
         std::printf("\n");
     }
@@ -118,7 +118,7 @@ void print_path() {
             return true;
         };
         const Word<kLengthBits + 1> ds = path.tick(int(random.uniform(0, 65536)), piece);
-        std::printf("%lld\n", static_cast<long long>(to_int<kLengthBits + 1>(ds)));
+        std::printf("%lld\n", static_cast<long long>(to_int(ds)));
     }
 }
 

@@ -68,7 +68,7 @@ class CurveCoreBench : public testing::Test {
             fine.data());
         path_ += ds;
         Fine words;
-        for (int a = 0; a < kAxes; ++a) words[a] = hls::to_int<kFineBits>(fine[a]);
+        for (int a = 0; a < kAxes; ++a) words[a] = hls::to_int(fine[a]);
         return words;
     }
 

@@ -30,7 +30,7 @@ class SerialMachine {
         at(serial::kMinusThreeHalves) = -3 * (at(serial::kOne) / 2);
         at(serial::kQuarter) = at(serial::kOne) / 4;
         at(serial::above({0xa0})) = at(serial::kOne);
-        for (int i = 2; i <= 12; ++i) at(serial::above({0xa0}, i)) = hls::reciprocal<kBits - 1>(i);
+        for (int i = 2; i <= 12; ++i) at(serial::above({0xa0}, i)) = hls::reciprocal(i, kBits - 1);
     }
 
     void load(const hls::SegmentWords<C>& segment) {
@@ -60,7 +60,7 @@ class SerialMachine {
     }
 
     void sample(const hls::Word<hls::kLengthBits + 1>& sigma, Fine* out) {
-        at(serial::kTau) = hls::to_tau<C>(sigma, k_);
+        at(serial::kTau) = hls::to_tau(C(), sigma, k_);
         const bool series = C::kMode == hls::SamplerMode::kSeries;
         const serial::Program& program = series ? arcs_ : program_;
         std::size_t place = entry(program, series ? "Series" : "SplinePolynomial");
@@ -132,17 +132,17 @@ class SerialMachine {
         int code = word.scale;
         if (word.first && (index(word.b, i, j) & 15) == 1) code &= ~1;
         const int shift = kBits - 6 + (code == serial::kMoreFour ? 10 : code);
-        const auto d = static_cast<int64_t>(c + hls::round_shift<2 * kBits + 4>(sum, shift));
+        const auto d = static_cast<int64_t>(c + hls::round_shift(sum, shift));
         const int place = index(word.d, i, j);
         if (word.target == serial::kMemory) {
             memory_[place] = d;
             there_[place] = clock_ + 8;
         } else if (word.target == serial::kOrigin && place >= 12) {
-            origin_[place - 12] = Fine(origin_[place] + hls::to_fine<C>(d, lambda_));
+            origin_[place - 12] = Fine(origin_[place] + hls::to_fine(C(), d, lambda_));
         } else if (word.target == serial::kOrigin) {
-            origin_[place] = Fine(origin_[place] + hls::to_fine<C>(d, k_));
+            origin_[place] = Fine(origin_[place] + hls::to_fine(C(), d, k_));
         } else if (word.target == serial::kSample) {
-            sample_[place] = Fine(origin_[place] + hls::to_fine<C>(d, k_));
+            sample_[place] = Fine(origin_[place] + hls::to_fine(C(), d, k_));
         }
     }
 

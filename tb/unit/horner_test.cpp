@@ -54,8 +54,8 @@ class Horner : public testing::Test {
         int64_t d = 0;
         for (int pass = 0; pass < kPasses; ++pass) {
             const int64_t sum = d + coef_[bank][pass][lane];
-            d = pass < kPasses - 1 ? hls::rounded_product<kBits, kShift>(sum, x)
-                                   : hls::rounded_product<kBits, kLastShift>(sum, x);
+            const int shift = pass < kPasses - 1 ? kShift : kLastShift;
+            d = hls::rounded_product<hls::Word<2 * kBits>>(sum, x, shift);
         }
         return d;
     }

@@ -43,18 +43,22 @@ class SineCosineInterpolator : public testing::Test {
         theta_ = theta;
         weight_[1] = theta;
         for (int i = 2; i <= kOrder; ++i) {
-            weight_[i] = hls::rounded_product<kBits, Config::kUnitFrac>(
-                theta, hls::reciprocal<Config::kUnitFrac>(i));
+            weight_[i] = hls::rounded_product<Config::Product>(
+                theta, hls::reciprocal(i, Config::kUnitFrac), Config::kUnitFrac);
         }
         kernel_.y = std::llround(std::ldexp(std::sin(angle), Config::kCoefFrac));
         kernel_.z = std::llround(std::ldexp(std::cos(angle), Config::kCoefFrac));
-        kernel_.expand(weight_);
+        expand();
         run(true);
     }
 
+    void expand() {
+        kernel_.expand(Config(), weight_, hls::Variable::kSine, hls::Variable::kVersine);
+    }
+
     void step() {
-        kernel_.advance(theta_);
-        kernel_.expand(weight_);
+        kernel_.advance(Config(), theta_);
+        expand();
         run(false);
     }
 

@@ -30,9 +30,9 @@ struct Kernel : hls::SplineKernel<Config> {
 
     /// Line 6 of the table: the displacement from the segment's start.
     Coef displacement(int axis) const {
-        const Coef e = b_[axis] + hls::rounded_product<kBits, kBits - 1>(a_[axis], v_);
-        const Coef f = advance_[axis] + hls::rounded_product<kBits, kBits - 1>(e, v_);
-        return hls::rounded_product<kBits, kBits - 1>(f, v_);
+        const Coef e = b_[axis] + unit(a_[axis], v_);
+        const Coef f = advance_[axis] + unit(e, v_);
+        return unit(f, v_);
     }
 };
 
@@ -72,7 +72,7 @@ class SplineAnchor : public testing::Test {
     void step(bool fresh) {
         using Network = hls::SplineNetwork<Config>;
         const Coef moved = Network::sum(kernel_.net_.q, 1, Config::kOrder);
-        const Coef phi_end = Network::sum(kernel_.net_.phi, 0, Network::kTop);
+        const Coef phi_end = Network::sum(kernel_.net_.phi, 0, Config::kTop);
         if (fresh) {
             draw();
             kernel_.load(segment_);

@@ -31,7 +31,7 @@ using Coef = hls::Word<kBits>;
 constexpr int kTermBits = kBits + 5;  // {there, order, coefficient}
 
 // As stated in the header of the sequencer.
-constexpr int kTop = Network::kTop;
+constexpr int kTop = Config::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 31) : 0;
 constexpr int kRestQ = kOrder + kDigits + 6;

@@ -24,6 +24,7 @@ constexpr int kLoad = 1 << 1;
 constexpr int kOrderBit = 2;
 constexpr int kStart = 1 << 6;
 using Word = hls::Word<kBits>;
+using Product = hls::Word<2 * kBits + 4>;
 
 class StieltjesIntegrator : public testing::Test {
   protected:
@@ -74,8 +75,8 @@ class StieltjesIntegrator : public testing::Test {
         s_[i] = word();
         dut_->u_i = term(i - 1, u_[i - 1]);
         tick();
-        const Word d = hls::convolve<kBits, kShift>(u_, s_, i);
-        const Word x = hls::over_order<kBits, kDrop>(d, i);
+        const Word d = hls::convolve<Product>(u_, s_, i, kShift);
+        const Word x = hls::over_order<Product>(d, i, kBits, kDrop);
         dut_->control_i = static_cast<uint8_t>(kStart | i << kOrderBit);
         for (int cycle = 0; cycle <= 4 * i + 17; ++cycle) {
             if (cycle == i) dut_->s_i = term(i - 1 + kFirst, s_[i]);

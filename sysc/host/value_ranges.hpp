@@ -9,36 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "sysc/widths/run_time_words.hpp"
+#include "hls/variables.hpp"
 
 namespace curvecore::sysc {
 
-/// The variables of both networks: hls/spherical_kernel.hpp, hls/spline_network.hpp.
-enum class Variable {
-    kWeight,     // arcs: theta / i
-    kNormal,     // n and its series N
-    kTangent,    // t and its series T
-    kMove,       // displacement's series, with the advance
-    kSine,       // of the angle, polynomial mode
-    kVersine,    //
-    kParameter,  // splines: v, the state between steps
-    kStepA,      // a', 6a'
-    kSixA,       //
-    kNorm,       // V.V
-    kQ,          // q = v in the step
-    kW,          //
-    kDV,         //
-    kV,          //
-    kDP,         //
-    kDphi,       //
-    kPhi,        //
-    kS,          //
-    kBigQ,       // Q
-    kR,          //
-    kX,          // series mode
-    kCount
-};
-
+using hls::Variable;
 constexpr std::size_t kVariables = static_cast<std::size_t>(Variable::kCount);
 
 /// Name as the report shows it, and the word's fraction bits: CoefBits + `frac`.
@@ -51,11 +26,11 @@ const VariableFormat& variable_format(Variable variable);
 
 /// Least and greatest value of one word; empty: low > high.
 struct ValueRange {
-    RunWord low = std::numeric_limits<RunWord>::max();
-    RunWord high = std::numeric_limits<RunWord>::min();
+    std::int64_t low = std::numeric_limits<std::int64_t>::max();
+    std::int64_t high = std::numeric_limits<std::int64_t>::min();
 
     bool empty() const { return low > high; }
-    void add(RunWord value) {
+    void add(std::int64_t value) {
         low = std::min(low, value);
         high = std::max(high, value);
     }
@@ -67,16 +42,11 @@ class ValueRanges {
   public:
     explicit ValueRanges(int coef_bits) : coef_bits_(coef_bits) {}
 
-    /// Notes a value and returns it as the word keeps it.
-    RunWord keep(Variable variable, int order, RunWord value) {
+    /// Notes a value and returns it as the word keeps it: what does not fit is cut off.
+    std::int64_t keep(Variable variable, int order, std::int64_t value) {
         at(variable, order).add(value);
-        return wrapped(value, coef_bits_);
-    }
-
-    /// The same for a word that the report does not name.
-    RunWord keep(RunWord value) {
-        unnamed_.add(value);
-        return wrapped(value, coef_bits_);
+        const int left = 64 - coef_bits_;
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << left) >> left;
     }
 
     const ValueRange& range(Variable variable, int order) const {
@@ -92,8 +62,7 @@ class ValueRanges {
     }
 
     int coef_bits_;
-    ValueRange unnamed_;
-    std::array<std::array<ValueRange, kMostOrders>, kVariables> ranges_;
+    std::array<std::array<ValueRange, hls::kMostOrder + 1>, kVariables> ranges_;
 };
 
 }  // namespace curvecore::sysc

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// A kernel gives the same words with widths at run time as with widths of its type: bus words of
+// segments, and positions of seeded streams of arcs, helices, lines and splines, at the edges of
+// every parameter.
+#include "sysc/host/run_time_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tb/support/mixed_segments.hpp"
+
+namespace curvecore::tb {
+using namespace sysc;
+namespace {
+
+using hls::SamplerMode;
+
+template <class C>
+CoreParameters setting_of() {
+    CoreParameters setting{C::kOrder,
+                           C::kCoefBits,
+                           C::kPositionBits,
+                           C::kGuardBits,
+                           C::kMode == SamplerMode::kPolynomial,
+                           C::kTurnBits,
+                           C::kParameterGuard};
+    setting.anchor = C::kAnchor ? 1 : 0;
+    return setting;
+}
+
+template <class C>
+using BusWords = std::array<std::uint64_t, hls::segment_bus_words<C>()>;
+
+template <class C, class Format>
+BusWords<C> packed(const hls::SegmentWords<Format>& segment, const Format& format) {
+    BusWords<C> bus;
+    hls::pack(segment, 7, bus.data(), format);
+    return bus;
+}
+
+template <class C>
+class RunTimeFormatOf : public testing::Test {};
+
+template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
+          int Turn = 0, int Guard = 0>
+using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn, Guard>;
+constexpr SamplerMode kSer = SamplerMode::kSeries;
+constexpr SamplerMode kPol = SamplerMode::kPolynomial;
+
+using Cores = testing::Types<Core<2, 18, 2, kSer, true>, Core<2, 36, 12, kPol, true>,
+                             Core<3, 27, 4, kSer, false>, Core<4, 20, 8, kPol, true, 24, 0, 0, 8>,
+                             Core<6, 36, 10, kPol, false>, Core<8, 30, 10, kSer, true, 32, 6>,
+                             Core<12, 31, 9, kSer, true, 32, 1, 1>, Core<12, 36, 12, kPol, true>>;
+TYPED_TEST_SUITE(RunTimeFormatOf, Cores);
+
+TYPED_TEST(RunTimeFormatOf, DrawsTheSameSamples) {
+    using C = TypeParam;
+    MixedSegments<C> random(5);
+    std::vector<hls::SegmentWords<C>> words;
+    std::vector<RunSegment> segments;
+    ValueRanges ranges(C::kCoefBits);
+    const RunTimeFormat format(setting_of<C>(), C::kAxes, &ranges);
+    std::int64_t length = 0;
+    while (words.size() < 400) {
+        words.push_back(random.next());
+        const BusWords<C> bus = packed<C>(words.back(), C());
+        segments.push_back(
+            hls::unpack_segment([next = bus.begin()]() mutable { return *next++; }, format));
+        length += words.back().length;
+    }
+    RunTimeKernel run(format);
+    std::size_t run_next = 0;
+    hls::MotionKernel<C> kernel;
+    std::size_t next = 0;
+    std::mt19937_64 engine(1);
+    std::int64_t walked = 0;
+    int samples = 0;
+    while (walked < length) {
+        // From a quantum to many steps, and exactly onto segments' ends.
+        std::int64_t ds = std::int64_t(engine() >> (engine() % 40 + 24)) % (length / 300);
+        if (engine() % 8 == 0 && next > 0) {
+            std::int64_t end = 0;
+            for (std::size_t i = 0; i < next; ++i) end += words[i].length;
+            ds = end - walked;
+        }
+        ds = std::min(ds, length - walked);
+        walked += ds;
+        hls::Word<C::kFineBits> expected[C::kAxes];
+        std::int64_t got[kMostAxes];
+        kernel.sample(
+            ds, [&]() -> const hls::SegmentWords<C>& { return words.at(next++); }, expected);
+        run.sample(
+            ds, [&]() -> const RunSegment& { return segments.at(run_next++); }, got);
+        for (int axis = 0; axis < C::kAxes; ++axis) {
+            ASSERT_EQ(got[axis], expected[axis])
+                << "axis " << axis << " sample " << samples << " segment " << next - 1;
+        }
+        ASSERT_EQ(run_next, next);
+        ++samples;
+    }
+    EXPECT_GT(samples, 300);
+}
+
+/// Pieces of a plan: the same words from the same real numbers.
+TYPED_TEST(RunTimeFormatOf, LoadsTheSameWords) {
+    using C = TypeParam;
+    const RunTimeFormat format(setting_of<C>(), C::kAxes);
+    SplineMaker maker(2);
+    std::vector<ref::Segment> segments =
+        ref::split_spline(maker.next({"", SplineShape::kRandom, 20e3}), setting_of<C>(), 400);
+    ref::Segment arc;
+    arc.length = 1000 * 65536 + 3;
+    arc.start = ref::Vec3(1.25, -7.1, 100.3);
+    arc.end = ref::Vec3(-1.7, 1000.5, 0);
+    arc.normal = ref::Vec3(1, 2, -2) / 3;
+    arc.tangent = ref::Vec3(2, 1, 2) / 3;
+    arc.cos_pitch = 0.8;
+    arc.radius = 1234.5;
+    arc.advance = 0.6 * arc.normal.cross(arc.tangent);
+    arc.aux_start.fill(-3.3);
+    arc.aux_advance.fill(0.7);
+    arc.step_exponent = 8;
+    segments.push_back(arc);
+    for (ref::Segment& segment : segments) {
+        for (ref::Vec3* point : {&segment.start, &segment.end}) {
+            *point *= std::ldexp(1.0, C::kPositionBits - 33);  // a quarter of the range
+        }
+        EXPECT_EQ(packed<C>(hls::to_words(segment, format), format),
+                  packed<C>(hls::to_words<C>(segment), C()));
+    }
+    EXPECT_GT(segments.size(), 1U);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
