@@ -45,13 +45,11 @@ module frame_entry #(
 
   logic held_q;
   logic cut;
-  logic tag_fits;
   logic can_be;
   logic in_order;
   logic [Bits-1:0] sequence_q;
   assign cut      = cut_i || fault_o != 2'b00;
-  assign tag_fits = data_o[words_pkg::TagLow+:words_pkg::TagBits] == tag_i;
-  assign can_be   = tag_fits && can_be_i;
+  assign can_be   = can_be_i && data_o[words_pkg::TagLow+:words_pkg::TagBits] == tag_i;
   assign in_order = !numbered_i || data_o[SequenceLow+:Bits] == sequence_q;
   assign valid_o  = held_q && can_be && in_order && !cut && !wait_i;
   assign pass_o   = valid_o && ready_i;
@@ -66,7 +64,7 @@ module frame_entry #(
       sequence_q <= '0;
     end else begin
       if (ready_o) held_q <= valid_i && !cut;
-      if (held_q && !cut) fault_o <= {tag_fits && !in_order, !can_be};
+      if (held_q && !cut) fault_o <= {can_be && !in_order, !can_be};
       frame_o <= pass_o && complete_i;
       if (pass_o && complete_i) sequence_q <= sequence_q + 1'b1;
     end

@@ -3,7 +3,7 @@
 // or doubled, each with its tag, one that can be, in a frame of the next number; and every such
 // word passes. The first other one is told, with its cause, and nothing passes after it; nor while
 // another stream is cut, or it has to wait. Words are numbered; a reset makes all as new.
-// control: LETS_TAG s/assign tag_fits = .*/assign tag_fits = 1'b1;/
+// control: LETS_TAG s/can_be_i && data_o.*;/can_be_i;/
 // control: ANY_ORDER s/!numbered_i ||/1'b1 ||/
 // control: FAULT_GOES s/if (held_q \&\& !cut) fault_o/if (held_q) fault_o/
 // control: LOSES_WORD s/assign ready_o  = !held_q || pass_o/assign ready_o  = !held_q || valid_o/
@@ -81,7 +81,7 @@ module frame_entry_formal (
     others_q  <= rst_ni && cut_i;
     ends_q    <= rst_ni && valid && ready_i && data[4];
     fault_q   <= rst_ni ? fault : 2'b00;
-    cause_q   <= rst_ni && held_q && !cut ? {tagged_so && !follows, !can_be} : 2'b00;
+    cause_q   <= rst_ni && held_q && !cut ? {can_be && !follows, !can_be} : 2'b00;
     if (!rst_ni) begin
       taken_q  <= '0;
       passed_q <= '0;
