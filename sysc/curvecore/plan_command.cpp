@@ -2,14 +2,13 @@
 // `curvecore plan`: segments, feed profile, predicted error and time, without a board.
 #include "ref/curve/curve_follower.hpp"
 #include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
+#include "sysc/curvecore/planned_job.hpp"
 #include "sysc/curvecore/publish.hpp"
 #include "sysc/host/path_cursor.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/predicted_pace.hpp"
-#include "sysc/widths/word_check.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -48,9 +47,7 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
 
 int plan_command(const Options& options) {
     Job job = read_job(options);
-    take_device(job.options);
-    plan_job(job);
-    check_words(job);
+    plan_and_check(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());

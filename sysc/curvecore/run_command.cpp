@@ -6,15 +6,14 @@
 #include "sysc/board/kernel_board.hpp"
 #include "sysc/board/systemc_board.hpp"
 #include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
+#include "sysc/curvecore/planned_job.hpp"
 #include "sysc/curvecore/publish.hpp"
 #include "sysc/host/feeder.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/host/progress_bar.hpp"
 #include "sysc/watch/gtkw_writer.hpp"
-#include "sysc/widths/word_check.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -48,9 +47,7 @@ int run_command(const Options& options) {
         job.options.core.multiplier_form = form;
         make = built_in->make;
     }
-    take_device(job.options);
-    plan_job(job);
-    check_words(job);
+    plan_and_check(job);
     if (options.needs_rtl() && built_in == nullptr) {
         make = CoreCache().open(job.options.core, options.quiet);
     }

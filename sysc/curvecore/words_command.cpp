@@ -6,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
+#include "sysc/curvecore/planned_job.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/job.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/watch/report.hpp"
-#include "sysc/widths/word_check.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -107,9 +106,7 @@ std::string words_json(const Job& job, std::uint64_t samples) {
 
 int words_command(const Options& options) {
     Job job = read_job(options);
-    take_device(job.options);
-    plan_job(job);
-    check_words(job);
+    plan_and_check(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());

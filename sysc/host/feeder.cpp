@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sysc/board/faults.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/path_source.hpp"
 
@@ -42,8 +43,9 @@ void Feeder::turn(std::vector<Sample>& samples) {
     received_ += came;
     waited_ = came > 0 ? 0 : waited_ + 1;
     if (waited_ > kPatience) {
-        throw std::runtime_error(fmt::format(
-            "the board gave no sample for a million turns; faults {:#x}", board_.status().fault));
+        throw std::runtime_error(
+            fmt::format("the board gave no sample for a million turns; faults: {}",
+                        fault_text(board_.status().fault)));
     }
 }
 

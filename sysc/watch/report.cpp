@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sysc/board/faults.hpp"
 #include "sysc/watch/limit_text.hpp"
 
 namespace curvecore::sysc {
@@ -137,7 +138,8 @@ std::vector<Check> Report::checks() const {
              fmt::format("chords within {:.4f} units of the exact curve's",
                          check.worst(&KindResult::speed_error))},
             {"no underrun", !drawn->status.underrun,
-             drawn->status.underrun ? "the profile queue ran low" : "fed"},
+             drawn->status.underrun ? "a queue ran low, time stopped" : "fed"},
+            {"no fault", drawn->status.fault == 0, fault_text(drawn->status.fault)},
             {"no late sample", drawn->status.late_samples == 0,
              fmt::format("{} periods without their sample", drawn->status.late_samples)},
         };
@@ -218,6 +220,7 @@ nlohmann::ordered_json Report::json() const {
         json["limits"]["samples"]["rounding_share"] = drawn->check.rounded_limits.rounding();
         json["rtl_equals_kernel"] = drawn->check.differing_words;
         json["underruns"] = drawn->status.underrun ? 1 : 0;
+        json["fault"] = drawn->status.fault;
         json["empty_segments"] = drawn->status.empty_segments;
         json["late_samples"] = drawn->status.late_samples;
     }

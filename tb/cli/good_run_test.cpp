@@ -82,6 +82,7 @@ TEST_F(GoodRun, ReportHasEveryField) {
                              "time_kept",
                              "rtl_equals_kernel",
                              "underruns",
+                             "fault",
                              "duration_s",
                              "simulation_clocks_per_second"}) {
         EXPECT_TRUE(json.contains(name)) << name;
@@ -89,6 +90,7 @@ TEST_F(GoodRun, ReportHasEveryField) {
     EXPECT_EQ(json["rtl_equals_kernel"], 0);
     EXPECT_EQ(json["landing_lsb"], 0);
     EXPECT_EQ(json["underruns"], 0);
+    EXPECT_EQ(json["fault"], 0);
     EXPECT_EQ(json["stops"]["sampled"], json["stops"]["planned"]);
     EXPECT_LE(json["unrounded"]["max_of_bound"], 1);
     EXPECT_LE(json["speed"]["max_error_lsb"], 0.1);

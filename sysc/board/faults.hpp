@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// fault_o of rtl/motion_interpolator.sv in words.
+#pragma once
+
+#include <string>
+
+namespace curvecore::sysc {
+
+inline std::string fault_text(unsigned fault) {
+    const char* const causes[] = {"a segment word that cannot be",
+                                  "a segment missing or doubled",
+                                  "a profile word that cannot be",
+                                  "a piece missing or doubled",
+                                  "segments and pieces end apart",
+                                  "a full queue does not cover a stop",
+                                  "settings that cannot be, or that changed in motion",
+                                  "no sample for too long"};
+    std::string text;
+    for (const char* cause : causes) {
+        if ((fault & 1) != 0) text += (text.empty() ? "" : ", ") + std::string(cause);
+        fault >>= 1;
+    }
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace curvecore::sysc

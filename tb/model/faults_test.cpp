@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/board/faults.hpp"
+
+#include <gtest/gtest.h>
+
+namespace curvecore::tb {
+namespace {
+
+TEST(Faults, AreNamedBitByBit) {
+    EXPECT_EQ(sysc::fault_text(0), "none");
+    EXPECT_EQ(sysc::fault_text(0x81), "a segment word that cannot be, no sample for too long");
+}
+
+}  // namespace
+}  // namespace curvecore::tb
