@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The one table of configurations:
+# The configurations of all modules under test: those of the cores are the rows of
+# configurations/*.csv, the others stand here.
 #   core_test(<test file without _test.cpp> <configuration> TOP <module> PARAMS Name=Value ...)
 # makes tests unit.<configuration>.<Suite>.<Test>; Name=Value reaches the RTL as a parameter and the
 # test as CFG_Name.
@@ -102,69 +103,24 @@ illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 
-# The arc core: order, widths, auxiliary axes, sampler mode, clocks per sample.
-function(arc_configuration order coef position guard aux mode interval)
-  set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_i${interval})
-  core_test(spherical_interpolator ${name} TOP spherical_interpolator
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} SampleInterval=${interval})
-endfunction()
-arc_configuration(6 36 32 10 0 0 1)
-arc_configuration(6 36 32 10 0 0 2)
-arc_configuration(6 36 32 10 0 0 4)
-arc_configuration(6 36 32 10 0 0 8)
-arc_configuration(6 36 32 10 0 1 1)
-arc_configuration(6 36 32 10 0 1 2)
-arc_configuration(6 36 32 10 0 1 4)
-arc_configuration(6 36 32 10 0 1 8)
-arc_configuration(6 36 32 12 6 0 1)
-arc_configuration(2 36 32 10 0 0 1)
-arc_configuration(2 36 32 10 0 1 4)
-arc_configuration(3 36 32 10 0 1 1)
-arc_configuration(3 24 24 6 2 0 8)
-arc_configuration(4 36 32 10 3 0 1)
-arc_configuration(4 18 20 4 1 1 2)
-arc_configuration(5 30 32 8 1 1 4)
-arc_configuration(6 18 16 2 0 0 1)
-arc_configuration(7 27 28 7 6 1 1)
-arc_configuration(8 36 32 10 0 0 1)
-arc_configuration(8 36 32 12 6 0 4)
-arc_configuration(9 35 31 11 0 1 1)
-arc_configuration(10 33 32 9 1 0 4)
-arc_configuration(11 29 26 5 0 1 2)
-arc_configuration(12 36 32 12 0 0 2)
-arc_configuration(12 36 32 12 0 1 8)
-arc_configuration(2 18 16 2 6 0 1)
-arc_configuration(2 36 32 10 0 1 2)
-arc_configuration(3 18 16 12 0 1 8)
-arc_configuration(5 33 28 7 3 0 2)
-arc_configuration(12 36 32 12 6 0 8)
-arc_configuration(12 25 20 5 1 1 1)
+# The cores: a table each, in which every legal pair of values stands (lint/configurations.py says
+# of which classes). The long campaign runs those of configurations/long too.
+option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
+core_tests(spherical_interpolator TOP spherical_interpolator)
+core_tests(spherical_interpolator_serial TOP curve_interpolator_serial)
+core_tests(curve_interpolator_serial TOP curve_interpolator_serial PARAMS Splines=1
+           LIBRARIES curvecore_ref)
+core_tests(spline_interpolator TOP spline_interpolator LIBRARIES curvecore_ref)
+core_tests(curve_interpolator TOP curve_interpolator LIBRARIES curvecore_ref)
+core_tests(motion_interpolator TOP motion_interpolator
+           TESTS motion_interpolator motion_hold motion_time motion_words
+           PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 LIBRARIES curvecore_host)
 
-# The serial build of it; the interval changes nothing there.
-foreach(size 6,36,32,10,0,0 6,36,32,10,0,1 2,36,32,10,0,0 2,18,16,2,1,1 3,24,24,6,2,0 3,30,28,8,6,1
-        4,18,20,4,1,1 8,36,32,12,6,0 8,24,28,5,2,1 12,36,32,12,0,1 12,30,31,12,6,0)
-  read_row(${size} order coef position guard aux mode)
-  set(name serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  core_test(spherical_interpolator_serial ${name} TOP curve_interpolator_serial
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode})
-endforeach()
-
-# The same with both curves, and what it does of arcs then.
-foreach(size 6,36,32,10,0,1 6,36,32,10,0,0 2,18,16,2,1,1 3,30,28,8,1,1 8,36,32,12,2,1
-        12,36,32,10,6,1 12,30,31,12,4,0)
-  read_row(${size} order coef position guard aux mode)
-  set(name both_serial_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode})
-  core_test(curve_interpolator_serial ${name} TOP curve_interpolator_serial LIBRARIES curvecore_ref
-            PARAMS Splines=1 Order=${order} CoefBits=${coef} PositionBits=${position}
-                   GuardBits=${guard} AuxAxes=${aux} Mode=${mode})
-endforeach()
+# Clocks of arcs in the serial core of both curves.
 core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial
           PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
-illegal_parameter_test(curve_interpolator_serial Splines=2 "Splines must be 0 or 1")
 
-# Both builds of it with the multipliers of ECP5 and UP5K inside.
+# Both builds with the multipliers of ECP5 and UP5K inside.
 foreach(form 1 2)
   set(size PARAMS Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
            MultiplierForm=${form})
@@ -176,9 +132,7 @@ foreach(form 1 2)
             PARAMS Order=3 CoefBits=28 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
                    SampleInterval=1 TurnBits=8 MultiplierForm=${form}
             SOURCES ${primitives_${form}})
-  core_test(spherical_interpolator_serial ${form_${form}}_serial
-            TOP curve_interpolator_serial ${size} SOURCES ${primitives_${form}})
-  core_test(curve_interpolator_serial ${form_${form}}_serial TOP curve_interpolator_serial
+  core_test(curve_interpolator_serial ${form_${form}} TOP curve_interpolator_serial
             LIBRARIES curvecore_ref
             PARAMS Splines=1 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=1
                    MultiplierForm=${form}
@@ -209,6 +163,7 @@ foreach(size 2,18 6,36 7,29 12,33)
 endforeach()
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
+
 foreach(core spherical_interpolator spline_interpolator curve_interpolator
              curve_interpolator_serial)
   illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
@@ -221,16 +176,6 @@ foreach(core spherical_interpolator spline_interpolator curve_interpolator
   illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
 endforeach()
 
-# The same with a width for each order: order, coefficient, position, guard bits, auxiliary axes,
-# turn bits. Widths above 18 in up to four orders, and tau of 19 beside sums of 18.
-foreach(size 2,28,32,10,0,9 3,36,32,12,1,4 6,36,32,10,0,2 4,33,28,8,2,1 12,36,32,12,6,3
-        2,23,31,3,0,10)
-  read_row(${size} order coef position guard aux turn)
-  set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_t${turn})
-  core_test(spherical_interpolator ${name} TOP spherical_interpolator
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=0 SampleInterval=1 TurnBits=${turn})
-endforeach()
 foreach(core spherical_interpolator curve_interpolator horner)
   illegal_parameter_test(${core} TurnBits=15 "TurnBits must be in .0, 14.")
 endforeach()
@@ -242,50 +187,9 @@ illegal_parameter_test(spherical_interpolator TurnBits=1,SampleInterval=4
 illegal_parameter_test(curve_interpolator TurnBits=1,Curves=2 "TurnBits works with Curves 1 only")
 illegal_parameter_test(curve_interpolator TurnBits=1 "TurnBits works with Curves 1 only")
 
-# The spline core: order, coefficient, position, guard bits, auxiliary axes, mode, anchor, interval
-# and, where there is one, parameter guard.
-function(spline_configuration size)
-  read_row(${size},0 order coef position guard aux mode anchor interval parameter)
-  set(name p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
-  if(parameter)
-    string(APPEND name _u${parameter})
-  endif()
-  core_test(spline_interpolator ${name} TOP spline_interpolator LIBRARIES curvecore_ref
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                   ParameterGuard=${parameter})
-endfunction()
-set(spline_sizes 6,36,32,10,0,1,1,1 6,36,32,10,2,1,1,4 6,36,32,10,0,0,1,1 6,36,32,10,0,1,0,2
-                 6,36,32,10,0,0,0,1 6,36,32,10,1,0,0,4 3,30,28,8,1,1,1,8 8,36,32,12,0,1,1,4
-                 4,28,32,10,0,1,1,1,4 6,33,32,10,0,0,0,2,8)
-# Samples by the million in the others too: scripts/campaign.sh.
-option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
-set(spline_campaign ${spline_sizes} 2,18,16,2,1,1,1,2,1 5,30,32,8,1,1,1,4 12,25,22,6,2,0,1,2)
-if(CURVECORE_FULL_CAMPAIGN)
-  list(APPEND spline_campaign
-       2,36,32,10,0,1,1,1 2,24,24,4,6,0,1,4 2,33,30,9,0,1,0,8
-       3,36,32,10,0,1,1,2 3,21,20,3,4,0,1,1 3,24,24,4,2,0,0,8
-       4,36,32,10,3,0,1,2 4,18,20,4,1,1,0,1 4,32,28,12,0,1,1,8
-       5,20,32,2,0,1,0,1 6,36,32,10,0,0,1,8 6,36,16,2,0,1,1,1 6,18,16,2,5,0,1,4
-       7,27,28,7,6,1,1,1 8,35,32,11,0,0,1,2 9,34,31,11,0,1,1,2 10,33,32,9,1,0,1,4
-       11,29,26,5,0,1,0,4 12,36,32,12,0,1,1,8)
-endif()
-foreach(size ${spline_campaign})
-  spline_configuration(${size})
-endforeach()
 illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must be in .0, 8.")
 
-# The core for both kinds: the same.
-foreach(size 6,36,32,10,0,0,1,1 6,36,32,10,0,1,1,1 6,36,32,10,2,0,1,4 6,36,32,10,1,1,1,4
-        6,36,32,10,0,1,0,2 6,36,32,10,0,0,0,1 3,30,28,8,1,1,1,8,5 8,36,32,12,6,0,1,2)
-  read_row(${size},0 order coef position guard aux mode anchor interval parameter)
-  set(name both_p${order}_w${coef}_b${position}_g${guard}_a${aux}_m${mode}_n${anchor}_i${interval})
-  core_test(curve_interpolator ${name} TOP curve_interpolator LIBRARIES curvecore_ref
-            PARAMS Order=${order} CoefBits=${coef} PositionBits=${position} GuardBits=${guard}
-                   AuxAxes=${aux} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                   ParameterGuard=${parameter})
-endforeach()
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
 
 # The path side: queue depth, interval between ticks.
@@ -301,19 +205,7 @@ illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
-# The whole core: build, auxiliary axes, splines, mode, anchor, interval and, where there is one,
-# parameter guard.
-foreach(size 0,0,0,0,1,1 0,2,0,0,1,4 0,0,0,1,1,2 0,0,1,0,1,1 0,1,1,1,1,4,8 0,1,1,0,0,4 1,0,0,0,1,1
-        1,0,1,1,1,1)
-  read_row(${size},0 build aux splines mode anchor interval parameter)
-  foreach(test motion_interpolator motion_hold motion_time motion_words)
-    core_test(${test} build${build}_a${aux}_s${splines}_m${mode}_n${anchor}_i${interval}
-              TOP motion_interpolator LIBRARIES curvecore_host
-              PARAMS Build=${build} Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=${aux}
-                     Splines=${splines} Mode=${mode} Anchor=${anchor} SampleInterval=${interval}
-                     ParameterGuard=${parameter} SegmentQueueWords=4096 ProfileQueueWords=512)
-  endforeach()
-endforeach()
+illegal_parameter_test(curve_interpolator_serial Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # add_lint_tests(): every module of rtl as its own top through four tools, and the C++ trees.
 #   lint.<module>.verilator|icarus|yosys|verible    lint.<tree>.format|tidy    lint.files
+#   lint.configurations
 # Waivers: rtl/waivers.vlt, each with its reason; verible's and clang-tidy's rules beside this.
 find_program(YOSYS yosys REQUIRED)
 find_program(VERIBLE_LINT verible-verilog-lint)
@@ -58,6 +59,7 @@ function(add_lint_tests)
   endforeach()
   lint_test(files.curvecore.f.elaborates ${VERILATOR} --lint-only -Wall ${lint_waivers}
             -F ${PROJECT_SOURCE_DIR}/rtl/curvecore.f --top-module motion_interpolator)
+  lint_test(configurations ${PROJECT_SOURCE_DIR}/tb/lint/configurations.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
   set_tests_properties(lint.readme_tables PROPERTIES FIXTURES_REQUIRED paper_table)

@@ -106,7 +106,7 @@ TEST_F(MotionInterpolator, StartsAfreshAfterAReset) {
 }
 
 TEST_F(MotionInterpolator, CountsEmptySegments) {
-    program(pieces(8, 40, 20, 40, 99 << 16));
+    program(pieces(8, 40, 20, 40, 50 << 16));
     const auto empty = static_cast<int>(
         std::count_if(segments_.begin(), segments_.end(),
                       [](const hls::SegmentWords<C>& segment) { return segment.length == 0; }));

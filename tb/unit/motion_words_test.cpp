@@ -88,7 +88,7 @@ TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
 }
 
 TEST_F(MotionWords, StandUntilTheyCoverAStop) {
-    program(pieces(3, 300, 5, 20, 3 << 16));
+    program(pieces(3, 300, 5, 20, 1 << 16));
     segment_stall_ = 100;
     fill();
     requesting_ = true;
