@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Installs what is missing, builds everything, runs every test; names the slowest ten at the end.
+# With a label: builds what its tests need, and runs those.
 #
 #   scripts/test.sh [-L LABEL] [-R REGEX] [--preset release|debug|asan|coverage]
 #
@@ -8,6 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=release
+targets=()
 options=()
 while [ $# -gt 0 ]; do
   case $1 in
@@ -15,8 +17,19 @@ while [ $# -gt 0 ]; do
       preset=$2
       shift
       ;;
+    -L)
+      case ${2:-} in
+        model | unit | system | formal | lint | cli) targets+=("label_$2") ;;
+        *)
+          echo "test: '${2:-}' is no label: model, unit, system, formal, lint or cli" >&2
+          exit 2
+          ;;
+      esac
+      options+=(-L "$2")
+      shift
+      ;;
     -h | --help)
-      sed -n '3,7s/^# \{0,1\}//p' "$0"
+      sed -n '3,8s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     *) options+=("$1") ;;
@@ -27,7 +40,7 @@ done
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 cmake --preset "$preset"
-cmake --build --preset "$preset" -j "$(nproc)"
+cmake --build --preset "$preset" -j "$(nproc)" --target "${targets[@]:-all}"
 
 # Failures are shown as they come; passed tests are counted only.
 log=build/$preset/tests.log

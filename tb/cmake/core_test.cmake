@@ -39,6 +39,7 @@ function(core_test test configuration)
                                           ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS unit)
+  label_needs(unit ${target})
 endfunction()
 
 # core_tests(<test> TOP <module> [PARAMS Name=Value ...] ...)

@@ -21,6 +21,8 @@ function(killed_by mutant)
   add_test(NAME unit.Mutant.${mutant}IsKilled COMMAND ${ARG_COMMAND})
   set_tests_properties(unit.Mutant.${mutant}IsKilled
                        PROPERTIES LABELS unit PASS_REGULAR_EXPRESSION "${ARG_MESSAGE}")
+  list(GET ARG_COMMAND 0 target)
+  label_needs(unit ${target})
 endfunction()
 
 # survives(<mutant> COMMAND ...): what this test cannot see, stated as a test of its own
@@ -28,4 +30,6 @@ function(survives mutant)
   cmake_parse_arguments(ARG "" "" "COMMAND" ${ARGN})
   add_test(NAME unit.Mutant.${mutant}Survives COMMAND ${ARG_COMMAND})
   set_tests_properties(unit.Mutant.${mutant}Survives PROPERTIES LABELS unit)
+  list(GET ARG_COMMAND 0 target)
+  label_needs(unit ${target})
 endfunction()

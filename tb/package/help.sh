@@ -19,11 +19,14 @@ for command in bench campaign demo format real_parts synth test; do
   [ -n "$text" ] || complain "$command.sh --help says nothing"
 done
 refused() {
-  "$folder/scripts/$1.sh" "$2" 2>/dev/null
-  [ $? = 2 ] || complain "$1.sh $2 is not refused"
+  command=$1
+  shift
+  "$folder/scripts/$command.sh" "$@" 2>/dev/null
+  [ $? = 2 ] || complain "$command.sh $* is not refused"
 }
 refused campaign 1e9
 refused campaign 0
 refused bench more
+refused test -L everything
 refused format more
 exit $status
