@@ -19,7 +19,7 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)"
+cmake --build --preset release -j "$(nproc)" --target all benches
 mkdir -p build/bench build/figures
 for bench in kernel spline; do
   "build/release/tb/bench/${bench}_bench" --benchmark_repetitions=3 \

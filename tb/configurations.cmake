@@ -18,13 +18,13 @@ set(form_0 portable)
 set(form_1 ecp5)
 set(form_2 up5k)
 set(primitives_2 -Wno-lint -Wno-TIMESCALEMOD -DNO_ICE40_DEFAULT_ASSIGNMENTS -v ${ICE40_CELLS})
-foreach(form 0 1 2)
-  foreach(size 36,36,0 36,36,35 36,18,0 18,36,17 18,18,0 32,32,31 33,27,20)
-    read_row(${size} a b shift)
-    core_test(multiplier ${form_${form}}_${a}x${b}_${shift} TOP multiplier
-              PARAMS ABits=${a} BBits=${b} Shift=${shift} Form=${form}
-              SOURCES ${primitives_${form}})
-  endforeach()
+# Every form with factors of one digit and of more, on either side.
+foreach(size 0,18,18,0 0,36,18,0 0,33,27,20 0,36,36,35
+             1,18,18,0 1,18,36,17 1,36,18,0 1,32,32,31 1,36,36,0
+             2,18,18,0 2,18,36,17 2,36,18,0 2,33,27,20 2,36,36,35)
+  read_row(${size} form a b shift)
+  core_test(multiplier ${form_${form}}_${a}x${b}_${shift} TOP multiplier
+            PARAMS ABits=${a} BBits=${b} Shift=${shift} Form=${form} SOURCES ${primitives_${form}})
 endforeach()
 illegal_parameter_test(multiplier ABits=17 "ABits must be in .18, 36.")
 illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
