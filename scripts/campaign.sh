@@ -45,7 +45,8 @@ for bench in "${benches[@]}"; do
   echo "$bench" $(((total * $(share "$bench") + shares - 1) / shares))
 done | xargs -P "$(nproc)" -L 1 sh -c \
   'log=build/campaign/$(basename $0).log
-   CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 || echo "FAILED: $0"
+   CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 ||
+     echo "FAILED: $0"
    grep -H "words differ" $log'
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json

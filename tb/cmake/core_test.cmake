@@ -2,8 +2,9 @@
 # core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
 #           [LIBRARIES target ...] [TESTS <test> ...])
 # builds tb/unit/<test>_test.cpp, or those of TESTS, against the module in that configuration; its
-# tests are called unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
-# reaches the test as CFG_Name.
+# tests are called unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in
+# "V<module>.h"; Name=Value reaches the test as CFG_Name.
+
 # Reading these is two thirds of a test's compilation: once for all.
 set(nothing ${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp)
 file(TOUCH ${nothing})
