@@ -34,8 +34,11 @@ struct Clocks {
 };
 
 /// Samples that a core makes ahead of the one that is taken, if requests wait: the serial core
-/// holds so many, the parallel one more.
-constexpr int kSamplesAhead = 2;
+/// holds so many, the parallel one more. With auxiliary axes, which a sample's frames make last, it
+/// is one less.
+constexpr int samples_ahead(const TimedCore& core) {
+    return core.serial && core.aux_axes > 0 ? 1 : 2;
+}
 
 /// Words of a segment on the bus (hls/words.hpp), one a clock, and two clocks to hand them over.
 constexpr int load_clocks(const TimedCore& core) { return 19 + 3 * core.aux_axes; }

@@ -29,8 +29,9 @@ hls::Clocks core_clocks(const CoreParameters& parameters, bool spline) {
 hls::Clocks change_clocks(const CoreParameters& parameters, bool spline) {
     hls::Clocks clocks = core_clocks(parameters, spline);
     if (parameters.build == Build::kSerial) {
-        clocks.step -= clocks.sample;
-        clocks.segment -= clocks.sample;
+        // The first sample after a change may begin up to a rotation before the others' turn.
+        clocks.step += hls::kRotation - clocks.sample;
+        clocks.segment += hls::kRotation - clocks.sample;
     }
     return clocks;
 }
@@ -43,7 +44,7 @@ ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz) {
     ref::CoreTime time;
     time.arc = of(false);
     time.spline = of(true);
-    time.samples_ahead = hls::kSamplesAhead;
+    time.samples_ahead = hls::samples_ahead(timed_core(parameters));
     time.ahead = parameters.build == Build::kParallel;
     if (!time.ahead) {
         time.sample = std::max(core_clocks(parameters, false).sample,
@@ -61,7 +62,8 @@ double least_period_clocks(const CoreParameters& parameters, bool splines) {
         double period = clocks.sample;
         if (parameters.build == Build::kSerial) {
             const hls::Clocks change = change_clocks(parameters, spline);
-            period += std::max(change.step, change.segment) / (1.0 + hls::kSamplesAhead);
+            period += std::max(change.step, change.segment) /
+                      (1.0 + hls::samples_ahead(timed_core(parameters)));
         }
         least = std::max(least, period);
     }

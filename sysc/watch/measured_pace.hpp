@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sysc/board/board.hpp"
+#include "sysc/host/core_clocks.hpp"
 #include "sysc/host/job.hpp"
 #include "sysc/host/step_walk.hpp"
 #include "sysc/watch/sample_pace.hpp"
@@ -12,7 +13,9 @@ namespace curvecore::sysc {
 class MeasuredPace {
   public:
     explicit MeasuredPace(const Job& job)
-        : walk_(job.plan), in_turn_(job.options.core.build == Build::kSerial) {}
+        : walk_(job.plan),
+          in_turn_(job.options.core.build == Build::kSerial),
+          pace_(hls::samples_ahead(timed_core(job.options.core))) {}
 
     void take(const Sample& drawn) {
         bool first = samples_ == 0;

@@ -19,8 +19,8 @@ class PredictedPace {
           serial_(core.build == Build::kSerial),
           latency_(hls::sample_latency(timed_core(core))),
           change_{change_clocks(core, false), change_clocks(core, true)},
-          sample_clocks_(
-              change_[plan.segments.front().kind == ref::Segment::Kind::kSpline].sample) {}
+          sample_clocks_(change_[plan.segments.front().kind == ref::Segment::Kind::kSpline].sample),
+          pace_(hls::samples_ahead(timed_core(core))) {}
 
     /// The next sample, `s` quanta along the path.
     void sample(std::uint64_t s) {

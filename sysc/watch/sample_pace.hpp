@@ -11,20 +11,23 @@
 namespace curvecore::sysc {
 
 /// Samples came as fast as the core gave them. Taken at a period of T clocks instead, with
-/// requests always waiting, sample n is due (n - k) T after sample k, and the kSamplesAhead samples
+/// requests always waiting, sample n is due (n - k) T after sample k, and the samples
 /// that the core holds make up for as many periods. So time is kept if for all k < n
 ///
-///     clock[n] - clock[k] <= (n - k + kSamplesAhead) T
+///     clock[n] - clock[k] <= (n - k + ahead) T
 ///
-/// and the least T is the largest slope from (k, clock[k]) to (n + kSamplesAhead, clock[n]): k is a
+/// and the least T is the largest slope from (k, clock[k]) to (n + ahead, clock[n]): k is a
 /// corner of the lower convex hull of the points before n.
 ///
 /// A core that makes steps beside the samples is told `sample` of those only that are the first of
 /// their step: between others it runs ahead of T without making a step the sooner.
 class SamplePace {
   public:
+    /// `ahead`: samples that the core holds, hls::samples_ahead()
+    explicit SamplePace(int ahead) : ahead_(ahead) {}
+
     void sample(std::uint64_t n, std::uint64_t clock) {
-        const Point due{static_cast<double>(n + hls::kSamplesAhead), static_cast<double>(clock)};
+        const Point due{static_cast<double>(n) + ahead_, static_cast<double>(clock)};
         if (!hull_.empty()) period_ = std::max(period_, steepest(due));
         const Point point{static_cast<double>(n), static_cast<double>(clock)};
         while (hull_.size() > 1 &&
@@ -61,6 +64,7 @@ class SamplePace {
     }
 
     std::vector<Point> hull_;
+    int ahead_;
     double period_ = 0;
 };
 

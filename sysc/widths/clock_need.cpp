@@ -12,7 +12,7 @@ namespace {
 ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool splines,
                       double period) {
     const hls::Clocks change = change_clocks(parameters, splines);
-    const double window = (1 + hls::kSamplesAhead) * period;
+    const double window = (1 + hls::samples_ahead(timed_core(parameters))) * period;
     const double segments = std::ceil(load.segments * window);
     const double steps = std::ceil(load.steps * window);
     const double pauses = segments * change.segment + std::max(0.0, steps - segments) * change.step;

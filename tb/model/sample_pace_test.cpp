@@ -24,7 +24,8 @@ TEST(SamplePace, IsTheLeastPeriodAtWhichNoSampleIsLate) {
     std::mt19937 random(1);
     for (int round = 0; round < 200; ++round) {
         std::vector<double> clock{0};
-        SamplePace pace;
+        const int ahead = 1 + round % 2;
+        SamplePace pace(ahead);
         pace.sample(0, 0);
         for (unsigned n = 1; n < 60; ++n) {
             clock.push_back(clock.back() + 1 + random() % (random() % 10 == 0 ? 300 : 5));
@@ -33,8 +34,7 @@ TEST(SamplePace, IsTheLeastPeriodAtWhichNoSampleIsLate) {
         double most = 0;
         for (std::size_t n = 1; n < clock.size(); ++n) {
             for (std::size_t k = 0; k < n; ++k) {
-                most = std::max(
-                    most, (clock[n] - clock[k]) / static_cast<double>(n - k + hls::kSamplesAhead));
+                most = std::max(most, (clock[n] - clock[k]) / (static_cast<double>(n - k) + ahead));
             }
         }
         ASSERT_DOUBLE_EQ(pace.period(), most) << round;
