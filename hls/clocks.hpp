@@ -122,8 +122,9 @@ constexpr Clocks serial_arc_clocks(const TimedCore& core) {
 constexpr Clocks serial_spline_clocks(const TimedCore& core) {
     const int order = core.order;
     const int sample = kRotation * sample_frames(core, true);
-    const int network =
-        4 * order * order + 37 * order + (core.series ? 3 * order * (order + 11) / 2 - 9 : 0);
+    const int network = 4 * order * order + 37 * order +
+                        (core.series ? 3 * order * (order + 11) / 2 - 9 : 0) +
+                        (core.series && order == 2 ? 11 : 0);  // its short sums wait for each other
     return {serial_sample_clocks(core, true), network + 2 * order + sample + 120,
             network + sample + 3 * core.aux_axes + 162};
 }

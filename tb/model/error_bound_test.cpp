@@ -50,8 +50,8 @@ double worst_error(const ref::Segment& segment, std::mt19937_64& random, Spoil s
             for (std::size_t axis = 0; axis < C::kAxes; ++axis) {
                 const double truth =
                     axis < 3 ? exact[static_cast<int>(axis)] : ref::exact_aux(segment, axis - 3, s);
-                const double got = std::ldexp(
-                    static_cast<double>(hls::to_int(out[axis])), -C::kGuardBits);
+                const double got =
+                    std::ldexp(static_cast<double>(hls::to_int(out[axis])), -C::kGuardBits);
                 worst = std::max(worst, std::abs(got - truth));
             }
         }

@@ -9,9 +9,9 @@
 
 #include "ref/curve/curve_follower.hpp"
 #include "ref/segment/geometry.hpp"
+#include "sysc/host/value_ranges.hpp"
 #include "sysc/widths/built_in_curves.hpp"
 #include "sysc/widths/exact_samples.hpp"
-#include "sysc/host/value_ranges.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -333,8 +333,7 @@ TEST(FeedProfile, HoldsStayWithinTheAccelerationLimit) {
         for (int tick = 0; next == 0 || kernel.active(); ++tick) {
             const bool hold = tick >= hold_at && tick < hold_at + 4000;
             const std::int32_t rate = scaler.tick(hold ? 0 : 1 << 16);
-            const std::int64_t ds =
-                hls::to_int(kernel.tick(rate, feed, hold));
+            const std::int64_t ds = hls::to_int(kernel.tick(rate, feed, hold));
             s += ds;
             const double v = static_cast<double>(ds) * quantum / plan.tick_s;
             worst = std::max(worst, std::abs(v - before) / plan.tick_s);

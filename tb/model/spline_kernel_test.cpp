@@ -80,8 +80,7 @@ void expect_series(int steps) {
                 if (i < C::kTop) {
                     check(network.W[k][i], kBits + 1, words.W(k, i));
                 }
-                if (C::kSeries)
-                    check(network.x[k][i], kBits - 2, words.x(k, i));
+                if (C::kSeries) check(network.x[k][i], kBits - 2, words.x(k, i));
             }
         }
     }
