@@ -5,12 +5,12 @@
 #include <functional>
 #include <optional>
 
+#include "sysc/host/run_time_format.hpp"
 #include "sysc/widths/cost_model.hpp"
 #include "sysc/widths/error_figures.hpp"
 #include "sysc/widths/exact_samples.hpp"
 #include "sysc/widths/multiplier_bits.hpp"
 #include "sysc/widths/segmented_program.hpp"
-#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 
