@@ -130,13 +130,14 @@ int run(const std::vector<std::string>& arguments, const fs::path& log) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// The line of a tool's output that says what went wrong.
-std::string first_error(const fs::path& log) {
+/// What went wrong by a tool's output: its first line with an error, or its last.
+std::string reason_in(const fs::path& log) {
     std::ifstream lines(log);
-    for (std::string line; std::getline(lines, line);) {
+    std::string last;
+    for (std::string line; std::getline(lines, line); last = line) {
         if (line.find("rror") != std::string::npos) return line;
     }
-    return "no error in its output";
+    return last;
 }
 
 /// Verilator's parameters of the top module.
@@ -219,7 +220,7 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
     }
     if (run(command, log) != 0) {
         throw std::runtime_error(
-            fmt::format("the core could not be made: {}; see {}", first_error(log), log.string()));
+            fmt::format("the core could not be made: {}; see {}", reason_in(log), log.string()));
     }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");

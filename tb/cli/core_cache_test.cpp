@@ -113,9 +113,10 @@ TEST_F(MadeCore, ThatCannotBeMadeLeavesNothingButItsLog) {
              "echo no more space; exit 1");
     const ProgramResult result = run("PATH=" + tools + ":$PATH RUN out -q");
     EXPECT_EQ(result.status, 1);
-    const std::size_t at = result.err.find("the core could not be made: see ");
+    const std::string reason = "the core could not be made: no more space; see ";
+    const std::size_t at = result.err.find(reason);
     ASSERT_NE(at, std::string::npos) << result.err;
-    std::string log = result.err.substr(at + 32);
+    std::string log = result.err.substr(at + reason.size());
     log.pop_back();
     std::ifstream file(log);
     std::string line;
