@@ -41,7 +41,7 @@ build/curvecore choose --error 1nm --radius 1m --feed 60m/min --device ecp5-25 \
 build/curvecore choose --error 1nm --length 10mm --feed 1m/min --device ecp5-25 \
   --build parallel -q -o build/figures/choose/splines
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
-  --sample-rate 500kHz >build/figures/choose/impossible.txt || [ $? = 3 ]
+  --sample-rate 1MHz >build/figures/choose/impossible.txt || [ $? = 3 ]
 build/curvecore compare --curves splines --set Order=4 --set CoefBits=24:36:4 --set Mode=1 \
   --set ParameterGuard=0,4,8 --segments 1000 -q -o build/figures/parameter_guard
 for part in arcs demo; do
