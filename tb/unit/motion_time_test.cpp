@@ -31,15 +31,15 @@ class MotionTime : public MotionInterpolator {
         return core;
     }
 
-    /// A plan for a core that has `faster` times so many clocks in a sample period; for a machine
-    /// that stops quickly, since else the bench's short queues would bound the speed.
+    /// A plan for so many clocks in a sample period; for a machine that stops quickly, since else
+    /// the bench's short queues would bound the speed.
     /// @returns moves that the queues slowed
-    std::size_t planned(const ref::Program& program, int period, double faster) {
+    std::size_t planned(const ref::Program& program, int period) {
         constexpr double kPeriod = 100e-6;
         ref::PlanOptions options;
         options.sample_period_s = kPeriod;
         options.format = core();
-        options.core = core_time(core(), faster * period / kPeriod);
+        options.core = core_time(core(), period / kPeriod);
         options.segment_queue_words = CFG_SegmentQueueWords;
         options.profile_queue_words = CFG_ProfileQueueWords;
         ref::Machine machine;
@@ -94,14 +94,14 @@ TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
     const int least = std::max(8, static_cast<int>(std::ceil(clocks)));
     for (const int period : {least, std::max(60, 2 * least)}) {
         for (unsigned seed = 1; seed <= 2; ++seed) {
-            EXPECT_EQ(planned(tiny_program(seed), period, 1), 0);
+            EXPECT_EQ(planned(tiny_program(seed), period), 0);
             EXPECT_EQ(late_samples(period), 0) << period << " clocks, seed " << seed;
             EXPECT_GT(samples_, 100);
             start_afresh();
         }
     }
     // Control: samples are taken twice as fast as was planned.
-    planned(even_lines(1000), least, 1);
+    planned(even_lines(1000), least);
     EXPECT_GT(late_samples(least / 2), 0);
 }
 
