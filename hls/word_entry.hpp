@@ -56,10 +56,11 @@ class FrameEntry {
 }  // namespace detail
 
 /// Segments for a core with or without splines.
-template <class C, bool kSplines>
-class SegmentEntry : public detail::FrameEntry {
+template <class C>
+class SegmentEntry : public detail::FrameEntry, private C {
   public:
-    SegmentEntry() : FrameEntry(Tag::kLength) {}
+    SegmentEntry(const C& format, bool splines)
+        : FrameEntry(Tag::kLength), C(format), splines_(splines) {}
 
     Entry take(std::uint64_t word) {
         const bool completes = tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
@@ -101,7 +102,7 @@ class SegmentEntry : public detail::FrameEntry {
         const bool turn = C::kTurnBits == 0 ? theta < one : theta <= one >> C::kTurnBits;
         const bool phi = theta < one && theta >= one / 2;
         return get(kStepExponentField, word) <= kMaxStepExponent &&
-               ((kind == 0 && turn) || (kind == 1 && kSplines && phi));
+               ((kind == 0 && turn) || (kind == 1 && splines_ && phi));
     }
 
     bool lambda_can_be(std::uint64_t word) const {
@@ -123,6 +124,7 @@ class SegmentEntry : public detail::FrameEntry {
         }
     }
 
+    bool splines_;
     int axis_ = 0;
     bool spline_ = false;
     std::uint64_t k_ = 0;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what is missing, builds everything, runs every test; names the slowest ten at the end.
+# Installs what is missing, builds everything, runs every test but those of label long, which
+# scripts/campaign.sh runs; names the slowest ten at the end.
 # With a label: builds what its tests need, and runs those.
 #
 #   scripts/test.sh [-L LABEL] [-R REGEX] [--preset release|debug|asan|coverage]
@@ -29,7 +30,7 @@ while [ $# -gt 0 ]; do
       shift
       ;;
     -h | --help)
-      sed -n '3,8s/^# \{0,1\}//p' "$0"
+      sed -n '3,9s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     *) options+=("$1") ;;
@@ -45,7 +46,7 @@ cmake --build --preset "$preset" -j "$(nproc)" --target "${targets[@]:-all}"
 # Failures are shown as they come; passed tests are counted only.
 log=build/$preset/tests.log
 status=0
-ctest --preset "$preset" "${options[@]}" 2>&1 | tee "$log" |
+ctest --preset "$preset" -LE "^long$" "${options[@]}" 2>&1 | tee "$log" |
   awk '/tests passed/ {end = 1} !end && !/^ *Start +[0-9]+:|\.+ +Passed /' || status=$?
 echo "Slowest tests:"
 sed -nE 's|^ *[0-9]+/[0-9]+ +Test +#[0-9]+: +([^ ]+) .* ([0-9.]+) sec.*|\2 s  \1|p' "$log" |

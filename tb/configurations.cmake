@@ -90,7 +90,7 @@ foreach(size 6,36,0,42,10,0,1,1,1 6,36,0,42,10,2,1,1,0 6,36,0,42,10,0,0,1,0 6,36
   read_row(${size} order coef parameter fine guard aux mode anchor form)
   core_test(spline_steps
             p${order}_w${coef}_u${parameter}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
-            TOP spline_steps LIBRARIES curvecore_ref
+            TOP spline_steps LIBRARIES curvecore_host
             PARAMS Order=${order} CoefBits=${coef} ParameterGuard=${parameter} FineBits=${fine}
                    GuardBits=${guard} AuxAxes=${aux} Mode=${mode} Anchor=${anchor} Form=${form})
 endforeach()
@@ -106,18 +106,25 @@ illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 # The cores: a table each, in which every legal pair of values stands (lint/configurations.py says
 # of which classes). The long campaign runs those of configurations/long too.
 option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
-core_tests(spherical_interpolator TOP spherical_interpolator)
-core_tests(spherical_interpolator_serial TOP curve_interpolator_serial)
-core_tests(curve_interpolator_serial TOP curve_interpolator_serial PARAMS Splines=1
-           LIBRARIES curvecore_ref)
-core_tests(spline_interpolator TOP spline_interpolator LIBRARIES curvecore_ref)
-core_tests(curve_interpolator TOP curve_interpolator LIBRARIES curvecore_ref)
-core_tests(motion_interpolator TOP motion_interpolator
-           TESTS motion_interpolator motion_hold motion_time motion_words
-           PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 LIBRARIES curvecore_host)
+foreach(bench spherical_interpolator spherical_interpolator_serial curve_interpolator_serial
+              spline_interpolator curve_interpolator empty_segments)
+  bench_objects(${bench})
+endforeach()
+bench_objects(motion_interpolator TESTS motion_interpolator motion_hold motion_time motion_words)
+core_tests(spherical_interpolator TOP spherical_interpolator PORTS curve)
+core_tests(spherical_interpolator_serial TOP curve_interpolator_serial PORTS curve)
+core_tests(curve_interpolator_serial TOP curve_interpolator_serial PORTS curve PARAMS Splines=1)
+core_tests(spline_interpolator TOP spline_interpolator PORTS curve)
+core_tests(curve_interpolator TOP curve_interpolator PORTS curve)
+core_tests(motion_interpolator TOP motion_interpolator PORTS motion
+           PARAMS SegmentQueueWords=4096 ProfileQueueWords=512)
+
+set(small PARAMS Order=2 CoefBits=18 PositionBits=16 GuardBits=2 AuxAxes=0 Mode=0)
+core_test(empty_segments parallel TOP spherical_interpolator PORTS curve ${small})
+core_test(empty_segments serial TOP curve_interpolator_serial PORTS curve ${small})
 
 # Clocks of arcs in the serial core of both curves.
-core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial
+core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_serial PORTS curve
           PARAMS Splines=1 Order=5 CoefBits=33 PositionBits=32 GuardBits=9 AuxAxes=1 Mode=1)
 
 # Both builds with the multipliers of ECP5 and UP5K inside.
@@ -126,14 +133,13 @@ foreach(form 1 2)
            MultiplierForm=${form})
   foreach(interval 1 4)
     core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
-              ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
+              PORTS curve ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
-  core_test(spherical_interpolator ${form_${form}}_t8 TOP spherical_interpolator
+  core_test(spherical_interpolator ${form_${form}}_t8 TOP spherical_interpolator PORTS curve
             PARAMS Order=3 CoefBits=28 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
                    SampleInterval=1 TurnBits=8 MultiplierForm=${form}
             SOURCES ${primitives_${form}})
-  core_test(curve_interpolator_serial ${form_${form}} TOP curve_interpolator_serial
-            LIBRARIES curvecore_ref
+  core_test(curve_interpolator_serial ${form_${form}} TOP curve_interpolator_serial PORTS curve
             PARAMS Splines=1 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=1
                    MultiplierForm=${form}
             SOURCES ${primitives_${form}})

@@ -15,7 +15,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -188,7 +187,7 @@ std::string CoreCache::digest(const CoreParameters& parameters) const {
     }
     for (const std::string& parameter : model_parameters(parameters)) digest.add(parameter);
     digest.add(CURVECORE_VERILATOR_VERSION);
-    digest.add(CURVECORE_CXX " " CURVECORE_CXX_VERSION " " CURVECORE_CORE_FLAGS);
+    digest.add(CURVECORE_CXX " " CURVECORE_CXX_VERSION);
     return digest.text();
 }
 
@@ -205,16 +204,13 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
     const fs::path log = folder.string() + ".log";
     fs::remove_all(folder);
     fs::remove_all(work);
-    std::vector<std::string> command{
-        "env",
-        "VERILATOR=verilator",
-        fmt::format("CXX={}", CURVECORE_CXX),
-        fmt::format("CFLAGS={}", CURVECORE_CORE_FLAGS),
-        fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
-        fmt::format("JOBS={}", std::max(1U, std::thread::hardware_concurrency())),
-        sources_ / "sysc/cmake/make_core.sh",
-        sources_,
-        work / "model"};
+    std::vector<std::string> command{"env",
+                                     "VERILATOR=verilator",
+                                     fmt::format("CXX={}", CURVECORE_CXX),
+                                     fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
+                                     sources_ / "sysc/cmake/make_core.sh",
+                                     sources_,
+                                     work / "model"};
     for (std::string& parameter : model_parameters(parameters)) {
         command.push_back(std::move(parameter));
     }

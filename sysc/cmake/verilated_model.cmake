@@ -23,19 +23,12 @@ target_compile_definitions(verilator_runtime PUBLIC VM_SC=0 VM_TRACE=1 VM_TRACE_
 target_compile_options(verilator_runtime PRIVATE -w)
 if(CURVECORE_SANITIZE)
   # GTKWave's writer of waveforms, in Verilator's library, shifts negative words and stores words
-  # where they fall; the models' own part of it (cflags below) only the latter.
+  # where they fall. Models are not instrumented: their C++ is Verilator's.
   target_compile_options(verilator_runtime PRIVATE -fno-sanitize=undefined)
 endif()
 find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
-
-# Flags of the models' C++.
-set(VERILATED_CFLAGS "-std=c++17 -w")
-if(CURVECORE_SANITIZE)
-  string(APPEND VERILATED_CFLAGS " -fsanitize=address,undefined -fno-sanitize=alignment"
-         " -fno-sanitize-recover=all")
-endif()
 
 function(verilated_model target)
   cmake_parse_arguments(ARG "TRACE" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
@@ -56,7 +49,7 @@ function(verilated_model target)
   add_custom_command(
     OUTPUT ${archive}
     BYPRODUCTS ${dir}/${ARG_PREFIX}.h
-    COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}" "CFLAGS=${VERILATED_CFLAGS}"
+    COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}"
             "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
             ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
             ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file}

@@ -18,6 +18,7 @@ hls::TimedCore timed_core(const CoreParameters& parameters) {
     core.series = parameters.mode == 0;
     core.splines = parameters.splines != 0;
     core.sample_interval = parameters.sample_interval;
+    core.anchor = parameters.anchor != 0;
     return core;
 }
 

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
-#           [LIBRARIES target ...] [TESTS <test> ...])
-# builds tb/unit/<test>_test.cpp, or those of TESTS, against the module in that configuration; its
-# tests are called unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in
-# "V<module>.h"; Name=Value reaches the test as CFG_Name.
+#           [LIBRARIES target ...])
+# builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
+# unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
+# reaches the test as CFG_Name.
+#
+# core_test(<bench> <configuration> TOP <module> PORTS curve|motion [PARAMS ...] [SOURCES ...])
+# the same for a bench of any widths, compiled once: bench_objects(<bench>).
 
 # Reading these is two thirds of a test's compilation: once for all.
 set(nothing ${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp)
@@ -14,41 +17,62 @@ target_link_libraries(core_test_headers PRIVATE curvecore_options verilator_runt
 target_precompile_headers(core_test_headers PRIVATE <gtest/gtest.h> <verilated.h> <Eigen/Geometry>
                           <algorithm> <array> <functional> <map> <random> <string> <vector>)
 
-function(core_test test configuration)
-  cmake_parse_arguments(ARG "" "TOP" "PARAMS;SOURCES;LIBRARIES;TESTS" ${ARGN})
+# bench_objects(<bench> [TESTS <test> ...]): bench_<bench>, of <bench>_test.cpp or those of TESTS
+function(bench_objects bench)
+  cmake_parse_arguments(ARG "" "" "TESTS" ${ARGN})
   if(NOT ARG_TESTS)
-    set(ARG_TESTS ${test})
+    set(ARG_TESTS ${bench})
   endif()
+  list(TRANSFORM ARG_TESTS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tb/unit/\\1_test.cpp"
+       OUTPUT_VARIABLE files)
+  add_library(bench_${bench} OBJECT ${files})
+  target_link_libraries(bench_${bench} PUBLIC curvecore_host GTest::gtest_main
+                                       PRIVATE verilator_runtime)
+  target_precompile_headers(bench_${bench} REUSE_FROM core_test_headers)
+endfunction()
+
+# core_bench(<target> <bench> MODEL <verilated model> TOP <module> PORTS curve|motion PARAMS ...)
+# An executable: the bench's objects with support/<ports>_model.cpp for that configuration.
+function(core_bench target bench)
+  cmake_parse_arguments(ARG "" "MODEL;TOP;PORTS" "PARAMS" ${ARGN})
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/support/${ARG_PORTS}_model.cpp)
+  target_precompile_headers(${target} REUSE_FROM core_test_headers)
+  list(JOIN ARG_PARAMS " " text)
+  target_compile_definitions(${target} PRIVATE MODEL=V${ARG_TOP} MODEL_HEADER="V${ARG_TOP}.h"
+                                               CONFIGURATION="${text}")
+  target_link_libraries(${target} PRIVATE bench_${bench} ${ARG_MODEL})
+endfunction()
+
+function(core_test test configuration)
+  cmake_parse_arguments(ARG "" "TOP;PORTS" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
   set(target ${test}_${configuration})
   # Tests of one module in one configuration share the model.
   string(REGEX REPLACE "[=;]" "_" model "${ARG_TOP};${ARG_PARAMS};model")
   if(NOT TARGET ${model})
     verilated_model(${model} TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES})
   endif()
-  list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
-  list(TRANSFORM ARG_TESTS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tb/unit/\\1_test.cpp"
-       OUTPUT_VARIABLE files)
-  add_executable(${target} ${files})
-  list(LENGTH files count)
-  if(count GREATER 1)
-    # They read the same headers: once.
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
+  if(ARG_PORTS)
+    core_bench(${target} ${test} MODEL ${model} TOP ${ARG_TOP} PORTS ${ARG_PORTS}
+               PARAMS ${ARG_PARAMS})
+  else()
+    add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
+    target_precompile_headers(${target} REUSE_FROM core_test_headers)
+    list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
+    target_compile_definitions(${target} PRIVATE ${definitions})
+    target_link_libraries(${target} PRIVATE ${model} curvecore_options curvecore_hls
+                                            ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   endif()
-  target_precompile_headers(${target} REUSE_FROM core_test_headers)
-  target_compile_definitions(${target} PRIVATE ${definitions})
-  target_link_libraries(${target} PRIVATE ${model} curvecore_options curvecore_hls
-                                          ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
                        PROPERTIES LABELS unit)
   label_needs(unit ${target})
 endfunction()
 
-# core_tests(<test> TOP <module> [PARAMS Name=Value ...] ...)
-# A core_test for every row of configurations/<test>.csv, called by its values.
+# core_tests(<bench> TOP <module> PORTS curve|motion [PARAMS Name=Value ...])
+# A core_test for every row of configurations/<bench>.csv, called by its values.
 set(letters Order=p CoefBits=w PositionBits=b GuardBits=g AuxAxes=a Mode=m Anchor=n SampleInterval=i
             ParameterGuard=u TurnBits=t Splines=s Build=build)
 function(core_tests test)
-  cmake_parse_arguments(ARG "" "TOP" "PARAMS;LIBRARIES;TESTS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TOP;PORTS" "PARAMS" ${ARGN})
   set(tables ${test}.csv)
   if(CURVECORE_FULL_CAMPAIGN)
     file(GLOB more RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/configurations
@@ -71,8 +95,7 @@ function(core_tests test)
         list(APPEND name ${CMAKE_MATCH_2}${value})
       endforeach()
       list(JOIN name _ name)
-      core_test(${test} ${name} TOP ${ARG_TOP} PARAMS ${params} LIBRARIES ${ARG_LIBRARIES}
-                TESTS ${ARG_TESTS})
+      core_test(${test} ${name} TOP ${ARG_TOP} PORTS ${ARG_PORTS} PARAMS ${params})
     endforeach()
   endforeach()
 endfunction()

@@ -5,6 +5,7 @@
 // configuration: order_2 Order=2 AuxAxes=4 Mode=0 Splines=1
 // configuration: order_6 Order=6 AuxAxes=0 Mode=0 Splines=0
 // configuration: order_12 Order=12 AuxAxes=6 Mode=1 Splines=1
+// long: proved.order_12
 // control: WAIT_MISSING s/61'h101501a01a0b801b/61'h001501a01a0b801b/
 // control: MARK_MISSING s/61'h0c1101b0a0081501/61'h041101b0a0081501/
 // control: TENTH_CLOCK

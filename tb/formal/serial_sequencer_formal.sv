@@ -9,6 +9,7 @@
 // configuration: order_2 Order=2 AuxAxes=4 Mode=0 Splines=1
 // configuration: order_6 Order=6 AuxAxes=0 Mode=0 Splines=0
 // configuration: order_12 Order=12 AuxAxes=6 Mode=1 Splines=1
+// long: proved.order_12
 // control: LOSES_SAMPLE s/active_q\[turn_q\] <= 1'b1;/active_q[turn_q] <= !land_i;/
 // control: STARTS_LATE s/run \&\& word_q == 2'd0 \&\& turn_q/run \&\& turn_q/
 // control: MIXES_SAMPLES s/2'(Spacing)/2'(Spacing - 1)/

@@ -24,6 +24,7 @@ CoreParameters setting_of() {
                            C::kTurnBits,
                            C::kParameterGuard};
     setting.anchor = C::kAnchor ? 1 : 0;
+    setting.aux_axes = C::kAuxAxes;
     return setting;
 }
 
@@ -35,6 +36,13 @@ BusWords<C> packed(const hls::SegmentWords<Format>& segment, const Format& forma
     BusWords<C> bus;
     hls::pack(segment, 7, bus.data(), format);
     return bus;
+}
+
+/// A segment in words of the type's widths.
+template <class C>
+hls::SegmentWords<C> typed(const RunSegment& segment, const RunTimeFormat& format) {
+    const BusWords<C> bus = packed<C>(segment, format);
+    return hls::unpack_segment<C>([next = bus.begin()]() mutable { return *next++; });
 }
 
 template <class C>
@@ -54,17 +62,15 @@ TYPED_TEST_SUITE(RunTimeFormatOf, Cores);
 
 TYPED_TEST(RunTimeFormatOf, DrawsTheSameSamples) {
     using C = TypeParam;
-    MixedSegments<C> random(5);
+    MixedSegments random(setting_of<C>(), 5);
     std::vector<hls::SegmentWords<C>> words;
     std::vector<RunSegment> segments;
     ValueRanges ranges(C::kCoefBits);
     const RunTimeFormat format(setting_of<C>(), C::kAxes, &ranges);
     std::int64_t length = 0;
     while (words.size() < 400) {
-        words.push_back(random.next());
-        const BusWords<C> bus = packed<C>(words.back(), C());
-        segments.push_back(
-            hls::unpack_segment([next = bus.begin()]() mutable { return *next++; }, format));
+        segments.push_back(random.next());
+        words.push_back(typed<C>(segments.back(), format));
         length += words.back().length;
     }
     RunTimeKernel run(format);

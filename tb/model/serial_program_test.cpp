@@ -13,33 +13,39 @@
 namespace curvecore::tb {
 namespace {
 
-using hls::SamplerMode;
+class SerialProgram : public testing::TestWithParam<CoreParameters> {};
 
-template <class C>
-class SerialProgram : public testing::Test {};
+CoreParameters widths(int order, int coef, int position, int guard, int aux, int mode) {
+    CoreParameters core;
+    core.order = order;
+    core.coef_bits = coef;
+    core.position_bits = position;
+    core.guard_bits = guard;
+    core.aux_axes = aux;
+    core.mode = mode;
+    return core;
+}
 
-using Configurations =
-    testing::Types<hls::Configuration<2, 18, 16, 2, 0, SamplerMode::kPolynomial>,
-                   hls::Configuration<3, 20, 20, 4, 1, SamplerMode::kSeries>,
-                   hls::Configuration<4, 36, 32, 10, 0, SamplerMode::kPolynomial>,
-                   hls::Configuration<5, 24, 24, 8, 4, SamplerMode::kPolynomial>,
-                   hls::Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>,
-                   hls::Configuration<7, 27, 28, 7, 6, SamplerMode::kPolynomial>,
-                   hls::Configuration<8, 36, 32, 12, 0, SamplerMode::kPolynomial>,
-                   hls::Configuration<9, 35, 31, 11, 0, SamplerMode::kSeries>,
-                   hls::Configuration<10, 33, 32, 9, 0, SamplerMode::kPolynomial>,
-                   hls::Configuration<11, 29, 26, 5, 0, SamplerMode::kPolynomial>,
-                   hls::Configuration<12, 36, 32, 10, 2, SamplerMode::kSeries>>;
-TYPED_TEST_SUITE(SerialProgram, Configurations);
+INSTANTIATE_TEST_SUITE_P(Widths, SerialProgram,
+                         testing::Values(widths(2, 18, 16, 2, 0, 1), widths(3, 20, 20, 4, 1, 0),
+                                         widths(4, 36, 32, 10, 0, 1), widths(5, 24, 24, 8, 4, 1),
+                                         widths(6, 36, 32, 10, 0, 0), widths(7, 27, 28, 7, 6, 1),
+                                         widths(8, 36, 32, 12, 0, 1), widths(9, 35, 31, 11, 0, 0),
+                                         widths(10, 33, 32, 9, 0, 1), widths(11, 29, 26, 5, 0, 1),
+                                         widths(12, 36, 32, 10, 2, 0)),
+                         [](const testing::TestParamInfo<CoreParameters>& core) {
+                             return "order_" + std::to_string(core.param.order);
+                         });
 
-TYPED_TEST(SerialProgram, MakesTheKernelsWords) {
-    using C = TypeParam;
-    SplineSegments<C> shapes(3);
-    SerialMachine<C> machine;
-    hls::SplineKernel<C> kernel;
+TEST_P(SerialProgram, MakesTheKernelsWords) {
+    ValueRanges ranges(GetParam().coef_bits);
+    const RunTimeFormat format(GetParam(), GetParam().axes(), &ranges);
+    SplineSegments shapes(GetParam(), 3);
+    SerialMachine machine(format);
+    hls::SplineKernel<RunTimeFormat> kernel(format);
     std::mt19937_64 random(5);
     for (int n = 0; n < 60; ++n) {
-        hls::SegmentWords<C> words = shapes.next();
+        RunSegment words = shapes.next();
         if (n % 2 == 0) words.step_exponent %= 1 + n % 20;  // shorter steps are legal
         const int64_t step = int64_t{1} << (words.step_exponent + hls::kPathFrac);
         const int64_t steps = std::min<int64_t>(words.length / step, 3);
@@ -51,11 +57,11 @@ TYPED_TEST(SerialProgram, MakesTheKernelsWords) {
                 kernel.step();
             }
             const auto sigma = static_cast<int64_t>(random() % static_cast<unsigned long>(step));
-            hls::Word<C::kFineBits> drawn[C::kAxes];
-            hls::Word<C::kFineBits> expected[C::kAxes];
+            std::int64_t drawn[kMostAxes];
+            std::int64_t expected[kMostAxes];
             machine.sample(sigma, drawn);
             kernel.sample(sigma, expected);
-            for (int axis = 0; axis < C::kAxes; ++axis) {
+            for (int axis = 0; axis < GetParam().axes(); ++axis) {
                 ASSERT_EQ(drawn[axis], expected[axis]) << "segment " << n << " step " << m;
             }
         }

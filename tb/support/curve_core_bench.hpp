@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench for a core that draws curves against hls::InterpolatorKernel: segments and requests go
-// in, samples are compared bit for bit.
+// A bench for a core that draws curves against hls::MotionKernel: segments and requests go in,
+// samples are compared bit for bit. The widths are those of the core that it is linked with.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,11 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "hls/clocks.hpp"
-#include "hls/interpolator_kernel.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/core_configuration.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/host/core_clocks.hpp"
+#include "tb/support/curve_ports.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/sample_campaign.hpp"
 
@@ -24,40 +21,43 @@ namespace curvecore::tb {
 
 using namespace sysc;
 
-using Fine = std::array<int64_t, kAxes>;
+using Fine = std::array<int64_t, kMostAxes>;
 
-constexpr hls::TimedCore timed_core(bool serial, bool arcs, bool splines) {
-    return {serial, Config::kOrder, Config::kCoefBits,  Config::kAuxAxes, CFG_Mode == 0,
-            arcs,   splines,        CFG_SampleInterval, Config::kAnchor};
-}
-
-/// Kernel: of the curve; Shapes: its segments, `next()` and `whole(k, steps)`.
-/// Rounds: of 500 samples.
-template <class Model, class Kernel = hls::SphericalKernel<Config>,
-          class Shapes = LegalSegments<Config>, int Rounds = 60>
+/// Shapes: of segments, `next()` and `whole(k, steps)`. Rounds: of 500 samples.
+template <class Shapes, int Rounds>
 class CurveCoreBench : public testing::Test {
   protected:
-    using Campaign = SampleCampaign<Model, Kernel, Shapes>;
+    using Segments = std::vector<RunSegment>;
+    using Campaign = SampleCampaign<Shapes>;
 
     CurveCoreBench() {
         dut_.limit_cycles(20'000'000);
-        dut_->segment_valid_i = 0;
-        dut_->request_valid_i = 0;
-        dut_->sample_ready_i = 0;
         dut_.reset();
     }
 
-    void add(const hls::SegmentWords<Config>& segment) {
+    /// The core for hls/clocks.hpp. What a module's own parameters cannot say: its build and
+    /// curves.
+    static hls::TimedCore timed(Build build, bool arcs, bool splines) {
+        CoreParameters core = core_configuration().parameters;
+        core.build = build;
+        core.splines = splines ? 1 : 0;
+        hls::TimedCore timed = timed_core(core);
+        timed.arcs = arcs;
+        return timed;
+    }
+
+    void add(const RunSegment& segment) {
         segments_.push_back(segment);
-        std::array<uint64_t, hls::segment_bus_words<Config>()> words;
-        hls::pack(segment, 0, words.data());
+        std::vector<uint64_t> words(
+            static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes)));
+        hls::pack(segment, 0, words.data(), format_);
         bus_.insert(bus_.end(), words.begin(), words.end());
     }
 
     /// What the kernel says of a request; `more()` adds segments when the path needs them.
     template <class More>
     Fine predict(int64_t ds, More&& more) {
-        std::array<typename hls::InterpolatorKernel<Config, Kernel>::Fine, kAxes> fine;
+        Fine fine{};
         kernel_.sample(
             ds,
             [&] {
@@ -67,9 +67,7 @@ class CurveCoreBench : public testing::Test {
             },
             fine.data());
         path_ += ds;
-        Fine words;
-        for (int a = 0; a < kAxes; ++a) words[a] = hls::to_int(fine[a]);
-        return words;
+        return fine;
     }
 
     /// One clock with the given handshakes; a request is taken from, a sample compared with
@@ -94,7 +92,7 @@ class CurveCoreBench : public testing::Test {
         if (sample) last_sample_ = dut_.cycle();
     }
 
-    void drive(ClockedDut<Model>& dut, bool offer_segment, bool offer_request, bool take_sample) {
+    void drive(CurveCore& dut, bool offer_segment, bool offer_request, bool take_sample) {
         dut->segment_valid_i = offer_segment && !bus_.empty();
         dut->segment_data_i = bus_.empty() ? 0 : bus_.front();
         dut->request_valid_i = offer_request && !requests_.empty();
@@ -104,26 +102,23 @@ class CurveCoreBench : public testing::Test {
     }
 
     void compare_with_fresh() {
-        Model& fresh = **fresh_;
+        const CurvePorts& fresh = *fresh_->operator->();
         ASSERT_EQ(dut_->segment_ready_o, fresh.segment_ready_o);
         ASSERT_EQ(dut_->request_ready_o, fresh.request_ready_o);
         ASSERT_EQ(dut_->empty_segments_o, fresh.empty_segments_o);
         ASSERT_EQ(dut_->sample_valid_o, fresh.sample_valid_o);
-        for (int a = 0; a < kAxes && fresh.sample_valid_o; ++a) {
-            ASSERT_EQ(signed_field(dut_->sample_fine_o, a * kFineBits, kFineBits),
-                      signed_field(fresh.sample_fine_o, a * kFineBits, kFineBits));
+        for (int a = 0; a < core_.axes() && fresh.sample_valid_o; ++a) {
+            ASSERT_EQ(dut_->sample_fine_o[a], fresh.sample_fine_o[a]);
         }
     }
 
     void compare() {
         ASSERT_FALSE(expected_.empty()) << "a sample that nobody asked for";
-        for (int a = 0; a < kAxes; ++a) {
-            const int64_t fine = signed_field(dut_->sample_fine_o, a * kFineBits, kFineBits);
-            const int64_t position =
-                signed_field(dut_->sample_position_o, a * kPositionBits, kPositionBits);
+        for (int a = 0; a < core_.axes(); ++a) {
             const int64_t truth = expected_.front()[a];
-            ASSERT_EQ(fine, truth) << "sample " << compared_ << " axis " << a;
-            ASSERT_EQ(position, hls::to_position<Config>(truth)) << "sample " << compared_;
+            ASSERT_EQ(dut_->sample_fine_o[a], truth) << "sample " << compared_ << " axis " << a;
+            ASSERT_EQ(dut_->sample_position_o[a], hls::round_shift(truth, core_.guard_bits))
+                << "sample " << compared_;
         }
         expected_.pop_front();
         ++compared_;
@@ -170,10 +165,10 @@ class CurveCoreBench : public testing::Test {
 
     /// Random requests over random segments, at full speed and with stalls on all three ports.
     void equals_kernel_with_random_stalls() {
-        Shapes shapes(11);
+        Shapes shapes(core_, 11);
         const auto more = [&] { add(shapes.next()); };
-        constexpr int kRounds = kPortable ? Rounds : 8;
-        for (int round = 0; round < kRounds; ++round) {
+        const int rounds = portable() ? Rounds : 8;
+        for (int round = 0; round < rounds; ++round) {
             const int part = round % 4;  // 0: full speed
             const auto chance = [&] {
                 return part == 0 || static_cast<int>(random_() % 4) >= part;
@@ -185,7 +180,7 @@ class CurveCoreBench : public testing::Test {
             }
             ASSERT_NO_FATAL_FAILURE(drain(chance)) << "round " << round;
         }
-        EXPECT_EQ(compared_, kRounds * 500);
+        EXPECT_EQ(compared_, rounds * 500);
         EXPECT_GT(kernel_.segments(), 100);
         EXPECT_GT(kernel_.empty_segments(), 10);
         EXPECT_EQ(dut_->empty_segments_o, kernel_.empty_segments());
@@ -193,11 +188,10 @@ class CurveCoreBench : public testing::Test {
 
     /// One sample per interval, over all of these segments, while steps hold the samples of
     /// `step_clocks`.
-    void gives_one_sample_per_interval(const std::vector<hls::SegmentWords<Config>>& segments,
-                                       int step_clocks) {
-        const int step_samples = (step_clocks + CFG_SampleInterval - 1) / CFG_SampleInterval;
+    void gives_one_sample_per_interval(const Segments& segments, int step_clocks) {
+        const int step_samples = (step_clocks + core_.sample_interval - 1) / core_.sample_interval;
         int64_t count = 0;
-        for (const hls::SegmentWords<Config>& segment : segments) {
+        for (const RunSegment& segment : segments) {
             add(segment);
             const int64_t ds =
                 (int64_t{1} << (segment.step_exponent + hls::kPathFrac)) / step_samples;
@@ -210,14 +204,13 @@ class CurveCoreBench : public testing::Test {
         while (compared_ == 0) clock(true, true, true);
         const uint64_t first = dut_.cycle();
         while (!expected_.empty() && !this->HasFatalFailure()) clock(true, true, true);
-        EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>((count - 1) * CFG_SampleInterval));
+        EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>((count - 1) * core_.sample_interval));
     }
 
     /// Samples that go on by a step each come at the pace of the steps; a sample that waits for its
     /// step is tried every second slot.
-    void takes_the_stated_clocks_a_step(const std::vector<hls::SegmentWords<Config>>& segments,
-                                        int clocks) {
-        for (const hls::SegmentWords<Config>& segment : segments) {
+    void takes_the_stated_clocks_a_step(const Segments& segments, int clocks) {
+        for (const RunSegment& segment : segments) {
             add(segment);
             const int64_t ds = int64_t{1} << (segment.step_exponent + hls::kPathFrac);
             for (int64_t left = segment.length; left > 0; left -= ds) {
@@ -232,7 +225,8 @@ class CurveCoreBench : public testing::Test {
         // The first ones find room ahead; the last one of a segment needs no step after it.
         const std::size_t count = expected_.size() - 9;
         const double first = until(count + 1);
-        EXPECT_NEAR(until(1) - first, static_cast<double>(count) * clocks, 2 * CFG_SampleInterval);
+        EXPECT_NEAR(until(1) - first, static_cast<double>(count) * clocks,
+                    2 * core_.sample_interval);
         until(0);
         start_afresh();
     }
@@ -246,13 +240,13 @@ class CurveCoreBench : public testing::Test {
             while (!expected_.empty()) clock(true, true, true);
             const auto latency = static_cast<int>(last_sample_ - last_request_);
             EXPECT_GE(latency, low);
-            EXPECT_LT(latency, low + CFG_SampleInterval);
+            EXPECT_LT(latency, low + core_.sample_interval);
         }
     }
 
     /// Nothing is lost while nobody takes samples.
     void holds_its_sample_while_stalled() {
-        Shapes shapes(5);
+        Shapes shapes(core_, 5);
         add(shapes.whole(6, 2));
         for (int n = 0; n < 400; ++n) {
             requests_.push_back(10 * n);
@@ -264,19 +258,6 @@ class CurveCoreBench : public testing::Test {
         drain([] { return true; });
     }
 
-    /// The count of empty segments stays at its end.
-    void counts_65535_empty_segments() {
-        hls::SegmentWords<Config> empty = Shapes(5).whole(4, 1);
-        empty.length = 0;
-        for (int n = 0; n < 65540; ++n) add(empty);
-        add(Shapes(5).whole(4, 1));
-        requests_.push_back(10);
-        expected_.push_back(predict(10, [] { FAIL(); }));
-        ASSERT_NO_FATAL_FAILURE(drain([] { return true; }));
-        EXPECT_EQ(kernel_.empty_segments(), 65540);
-        EXPECT_EQ(dut_->empty_segments_o, 65535);
-    }
-
     /// Clocks that are bounded by `bound`, and come as close to it.
     static void reaches(uint64_t clocks, uint64_t bound, uint64_t close) {
         EXPECT_LE(clocks, bound);
@@ -286,7 +267,7 @@ class CurveCoreBench : public testing::Test {
     static constexpr uint64_t kSamples = 60;
 
     /// Clocks for `count` samples of a step after its first.
-    uint64_t clocks_within_a_step(const hls::SegmentWords<Config>& segment, uint64_t count) {
+    uint64_t clocks_within_a_step(const RunSegment& segment, uint64_t count) {
         add(segment);
         for (uint64_t n = 0; n <= count; ++n) {
             requests_.push_back(10);
@@ -307,8 +288,7 @@ class CurveCoreBench : public testing::Test {
     };
 
     /// Segments of two steps of one length, of 2^samples_log2 samples each.
-    void measure(const std::vector<hls::SegmentWords<Config>>& segments, int samples_log2,
-                 Pauses& pauses) {
+    void measure(const Segments& segments, int samples_log2, Pauses& pauses) {
         for (const auto& segment : segments) add(segment);
         const int64_t per_step = 1 << samples_log2;
         const int64_t ds = int64_t{1} << (segments.front().step_exponent + 16 - samples_log2);
@@ -336,7 +316,7 @@ class CurveCoreBench : public testing::Test {
     /// Resets the core, and forgets what it was asked.
     void start_afresh() {
         dut_.reset(1);
-        kernel_ = {};
+        kernel_ = RunTimeKernel(format_);
         segments_.clear();
         bus_.clear();
         requests_.clear();
@@ -349,7 +329,7 @@ class CurveCoreBench : public testing::Test {
     /// After a clock of reset, whatever was under way, it is a fresh core, and so is one whose
     /// registers woke up with anything in them: every output in every clock.
     void starts_afresh_after_a_reset() {
-        Shapes shapes(3);
+        Shapes shapes(core_, 3);
         const auto run = [&](uint64_t clocks) {
             for (; clocks > 0 && !this->HasFatalFailure(); --clocks) {
                 if (requests_.empty()) {
@@ -361,7 +341,7 @@ class CurveCoreBench : public testing::Test {
         };
         for (int round = 0; round < 40; ++round) {
             run(random_() % 1000);
-            fresh_ = std::make_unique<ClockedDut<Model>>(round + 2);
+            fresh_ = std::make_unique<CurveCore>(round + 2);
             (*fresh_)->rst_ni = 1;
             drive(*fresh_, true, true, true);
             fresh_->tick(random_() % 100);
@@ -374,11 +354,14 @@ class CurveCoreBench : public testing::Test {
         EXPECT_GT(compared_, 120);
     }
 
-    ClockedDut<Model> dut_;
-    std::unique_ptr<ClockedDut<Model>> fresh_;  // gets the same inputs, must give the same outputs
-    hls::InterpolatorKernel<Config, Kernel> kernel_;
+    const CoreParameters core_ = core_configuration().parameters;
+    ValueRanges ranges_{core_.coef_bits};
+    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
+    CurveCore dut_;
+    std::unique_ptr<CurveCore> fresh_;  // gets the same inputs, must give the same outputs
+    RunTimeKernel kernel_{format_};
     std::mt19937_64 random_{7};
-    std::vector<hls::SegmentWords<Config>> segments_;
+    Segments segments_;
     size_t drawn_ = 0;      // segments that the kernel has taken
     int64_t path_ = 0;      // of the requests
     int64_t path_end_ = 0;  // of the present segment

@@ -12,20 +12,25 @@
 #include <random>
 #include <vector>
 
-#include "hls/words.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::tb {
+using namespace sysc;
 
-template <class C>
 class LegalSegments {
   public:
     /// Steps of 2^max_step_exponent units at most.
-    explicit LegalSegments(uint64_t seed, int max_step_exponent = hls::kMaxStepExponent)
+    LegalSegments(const CoreParameters& core, uint64_t seed,
+                  int max_step_exponent = hls::kMaxStepExponent)
         // At most eight steps, each of at most 1/64 of the range: all points stay inside.
-        : random_(seed), max_step_exponent_(std::min(max_step_exponent, C::kPositionBits - 7)) {}
+        : core_(core),
+          random_(seed),
+          max_step_exponent_(std::min(max_step_exponent, core.position_bits - 7)) {}
 
-    hls::SegmentWords<C> next() {
-        hls::SegmentWords<C> s;
+    RunSegment next() {
+        const int coef_frac = core_.coef_bits - 2;
+        const int fine_frac = core_.position_bits + core_.guard_bits - 1;
+        RunSegment s;
         s.step_exponent =
             static_cast<int>(random_() % static_cast<uint64_t>(max_step_exponent_ + 1));
         const int kind = static_cast<int>(random_() % 4);
@@ -41,22 +46,22 @@ class LegalSegments {
         const double rate = line ? 1 : std::sin(pitch);
 
         s.length = length(s.step_exponent, theta);
-        s.theta = word(theta, C::kUnitFrac);
-        for (int a = 0; a < C::kAxes; ++a) {
-            s.start[a] = word(uniform(-0.25, 0.25), C::kFineBits - 1);
-            s.end[a] = word(uniform(-0.25, 0.25), C::kFineBits - 1);
-            s.advance[a] = word(a < 3 ? rate * axis[a] : uniform(-1, 1), C::kCoefFrac);
+        s.theta = word(theta, core_.coef_bits - 1);
+        for (int a = 0; a < core_.axes(); ++a) {
+            s.start[a] = word(uniform(-0.25, 0.25), fine_frac);
+            s.end[a] = word(uniform(-0.25, 0.25), fine_frac);
+            s.advance[a] = word(a < 3 ? rate * axis[a] : uniform(-1, 1), coef_frac);
             if (a < 3) {
-                s.normal[a] = word(normal[a] * cos_pitch, C::kCoefFrac);
-                s.tangent[a] = word(tangent[a] * cos_pitch, C::kCoefFrac);
+                s.normal[a] = word(normal[a] * cos_pitch, coef_frac);
+                s.tangent[a] = word(tangent[a] * cos_pitch, coef_frac);
             }
         }
         return s;
     }
 
     /// A segment of full steps only.
-    hls::SegmentWords<C> whole(int step_exponent, int steps) {
-        hls::SegmentWords<C> s = next();
+    RunSegment whole(int step_exponent, int steps) {
+        RunSegment s = next();
         s.step_exponent = step_exponent;
         s.length = int64_t{steps} << (step_exponent + hls::kPathFrac);
         return s;
@@ -69,8 +74,8 @@ class LegalSegments {
 
     /// Of a step; as much as TurnBits allow now and then.
     double angle() {
-        if (C::kTurnBits == 0) return uniform(0.05, 0.49);
-        const double most = std::ldexp(1.0, -C::kTurnBits);
+        if (core_.turn_bits == 0) return uniform(0.05, 0.49);
+        const double most = std::ldexp(1.0, -core_.turn_bits);
         return random_() % 4 == 0 ? most : most * uniform(0.1, 1);
     }
 
@@ -110,6 +115,7 @@ class LegalSegments {
         return static_cast<int64_t>(std::llround(std::ldexp(value, frac)));
     }
 
+    CoreParameters core_;
     std::mt19937_64 random_;
     int max_step_exponent_;
 };

@@ -9,28 +9,25 @@
 
 namespace curvecore::tb {
 
-template <class C>
 class MixedSegments {
   public:
-    using Words = hls::SegmentWords<C>;
-
     /// Arcs have steps of 2^longest units at most: a request that passes an arc's steps may pass
     /// hundreds of a spline's.
-    explicit MixedSegments(std::uint64_t seed, int longest = 12)
-        : random_(seed), arcs_(seed, longest), splines_(seed) {}
+    MixedSegments(const CoreParameters& core, std::uint64_t seed, int longest = 12)
+        : random_(seed), arcs_(core, seed, longest), splines_(core, seed) {}
 
-    Words next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
+    RunSegment next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
 
     /// One of either kind in turn.
-    Words whole(int k, int steps) {
+    RunSegment whole(int k, int steps) {
         spline_now_ = !spline_now_;
         return spline_now_ ? splines_.whole(k, steps) : arcs_.whole(k, steps);
     }
 
   private:
     std::mt19937_64 random_;
-    LegalSegments<C> arcs_;
-    SplineSegments<C> splines_;
+    LegalSegments arcs_;
+    SplineSegments splines_;
     bool spline_now_ = false;
 };
 

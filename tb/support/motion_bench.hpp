@@ -10,23 +10,15 @@
 #include <functional>
 #include <random>
 
-#include "Vmotion_interpolator.h"
-#include "hls/curve_kernel.hpp"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
 #include "ref/feed/hold_bounds.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/core_configuration.hpp"
-#include "tb/support/legal_segments.hpp"
-#if CFG_Splines
 #include "tb/support/mixed_segments.hpp"
-#endif
-#include "sysc/board/port_word.hpp"
+#include "tb/support/motion_ports.hpp"
 #include "tb/support/random_pieces.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
-using C = Config;
 constexpr int64_t kAcceleration = int64_t{1} << 22;
 constexpr int64_t kSlope = 40 * kAcceleration;
 const uint32_t kStopTicks = ref::stop_ticks(kAcceleration, 40);
@@ -35,14 +27,6 @@ constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short pr
 class MotionInterpolator : public testing::Test {
   protected:
     MotionInterpolator() {
-        dut_->segment_valid_i = 0;
-        dut_->profile_valid_i = 0;
-        dut_->sample_request_valid_i = 0;
-        dut_->sample_ready_i = 0;
-        dut_->hold_i = 0;
-        dut_->override_i = 65536;
-        dut_->kill_i = 0;
-        dut_->samples_per_tick_log2_i = 0;
         dut_->hold_acceleration_i = kAcceleration;
         dut_->hold_slope_i = kSlope;
         dut_->stop_ticks_i = kStopTicks;
@@ -53,23 +37,23 @@ class MotionInterpolator : public testing::Test {
     void program(const std::vector<hls::ProfileWords>& pieces) {
         int64_t length = 0;
         for (const hls::ProfileWords& piece : pieces) length += piece.ds;
-#if CFG_Splines
-        MixedSegments<C> shapes(random_(), kMaxStepExponent);
-        program(pieces, chain(shapes, length, int64_t{1} << (kMaxStepExponent + hls::kPathFrac)));
-#else
-        LegalSegments<C> shapes(random_(), kMaxStepExponent);
-        program(pieces, chain(shapes, length));
-#endif
+        if (core_.splines != 0) {
+            MixedSegments shapes(core_, random_(), kMaxStepExponent);
+            const int64_t longest = int64_t{1} << (kMaxStepExponent + hls::kPathFrac);
+            program(pieces, chain(shapes, length, longest));
+        } else {
+            LegalSegments shapes(core_, random_(), kMaxStepExponent);
+            program(pieces, chain(shapes, length));
+        }
     }
 
-    void program(const std::vector<hls::ProfileWords>& pieces,
-                 std::vector<hls::SegmentWords<C>> segments) {
+    void program(const std::vector<hls::ProfileWords>& pieces, std::vector<RunSegment> segments) {
         set_ticks(pieces, segments);
         send(pieces, segments);
     }
 
     void send(const std::vector<hls::ProfileWords>& pieces,
-              const std::vector<hls::SegmentWords<C>>& segments) {
+              const std::vector<RunSegment>& segments) {
         for (const hls::ProfileWords& words : pieces) {
             pieces_.push_back(words);
             uint64_t bus[hls::kProfileBusWords];
@@ -77,23 +61,32 @@ class MotionInterpolator : public testing::Test {
             profile_words_.insert(profile_words_.end(), bus, bus + hls::kProfileBusWords);
             length_ += words.ds;
         }
-        for (const hls::SegmentWords<C>& words : segments) {
+        for (const RunSegment& words : segments) {
             segments_.push_back(words);
-            uint64_t bus[hls::segment_bus_words<C>()];
-            hls::pack<C>(words, segment_sequence_++, bus);
-            segment_words_.insert(segment_words_.end(), bus, bus + hls::segment_bus_words<C>());
+            const std::vector<uint64_t> bus = bus_words(words, segment_sequence_++);
+            segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
         }
+    }
+
+    std::vector<uint64_t> bus_words(const RunSegment& segment, unsigned sequence) const {
+        std::vector<uint64_t> bus(segment_frame());
+        hls::pack(segment, sequence, bus.data(), format_);
+        return bus;
+    }
+    /// Words of a segment.
+    std::size_t segment_frame() const {
+        return static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes));
     }
 
     /// The ticks in which the pieces draw each segment: of whole pieces only, so never too many.
     static void set_ticks(const std::vector<hls::ProfileWords>& pieces,
-                          std::vector<hls::SegmentWords<C>>& segments) {
+                          std::vector<RunSegment>& segments) {
         std::size_t piece = 0;
         int64_t begin = 0;  // path and ticks of the pieces before
         int64_t ticks = 0;
         int64_t path = 0;  // of the segments so far
         int64_t drawn = 0;
-        for (hls::SegmentWords<C>& segment : segments) {
+        for (RunSegment& segment : segments) {
             path += segment.length;
             while (piece < pieces.size() && begin + pieces[piece].ds <= path) {
                 begin += pieces[piece].ds;
@@ -119,7 +112,7 @@ class MotionInterpolator : public testing::Test {
     }
 
     void samples_per_tick_log2(int n) {
-        dut_->samples_per_tick_log2_i = to_port(n, 4);
+        dut_->samples_per_tick_log2_i = static_cast<unsigned>(n);
         share_ = hls::SampleShare(n);
     }
 
@@ -182,17 +175,14 @@ class MotionInterpolator : public testing::Test {
 
     void check_sample() {
         ASSERT_LT(samples_, static_cast<int64_t>(moves_.size())) << "a sample before its move";
-        hls::Word<C::kFineBits> fine[C::kAxes];
+        int64_t fine[kMostAxes];
         kernel_.sample(
             moves_[static_cast<std::size_t>(samples_)],
             [this] { return segments_.at(next_segment_++); }, fine);
-        for (int axis = 0; axis < C::kAxes; ++axis) {
-            ASSERT_EQ(signed_field(dut_->sample_fine_o, axis * C::kFineBits, C::kFineBits),
-                      from_port(static_cast<uint64_t>(fine[axis]), C::kFineBits))
+        for (int axis = 0; axis < core_.axes(); ++axis) {
+            ASSERT_EQ(dut_->sample_fine_o[axis], fine[axis])
                 << "sample " << samples_ << " axis " << axis;
-            ASSERT_EQ(
-                signed_field(dut_->sample_position_o, axis * C::kPositionBits, C::kPositionBits),
-                from_port(static_cast<uint64_t>(hls::to_position<C>(fine[axis])), C::kPositionBits))
+            ASSERT_EQ(dut_->sample_position_o[axis], hls::round_shift(fine[axis], core_.guard_bits))
                 << "sample " << samples_ << " axis " << axis;
         }
         ++samples_;
@@ -230,11 +220,11 @@ class MotionInterpolator : public testing::Test {
 
     /// Resets the core, and forgets all programs.
     void start_afresh() {
-        dut_->segment_valid_i = 0;
-        dut_->profile_valid_i = 0;
-        dut_->sample_request_valid_i = 0;
-        dut_->hold_i = 0;
-        dut_->kill_i = 0;
+        dut_->segment_valid_i = false;
+        dut_->profile_valid_i = false;
+        dut_->sample_request_valid_i = false;
+        dut_->hold_i = false;
+        dut_->kill_i = false;
         requesting_ = false;
         taking_ = true;
         dut_.reset(1);
@@ -249,7 +239,7 @@ class MotionInterpolator : public testing::Test {
         length_ = 0;
         path_kernel_ = {};
         share_ = hls::SampleShare(0);
-        kernel_ = {};
+        kernel_ = RunTimeKernel(format_);
         rate_ = 0;
         path_ = 0;
         moves_.clear();
@@ -259,7 +249,10 @@ class MotionInterpolator : public testing::Test {
 
     bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
 
-    ClockedDut<Vmotion_interpolator> dut_;
+    const CoreParameters core_ = core_configuration().parameters;
+    ValueRanges ranges_{core_.coef_bits};
+    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
+    MotionCore dut_;
     std::mt19937 random_{1};
     int stall_ = 0;  // percent of clocks, every handshake
     int segment_stall_ = 0;
@@ -268,7 +261,7 @@ class MotionInterpolator : public testing::Test {
     bool taking_ = true;
 
     std::vector<hls::ProfileWords> pieces_;
-    std::vector<hls::SegmentWords<C>> segments_;
+    std::vector<RunSegment> segments_;
     std::deque<uint64_t> profile_words_;
     std::deque<uint64_t> segment_words_;
     std::size_t next_piece_ = 0;
@@ -279,7 +272,7 @@ class MotionInterpolator : public testing::Test {
 
     hls::PathKernel path_kernel_;
     hls::SampleShare share_{0};
-    hls::MotionKernel<C> kernel_;
+    RunTimeKernel kernel_{format_};
     int32_t rate_ = 0;
     int32_t rate_before_ = 0;
     int64_t path_ = 0;

@@ -11,27 +11,24 @@
 #include <random>
 #include <vector>
 
-#include "hls/interpolator_kernel.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/core_configuration.hpp"
-#include "sysc/board/port_word.hpp"
+#include "tb/support/curve_ports.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
 
-/// Kernel: of the curve; Shapes: its segments.
-template <class Model, class Kernel, class Shapes>
+/// Models of DSP primitives simulate slowly.
+inline bool portable() { return core_configuration().parameters.multiplier_form == 0; }
+
+/// Shapes: of segments.
+template <class Shapes>
 class SampleCampaign {
   public:
     /// `samples` without CURVECORE_SAMPLES: a few seconds' worth, of slow models fewer. 2^density
     /// samples at least in a step, but for requests that are held.
     SampleCampaign(int samples, int density)
-        : samples_(kPortable ? samples : samples / 50), least_density_(density) {
+        : samples_(portable() ? samples : samples / 50), least_density_(density) {
         const char* wanted = std::getenv("CURVECORE_SAMPLES");
         if (wanted != nullptr) samples_ = std::atoll(wanted);
-        dut_->segment_valid_i = 0;
-        dut_->request_valid_i = 0;
-        dut_->sample_ready_i = 0;
         dut_.reset();
         dut_.limit_cycles(~std::uint64_t{0});
     }
@@ -58,13 +55,10 @@ class SampleCampaign {
     }
 
   private:
-    static constexpr int kBusWords = hls::segment_bus_words<Config>();
     static constexpr std::size_t kRing = 1024;  // more than the core holds in flight
 
     /// The chain comes again and again; the core and the kernel read it each at its own pace.
-    const hls::SegmentWords<Config>& segment(std::size_t n) const {
-        return chain_[n % chain_.size()];
-    }
+    const RunSegment& segment(std::size_t n) const { return chain_[n % chain_.size()]; }
 
     std::int64_t next_ds() {
         if (--density_left_ < 0) {
@@ -78,21 +72,17 @@ class SampleCampaign {
     }
 
     void predict(std::int64_t ds) {
-        hls::Word<kFineBits> fine[kAxes];
         kernel_.sample(
-            ds, [&]() -> const hls::SegmentWords<Config>& { return segment(drawn_++); }, fine);
-        for (int a = 0; a < kAxes; ++a) {
-            expected_[asked_ % kRing][static_cast<std::size_t>(a)] = fine[a];
-        }
+            ds, [&]() -> const RunSegment& { return segment(drawn_++); },
+            expected_[asked_ % kRing].data());
     }
 
     void compare() {
         const auto& truth = expected_[compared_ % kRing];
-        for (int a = 0; a < kAxes; ++a) {
+        for (int a = 0; a < core_.axes(); ++a) {
             const std::int64_t word = truth[static_cast<std::size_t>(a)];
-            differing_ += signed_field(dut_->sample_fine_o, a * kFineBits, kFineBits) != word;
-            differing_ += signed_field(dut_->sample_position_o, a * kPositionBits, kPositionBits) !=
-                          hls::to_position<Config>(word);
+            differing_ += dut_->sample_fine_o[a] != word;
+            differing_ += dut_->sample_position_o[a] != hls::round_shift(word, core_.guard_bits);
         }
         ++compared_;
     }
@@ -121,24 +111,28 @@ class SampleCampaign {
 
     void make_chain() {
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-            Shapes shapes(seed);
+            Shapes shapes(core_, seed);
             for (int n = 0; n < 500; ++n) chain_.push_back(shapes.next());
         }
-        bus_.resize(chain_.size() * kBusWords);
+        const auto words = static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes));
+        bus_.resize(chain_.size() * words);
         for (std::size_t n = 0; n < chain_.size(); ++n)
-            hls::pack(chain_[n], static_cast<unsigned>(n), &bus_[n * kBusWords]);
+            hls::pack(chain_[n], static_cast<unsigned>(n), &bus_[n * words], format_);
     }
 
     std::int64_t samples_;
     int least_density_;
-    ClockedDut<Model> dut_;
-    hls::InterpolatorKernel<Config, Kernel> kernel_;
+    const CoreParameters core_ = core_configuration().parameters;
+    ValueRanges ranges_{core_.coef_bits};
+    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
+    CurveCore dut_;
+    RunTimeKernel kernel_{format_};
     std::mt19937_64 random_{3};
-    std::vector<hls::SegmentWords<Config>> chain_;
+    std::vector<RunSegment> chain_;
     std::vector<std::uint64_t> bus_;
     std::size_t bus_place_ = 0;
     std::size_t drawn_ = 0;
-    std::array<std::array<std::int64_t, kAxes>, kRing> expected_{};
+    std::array<std::array<std::int64_t, kMostAxes>, kRing> expected_{};
     std::size_t asked_ = 0;
     std::size_t compared_ = 0;
     std::int64_t differing_ = 0;

@@ -9,35 +9,34 @@
 #include <stdexcept>
 #include <string>
 
-#include "hls/sampling.hpp"
 #include "ref/curve/segment.hpp"  // its kSpline before that of the figures: -Wshadow
 #include "rtl/serial/spline_program.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::tb {
 
-template <class C>
 class SerialMachine {
   public:
-    static constexpr int kBits = C::kCoefBits;
-    using Fine = hls::Word<C::kFineBits>;
+    using Fine = std::int64_t;
 
-    SerialMachine() {
+    explicit SerialMachine(const sysc::RunTimeFormat& format)
+        : c_(format), bits_(format.kCoefBits) {
         spline_parts(program_);
         arc_parts(arcs_);
-        at(serial::kOne) = int64_t{1} << (kBits - 2);
+        at(serial::kOne) = int64_t{1} << (bits_ - 2);
         at(serial::kMinusOne) = -at(serial::kOne);
         at(serial::kMinusTwo) = -2 * at(serial::kOne);
         at(serial::kMinusThreeHalves) = -3 * (at(serial::kOne) / 2);
         at(serial::kQuarter) = at(serial::kOne) / 4;
         at(serial::above({0xa0})) = at(serial::kOne);
-        for (int i = 2; i <= 12; ++i) at(serial::above({0xa0}, i)) = hls::reciprocal(i, kBits - 1);
+        for (int i = 2; i <= 12; ++i) at(serial::above({0xa0}, i)) = hls::reciprocal(i, bits_ - 1);
     }
 
-    void load(const hls::SegmentWords<C>& segment) {
+    void load(const sysc::RunSegment& segment) {
         k_ = segment.step_exponent;
         lambda_ = segment.lambda;
         at(serial::kTheta) = segment.theta;
-        for (int axis = 0; axis < C::kAxes; ++axis) {
+        for (int axis = 0; axis < c_.kAxes; ++axis) {
             origin_[axis < 3 ? 12 + axis : axis] = segment.start[axis];
             at(serial::advance(axis)) = segment.advance[axis];
             if (axis < 3) at(serial::a_of(axis)) = segment.tangent[axis];
@@ -47,7 +46,7 @@ class SerialMachine {
         for (int n = 0; n < 8; ++n) {
             const int e = ((n & 4) != 0 ? 2 * s : s) - ((n & 2) != 0 ? 4 : 1);
             const int power =
-                (n & 1) != 0 ? (e <= 0 ? kBits - 6 - e : -1) : (e >= 1 ? kBits - 1 - e : -1);
+                (n & 1) != 0 ? (e <= 0 ? bits_ - 6 - e : -1) : (e >= 1 ? bits_ - 1 - e : -1);
             at({0xb8 + n}) = power < 0 ? 0 : int64_t{1} << power;
         }
         run("SplineLoad", 1);
@@ -55,35 +54,35 @@ class SerialMachine {
     }
 
     void step() {
-        run("SplineStep", C::kOrder);
+        run("SplineStep", c_.kOrder);
         expand();
     }
 
     void sample(const hls::Word<hls::kLengthBits + 1>& sigma, Fine* out) {
-        at(serial::kTau) = hls::to_tau(C(), sigma, k_);
-        const bool series = C::kMode == hls::SamplerMode::kSeries;
+        at(serial::kTau) = hls::to_tau(c_, sigma, k_);
+        const bool series = c_.kSeries;
         const serial::Program& program = series ? arcs_ : program_;
         std::size_t place = entry(program, series ? "Series" : "SplinePolynomial");
-        for (int i = C::kOrder - 1;;) {
+        for (int i = c_.kOrder - 1;;) {
             const serial::Control control = program.words()[place].control;
             for (int n = 0; n < 3; ++n) execute(program.words()[place + n], i, 0, false);
             clock_ += 6;  // two other contexts
             const bool over = i == 1;
-            if (control == serial::kHalt || (control == serial::kHaltNoAux && C::kAuxAxes == 0) ||
-                (control == serial::kHaltThreeAux && C::kAuxAxes <= 3)) {
+            if (control == serial::kHalt || (control == serial::kHaltNoAux && c_.kAxes == 3) ||
+                (control == serial::kHaltThreeAux && c_.kAxes <= 6)) {
                 break;
             }
             if (control == serial::kSkip && over) place += 3;
             if (control != serial::kLoop || over) place += 3;
             if (control == serial::kSkip || control == serial::kLoop) --i;
         }
-        for (int axis = 0; axis < C::kAxes; ++axis) out[axis] = sample_[axis];
+        for (int axis = 0; axis < c_.kAxes; ++axis) out[axis] = sample_[axis];
     }
 
   private:
     void expand() {
         run("SplineExpand", 1);
-        if (C::kMode == hls::SamplerMode::kSeries) run("SplineSeries", 1);
+        if (c_.kSeries) run("SplineSeries", 1);
         clock_ += 9;  // the tracker's
     }
 
@@ -110,7 +109,7 @@ class SerialMachine {
                 left = 2;
             }
             if (left != 0) continue;
-            const bool over = i == (control == serial::kLoop ? C::kOrder - 1 : C::kOrder);
+            const bool over = i == (control == serial::kLoop ? c_.kOrder - 1 : c_.kOrder);
             if (control == serial::kHalt || (control == serial::kLoopHalt && over)) return;
             if (control == serial::kNext || over) {
                 frame = place + 1;
@@ -125,24 +124,24 @@ class SerialMachine {
         const int64_t a = read(word.a, i, j, 0);
         const int64_t b = read(word.b, i, j, 0);
         const int64_t c = read(word.c, i, j, 5);
-        const hls::Word<2 * kBits + 4> sum = sum_ + hls::Word<2 * kBits>(a) * b;
-        sum_ = more ? sum : hls::Word<2 * kBits + 4>(0);
+        const hls::Word<128> sum = sum_ + hls::Word<128>(a) * b;
+        sum_ = more ? sum : hls::Word<128>(0);
         ++clock_;
         if (more) return;
         int code = word.scale;
         if (word.first && (index(word.b, i, j) & 15) == 1) code &= ~1;
-        const int shift = kBits - 6 + (code == serial::kMoreFour ? 10 : code);
+        const int shift = bits_ - 6 + (code == serial::kMoreFour ? 10 : code);
         const auto d = static_cast<int64_t>(c + hls::round_shift(sum, shift));
         const int place = index(word.d, i, j);
         if (word.target == serial::kMemory) {
             memory_[place] = d;
             there_[place] = clock_ + 8;
         } else if (word.target == serial::kOrigin && place >= 12) {
-            origin_[place - 12] = Fine(origin_[place] + hls::to_fine(C(), d, lambda_));
+            origin_[place - 12] = Fine(origin_[place] + hls::to_fine(c_, d, lambda_));
         } else if (word.target == serial::kOrigin) {
-            origin_[place] = Fine(origin_[place] + hls::to_fine(C(), d, k_));
+            origin_[place] = Fine(origin_[place] + hls::to_fine(c_, d, k_));
         } else if (word.target == serial::kSample) {
-            sample_[place] = Fine(origin_[place] + hls::to_fine(C(), d, k_));
+            sample_[place] = Fine(origin_[place] + hls::to_fine(c_, d, k_));
         }
     }
 
@@ -161,13 +160,15 @@ class SerialMachine {
         return memory_[place];
     }
 
+    sysc::RunTimeFormat c_;
+    int bits_;
     serial::Program program_;
     serial::Program arcs_;
     std::array<int64_t, 512> memory_{};
     std::array<int64_t, 512> there_{};  // clock of the first read
     std::array<Fine, 16> origin_{};
     std::array<Fine, 16> sample_{};
-    hls::Word<2 * kBits + 4> sum_ = 0;
+    hls::Word<128> sum_ = 0;
     int64_t clock_ = 0;
     int64_t marked_ = -9;
     int k_ = 0;

@@ -9,6 +9,7 @@
 
 #include "hls/quantise.hpp"
 #include "ref/segment/spline_segment.hpp"
+#include "sysc/host/run_time_format.hpp"
 #include "sysc/widths/spline_families.hpp"
 
 namespace curvecore::tb {
@@ -16,9 +17,8 @@ namespace curvecore::tb {
 using namespace sysc;
 
 /// The cubic as words of fewer position bits can hold it.
-template <class C>
-ref::Cubic in_range(ref::Cubic cubic, double most) {
-    cubic.d *= std::ldexp(1.0, C::kPositionBits - 32);
+inline ref::Cubic in_range(ref::Cubic cubic, int position_bits, double most) {
+    cubic.d *= std::ldexp(1.0, position_bits - 32);
     const auto leaves = [&] {
         double reach = 0;
         for (double u = 0; u <= 1; u += 1.0 / 64) {
@@ -35,43 +35,41 @@ ref::Cubic in_range(ref::Cubic cubic, double most) {
 }
 
 /// The first dozen of pieces that the planner makes of a cubic of each family.
-template <class C>
-std::vector<hls::SegmentWords<C>> spline_pieces(std::uint64_t seed) {
+inline std::vector<RunSegment> spline_pieces(const CoreParameters& core, std::uint64_t seed) {
     ref::WordFormat format;
-    format.order = C::kOrder;
-    format.coef_bits = C::kCoefBits;
-    format.position_bits = C::kPositionBits;
-    format.guard_bits = C::kGuardBits;
+    format.order = core.order;
+    format.coef_bits = core.coef_bits;
+    format.position_bits = core.position_bits;
+    format.guard_bits = core.guard_bits;
     // Coarse words and low orders would take very many pieces.
     const double limit =
-        std::max(std::ldexp(0.1, std::max(0, 36 - C::kCoefBits) + (C::kOrder < 4 ? 10 : 0)),
-                 std::ldexp(4.0, -C::kGuardBits));
-    const double most = std::ldexp(0.9, C::kPositionBits - 1);
-    std::vector<hls::SegmentWords<C>> pieces;
+        std::max(std::ldexp(0.1, std::max(0, 36 - core.coef_bits) + (core.order < 4 ? 10 : 0)),
+                 std::ldexp(4.0, -core.guard_bits));
+    const double most = std::ldexp(0.9, core.position_bits - 1);
+    std::vector<RunSegment> pieces;
+    const RunTimeFormat words(core, core.axes());
     SplineMaker maker(seed);
     for (const SplineFamily& family : spline_families()) {
         int taken = 0;
-        const ref::Cubic cubic = in_range<C>(maker.next(family), most);
+        const ref::Cubic cubic = in_range(maker.next(family), core.position_bits, most);
         for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
             const double reach =
                 std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
             if (reach > most || piece.kind != ref::Segment::Kind::kSpline) continue;
-            if (++taken <= 12) pieces.push_back(hls::to_words<C>(piece));
+            if (++taken <= 12) pieces.push_back(hls::to_words(piece, words));
         }
     }
     return pieces;
 }
 
-template <class C>
 class SplineSegments {
   public:
-    using Words = hls::SegmentWords<C>;
-
-    explicit SplineSegments(std::uint64_t seed) : pieces_(spline_pieces<C>(seed)), random_(seed) {}
+    SplineSegments(const CoreParameters& core, std::uint64_t seed)
+        : core_(core), pieces_(spline_pieces(core, seed)), random_(seed) {}
 
     /// Any of them, up to six steps of it; one in twelve has no length.
-    Words next() {
-        Words words = pieces_[random_() % pieces_.size()];
+    RunSegment next() {
+        RunSegment words = pieces_[random_() % pieces_.size()];
         const std::int64_t longest =
             std::min<std::int64_t>(words.length, std::int64_t{6} << (words.step_exponent + 16));
         words.length =
@@ -81,12 +79,12 @@ class SplineSegments {
     }
 
     /// The one of most steps among those of 2^k units or more, that many whole steps of it at most.
-    Words whole(int k, int steps) {
-        const auto count = [](const Words& words) {
+    RunSegment whole(int k, int steps) {
+        const auto count = [](const RunSegment& words) {
             return words.length >> (words.step_exponent + 16);
         };
-        Words words;
-        for (const Words& piece : pieces_) {
+        RunSegment words;
+        for (const RunSegment& piece : pieces_) {
             if (piece.step_exponent >= k && count(piece) >= count(words)) words = piece;
         }
         words.length = std::min<std::int64_t>(count(words), steps) << (words.step_exponent + 16);
@@ -94,20 +92,21 @@ class SplineSegments {
     }
 
   private:
-    Words with_auxiliary(Words words) {
+    RunSegment with_auxiliary(RunSegment words) {
         const auto some = [&](int bits) {
             return static_cast<std::int64_t>(random_() >> (65 - bits)) -
                    (std::int64_t{1} << (bits - 2));
         };
-        for (int axis = 3; axis < C::kAxes; ++axis) {
-            words.start[axis] = some(C::kFineBits - 1);
-            words.end[axis] = some(C::kFineBits - 1);
-            words.advance[axis] = some(C::kCoefBits - 1);
+        for (int axis = 3; axis < core_.axes(); ++axis) {
+            words.start[axis] = some(core_.position_bits + core_.guard_bits - 1);
+            words.end[axis] = some(core_.position_bits + core_.guard_bits - 1);
+            words.advance[axis] = some(core_.coef_bits - 1);
         }
         return words;
     }
 
-    std::vector<Words> pieces_;
+    CoreParameters core_;
+    std::vector<RunSegment> pieces_;
     std::mt19937_64 random_;
 };
 

@@ -3,32 +3,29 @@
 // chains of lines, arcs and splines; clocks of a spline's samples, steps and segments.
 #include <algorithm>
 
-#include "Vcurve_interpolator_serial.h"
-#include "hls/curve_kernel.hpp"
 #include "tb/support/curve_core_bench.hpp"
 #include "tb/support/mixed_segments.hpp"
 
 namespace curvecore::tb {
-using namespace sysc;
 namespace {
 
-constexpr hls::Clocks kClocks = hls::spline_clocks(timed_core(true, true, CFG_Splines != 0));
-
-using CurveInterpolatorSerial =
-    CurveCoreBench<Vcurve_interpolator_serial, hls::CurveKernel<Config>, MixedSegments<Config>, 6>;
+class CurveInterpolatorSerial : public CurveCoreBench<MixedSegments, 6> {
+  protected:
+    const hls::Clocks clocks_ = hls::spline_clocks(timed(Build::kSerial, true, true));
+};
 
 TEST_F(CurveInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
     equals_kernel_with_random_stalls();
 }
 
-TEST_F(CurveInterpolatorSerial, EqualsKernelOverManySamples) { Campaign(100'000, 6).run(); }
+TEST_F(CurveInterpolatorSerial, EqualsKernelOverManySamples) { Campaign(50'000, 6).run(); }
 
 /// Splines whose steps are shorter than the planner would take them, 2^0 to 2^k units: the scales
 /// 2^-(lambda - k) of every size.
 TEST_F(CurveInterpolatorSerial, DrawsStepsOfAnyLength) {
-    SplineSegments<Config> shapes(5);
+    SplineSegments shapes(core_, 5);
     for (int n = 0; n < 200; ++n) {
-        hls::SegmentWords<Config> words = shapes.next();
+        RunSegment words = shapes.next();
         words.step_exponent %= 1 + n % 20;
         words.length = std::min<int64_t>(words.length,
                                          int64_t{5} << (words.step_exponent + hls::kPathFrac - 1));
@@ -45,33 +42,29 @@ TEST_F(CurveInterpolatorSerial, DrawsStepsOfAnyLength) {
 TEST_F(CurveInterpolatorSerial, GivesSamplesOfAStepInTheStatedClocks) {
     uint64_t most = 0;
     for (int exponent = 0; exponent <= hls::kMaxStepExponent; ++exponent) {
-        SplineSegments<Config> shapes(5);
-        hls::SegmentWords<Config> words = shapes.whole(0, 1);
+        SplineSegments shapes(core_, 5);
+        RunSegment words = shapes.whole(0, 1);
         words.step_exponent = exponent;
         words.length = int64_t{1} << (exponent + hls::kPathFrac);
         most = std::max(most, clocks_within_a_step(words, kSamples));
     }
-    reaches(most, kSamples * kClocks.sample, kSamples * 3);
+    reaches(most, kSamples * clocks_.sample, kSamples * 3);
 }
 
 TEST_F(CurveInterpolatorSerial, PausesBetweenStepsAndSegmentsAsStated) {
     Pauses pauses;
-    SplineSegments<Config> shapes(5);
+    SplineSegments shapes(core_, 5);
     for (int exponent = 0; exponent <= 10; ++exponent) {
         for (int samples_log2 = 1; samples_log2 <= 4; ++samples_log2) {
-            hls::SegmentWords<Config> words = shapes.whole(exponent, 2);
+            RunSegment words = shapes.whole(exponent, 2);
             words.step_exponent = exponent;
             words.length = int64_t{2} << (exponent + hls::kPathFrac);
-            measure(std::vector<hls::SegmentWords<Config>>(8, words), samples_log2, pauses);
+            measure(Segments(8, words), samples_log2, pauses);
         }
     }
-    reaches(pauses.step, kClocks.step, 10);
-    reaches(pauses.segment, kClocks.segment, 12);
+    reaches(pauses.step, clocks_.step, 10);
+    reaches(pauses.segment, clocks_.segment, 12);
 }
-
-#if CFG_Order == 2  // one is enough
-TEST_F(CurveInterpolatorSerial, Counts65535EmptySegments) { counts_65535_empty_segments(); }
-#endif
 
 TEST_F(CurveInterpolatorSerial, HoldsItsSampleWhileStalled) { holds_its_sample_while_stalled(); }
 

@@ -11,7 +11,7 @@ TEST_F(MotionHold, KillStopsForGood) {
     program(pieces(6, 90, 200, 400, 3 << 16));
     fill();
     requesting_ = true;
-    for (int n = 0; n < 4000 * CFG_SampleInterval; ++n) clock();
+    for (int n = 0; n < 4000 * core_.sample_interval; ++n) clock();
     dut_->kill_i = 1;
     clock();
     dut_->kill_i = 0;
@@ -95,11 +95,11 @@ TEST_F(MotionHold, AHoldInAKillChangesNothing) {
     program(pieces(60, 90, 200, 400, 3 << 16));
     fill();
     requesting_ = true;
-    for (int n = 0; n < 2000 * CFG_SampleInterval; ++n) clock();
+    for (int n = 0; n < 2000 * core_.sample_interval; ++n) clock();
     dut_->kill_i = 1;
     clock();
     dut_->kill_i = 0;
-    for (int n = 0; n < 4000 * CFG_SampleInterval && !HasFatalFailure(); ++n) {
+    for (int n = 0; n < 4000 * core_.sample_interval && !HasFatalFailure(); ++n) {
         dut_->hold_i = n / 50 % 2;
         clock();
     }

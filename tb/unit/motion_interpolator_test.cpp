@@ -32,10 +32,11 @@ TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
 }
 
 TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
-    if (CFG_Build == 1) GTEST_SKIP() << "the serial core's samples take as long as their steps";
+    if (core_.build == Build::kSerial)
+        GTEST_SKIP() << "the serial core's samples take as long as their steps";
     // Segments of one step each, of 256 samples: more clocks than a step or a segment's words take.
-    LegalSegments<C> shapes(3);
-    std::vector<hls::SegmentWords<C>> steps;
+    LegalSegments shapes(core_, 3);
+    std::vector<RunSegment> steps;
     std::vector<hls::ProfileWords> pieces;
     for (int n = 0; n < 20; ++n) {
         steps.push_back(shapes.whole(6, 1));
@@ -47,7 +48,7 @@ TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
     while (samples_ < 500) clock();
     const uint64_t begin = dut_.cycle();
     while (samples_ < 2500) clock();
-    EXPECT_EQ(dut_.cycle() - begin, 2000U * CFG_SampleInterval);
+    EXPECT_EQ(dut_.cycle() - begin, 2000U * static_cast<unsigned>(core_.sample_interval));
 }
 
 TEST_F(MotionInterpolator, HoldAtEverySampleKeepsTheGeometry) {
@@ -109,7 +110,7 @@ TEST_F(MotionInterpolator, CountsEmptySegments) {
     program(pieces(8, 40, 20, 40, 50 << 16));
     const auto empty = static_cast<int>(
         std::count_if(segments_.begin(), segments_.end(),
-                      [](const hls::SegmentWords<C>& segment) { return segment.length == 0; }));
+                      [](const RunSegment& segment) { return segment.length == 0; }));
     fill();
     run();
     EXPECT_GT(empty, 0);

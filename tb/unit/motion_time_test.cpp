@@ -14,23 +14,6 @@ namespace {
 
 class MotionTime : public MotionInterpolator {
   protected:
-    static CoreParameters core() {
-        CoreParameters core;
-        core.build = static_cast<Build>(CFG_Build);
-        core.order = CFG_Order;
-        core.coef_bits = CFG_CoefBits;
-        core.position_bits = CFG_PositionBits;
-        core.guard_bits = CFG_GuardBits;
-        core.aux_axes = CFG_AuxAxes;
-        core.splines = CFG_Splines;
-        core.mode = CFG_Mode;
-        core.anchor = CFG_Anchor;
-        core.sample_interval = CFG_SampleInterval;
-        core.parameter_guard = CFG_ParameterGuard;
-        core.turn_bits = CFG_TurnBits;
-        return core;
-    }
-
     /// A plan for so many clocks in a sample period; for a machine that stops quickly, since else
     /// the bench's short queues would bound the speed.
     /// @returns moves that the queues slowed
@@ -38,10 +21,10 @@ class MotionTime : public MotionInterpolator {
         constexpr double kPeriod = 100e-6;
         ref::PlanOptions options;
         options.sample_period_s = kPeriod;
-        options.format = core();
-        options.core = core_time(core(), period / kPeriod);
-        options.segment_queue_words = CFG_SegmentQueueWords;
-        options.profile_queue_words = CFG_ProfileQueueWords;
+        options.format = core_;
+        options.core = core_time(core_, period / kPeriod);
+        options.segment_queue_words = core_configuration().segment_queue_words;
+        options.profile_queue_words = core_configuration().profile_queue_words;
         ref::Machine machine;
         machine.acceleration = 1e6;
         machine.jerk = 1e9;
@@ -55,9 +38,9 @@ class MotionTime : public MotionInterpolator {
         dut_->stop_ticks_i = plan.stop_ticks;
         std::vector<hls::ProfileWords> pieces;
         for (const ref::ProfilePiece& piece : plan.pieces) pieces.push_back(hls::to_words(piece));
-        std::vector<hls::SegmentWords<C>> words;
+        std::vector<RunSegment> words;
         for (const ref::Segment& segment : plan.segments) {
-            words.push_back(hls::to_words<C>(segment));
+            words.push_back(hls::to_words(segment, format_));
         }
         send(pieces, words);
         return plan.slowed_moves;
@@ -82,15 +65,14 @@ class MotionTime : public MotionInterpolator {
         return late;
     }
 
-    static ref::Program tiny_program(unsigned seed) {
-        return CFG_Splines ? tiny_splines(seed, 60) : tiny_moves(seed, 120);
+    ref::Program tiny_program(unsigned seed) const {
+        return core_.splines != 0 ? tiny_splines(seed, 60) : tiny_moves(seed, 120);
     }
 };
 
 /// For so few clocks that the core bounds the speed.
 TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
-    if (CFG_Anchor == 0 && CFG_Splines == 1) GTEST_SKIP() << "planned for Anchor 1";
-    const double clocks = least_period_clocks(core(), CFG_Splines != 0);
+    const double clocks = least_period_clocks(core_, core_.splines != 0);
     const int least = std::max(8, static_cast<int>(std::ceil(clocks)));
     for (const int period : {least, std::max(60, 2 * least)}) {
         for (unsigned seed = 1; seed <= 2; ++seed) {

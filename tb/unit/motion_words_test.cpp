@@ -128,7 +128,7 @@ TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
 // Segments that claim more time than they have, and then do not come: the guard is deceived.
 TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     const auto whole = pieces(9, 200, 20, 20, 3 << 16);
-    LegalSegments<C> shapes(9, kMaxStepExponent);
+    LegalSegments shapes(core_, 9, kMaxStepExponent);
     auto segments = chain(shapes, 200 * 20 * (int64_t{3} << 16));
     program(whole, segments);
     segment_words_.clear();
@@ -141,13 +141,12 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     }
     segments[0].ticks += stolen;
     for (std::size_t n = 0; n < cut; ++n) {
-        uint64_t bus[hls::segment_bus_words<C>()];
-        hls::pack<C>(segments[n], static_cast<unsigned>(n), bus);
-        segment_words_.insert(segment_words_.end(), bus, bus + hls::segment_bus_words<C>());
+        const std::vector<uint64_t> bus = bus_words(segments[n], static_cast<unsigned>(n));
+        segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
     }
     fill();
     requesting_ = true;
-    const int most = CFG_Build == 0 ? 60'000 : 1'000'000;
+    const int most = core_.build == Build::kParallel ? 60'000 : 1'000'000;
     for (int n = 0; n < most && fault() == 0; ++n) clock();
     EXPECT_EQ(fault(), 1 << kNoSample);
 }
@@ -204,14 +203,14 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
     for (int round = 0; round < rounds; ++round) {
         program(pieces(300 + round, 60, 5, 20, (round % 8) << 16));
         const bool of_segments = round % 2 == 0;
-        const Stream stream =
-            of_segments ? Stream{segment_words_, profile_words_, hls::segment_bus_words<C>()}
-                        : Stream{profile_words_, segment_words_, hls::kProfileBusWords};
+        const Stream stream = of_segments
+                                  ? Stream{segment_words_, profile_words_, segment_frame()}
+                                  : Stream{profile_words_, segment_words_, hls::kProfileBusWords};
         const std::deque<uint64_t> intended = stream.words;
         damage(stream, random);
 
         // What the twin of the entry says of it
-        hls::SegmentEntry<C, CFG_Splines != 0> segment_entry;
+        hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0);
         hls::PieceEntry piece_entry;
         int expected = 0;
         for (const uint64_t word : stream.words) {
@@ -238,14 +237,14 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
 TEST_F(MotionWords, ThatEndApartAreAFault) {
     for (int round = 0; round < 8; ++round) {
         const auto whole = pieces(400 + round, 40, 10, 20, 3 << 16);
-        LegalSegments<C> shapes(9, kMaxStepExponent);
+        LegalSegments shapes(core_, 9, kMaxStepExponent);
         int64_t length = 0;
         for (const hls::ProfileWords& piece : whole) length += piece.ds;
         auto segments = chain(shapes, length + (round % 2 == 0 ? 1 : round % 4 == 1 ? -1 : 0));
         program(whole, segments);
         if (round % 4 == 3) {
             // A tick more in the second segment
-            uint64_t& low_byte = segment_words_[hls::segment_bus_words<C>() + 9];
+            uint64_t& low_byte = segment_words_[segment_frame() + 9];
             low_byte ^= uint64_t{1} << hls::kTicksByteField.low;
         }
         run_out();

@@ -25,18 +25,26 @@ constexpr int kFine = CFG_FineBits;
 constexpr int kGuard = CFG_GuardBits;
 constexpr bool kSeries = CFG_Mode == 0;
 constexpr bool kAnchor = CFG_Anchor != 0;
-using Config =
-    hls::Configuration<kOrder, kBits, kFine - kGuard, kGuard, CFG_AuxAxes,
-                       kSeries ? hls::SamplerMode::kSeries : hls::SamplerMode::kPolynomial, kAnchor,
-                       0, CFG_ParameterGuard>;
-constexpr int kAxes = Config::kAxes;
-using Coef = hls::Word<kBits>;
-using Segment = hls::SegmentWords<Config>;
+constexpr int kAxes = 3 + CFG_AuxAxes;
+
+CoreParameters core() {
+    CoreParameters core;
+    core.order = kOrder;
+    core.coef_bits = kBits;
+    core.position_bits = kFine - kGuard;
+    core.guard_bits = kGuard;
+    core.aux_axes = CFG_AuxAxes;
+    core.mode = CFG_Mode;
+    core.anchor = CFG_Anchor;
+    core.parameter_guard = CFG_ParameterGuard;
+    return core;
+}
 
 /// The kernel with its words laid open.
-struct Kernel : hls::SplineKernel<Config> {
-    using Base = hls::SplineKernel<Config>;
+using Base = hls::SplineKernel<RunTimeFormat>;
+struct Kernel : Base {
     using Base::advance_;
+    using Base::Base;
     using Base::net_;
     using Base::position_;
     using Base::step_a_;
@@ -55,8 +63,8 @@ class SplineSteps : public testing::Test {
 
     void make_segments() {
         std::mt19937_64 random(6);
-        segments_ = spline_pieces<Config>(5);
-        for (Segment& words : segments_) {
+        segments_ = spline_pieces(core(), 5);
+        for (RunSegment& words : segments_) {
             // Steps beyond the first dozen show nothing new.
             words.length = std::min<std::int64_t>(words.length,
                                                   std::int64_t{12} << (words.step_exponent + 16));
@@ -77,7 +85,7 @@ class SplineSteps : public testing::Test {
     }
 
     /// The segment's words, as the RTL asks for them: once a clock, for points come a clock later.
-    void answer(const Segment& segment) {
+    void answer(const RunSegment& segment) {
         const auto mask = [](std::int64_t word, int bits) { return to_port(word, bits); };
         dut_->theta_i = mask(segment.theta, kBits);
         dut_->k_i = static_cast<unsigned char>(segment.step_exponent);
@@ -109,7 +117,8 @@ class SplineSteps : public testing::Test {
                 ASSERT_EQ(place, ++x_[k]);
                 ASSERT_EQ(word(k), kernel_.net_.x[k][place]) << "order " << place;
             } else {
-                const Coef cubic[] = {kernel_.net_.V[k][0], kernel_.step_b_[k], kernel_.step_a_[k]};
+                const std::int64_t cubic[] = {kernel_.net_.V[k][0], kernel_.step_b_[k],
+                                              kernel_.step_a_[k]};
                 ASSERT_TRUE(place >= 1 && place <= 3) << place;
                 ASSERT_EQ(word(k), cubic[place - 1]) << "power " << place;
                 ++cubic_[place - 1];
@@ -124,7 +133,7 @@ class SplineSteps : public testing::Test {
     }
 
     /// All words between two done_o.
-    void follow(const Segment& segment, int clocks) {
+    void follow(const RunSegment& segment, int clocks) {
         int points = 0, rates = 0;
         own_ = 0;
         for (int k = 0; k < 3; ++k) x_[k] = cubic_[k] = 0;
@@ -171,15 +180,16 @@ class SplineSteps : public testing::Test {
     int own_ = 0;
     int x_[3] = {};
     int cubic_[3] = {};
-    Kernel kernel_;
-    std::vector<Segment> segments_;
+    ValueRanges ranges_{kBits};
+    Kernel kernel_{RunTimeFormat(core(), kAxes, &ranges_)};
+    std::vector<RunSegment> segments_;
 };
 
 TEST_F(SplineSteps, EqualsKernelOnEveryWordInTheClocksStated) {
     ASSERT_GT(segments_.size(), 20U);
     int steps = 0;
     for (std::size_t n = 0; n < segments_.size(); ++n) {
-        const Segment& segment = segments_[n];
+        const RunSegment& segment = segments_[n];
         const std::int64_t full = std::int64_t{1} << (segment.step_exponent + 16);
         std::int64_t rest = segment.length;
         for (bool first = true; rest > 0; first = false, rest -= full) {
