@@ -74,12 +74,12 @@ using DefaultSplineConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::
 
 /// Formats that no parameter changes; some of them the planner knows too.
 using ref::kBusLengthBits;
+using ref::kMaxStepExponent;
 using ref::kPathFrac;
 using ref::kProfileBusWords;
-constexpr int kMaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
-constexpr int kLengthBits = 48;       // path lengths inside the core, in quanta
-constexpr int kPathBits = 64;         // program-wide path length, in quanta
-constexpr int kBusBits = 48;          // one word of the segment and profile streams
+constexpr int kLengthBits = 48;  // path lengths inside the core, in quanta
+constexpr int kPathBits = 64;    // program-wide path length, in quanta
+constexpr int kBusBits = 48;     // one word of the segment and profile streams
 
 }  // namespace CURVECORE_STORAGE
 }  // namespace hls

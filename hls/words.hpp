@@ -137,11 +137,6 @@ constexpr std::uint64_t get(Field field, std::uint64_t word) {
     return (word >> field.low) & mask(field);
 }
 
-template <class C>
-constexpr int segment_bus_words() {
-    return ref::segment_bus_words(C::kAuxAxes);
-}
-
 namespace detail {
 inline std::uint64_t bus_word(Tag tag, Field field, std::int64_t value) {
     return put(kTagField, static_cast<int>(tag)) | put(field, value);

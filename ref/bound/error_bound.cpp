@@ -26,7 +26,7 @@ struct Steps {
     bool exact_shift;  // to positions
     bool family;
 
-    Steps(const WordFormat& format, int step_exponent, double turn_per_unit, double length,
+    Steps(const CoreParameters& format, int step_exponent, double turn_per_unit, double length,
           bool of_family)
         : h(std::ldexp(1.0, step_exponent)),
           theta(h * turn_per_unit),
@@ -38,7 +38,7 @@ struct Steps {
           exact_shift(step_exponent >= format.coef_bits - 2 - format.guard_bits),
           family(of_family) {}
 
-    Steps(const WordFormat& format, const Segment& segment)
+    Steps(const CoreParameters& format, const Segment& segment)
         : Steps(format, segment.step_exponent,
                 segment.radius > 0 ? segment.cos_pitch / segment.radius : 0,
                 static_cast<double>(segment.length) * kQuantum, false) {}
@@ -76,7 +76,7 @@ struct Roundings {
     int words = 1;            // N_1 .. N_words may differ from 0
 };
 
-Roundings step_roundings(const WordFormat& format, const Steps& s) {
+Roundings step_roundings(const CoreParameters& format, const Steps& s) {
     Roundings all;
     double error = 0;
     double before = 1;  // theta^(i-2) / (i-1)!
@@ -95,7 +95,7 @@ Roundings step_roundings(const WordFormat& format, const Steps& s) {
 
 /// What a sample loses by the low bits of tau that its stages have not
 /// (ref/format/order_words.hpp): the cut times the sum in each stage whose sum is not 0.
-double cut_error(const WordFormat& format, const Steps& s, const Roundings& step) {
+double cut_error(const CoreParameters& format, const Steps& s, const Roundings& step) {
     const int order = format.order;
     std::array<double, 14> size{0, 1};  // theta^(i-1) / i!
     for (int i = 2; i <= order + 1; ++i) size[i] = size[i - 1] * s.theta / i;
@@ -114,7 +114,7 @@ double cut_error(const WordFormat& format, const Steps& s, const Roundings& step
 
 /// One axis of the circular part: errors of state, coefficients, Horner and angle, without the
 /// positions' own roundings.
-double circular_error(const WordFormat& format, const Steps& s) {
+double circular_error(const CoreParameters& format, const Steps& s) {
     const Roundings step = step_roundings(format, s);
     const double coefficients = step.coefficients;
     // Start words t, n: half a last bit each.
@@ -151,7 +151,7 @@ double position_error(const Steps& s) { return s.g + (s.exact_shift ? 0 : (s.m +
 /// two rounded path lengths.
 double path_shift(const Steps& s) { return std::max(0.0, s.h * s.half - kQuantum) + kQuantum; }
 
-double truncation(const WordFormat& format, const Steps& s, double radius) {
+double truncation(const CoreParameters& format, const Steps& s, double radius) {
     double at_one = 1;  // 1 / (P+1)!
     for (int i = 2; i <= format.order + 1; ++i) at_one /= i;
     const double step = at_one * std::pow(s.theta, format.order + 1);
@@ -163,19 +163,19 @@ double truncation(const WordFormat& format, const Steps& s, double radius) {
 
 }  // namespace
 
-double max_theta(const WordFormat& format) {
+double max_theta(const CoreParameters& format) {
     return std::ldexp(1.0, -std::max(1, format.turn_bits));
 }
 
 // The network applies T_P(i theta), the series cut after the power P, instead of exp(i theta); they
 // differ by at most theta^(P+1) / (P+1)!. The position is R / cos(pitch) times what n has turned,
 // so m steps and a fraction f differ from the circle by R (m d(theta) + d(f theta)) |T_P|^m.
-double truncation_bound(const WordFormat& format, const Segment& segment) {
+double truncation_bound(const CoreParameters& format, const Segment& segment) {
     if (segment.radius <= 0) return 0;
     return truncation(format, Steps(format, segment), segment.radius);
 }
 
-double rounding_bound(const WordFormat& format, const Segment& segment) {
+double rounding_bound(const CoreParameters& format, const Segment& segment) {
     const Steps s(format, segment);
     const double circular = segment.radius > 0 ? circular_error(format, s) : 0;
     double along = 0;  // worst axis: circular part and advance
@@ -197,7 +197,7 @@ double rounding_bound(const WordFormat& format, const Segment& segment) {
     return along + position_error(s) + shift;
 }
 
-double segment_bound(const WordFormat& format, const Segment& segment) {
+double segment_bound(const CoreParameters& format, const Segment& segment) {
     if (segment.kind == Segment::Kind::kSpline) return spline_error(format, segment).total();
     return truncation_bound(format, segment) + rounding_bound(format, segment);
 }
@@ -207,7 +207,7 @@ double segment_bound(const WordFormat& format, const Segment& segment) {
 // vanishes at any smaller one and its size grows with theta. Truncation takes that theta with
 // most_radius, though no segment has both. A line's errors, advance, last product and positions,
 // are among a helix's.
-double family_bound(const WordFormat& format, const ArcFamily& family) {
+double family_bound(const CoreParameters& format, const ArcFamily& family) {
     const Steps s(format, family.step_exponent, 1 / family.least_radius, family.length, true);
     return truncation(format, s, family.most_radius) + circular_error(format, s) +
            s.h * s.x * s.half + position_error(s) + path_shift(s);

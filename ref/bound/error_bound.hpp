@@ -4,26 +4,24 @@
 
 #include "ref/curve/segment.hpp"
 #include "ref/format/parameters.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
 
-/// The parameters of a core that its error depends on: Order, CoefBits, PositionBits, GuardBits,
-/// Mode, TurnBits, ParameterGuard.
-using WordFormat = CoreParameters;
-
-constexpr int kMaxStepExponent = 27;  // a step is at most 2^27 units
+// Of a core's parameters its error depends on Order, CoefBits, PositionBits, GuardBits, Mode,
+// TurnBits and ParameterGuard.
 
 /// Rad in a step of an arc, at most.
-double max_theta(const WordFormat& format);
+double max_theta(const CoreParameters& format);
 
 /// Errors of arcs and lines per axis, in length units, before the final rounding, at any path
 /// length of the segment. Read from the segment: radius, cos_pitch, advance, aux_advance, length,
 /// step_exponent.
-double truncation_bound(const WordFormat& format, const Segment& segment);
-double rounding_bound(const WordFormat& format, const Segment& segment);
+double truncation_bound(const CoreParameters& format, const Segment& segment);
+double rounding_bound(const CoreParameters& format, const Segment& segment);
 
 /// Their sum, or spline_error() of a spline: what the planner keeps below PlanOptions::error_limit.
-double segment_bound(const WordFormat& format, const Segment& segment);
+double segment_bound(const CoreParameters& format, const Segment& segment);
 
 /// Every arc, helix and line segment, in any direction of space, whose radius is in a range.
 ///
@@ -42,6 +40,6 @@ struct ArcFamily {
 
 /// At least segment_bound() of each segment of the family whose auxiliary axes are no faster than
 /// the path. Monotone in length, so one call proves the shorter segments too.
-double family_bound(const WordFormat& format, const ArcFamily& family);
+double family_bound(const CoreParameters& format, const ArcFamily& family);
 
 }  // namespace curvecore::ref

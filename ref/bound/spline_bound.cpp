@@ -34,7 +34,7 @@ Vec3 word_error(const Vec3& exact, int frac) {
 
 class Walk {
   public:
-    Walk(const WordFormat& format, const Segment& segment)
+    Walk(const CoreParameters& format, const Segment& segment)
         : format_(format),
           segment_(segment),
           unit_(std::ldexp(1.0, segment.lambda)),
@@ -255,7 +255,7 @@ class Walk {
     Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
     Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }
 
-    const WordFormat& format_;
+    const CoreParameters& format_;
     const Segment& segment_;
     double unit_, h_, g_;
     SplineWords words_;
@@ -271,7 +271,7 @@ class Walk {
 
 }  // namespace
 
-SplineError spline_error(const WordFormat& format, const Segment& segment, double give_up) {
+SplineError spline_error(const CoreParameters& format, const Segment& segment, double give_up) {
     return Walk(format, segment).run(give_up);
 }
 

@@ -34,7 +34,7 @@ struct SplineError {
 /// Walks the segment's integration steps. Read from the segment: a, b, c, beta, lambda,
 /// step_exponent, length, aux_advance. Stops early when something has to be shorter or above
 /// `give_up`.
-SplineError spline_error(const WordFormat& format, const Segment& segment,
+SplineError spline_error(const CoreParameters& format, const Segment& segment,
                          double give_up = std::numeric_limits<double>::infinity());
 
 }  // namespace curvecore::ref

@@ -49,7 +49,7 @@ struct PlanOptions {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
-    WordFormat format;
+    CoreParameters format;
     int aux_axes = kAuxAxes;
     double error_limit = 0.1;
     CoreTime core;

@@ -15,7 +15,7 @@ constexpr double kLonger = 1.25;
 
 class Search {
   public:
-    Search(const WordFormat& format, double least_radius, double most_radius, double limit)
+    Search(const CoreParameters& format, double least_radius, double most_radius, double limit)
         : format_(format), least_(least_radius), most_(most_radius), limit_(limit) {}
 
     ArcCover run() {
@@ -86,13 +86,13 @@ class Search {
         }
     }
 
-    const WordFormat& format_;
+    const CoreParameters& format_;
     const double least_, most_, limit_;
 };
 
 }  // namespace
 
-ArcCover arc_cover(const WordFormat& format, double least_radius, double most_radius,
+ArcCover arc_cover(const CoreParameters& format, double least_radius, double most_radius,
                    double limit) {
     return Search(format, least_radius, most_radius, limit).run();
 }

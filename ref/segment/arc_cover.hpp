@@ -28,6 +28,7 @@ struct ArcCover {
 ///
 /// longest > 0 proves that the planner refuses none of these moves (with pieces of that length or
 /// shorter its search ends) and that every segment it makes keeps the limit.
-ArcCover arc_cover(const WordFormat& format, double least_radius, double most_radius, double limit);
+ArcCover arc_cover(const CoreParameters& format, double least_radius, double most_radius,
+                   double limit);
 
 }  // namespace curvecore::ref

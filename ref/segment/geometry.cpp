@@ -49,7 +49,7 @@ Segment prototype(const Move& move, const PathShape& shape, int pieces, double u
 }
 
 /// Longest step that keeps the bound; the best one if none does.
-Cut best_step(Segment segment, const WordFormat& format, double limit) {
+Cut best_step(Segment segment, const CoreParameters& format, double limit) {
     Cut cut;
     cut.bound = 1e300;
     const double length = static_cast<double>(segment.length) / kQuanta;
@@ -70,7 +70,7 @@ Cut best_step(Segment segment, const WordFormat& format, double limit) {
     return cut;
 }
 
-Cut cut_move(const Move& move, const PathShape& shape, const WordFormat& format, double unit,
+Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& format, double unit,
              const PlanOptions& options) {
     const double limit = options.error_limit;
     const auto with = [&](int pieces) {
@@ -150,7 +150,7 @@ class Cutter {
         const Cut cut = cut_move(move, shape, options_.format, unit, options_);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
-            refuse_width(move, kind, [&](const WordFormat& format, double finer) {
+            refuse_width(move, kind, [&](const CoreParameters& format, double finer) {
                 return cut_move(move, shape, format, finer, options_).pieces > 0;
             });
         }
@@ -187,7 +187,7 @@ class Cutter {
         try {
             segments = spline_segments(program_, index, options_, path_);
         } catch (const std::domain_error&) {
-            refuse_width(move, "spline", [&](const WordFormat& format, double finer) {
+            refuse_width(move, "spline", [&](const CoreParameters& format, double finer) {
                 return spline_fits(program_, index, options_, format, finer);
             });
         }

@@ -6,13 +6,13 @@
 namespace curvecore::ref {
 
 std::string remedy(const PlanOptions& options,
-                   const std::function<bool(const WordFormat& format, double unit_mm)>& fits) {
+                   const std::function<bool(const CoreParameters& format, double unit_mm)>& fits) {
     double unit = options.unit_mm;
     for (int i = 0; i < 3; ++i) {  // an arc of a few units needs no wider words
         unit /= 10;
         if (fits(options.format, unit)) return fmt::format("needs a unit of {:g} mm", unit);
     }
-    WordFormat format = options.format;
+    CoreParameters format = options.format;
     const auto wide_enough = [&] { return fits(format, options.unit_mm); };
     while (format.coef_bits < 36) {
         ++format.coef_bits;

@@ -11,6 +11,6 @@ namespace curvecore::ref {
 
 /// "needs CoefBits 36" and the like: the least change with which `fits` agrees.
 std::string remedy(const PlanOptions& options,
-                   const std::function<bool(const WordFormat& format, double unit_mm)>& fits);
+                   const std::function<bool(const CoreParameters& format, double unit_mm)>& fits);
 
 }  // namespace curvecore::ref

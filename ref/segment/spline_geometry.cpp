@@ -131,7 +131,7 @@ std::vector<PlannedMove> planned_spline(const Program& program, const Machine& m
 }
 
 bool spline_fits(const Program& program, std::size_t index, PlanOptions options,
-                 const WordFormat& format, double unit_mm) {
+                 const CoreParameters& format, double unit_mm) {
     options.format = format;
     options.unit_mm = unit_mm;
     long double path = 0;

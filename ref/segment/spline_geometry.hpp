@@ -19,6 +19,6 @@ std::vector<PlannedMove> planned_spline(const Program& program, const Machine& m
 
 /// Whether the move can be carried with other words or another unit.
 bool spline_fits(const Program& program, std::size_t index, PlanOptions options,
-                 const WordFormat& format, double unit_mm);
+                 const CoreParameters& format, double unit_mm);
 
 }  // namespace curvecore::ref

@@ -16,13 +16,13 @@ constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
 
 /// Roundings of the cubic's words and of what is made of them.
-double hair(const WordFormat& format) { return std::ldexp(1.0, 6 - format.coef_bits); }
+double hair(const CoreParameters& format) { return std::ldexp(1.0, 6 - format.coef_bits); }
 
 /// Room below 1 for the |V| of a v that has drifted along the path, and so for Newton's m.
 constexpr double kRoom = 1.0 / 1024;
 
 /// What stands for |V| = 1.
-double with_room(double fastest, const WordFormat& format) {
+double with_room(double fastest, const CoreParameters& format) {
     return fastest * (1 + kRoom + hair(format));
 }
 
@@ -36,7 +36,7 @@ constexpr double kLongestLine = 4;
 /// for the part before s has a mean tangent A, the rest B, both at most 1 long: with p = s /
 /// length, p A^2 + (1-p) B^2 = m^2 + p (1-p) |A - B|^2 <= 1, and the distance is length p (1-p) |A
 /// - B|.
-Segment short_line(const Cubic& piece, double length, const WordFormat& format,
+Segment short_line(const Cubic& piece, double length, const CoreParameters& format,
                    const Aux& aux_advance, double& aside) {
     Segment line;
     line.aux_advance = aux_advance;
@@ -53,7 +53,7 @@ Segment short_line(const Cubic& piece, double length, const WordFormat& format,
 
 struct Splitter {
     const Cubic& cubic;
-    const WordFormat& format;
+    const CoreParameters& format;
     double limit;
     Aux aux_advance;
     std::size_t max_pieces;
@@ -94,7 +94,7 @@ struct Splitter {
 
 }  // namespace
 
-Segment spline_segment(const Cubic& piece, const WordFormat& format) {
+Segment spline_segment(const Cubic& piece, const CoreParameters& format) {
     const double fastest = with_room(speed_range(piece).max, format);
     Segment segment;
     segment.kind = Segment::Kind::kSpline;
@@ -119,7 +119,7 @@ Cubic to_cubic(const Segment& segment) {
             segment.c * (unit * beta), segment.start};
 }
 
-bool choose_step(const WordFormat& format, double limit, Segment& segment) {
+bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
     int exponent = 0;  // 2^exponent covers the length
     std::frexp(static_cast<double>(segment.length) / kQuanta, &exponent);
     Segment trial = segment;
@@ -138,7 +138,7 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment) {
     return false;
 }
 
-std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   long double& path, const Aux& aux_advance, int max_pieces) {
     if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
         throw std::domain_error("a limit below the roundings of a position");
@@ -157,7 +157,7 @@ std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, 
     return std::move(splitter.pieces);
 }
 
-std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   std::uint64_t s_start) {
     long double path = static_cast<long double>(s_start) / static_cast<long double>(kQuanta);
     return split_spline(cubic, format, limit, path);

@@ -25,7 +25,7 @@ namespace curvecore::ref {
 /// | length   | path quanta, rounded; a chain of pieces corrects its sums |
 ///
 /// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
-Segment spline_segment(const Cubic& piece, const WordFormat& format);
+Segment spline_segment(const Cubic& piece, const CoreParameters& format);
 
 /// Back: the segment's curve of 0 <= u <= 1 in length units, v = beta u.
 Cubic to_cubic(const Segment& segment);
@@ -34,7 +34,7 @@ Cubic to_cubic(const Segment& segment);
 /// limit, and within half of it
 /// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and
 /// the segment unchanged, when there is none.
-bool choose_step(const WordFormat& format, double limit, Segment& segment);
+bool choose_step(const CoreParameters& format, double limit, Segment& segment);
 
 /// The pieces of a cubic, cut in halves of u until each fits and keeps the limit. Tips of a few
 /// units' radius, and cusps, are drawn by lines of a few units (kind kArc).
@@ -43,12 +43,12 @@ bool choose_step(const WordFormat& format, double limit, Segment& segment);
 /// length is the difference of two rounded sums. Auxiliary axes share the bound.
 /// @throws std::domain_error when halving does not help, the limit is below four half guard bits,
 ///         or the pieces are more than max_pieces
-std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   long double& path, const Aux& aux_advance = {},
                                   int max_pieces = 1 << 16);
 
 /// The same from s_start (quanta) on.
-std::vector<Segment> split_spline(const Cubic& cubic, const WordFormat& format, double limit,
+std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   std::uint64_t s_start = 0);
 
 }  // namespace curvecore::ref

@@ -58,7 +58,7 @@ std::array<Enclosed, 3> quantised(const Vec3& exact, int frac) {
 
 }  // namespace
 
-SplineWords::SplineWords(const WordFormat& format, const Segment& segment)
+SplineWords::SplineWords(const CoreParameters& format, const Segment& segment)
     : order_(format.order),
       bits_(format.coef_bits),
       last_bit_(std::ldexp(1.0, -bits_)),

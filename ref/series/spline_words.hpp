@@ -33,7 +33,7 @@ class SplineWords {
   public:
     using State = SplineState<Enclosed>;
 
-    SplineWords(const WordFormat& format, const Segment& segment);
+    SplineWords(const CoreParameters& format, const Segment& segment);
 
     /// A step from v, where v may be `drift` off and the phi of the step before 1 / |V| by a
     /// fraction of `prediction`.

@@ -1,20 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
-// fault_o of rtl/motion_interpolator.sv in words.
+// fault_o of rtl/motion_interpolator.sv, bit by bit and in words.
 #pragma once
 
 #include <string>
 
 namespace curvecore::sysc {
 
+enum Fault {
+    kSegmentWord,
+    kSegmentOrder,
+    kPieceWord,
+    kPieceOrder,
+    kApart,
+    kShortQueue,
+    kSettings,
+    kNoSample,
+    kFaults
+};
+
 inline std::string fault_text(unsigned fault) {
-    const char* const causes[] = {"a segment word that cannot be",
-                                  "a segment missing or doubled",
-                                  "a profile word that cannot be",
-                                  "a piece missing or doubled",
-                                  "segments and pieces end apart",
-                                  "a full queue does not cover a stop",
-                                  "settings that cannot be, or that changed in motion",
-                                  "no sample for too long"};
+    const char* const causes[kFaults] = {"a segment word that cannot be",
+                                         "a segment missing or doubled",
+                                         "a profile word that cannot be",
+                                         "a piece missing or doubled",
+                                         "segments and pieces end apart",
+                                         "a full queue does not cover a stop",
+                                         "settings that cannot be, or that changed in motion",
+                                         "no sample for too long"};
     std::string text;
     for (const char* cause : causes) {
         if ((fault & 1) != 0) text += (text.empty() ? "" : ", ") + std::string(cause);

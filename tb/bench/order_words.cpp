@@ -28,7 +28,7 @@ struct Requirement {
 
 /// Every radius from 10 um up, each as fast as 5 m/s^2 and 100 m/s^3 let it go
 /// (ref/feed/limits.cpp).
-bool keeps(const Requirement& requirement, const ref::WordFormat& format) {
+bool keeps(const Requirement& requirement, const ref::CoreParameters& format) {
     const double ratio = std::sqrt(2.0);
     for (double high = requirement.radius_mm; high > 0.01; high /= ratio) {
         const ref::ArcCover cover = ref::arc_cover(format, high / ratio / requirement.unit_mm,
@@ -43,16 +43,16 @@ bool keeps(const Requirement& requirement, const ref::WordFormat& format) {
     return true;
 }
 
-int sum_bits(const ref::WordFormat& format, int i) {
+int sum_bits(const ref::CoreParameters& format, int i) {
     return ref::sum_bits(format.coef_bits, format.turn_bits, i);
 }
 
-int tau_bits(const ref::WordFormat& format, int i) {
+int tau_bits(const ref::CoreParameters& format, int i) {
     return ref::tau_bits(format.coef_bits, format.turn_bits, i);
 }
 
 /// Of the sampler's multipliers, axes and orders: 18 x 18 blocks, then bits.
-std::pair<int, int> cost(const ref::WordFormat& format) {
+std::pair<int, int> cost(const ref::CoreParameters& format) {
     const auto halves = [](int bits) { return bits > 18 ? 2 : 1; };
     std::pair<int, int> sum;
     for (int i = 1; i <= format.order; ++i) {
@@ -65,13 +65,13 @@ std::pair<int, int> cost(const ref::WordFormat& format) {
 }
 
 /// The cheapest; of orders from `least_order` on and turn bits up to `most_turn_bits`.
-ref::WordFormat search(const Requirement& requirement, int least_order, int most_turn_bits) {
-    ref::WordFormat best;
+ref::CoreParameters search(const Requirement& requirement, int least_order, int most_turn_bits) {
+    ref::CoreParameters best;
     std::pair<int, int> least{1 << 30, 0};
     for (int order = least_order; order <= 8; ++order) {
         for (int width = 18; width <= 36; ++width) {
             for (int turn = 0; turn <= most_turn_bits; ++turn) {
-                const ref::WordFormat format{order, width, 32, 12, false, turn};
+                const ref::CoreParameters format{order, width, 32, 12, false, turn};
                 const auto its = cost(format);
                 if (its >= least || !keeps(requirement, format)) continue;
                 best = format;
@@ -82,7 +82,7 @@ ref::WordFormat search(const Requirement& requirement, int least_order, int most
     return best;
 }
 
-std::string widths(const ref::WordFormat& format) {
+std::string widths(const ref::CoreParameters& format) {
     std::string text;
     for (int i = 1; i <= format.order; ++i) {
         text += fmt::format("{}{}x{}", i > 1 ? " " : "", sum_bits(format, i), tau_bits(format, i));
@@ -90,7 +90,7 @@ std::string widths(const ref::WordFormat& format) {
     return text;
 }
 
-nlohmann::ordered_json json(const ref::WordFormat& format) {
+nlohmann::ordered_json json(const ref::CoreParameters& format) {
     const auto [blocks, bits] = cost(format);
     return {{"order", format.order},
             {"coef_bits", format.coef_bits},
@@ -100,7 +100,7 @@ nlohmann::ordered_json json(const ref::WordFormat& format) {
             {"blocks", blocks}};
 }
 
-std::string text(const ref::WordFormat& format) {
+std::string text(const ref::CoreParameters& format) {
     const auto [blocks, bits] = cost(format);
     return fmt::format("Order={} CoefBits={} TurnBits={} ({}): {} blocks, {} bits", format.order,
                        format.coef_bits, format.turn_bits, widths(format), blocks, bits);
@@ -121,8 +121,8 @@ int main(int argc, char** argv) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const Requirement& requirement : requirements) {
         for (const int least_order : {2, 4, 6}) {
-            const ref::WordFormat alike = search(requirement, least_order, 0);
-            const ref::WordFormat own = search(
+            const ref::CoreParameters alike = search(requirement, least_order, 0);
+            const ref::CoreParameters own = search(
                 requirement, least_order, ref::parameter_of(&ref::CoreParameters::turn_bits).high);
             rows.push_back({{"requirement", requirement.text},
                             {"least_order", least_order},

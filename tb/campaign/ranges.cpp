@@ -34,13 +34,13 @@ struct Seen {
 
 template <class C>
 Seen draw_cubics(int cubics, tb::Extreme extreme) {
-    const ref::WordFormat format{C::kOrder,
-                                 C::kCoefBits,
-                                 C::kPositionBits,
-                                 C::kGuardBits,
-                                 C::kMode == SamplerMode::kPolynomial,
-                                 0,
-                                 C::kParameterGuard};
+    const ref::CoreParameters format{C::kOrder,
+                                     C::kCoefBits,
+                                     C::kPositionBits,
+                                     C::kGuardBits,
+                                     C::kMode == SamplerMode::kPolynomial,
+                                     0,
+                                     C::kParameterGuard};
     const double hair = std::ldexp(1.0, 6 - C::kCoefBits);
     tb::ExtremeCubics random(7 + C::kOrder, 1.0 / 1024, hair);
     Seen seen;

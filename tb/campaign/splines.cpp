@@ -49,8 +49,8 @@ double distance(const ref::Cubic& cubic, double u, const ref::Vec3& point) {
 
 template <class C>
 void draw(const ref::Cubic& cubic, int samples, sysc::SplineMaker& random, Seen& seen) {
-    const ref::WordFormat format{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-                                 C::kMode == hls::SamplerMode::kPolynomial};
+    const ref::CoreParameters format{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
+                                     C::kMode == hls::SamplerMode::kPolynomial};
     const std::vector<ref::Segment> segments = ref::split_spline(cubic, format, 0.1);
     const ref::ArcLength truth(cubic);
     const std::int64_t length =

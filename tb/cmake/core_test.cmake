@@ -25,7 +25,8 @@ function(bench_objects bench)
   endif()
   list(TRANSFORM ARG_TESTS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tb/unit/\\1_test.cpp"
        OUTPUT_VARIABLE files)
-  add_library(bench_${bench} OBJECT ${files})
+  add_library(bench_${bench} OBJECT ${files}
+                                    ${PROJECT_SOURCE_DIR}/tb/support/core_configuration.cpp)
   target_link_libraries(bench_${bench} PUBLIC curvecore_host GTest::gtest_main
                                        PRIVATE verilator_runtime)
   target_precompile_headers(bench_${bench} REUSE_FROM core_test_headers)

@@ -31,7 +31,7 @@ class Random {
     ref::Vec3 direction() {
         return ref::Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
     }
-    ref::WordFormat format() {
+    ref::CoreParameters format() {
         const bool polynomial = uniform(0, 1) < 0.5;
         const int turn_bits = polynomial ? 0 : std::max(0, whole(-4, 6));
         return {whole(2, 12), whole(18, 36), 32, whole(2, 12), polynomial, turn_bits};
@@ -67,7 +67,7 @@ double worst_ratio(int segments, double beyond) {
     Random random(1);
     double worst = 0;
     for (int n = 0; n < segments; ++n) {
-        const ref::WordFormat format = random.format();
+        const ref::CoreParameters format = random.format();
         const double least = random.spread(20, 1e9);
         const double most = least * random.uniform(1, 1.5);
         const int k = random.whole(0, 27);
@@ -95,7 +95,7 @@ TEST(FamilyBound, IsBelowThatOfTighterArcs) { EXPECT_GT(worst_ratio(100000, 1.2)
 TEST(FamilyBound, GrowsWithTheLength) {
     Random random(2);
     for (int n = 0; n < 20000; ++n) {
-        const ref::WordFormat format = random.format();
+        const ref::CoreParameters format = random.format();
         const double radius = random.spread(20, 1e9);
         const int k = random.whole(0, static_cast<int>(std::log2(radius)) - 1);
         const double length = random.spread(1, M_PI_2 * radius);
@@ -107,7 +107,7 @@ TEST(FamilyBound, GrowsWithTheLength) {
 /// Arcs of a quarter turn and more, by the planner.
 class PlannedArc {
   public:
-    PlannedArc(Random& random, const ref::WordFormat& format, double radius, double limit) {
+    PlannedArc(Random& random, const ref::CoreParameters& format, double radius, double limit) {
         ref::Program program;
         program.file = "arc";
         ref::Move move;
@@ -136,7 +136,7 @@ TEST(ArcCover, ThePlannerRefusesNoneAndKeepsItsRates) {
     Random random(3);
     int planned = 0;
     for (int n = 0; n < 2000; ++n) {
-        const ref::WordFormat format = random.format();
+        const ref::CoreParameters format = random.format();
         const double most = random.spread(10, 1e9);
         const double least = most / std::sqrt(2.0);
         const double limit = random.spread(0.1, 10);
@@ -164,7 +164,7 @@ TEST(ArcCover, ThePlannerRefusesNoneAndKeepsItsRates) {
 }
 
 TEST(ArcCover, RefusesALimitBelowTheRoundings) {
-    const ref::WordFormat format{6, 36, 32, 4, false};
+    const ref::CoreParameters format{6, 36, 32, 4, false};
     EXPECT_EQ(ref::arc_cover(format, 1e6, 1e6, 0.05).longest, 0);
     EXPECT_GT(ref::arc_cover(format, 1e6, 1e6, 0.1).longest, 0);
 }

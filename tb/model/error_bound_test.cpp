@@ -19,7 +19,7 @@ namespace {
 using hls::SamplerMode;
 
 template <class C>
-ref::WordFormat format_of() {
+ref::CoreParameters format_of() {
     return {C::kOrder,
             C::kCoefBits,
             C::kPositionBits,
@@ -215,15 +215,15 @@ TEST(ErrorBound, GrowsWithLengthAndShrinksWithWidth) {
     segment.normal = {1, 0, 0};
     segment.step_exponent = 23;
     segment.length = std::uint64_t{20} << 39;
-    const ref::WordFormat format;
+    const ref::CoreParameters format;
     const double bound = ref::segment_bound(format, segment);
     ref::Segment longer = segment;
     longer.length *= 2;
     EXPECT_GT(ref::segment_bound(format, longer), bound);
-    ref::WordFormat narrow = format;
+    ref::CoreParameters narrow = format;
     narrow.coef_bits = 32;
     EXPECT_GT(ref::rounding_bound(narrow, segment), 8 * ref::rounding_bound(format, segment));
-    ref::WordFormat low = format;
+    ref::CoreParameters low = format;
     low.order = 5;
     EXPECT_GT(ref::truncation_bound(low, segment), 10 * ref::truncation_bound(format, segment));
 }

@@ -87,7 +87,7 @@ TEST(Words, SegmentFieldsKeepTheirPlacesOnTheBus) {
         segment.tangent[axis] = 200 + axis;
         segment.normal[axis] = 300 + axis;
     }
-    std::uint64_t bus[segment_bus_words<C>()];
+    std::uint64_t bus[ref::segment_bus_words(C::kAuxAxes)];
     pack(segment, 0x1AB, bus);
     EXPECT_EQ(bus[0], 0x100000000001U);
     EXPECT_EQ(bus[1], 0x2EC000000002U);  // last, k = 27, kind 0
@@ -113,7 +113,7 @@ TEST(Words, ASplineHasItsKindBesideTheStepExponentAndItsScaleInTheNormal) {
     segment.theta = std::int64_t(3) << 33;
     segment.step_exponent = 21;
     segment.lambda = 25;
-    std::uint64_t bus[segment_bus_words<C>()];
+    std::uint64_t bus[ref::segment_bus_words(C::kAuxAxes)];
     pack(segment, 0, bus);
     EXPECT_EQ(bus[1], (3ULL << 33) | (1ULL << 36) | (21ULL << 38) | (2ULL << 44));
     EXPECT_EQ(bus[5], (25ULL << 36) | (6ULL << 44));

@@ -29,7 +29,7 @@ CoreParameters setting_of() {
 }
 
 template <class C>
-using BusWords = std::array<std::uint64_t, hls::segment_bus_words<C>()>;
+using BusWords = std::array<std::uint64_t, ref::segment_bus_words(C::kAuxAxes)>;
 
 template <class C, class Format>
 BusWords<C> packed(const hls::SegmentWords<Format>& segment, const Format& format) {

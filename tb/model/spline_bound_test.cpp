@@ -20,7 +20,7 @@ namespace {
 using hls::SamplerMode;
 
 template <class C>
-ref::WordFormat format_of() {
+ref::CoreParameters format_of() {
     return {C::kOrder,
             C::kCoefBits,
             C::kPositionBits,
@@ -130,7 +130,7 @@ TEST(SplineBound, CoversAndIsTightWithAFineParameter) {
 TEST(SplineBound, AFineParameterNeedsFewerSegments) {
     std::size_t segments[2] = {0, 0};
     for (const int guard : {0, 4}) {
-        ref::WordFormat format = format_of<Core<4, 32, 10, kPolynomial>>();
+        ref::CoreParameters format = format_of<Core<4, 32, 10, kPolynomial>>();
         format.parameter_guard = guard;
         for (const SplineFamily& family : spline_families()) {
             SplineMaker random(5);

@@ -36,7 +36,7 @@ void expect_series(int steps) {
         return low + (high - low) * std::generate_canonical<double, 53>(random);
     };
     const auto word = [](double value, int frac) { return std::floor(std::ldexp(value, frac)); };
-    ref::WordFormat format;
+    ref::CoreParameters format;
     format.order = C::kOrder;
     format.coef_bits = kBits;
     double worst = 0;  // of error / derived error
@@ -103,7 +103,7 @@ double largest_newton_product(double limit,
     struct Kernel : hls::SplineKernel<C> {
         using hls::SplineKernel<C>::net_;
     };
-    ref::WordFormat format;
+    ref::CoreParameters format;
     format.order = C::kOrder;
     format.coef_bits = C::kCoefBits;
     double largest = 0;
@@ -150,7 +150,7 @@ TEST(SplineKernel, NewtonsProductIsAWord) {
 }
 
 /// Pieces of a few cubics and the lines between them, as one path.
-std::vector<ref::Segment> mixed_segments(const ref::WordFormat& format) {
+std::vector<ref::Segment> mixed_segments(const ref::CoreParameters& format) {
     SplineMaker random(3);
     std::vector<ref::Segment> segments;
     for (const SplineFamily& family : {spline_families()[2], spline_families()[6]}) {

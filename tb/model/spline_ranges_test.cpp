@@ -14,7 +14,7 @@ namespace {
 using hls::SamplerMode;
 
 template <class C>
-ref::WordFormat format_of() {
+ref::CoreParameters format_of() {
     return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
             C::kMode == SamplerMode::kPolynomial};
 }

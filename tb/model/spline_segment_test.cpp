@@ -18,7 +18,7 @@ namespace curvecore::tb {
 using namespace sysc;
 namespace {
 
-const ref::WordFormat kFormat{6, 36, 32, 10, true};
+const ref::CoreParameters kFormat{6, 36, 32, 10, true};
 
 TEST(SplineSegment, PiecesKeepTheWordsRangesAndJoin) {
     SplineMaker random(12);
@@ -97,10 +97,10 @@ ref::Segment piece() {
 TEST(SplineError, GrowsAsWidthOrOrderShrink) {
     const ref::Segment segment = piece();
     const ref::SplineError here = ref::spline_error(kFormat, segment);
-    ref::WordFormat narrow = kFormat;
+    ref::CoreParameters narrow = kFormat;
     narrow.coef_bits = 32;
     EXPECT_GT(ref::spline_error(narrow, segment).rounding, 8 * here.rounding);
-    ref::WordFormat low = kFormat;
+    ref::CoreParameters low = kFormat;
     low.order = 5;
     EXPECT_GT(ref::spline_error(low, segment).truncation, 5 * here.truncation);
     EXPECT_EQ(ref::segment_bound(kFormat, segment), here.total());

@@ -10,7 +10,7 @@
 
 namespace curvecore::tb {
 
-constexpr int kPortAxes = 3 + ref::parameter_of(&sysc::CoreParameters::aux_axes).high;
+constexpr int kPortAxes = 3 + ref::parameter_of(&ref::CoreParameters::aux_axes).high;
 
 /// Ports: a struct with the names of the module's, and rst_ni. Used as ClockedDut is.
 template <class Ports>

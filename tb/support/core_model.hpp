@@ -43,7 +43,7 @@ template <class Verilated, class Ports>
 void observe_sample(const Verilated& model, Ports& ports) {
     ports.sample_valid_o = model.sample_valid_o != 0;
     if (!ports.sample_valid_o) return;
-    const sysc::CoreParameters& core = core_configuration().parameters;
+    const ref::CoreParameters& core = core_configuration().parameters;
     const int bits = core.position_bits;
     const int fine = bits + core.guard_bits;
     for (int axis = 0; axis < core.axes(); ++axis) {

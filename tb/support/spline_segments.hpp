@@ -36,7 +36,7 @@ inline ref::Cubic in_range(ref::Cubic cubic, int position_bits, double most) {
 
 /// The first dozen of pieces that the planner makes of a cubic of each family.
 inline std::vector<RunSegment> spline_pieces(const CoreParameters& core, std::uint64_t seed) {
-    ref::WordFormat format;
+    ref::CoreParameters format;
     format.order = core.order;
     format.coef_bits = core.coef_bits;
     format.position_bits = core.position_bits;

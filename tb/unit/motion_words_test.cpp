@@ -3,21 +3,11 @@
 // comes, the path is the kernel's, time's rate keeps its bounds, and a sample comes or a fault is
 // up.
 #include "hls/word_entry.hpp"
+#include "sysc/board/faults.hpp"
 #include "tb/support/motion_bench.hpp"
 
 namespace curvecore::tb {
 namespace {
-
-enum Fault {
-    kSegmentWord,
-    kSegmentOrder,
-    kPieceWord,
-    kPieceOrder,
-    kApart,
-    kShortQueue,
-    kSettings,
-    kNoSample
-};
 
 int stalls() {
     const char* count = std::getenv("CURVECORE_STALLS");
