@@ -5,7 +5,8 @@
 // here, or a value of the object where widths are known at run time only (RunTimeFormat,
 // sysc/host/run_time_format.hpp). A format has
 //
-//     Coef, Fine, FineParameter, Product   types of words; Product holds a sum of 13 products
+//     Coef, Fine, Position, FineParameter, Product
+//                                          types of words; Product holds a sum of 13 products
 //     kMostOrder, kMostAxes                constants, for arrays
 //     keep(variable, order, value)         called for every word of a network: the value as the
 //                                          word keeps it
@@ -63,6 +64,7 @@ struct Configuration {
     static constexpr int kMostAxes = kAxes;
     using Coef = Word<CoefBits>;
     using Fine = Word<kFineBits>;
+    using Position = Word<PositionBits>;
     using FineParameter = Word<CoefBits + ParameterGuard>;
     using Product = Word<2 * CoefBits + 4>;
 

@@ -90,8 +90,8 @@ class InterpolatorKernel : private C {
 
 /// A fine position as the output word: whole length units, rounded once.
 template <class C>
-inline Word<C::kPositionBits> to_position(const typename C::Fine& fine) {
-    return Word<C::kPositionBits>(round_shift(fine, C::kGuardBits));
+inline typename C::Position to_position(const typename C::Fine& fine, const C& c = C()) {
+    return typename C::Position(round_shift(fine, c.kGuardBits));
 }
 
 }  // namespace CURVECORE_STORAGE

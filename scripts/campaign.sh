@@ -35,9 +35,9 @@ mapfile -t benches < <(find build/release/tb -maxdepth 1 -type f -executable \
 share() {
   case $1 in
     *serial*) echo 1 ;;
-    *_i8*) echo 5 ;;
-    *_i4*) echo 10 ;;
-    *_i2*) echo 20 ;;
+    *_si8*) echo 5 ;;
+    *_si4*) echo 10 ;;
+    *_si2*) echo 20 ;;
     *) echo 32 ;;
   esac
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # The configurations of all modules under test: those of the cores are the rows of
-# configurations/*.csv, the others stand here.
+# configurations.csv, the others stand here.
 #   core_test(<test file without _test.cpp> <configuration> TOP <module> PARAMS Name=Value ...)
 # makes tests unit.<configuration>.<Suite>.<Test>; Name=Value reaches the RTL as a parameter and the
 # test as CFG_Name.
@@ -103,8 +103,8 @@ illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 
-# The cores: a table each, in which every legal pair of values stands (lint/configurations.py says
-# of which classes). The long campaign runs those of configurations/long too.
+# The cores: of each every legal pair of values stands in configurations.csv
+# (lint/configurations.py says of which classes).
 option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
 foreach(bench spherical_interpolator spherical_interpolator_serial curve_interpolator_serial
               spline_interpolator curve_interpolator empty_segments)

@@ -16,6 +16,8 @@ struct CoreParameters {
 
     int axes() const { return 3 + aux_axes; }
     bool polynomial() const { return mode == 1; }
+    /// Most that the output's rounding takes from a position, units.
+    double rounding() const { return 0.5; }
 };
 
 enum class ParameterValues { kWhole, kPowerOfTwo };

@@ -78,7 +78,7 @@ void KernelBoard::draw(Sample& sample) {
     sample.ds = ds_;
     sample.rate = rate_;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(core_.axes()); ++axis) {
-        sample.position[axis] = hls::round_shift(sample.fine[axis], core_.guard_bits);
+        sample.position[axis] = hls::to_position(sample.fine[axis], format_);
     }
 }
 

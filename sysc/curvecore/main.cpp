@@ -61,7 +61,7 @@ void add_core(CLI::App& command, RawOptions& raw) {
     add_text(command, "--error", raw.error, "LENGTH",
              fmt::format("worst error of a position on any axis, half a unit of rounding in it; "
                          "default {:g} units",
-                         kDefaultError));
+                         kDefaultBound + CoreParameters().rounding()));
 }
 
 void add_common(CLI::App& command, RawOptions& raw, Options& options) {

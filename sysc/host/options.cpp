@@ -75,9 +75,11 @@ ref::PointsOptions points_options(const RawOptions& raw, const std::string& file
 
 double unit_of(const std::string& text) { return length("--unit", text, 1e-7, 1); }
 
-double bound_limit(const std::string& text, double standard, double unit_mm) {
+double bound_limit(const std::string& text, double standard, double unit_mm,
+                   const CoreParameters& core) {
     const double error = text.empty() ? standard : length("--error", text, 1e-7, 1e3);
-    const double limit = std::round((error / unit_mm - 0.5) * 1e9) / 1e9;  // 0.6 - 0.5 is 0.1
+    // 0.6 - 0.5 is 0.1
+    const double limit = std::round((error / unit_mm - core.rounding()) * 1e9) / 1e9;
     if (!(limit >= 0.001 && limit <= 1e6)) {
         throw UsageError(fmt::format(
             "--error {}: must be in [0.501, 1000000] units of {}; half a unit is lost by rounding",
@@ -129,8 +131,6 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     if (!raw.unit.empty()) core.unit_mm = unit_of(raw.unit);
     options.unit_mm = core.unit_mm.value_or(options.unit_mm);
-    const double error = core.error_mm.value_or(kDefaultError * options.unit_mm);
-    options.error_limit = bound_limit(raw.error, error, options.unit_mm);
     options.sample_period_s = core.sample_period_s.value_or(options.sample_period_s);
     if (!raw.sample_period.empty()) {
         options.sample_period_s = quantity("--sample-period", raw.sample_period,
@@ -154,6 +154,9 @@ void interpret(const RawOptions& raw, Options& options) {
         options.aux_axes_set |= row.value == &CoreParameters::aux_axes;
     }
     check_built(options);
+    const double error = kDefaultBound + options.core.rounding();
+    options.error_limit = bound_limit(raw.error, core.error_mm.value_or(error * options.unit_mm),
+                                      options.unit_mm, options.core);
     options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});
     if (!(options.override_percent >= 1 && options.override_percent <= 100)) {
         throw UsageError("--override must be in [1, 100] percent");

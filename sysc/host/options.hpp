@@ -71,9 +71,9 @@ struct RawOptions {
     std::vector<std::string> set;
 };
 
-/// Worst error of a position on any axis that plans keep where nothing else is said, units: half a
-/// unit of it is the rounding of the output.
-constexpr double kDefaultError = 0.6;
+/// Worst error of a position on any axis, before rounding, that plans keep where nothing else is
+/// said, units.
+constexpr double kDefaultBound = 0.1;
 
 /// Values of --unit, in mm, and of --build. @throws UsageError
 double unit_of(const std::string& text);
@@ -81,7 +81,8 @@ Build build_of(const std::string& text);
 
 /// The derived bound, before rounding, that keeps --error; empty text: `standard`, in mm. In units.
 /// @throws UsageError
-double bound_limit(const std::string& text, double standard, double unit_mm);
+double bound_limit(const std::string& text, double standard, double unit_mm,
+                   const CoreParameters& core);
 
 /// @throws UsageError with the option's name and the reason; ref::InputError of the core's file
 void interpret(const RawOptions& raw, Options& options);

@@ -29,6 +29,7 @@ struct RunTimeFormat {
 
     using Coef = std::int64_t;
     using Fine = std::int64_t;
+    using Position = std::int64_t;
     using FineParameter = std::int64_t;
     using Product = hls::Word<128>;
     static constexpr int kMostOrder = hls::kMostOrder;

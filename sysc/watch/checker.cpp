@@ -64,7 +64,7 @@ void Checker::start() {
     const RunSegment first = words(cursor_.index());
     std::int64_t position[kMostAxes];
     for (int axis = 0; axis < core_axes_; ++axis) {
-        position[axis] = to_position(first.start[axis]);
+        position[axis] = hls::to_position(first.start[axis], format_);
         if (axis < 3) last_point_[axis] = static_cast<double>(first.start[axis]) * fine_unit_;
     }
     const ref::Segment& segment = cursor_.segment();
@@ -78,10 +78,6 @@ RunSegment Checker::words(std::size_t segment) const {
     return hls::to_words(job_.plan.segments.at(segment), format_);
 }
 
-std::int64_t Checker::to_position(std::int64_t fine) const {
-    return hls::round_shift(fine, job_.options.core.guard_bits);
-}
-
 void Checker::compare_with_kernel(const Sample& drawn) {
     std::int64_t fine[kMostAxes];
     kernel_.sample(
@@ -90,7 +86,7 @@ void Checker::compare_with_kernel(const Sample& drawn) {
     for (int axis = 0; axis < core_axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         differing += drawn.fine[a] != fine[axis];
-        differing += drawn.position[a] != to_position(fine[axis]);
+        differing += drawn.position[a] != hls::to_position(fine[axis], format_);
     }
     if (differing != 0 && result_.differing_words == 0) {
         result_.first_difference = fmt::format(
@@ -169,13 +165,13 @@ bool Checker::stops(std::size_t segment) const {
 
 /// The output word against the program's own end point.
 void Checker::compare_landing(const Sample& drawn) {
-    const CoreParameters& core = job_.options.core;
     const ref::Move& move = job_.program.moves[cursor_.segment().move];
     for (int axis = 0; axis < axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double end = axis < 3 ? move.end[axis] : move.aux_end[a - 3];
-        const std::int64_t word = to_position(hls::quantise(
-            end / job_.plan.unit_mm, core.guard_bits, core.position_bits + core.guard_bits));
+        const std::int64_t fine =
+            hls::quantise(end / job_.plan.unit_mm, format_.kGuardBits, format_.kFineBits);
+        const std::int64_t word = hls::to_position(fine, format_);
         result_.landing = std::max(result_.landing, std::abs(drawn.position[a] - word));
     }
     if (cursor_.index() != last_stop_) ++result_.stops;

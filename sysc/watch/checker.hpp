@@ -35,7 +35,6 @@ class Checker {
     bool stops(std::size_t segment) const;
     void compare_landing(const Sample& drawn);
     RunSegment words(std::size_t segment) const;
-    std::int64_t to_position(std::int64_t fine) const;
 
     const Job& job_;
     const int core_axes_;

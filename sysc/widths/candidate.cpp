@@ -60,7 +60,7 @@ int position_bits(const Requirement& requirement, double unit_mm) {
 std::optional<Candidate> make_candidate(const Requirement& requirement,
                                         const CoreParameters& parameters, double unit_mm) {
     Candidate candidate;
-    candidate.limit = requirement.error_mm / unit_mm - 0.5;
+    candidate.limit = requirement.error_mm / unit_mm - parameters.rounding();
     const int bits = position_bits(requirement, unit_mm);
     if (candidate.limit < kLeastLimit || bits > 32) return std::nullopt;
     candidate.core = core_for(requirement.arcs(), requirement.splines(), parameters.build);

@@ -37,7 +37,8 @@ Json binds_json(const Choice& choice) {
 
 /// Worst error of a position as the core gives it, mm.
 double proven_error(const Choice& choice) {
-    return (choice.demand.bound() + 0.5) * choice.candidate.unit_mm;
+    const Candidate& candidate = choice.candidate;
+    return (choice.demand.bound() + candidate.parameters.rounding()) * candidate.unit_mm;
 }
 
 Json choice_json(const Choice& choice) {

@@ -48,8 +48,7 @@ class Comparison {
         : subject_(subject),
           segmented_(segmented),
           row_(row),
-          guard_bits_(setting.guard_bits),
-          unit_(std::ldexp(1.0, -guard_bits_)),
+          unit_(std::ldexp(1.0, -setting.guard_bits)),
           axes_(3 + subject.program.aux_axes),
           format_(setting, axes_, &row.ranges),
           segments_(words()),
@@ -99,10 +98,6 @@ class Comparison {
         walked_ = s;
     }
 
-    std::int64_t to_position(std::int64_t fine) const {
-        return hls::round_shift(fine, guard_bits_);
-    }
-
     void sample(std::size_t n) {
         const ExactSample& exact = subject_.exact.samples[n];
         advance(exact.s);
@@ -118,7 +113,7 @@ class Comparison {
             const double fine = static_cast<double>(fine_[axis]) * unit_;
             if (axis < 3) point[a] = fine;
             before[a] = fine - there;
-            after[a] = static_cast<double>(to_position(fine_[axis])) - there;
+            after[a] = static_cast<double>(hls::to_position(fine_[axis], format_)) - there;
             worst = std::max(worst, std::abs(before[a]));
         }
         of_bound_ = std::max(of_bound_, worst * per_bound_[next_ - 1]);
@@ -138,15 +133,16 @@ class Comparison {
         std::copy(point, point + 3, last_);
     }
 
-    void land(const ref::Segment& segment, std::int64_t end) {
-        advance(end);
+    void land(const ref::Segment& segment, std::int64_t s) {
+        advance(s);
         const ref::Move& move = subject_.program.moves[segment.move];
         for (int axis = 0; axis < axes_; ++axis) {
             const double place =
                 axis < 3 ? move.end[axis] : move.aux_end[static_cast<std::size_t>(axis - 3)];
-            const std::int64_t word = hls::quantise(place / subject_.unit_mm, guard_bits_, 62);
-            row_.landing =
-                std::max(row_.landing, std::abs(to_position(fine_[axis]) - to_position(word)));
+            const std::int64_t end =
+                hls::quantise(place / subject_.unit_mm, format_.kGuardBits, 62);
+            row_.landing = std::max(row_.landing, std::abs(hls::to_position(fine_[axis], format_) -
+                                                           hls::to_position(end, format_)));
         }
     }
 
@@ -167,7 +163,6 @@ class Comparison {
     const Subject& subject_;
     const SegmentedProgram& segmented_;
     Row& row_;
-    const int guard_bits_;
     const double unit_;
     const int axes_;
     const RunTimeFormat format_;

@@ -2,6 +2,7 @@
 // Every command line here is refused: status 2, the reason in its words, nothing left behind.
 #include <gtest/gtest.h>
 
+#include "ref/format/parameter_text.hpp"
 #include "tb/cli/program_run.hpp"
 
 namespace curvecore::tb {
@@ -83,9 +84,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"BuildUnknown", with({"--build", "folded"}),
      "curvecore: error: --build 'folded': must be parallel or serial"},
     {"SetUnknown", with({"--set", "Width=36"}),
-     "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
-     "GuardBits, Mode, TurnBits, ParameterGuard, AuxAxes, Splines, Anchor, SampleInterval, "
-     "MultiplierForm"},
+     "curvecore: error: --set Width: unknown parameter; there are " + ref::parameter_names()},
     {"SetWithoutValue", with({"--set", "Order"}),
      "curvecore: error: --set Order: Name=Value is expected"},
     {"SetNotANumber", with({"--set", "Order=six"}),

@@ -3,6 +3,7 @@
 // left behind.
 #include <gtest/gtest.h>
 
+#include "ref/format/parameter_text.hpp"
 #include "tb/cli/program_run.hpp"
 
 namespace curvecore::tb {
@@ -136,9 +137,7 @@ const std::vector<BadComparison> kBadComparisons{
      "curvecore: error: The following argument was not expected: --stall"},
     {"SetUnknown",
      {"--set", "Width=36"},
-     "curvecore: error: --set Width: unknown parameter; there are Order, CoefBits, PositionBits, "
-     "GuardBits, Mode, TurnBits, ParameterGuard, AuxAxes, Splines, Anchor, SampleInterval, "
-     "MultiplierForm"},
+     "curvecore: error: --set Width: unknown parameter; there are " + ref::parameter_names()},
     {"FileMissing", {"none.ngc"}, "none.ngc: error: no such file"},
     {"KindOfFileUnknown",
      {"part.step"},

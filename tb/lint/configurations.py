@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Of every core's table tb/configurations/*.csv: each two classes of values of two parameters that
-may stand together do stand together in a row.  Says which pairs are missing.
+"""Of every bench in tb/configurations.csv: each two classes of values of two parameters that may
+stand together do stand together in a row of the short form.  Says which pairs are missing.
 
-    tb/lint/configurations.py [FOLDER]     default: tb/configurations
+    tb/lint/configurations.py [FILE]     default: tb/configurations.csv
 """
 
+import collections
 import csv
 import itertools
 import pathlib
@@ -27,6 +28,8 @@ def every(*values):
 def ends(name):
     """The least value, the greatest, and those between."""
     low, high = PARAMETERS[name].low, PARAMETERS[name].high
+    if high == low + 1:
+        return every(low, high)
     return every(low, high) | {f"{low + 1}..{high - 1}": set(range(low + 1, high))}
 
 
@@ -36,33 +39,22 @@ def default_or_not(name):
     return every(one.default) | {f"not {one.default}": others}
 
 
-WIDTHS = {name: ends(name) for name in ("CoefBits", "PositionBits", "GuardBits", "AuxAxes")}
-ORDER = every(2, 12) | {"even": {4, 6, 8, 10}, "odd": {3, 5, 7, 9, 11}}
 INTERVAL = every(1, 8) | {"2, 4": {2, 4}}
-MODE = {"Mode": every(0, 1)}
-
-# The classes of every column, table by table.  The whole core takes its words from the cores that
-# have tables of their own: there a value that is not the default shows that it comes through.
-SERIAL = {"Order": ORDER} | WIDTHS | MODE
-SPLINES = {"Order": ORDER} | WIDTHS | MODE | {
-    "Anchor": every(0, 1), "SampleInterval": INTERVAL, "ParameterGuard": ends("ParameterGuard")}
-TABLES = {
+EVEN_AND_ODD = every(2, 12) | {"even": {4, 6, 8, 10}, "odd": {3, 5, 7, 9, 11}}
+# Classes other than ends().  The whole core takes its words from the cores that have rows of their
+# own: there a value that is not the default shows that it comes through.
+CLASSES = {bench: {"Order": EVEN_AND_ODD, "SampleInterval": INTERVAL} for bench in (
+    "spherical_interpolator_serial", "curve_interpolator_serial", "spline_interpolator",
+    "curve_interpolator")} | {
     "spherical_interpolator": {
-        "Order": every(2, 3, 12) | {"even": {4, 6, 8, 10}, "odd": {5, 7, 9, 11}}, **WIDTHS, **MODE,
+        "Order": every(2, 3, 12) | {"even": {4, 6, 8, 10}, "odd": {5, 7, 9, 11}},
         "SampleInterval": every(1, 2, 4, 8), "TurnBits": default_or_not("TurnBits")},
-    "spherical_interpolator_serial": SERIAL,
-    "curve_interpolator_serial": SERIAL,
-    "spline_interpolator": SPLINES,
-    "curve_interpolator": SPLINES,
     "motion_interpolator": {
-        "Build": every(0, 1),
+        "Build": every(0, 1), "SampleInterval": INTERVAL,
         **{name: default_or_not(name) for name in ("Order", "CoefBits", "PositionBits",
-                                                   "GuardBits")},
-        "AuxAxes": ends("AuxAxes"), "Splines": every(0, 1), **MODE, "Anchor": every(0, 1),
-        "SampleInterval": INTERVAL, "ParameterGuard": default_or_not("ParameterGuard"),
-        "TurnBits": default_or_not("TurnBits")},
+                                                   "GuardBits", "ParameterGuard", "TurnBits")}},
 }
-# Of the core that a table is of, where no column says it.
+# Of the core that a bench is of, where no column says it.
 CORES = {"spline_interpolator": {"Splines": 1}, "curve_interpolator": {"Splines": 1},
          "spherical_interpolator_serial": {"Build": 1},
          "curve_interpolator_serial": {"Build": 1, "Splines": 1}}
@@ -85,39 +77,43 @@ def pairs(classes):
     return set(itertools.combinations(classes.items(), 2))
 
 
-def legal_pairs(table):
+def legal_pairs(bench, columns):
     found = set()
-    columns = TABLES[table]
     for names in itertools.product(*columns.values()):
         classes = dict(zip(columns, names))
         values = {column: min(columns[column][name]) for column, name in classes.items()}
-        if legal(DEFAULTS | CORES.get(table, {}) | values):
+        if legal(DEFAULTS | CORES.get(bench, {}) | values):
             found |= pairs(classes)
     return found
 
 
-def row_pairs(table, row):
-    columns = TABLES[table]
-    values = {column: int(value) for column, value in row.items()}
+def row_pairs(bench, columns, row):
+    values = {column: int(value) for column, value in row.items() if value != "-"}
     if list(values) != list(columns):
-        sys.exit(f"{table}: columns {', '.join(row)} instead of {', '.join(columns)}")
-    if not legal(DEFAULTS | CORES.get(table, {}) | values):
-        sys.exit(f"{table}: {','.join(row.values())} is not legal")
+        sys.exit(f"{bench}: a row has {', '.join(values)} instead of {', '.join(columns)}")
+    if not legal(DEFAULTS | CORES.get(bench, {}) | values):
+        sys.exit(f"{bench}: {','.join(row.values())} is not legal")
     return pairs({column: next(name for name, members in columns[column].items()
                                if value in members) for column, value in values.items()})
 
 
 def main():
-    folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "configurations"
+    file = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "configurations.csv"
+    rows = collections.defaultdict(list)
+    with open(file, encoding="ascii") as table:
+        for row in csv.DictReader(table):
+            bench, form = row.pop("Bench"), row.pop("Form")
+            if form == "short":
+                rows[bench].append(row)
+    if set(rows) != set(CLASSES):
+        sys.exit(f"{file}: benches other than {', '.join(CLASSES)}")
     status = 0
-    if {file.stem for file in folder.glob("*.csv")} != set(TABLES):
-        sys.exit(f"{folder}: tables other than {', '.join(TABLES)}")
-    for table in TABLES:
-        with open(folder / f"{table}.csv", encoding="ascii") as file:
-            rows = list(csv.DictReader(file))
-        wanted = legal_pairs(table)
-        missing = wanted - set().union(*(row_pairs(table, row) for row in rows))
-        print(f"{table}: {len(rows)} rows, {len(wanted) - len(missing)} of {len(wanted)} pairs")
+    for bench, its_rows in rows.items():
+        columns = {column: CLASSES[bench].get(column) or ends(column)
+                   for column, value in its_rows[0].items() if value != "-"}
+        wanted = legal_pairs(bench, columns)
+        missing = wanted - set().union(*(row_pairs(bench, columns, row) for row in its_rows))
+        print(f"{bench}: {len(its_rows)} rows, {len(wanted) - len(missing)} of {len(wanted)} pairs")
         for (one, its), (other, others) in sorted(missing):
             print(f"  missing: {one} {its} with {other} {others}")
             status = 1

@@ -117,7 +117,7 @@ class CurveCoreBench : public testing::Test {
         for (int a = 0; a < core_.axes(); ++a) {
             const int64_t truth = expected_.front()[a];
             ASSERT_EQ(dut_->sample_fine_o[a], truth) << "sample " << compared_ << " axis " << a;
-            ASSERT_EQ(dut_->sample_position_o[a], hls::round_shift(truth, core_.guard_bits))
+            ASSERT_EQ(dut_->sample_position_o[a], hls::to_position(truth, format_))
                 << "sample " << compared_;
         }
         expected_.pop_front();

@@ -182,7 +182,7 @@ class MotionInterpolator : public testing::Test {
         for (int axis = 0; axis < core_.axes(); ++axis) {
             ASSERT_EQ(dut_->sample_fine_o[axis], fine[axis])
                 << "sample " << samples_ << " axis " << axis;
-            ASSERT_EQ(dut_->sample_position_o[axis], hls::round_shift(fine[axis], core_.guard_bits))
+            ASSERT_EQ(dut_->sample_position_o[axis], hls::to_position(fine[axis], format_))
                 << "sample " << samples_ << " axis " << axis;
         }
         ++samples_;

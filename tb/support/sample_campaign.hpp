@@ -82,7 +82,7 @@ class SampleCampaign {
         for (int a = 0; a < core_.axes(); ++a) {
             const std::int64_t word = truth[static_cast<std::size_t>(a)];
             differing_ += dut_->sample_fine_o[a] != word;
-            differing_ += dut_->sample_position_o[a] != hls::round_shift(word, core_.guard_bits);
+            differing_ += dut_->sample_position_o[a] != hls::to_position(word, format_);
         }
         ++compared_;
     }
