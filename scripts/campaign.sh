@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 # The long form of what the tests do in short: every proof, clang-tidy of every file, 10^9 samples
 # of the RTL against the kernel over all configurations, accuracy over many more curves, drift over
-# 10^7 segments. Three quarters of an hour or so.
+# 10^7 segments; then the tests of models, units and commands under the sanitizers, and coverage.
+# Three hours or so.
 #
 #   scripts/campaign.sh [SAMPLES]      samples in all, default 10^9; logs in build/campaign
 set -euo pipefail
 total=${1:-1000000000}
 case $total in
   -h | --help)
-    sed -n '3,7s/^# \{0,1\}//p' "$0"
+    sed -n '3,8s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
   "" | *[!0-9]* | 0*)
@@ -71,3 +72,5 @@ json.dump(equality, open("build/figures/equality.json", "w"))
 print(f"{samples} samples in {len(found)} configurations, {differ} words differ")
 sys.exit(not all(found) or differ > 0)
 PYTHON
+for label in model unit cli; do scripts/test.sh --preset asan -L "$label"; done
+scripts/coverage.sh

@@ -24,7 +24,8 @@ from readme_table import PAGES, ROOT
 LONG = {
     "scripts/demo.sh": "builds the program first",
     "scripts/test.sh": "runs this test",
-    "scripts/campaign.sh": "half an hour",
+    "scripts/campaign.sh": "three hours",
+    "scripts/coverage.sh": "half an hour",
     "scripts/real_parts.sh": "fetches a package; a test of its own",
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",
     "cmake ": "builds the libraries; system.Package tests do it",
