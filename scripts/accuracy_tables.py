@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README tables of errors and rates: campaigns, benches, the demo."""
+"""README tables of errors, rates and coverage: campaigns, benches, the demo."""
 
 import pathlib
 import re
@@ -43,6 +43,19 @@ def throughput():
     if bench is None:
         return None
     return table(["what", "measured"], [(r["what"], r["measured"]) for r in bench["rows"]])
+
+
+def coverage():
+    data = load("figures/coverage.json")
+    if data is None:
+        return None
+
+    def share(row, kind):
+        run, number = row[kind + "_run"], row[kind]
+        return f"{run:,} of {number:,} ({run / number:.1%})"
+
+    return table(["folder", "lines", "branches"],
+                 [(f"`{r['folder']}`", share(r, "line"), share(r, "branch")) for r in data])
 
 
 def equality():

@@ -1,38 +1,52 @@
-#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Sums up coverage: C++ from gcovr's JSON (the argument), RTL from Verilator's files, whose names
-come on standard input, each ended by a zero byte.  Writes build/figures/coverage.json, a row for
-each folder, and build/coverage/uncovered.txt."""
+"""Sums up what the tests of build/coverage ran: C++ as GCC counted it, RTL as Verilator did.
+Writes build/figures/coverage.json, a row for each folder, and build/coverage/uncovered.txt."""
 
 import collections
+import concurrent.futures
+import itertools
 import json
+import os
 import pathlib
 import re
-import sys
+import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build/coverage"
 POINT = re.compile(r"\x01(\w+)\x02([^\x01']*)")
 
 
-def cpp_points(name):
+def gcov(data):
+    """What GCC counted in an object, file by file."""
+    done = subprocess.run(["gcov", "-b", "-j", "-t", data], capture_output=True, check=True,
+                          cwd=BUILD)
+    return json.loads(done.stdout)["files"]
+
+
+def cpp_points():
     """(file, line, kind, which) -> times that it ran"""
     points = collections.Counter()
-    for file in json.loads(pathlib.Path(name).read_text())["files"]:
-        for line in file["lines"]:
-            if line.get("gcovr/noncode") or line.get("gcovr/excluded"):
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        files = itertools.chain.from_iterable(pool.map(gcov, BUILD.rglob("*.gcda")))
+        for file in files:
+            path = (BUILD / file["file"]).resolve()
+            if not any(path.is_relative_to(ROOT / tree) for tree in ("ref", "hls", "sysc")):
                 continue
-            number = line["line_number"]
-            points[file["file"], number, "line", 0] += line["count"]
-            for which, branch in enumerate(line["branches"]):
-                points[file["file"], number, "branch", which] += branch["count"]
+            name = str(path.relative_to(ROOT))
+            for line in file["lines"]:
+                number = line["line_number"]
+                points[name, number, "line", 0] += line["count"]
+                branches = [branch for branch in line["branches"] if not branch["throw"]]
+                for which, branch in enumerate(branches):
+                    points[name, number, "branch", which] += branch["count"]
     return points
 
 
-def rtl_points(names):
+def rtl_points():
     """The same: a line or a branch of a module, in whatever instance and configuration."""
     points = collections.Counter()
-    for name in names:
-        for entry in pathlib.Path(name).read_text(errors="replace").splitlines():
+    for name in BUILD.rglob("coverage.*.dat"):
+        for entry in name.read_text(errors="replace").splitlines():
             if not entry.startswith("C '"):
                 continue
             field = dict(POINT.findall(entry))
@@ -46,10 +60,9 @@ def rtl_points(names):
 
 
 def main():
-    names = [name for name in sys.stdin.read().split("\0") if name]
     rows = collections.defaultdict(collections.Counter)
     missed = []
-    for source in (cpp_points(sys.argv[1]), rtl_points(names)):
+    for source in (cpp_points(), rtl_points()):
         for (file, line, kind, which), count in sorted(source.items(), key=str):
             folder = str(pathlib.Path(file).parent)
             rows[folder][kind] += 1

@@ -17,7 +17,7 @@ import re
 import subprocess
 import sys
 
-from accuracy_tables import accuracy, demo, equality, errors, splines, throughput
+from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, throughput
 from choose_tables import choose, choose_impossible, order_words, parameter_guard
 from claim_tables import claims, others, paper_table, spline_table
 from parameter_table import parameter_rows
@@ -47,6 +47,7 @@ TABLES = {
     "accuracy": Table(accuracy, CAMPAIGN),
     "splines": Table(splines, CAMPAIGN),
     "equality": Table(equality, CAMPAIGN),
+    "coverage": Table(coverage, "scripts/coverage.sh"),
     "throughput": Table(throughput, BENCH),
     "claims": Table(claims, BENCH, exact=True),
     "paper_table": Table(paper_table, BENCH, exact=True),
