@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sysc/host/core_clocks.hpp"
+#include "tb/support/bench_format.hpp"
 #include "tb/support/curve_ports.hpp"
 #include "tb/support/legal_segments.hpp"
 #include "tb/support/sample_campaign.hpp"
@@ -25,7 +26,7 @@ using Fine = std::array<int64_t, kMostAxes>;
 
 /// Shapes: of segments, `next()` and `whole(k, steps)`. Rounds: of 500 samples.
 template <class Shapes, int Rounds>
-class CurveCoreBench : public testing::Test {
+class CurveCoreBench : public testing::Test, protected BenchFormat {
   protected:
     using Segments = std::vector<RunSegment>;
     using Campaign = SampleCampaign<Shapes>;
@@ -48,9 +49,7 @@ class CurveCoreBench : public testing::Test {
 
     void add(const RunSegment& segment) {
         segments_.push_back(segment);
-        std::vector<uint64_t> words(
-            static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes)));
-        hls::pack(segment, 0, words.data(), format_);
+        const std::vector<uint64_t> words = bus_words(segment, 0);
         bus_.insert(bus_.end(), words.begin(), words.end());
     }
 
@@ -354,9 +353,6 @@ class CurveCoreBench : public testing::Test {
         EXPECT_GT(compared_, 120);
     }
 
-    const CoreParameters core_ = core_configuration().parameters;
-    ValueRanges ranges_{core_.coef_bits};
-    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
     CurveCore dut_;
     std::unique_ptr<CurveCore> fresh_;  // gets the same inputs, must give the same outputs
     RunTimeKernel kernel_{format_};

@@ -13,6 +13,7 @@
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
 #include "ref/feed/hold_bounds.hpp"
+#include "tb/support/bench_format.hpp"
 #include "tb/support/mixed_segments.hpp"
 #include "tb/support/motion_ports.hpp"
 #include "tb/support/random_pieces.hpp"
@@ -24,7 +25,7 @@ constexpr int64_t kSlope = 40 * kAcceleration;
 const uint32_t kStopTicks = ref::stop_ticks(kAcceleration, 40);
 constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program
 
-class MotionInterpolator : public testing::Test {
+class MotionInterpolator : public testing::Test, protected BenchFormat {
   protected:
     MotionInterpolator() {
         dut_->hold_acceleration_i = kAcceleration;
@@ -66,16 +67,6 @@ class MotionInterpolator : public testing::Test {
             const std::vector<uint64_t> bus = bus_words(words, segment_sequence_++);
             segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
         }
-    }
-
-    std::vector<uint64_t> bus_words(const RunSegment& segment, unsigned sequence) const {
-        std::vector<uint64_t> bus(segment_frame());
-        hls::pack(segment, sequence, bus.data(), format_);
-        return bus;
-    }
-    /// Words of a segment.
-    std::size_t segment_frame() const {
-        return static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes));
     }
 
     /// The ticks in which the pieces draw each segment: of whole pieces only, so never too many.
@@ -249,9 +240,6 @@ class MotionInterpolator : public testing::Test {
 
     bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
 
-    const CoreParameters core_ = core_configuration().parameters;
-    ValueRanges ranges_{core_.coef_bits};
-    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
     MotionCore dut_;
     std::mt19937 random_{1};
     int stall_ = 0;  // percent of clocks, every handshake

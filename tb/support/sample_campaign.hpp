@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "tb/support/bench_format.hpp"
 #include "tb/support/curve_ports.hpp"
 
 namespace curvecore::tb {
@@ -21,7 +22,7 @@ inline bool portable() { return core_configuration().parameters.multiplier_form 
 
 /// Shapes: of segments.
 template <class Shapes>
-class SampleCampaign {
+class SampleCampaign : BenchFormat {
   public:
     /// `samples` without CURVECORE_SAMPLES: a few seconds' worth, of slow models fewer. 2^density
     /// samples at least in a step, but for requests that are held.
@@ -114,17 +115,14 @@ class SampleCampaign {
             Shapes shapes(core_, seed);
             for (int n = 0; n < 500; ++n) chain_.push_back(shapes.next());
         }
-        const auto words = static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes));
-        bus_.resize(chain_.size() * words);
-        for (std::size_t n = 0; n < chain_.size(); ++n)
-            hls::pack(chain_[n], static_cast<unsigned>(n), &bus_[n * words], format_);
+        for (std::size_t n = 0; n < chain_.size(); ++n) {
+            const std::vector<uint64_t> words = bus_words(chain_[n], static_cast<unsigned>(n));
+            bus_.insert(bus_.end(), words.begin(), words.end());
+        }
     }
 
     std::int64_t samples_;
     int least_density_;
-    const CoreParameters core_ = core_configuration().parameters;
-    ValueRanges ranges_{core_.coef_bits};
-    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
     CurveCore dut_;
     RunTimeKernel kernel_{format_};
     std::mt19937_64 random_{3};
