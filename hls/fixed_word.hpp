@@ -36,6 +36,13 @@ template <int Bits>
 inline std::int64_t to_int(const ap_int<Bits>& word) {
     return word.to_int64();
 }
+#elif defined(CURVECORE_BIT_INT)
+template <int Bits>
+using Word = _BitInt(Bits > 64 ? 128 : Bits);
+template <int Bits>
+inline std::int64_t to_int(_BitInt(Bits) word) {
+    return static_cast<std::int64_t>(word);
+}
 #elif defined(CURVECORE_CHECKED)
 __extension__ using Wide = __int128;
 

@@ -8,6 +8,7 @@
 //   |                   | word's range                                                          |
 //   | CURVECORE_AC_INT  | ac_int                                                                |
 //   | CURVECORE_AP_INT  | ap_int                                                                |
+//   | CURVECORE_BIT_INT | _BitInt, as clang has it; with -fwrapv                                 |
 //
 // All give the same bits while every value is within its word's range. Each has an inline namespace
 // of its own, so that one program may draw with two of them.
@@ -17,6 +18,8 @@
 #define CURVECORE_STORAGE ac_storage
 #elif defined(CURVECORE_AP_INT)
 #define CURVECORE_STORAGE ap_storage
+#elif defined(CURVECORE_BIT_INT)
+#define CURVECORE_STORAGE bit_storage
 #elif defined(CURVECORE_CHECKED)
 #define CURVECORE_STORAGE checked_storage
 #else

@@ -36,11 +36,13 @@ control/taylor_sequencer.sv
 control/word_digits.sv
 curve_interpolator.sv
 curve_interpolator_serial.sv
+hyperbola_interpolator.sv
 motion_interpolator.sv
 network/anchor_opening.sv
 network/anchor_program.sv
 network/anchor_words.sv
 network/arc_bank.sv
+network/hyperbola_network.sv
 network/sine_cosine_network.sv
 network/spherical_network.sv
 network/spherical_steps.sv

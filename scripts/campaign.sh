@@ -72,5 +72,6 @@ json.dump(equality, open("build/figures/equality.json", "w"))
 print(f"{samples} samples in {len(found)} configurations, {differ} words differ")
 sys.exit(not all(found) or differ > 0)
 PYTHON
+export CURVECORE_MUTATIONS=100000
 for label in model unit cli; do scripts/test.sh --preset asan -L "$label"; done
 scripts/coverage.sh

@@ -3,9 +3,13 @@
 
 from readme_table import load, short, table
 
+ABSOLUTE = "10^6 ticks, from the start, mm"
+SUMMED = "from the tick before, mm"
 
-def spline_table(name):
-    data = load("figures/spline_tables.json")
+
+def bench_table(file, name):
+    """A table as its program wrote it."""
+    data = load(f"figures/{file}.json")
     if data is None:
         return None
     one = data["tables"][name]
@@ -26,6 +30,19 @@ def paper_table():
     return table(head, [[order] + [cell[order, feed] for feed in feeds] for order in orders])
 
 
+def minimal_orders():
+    data = load("figures/paper_table.json")
+    if data is None:
+        return None
+    rows = data["minimal_orders"]
+    ticks = sorted({r["tick_ms"] for r in rows}, reverse=True)
+    tolerances = sorted({r["tolerance_mm"] for r in rows}, reverse=True)
+    cell = {(r["tolerance_mm"], r["tick_ms"]): f"{r['step']} / {r['circle']} / {r['circles']}"
+            for r in rows}
+    return table(["tolerance, mm"] + [f"tick of {tick:g} ms" for tick in ticks],
+                 [[f"{one:g}"] + [cell[one, tick] for tick in ticks] for one in tolerances])
+
+
 def others():
     data = load("figures/others.json")
     if data is None:
@@ -37,7 +54,7 @@ def others():
             r["method"],
             f"{r['bits_per_mm']:.0f}",
             short(r["off_mm"]),
-            short(100 * r["ripple"]),
+            "infinite" if r["ripple"] is None else short(100 * r["ripple"]),
             short(r["jump_mm_s"]),
         )
         for r in data["rows"]
@@ -46,10 +63,12 @@ def others():
 
 
 def claims():
-    """[Chikurov]'s claims on circles and splines, with what the two tables' programs measured."""
+    """The papers' claims, with what the tables' programs measured."""
     circles = load("figures/paper_table.json")
     splines = load("figures/spline_tables.json")
-    if circles is None or splines is None:
+    searches = load("figures/search_tables.json")
+    cams = load("figures/cam_tables.json")
+    if None in (circles, splines, searches, cams):
         return None
     turn = {(r["order"], r["feed_m_min"]): short(r["circle_mm"]) + " mm" for r in circles["rows"]}
 
@@ -60,6 +79,17 @@ def claims():
 
     def tick(spline):
         return cell("spline_tick", (spline, "1.5"), "Runge-Kutta, 16 variables")
+
+    def look(tables, name, row, column):
+        one = tables["tables"][name]
+        found = next(r for r in one["rows"] if r[0] == row)
+        return found[one["header"].index(column)]
+
+    def search(name, row, column):
+        return look(searches, name, row, column)
+
+    def cam(name, row, column):
+        return look(cams, name, row, column)
 
     def period(radius, method):
         return cell("spline_period", (radius, "20"), method) + " ms"
@@ -106,4 +136,39 @@ def claims():
             " 3 to 60 times",
         ),
     )
-    return table(["claim", "measured, Runge-Kutta unless said", "verdict"], rows)
+    rows = [("[Chikurov]", *row) for row in rows] + [
+        (
+            "[Obukhov]",
+            "Simpson's rule and Runge's estimate give the arc length to a tolerance",
+            f"false stops on random cubics: {search('search_stops', '1 um', 'from n = 2')} at worst"
+            f" from 2 intervals, {search('search_stops', '1 um', 'from n = 32')} from 32",
+            "false from few intervals",
+        ),
+        (
+            "[Obukhov]",
+            "2 to 3 iterations a tick are enough",
+            f"1.5 m/min: gentle 2D {search('search_ticks', 'gentle 2D', '1.5 m/min')}, hairpin 0.03"
+            f" {search('search_ticks', 'hairpin 0.03', '1.5 m/min')}; 60 m/min: corner"
+            f" {search('search_ticks', 'corner', '60 m/min')}; mean (most)",
+            "true at the papers' feeds, with the stop test mended",
+        ),
+        (
+            "[Obukhov]",
+            "lengths must count from the frame's start, or errors add up over millions of ticks",
+            f"10^6 ticks, hairpin 0.1: {search('search_ticks', 'hairpin 0.1', SUMMED)} mm,"
+            f" from the start {search('search_ticks', 'hairpin 0.1', ABSOLUTE)} mm",
+            "true: dozens of times the tolerance of 1e-06 mm",
+        ),
+        (
+            "[Tamm]",
+            "10 to 15 times less input",
+            f"tables by cubics both ways, against linear ones of the same error:"
+            f" {cam('cam_input', '20 x 10', 'times as many')} times at"
+            f" {cam('cam_input', '20 x 10', 'error, um')} um,"
+            f" {cam('cam_input', '28 x 16', 'times as many')} at"
+            f" {cam('cam_input', '28 x 16', 'error, um')} um",
+            "true below some 40 um, without the paper's own switching, which jumps by"
+            f" {cam('cam_surfaces', 'tamm, parabola', '5 mm').split(' / ')[1]} um",
+        ),
+    ]
+    return table(["paper", "claim", "measured, Runge-Kutta unless said", "verdict"], rows)

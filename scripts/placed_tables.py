@@ -41,6 +41,46 @@ def synthesis():
     return table([*head, "MHz", "LUT4", "FF", "DSP", "BRAM", "seeds", "tree"], rows)
 
 
+def networks():
+    rows = [
+        (
+            r["core"],
+            r["device"] + (f", speed {r['speed']}" if r["speed"] else ""),
+            f"{r['Order']} / {r['CoefBits']}",
+            r["Anchor"] or "-",
+            f"{float(r['fmax_mhz']):.0f}",
+            *(r[fact] for fact in ("lut4", "ff", "dsp", "bram", "seeds")),
+        )
+        for r in placed("networks")
+    ]
+    head = ["core", "device", "Order / CoefBits", "Anchor", "MHz", "LUT4", "FF", "DSP", "BRAM"]
+    return table([*head, "seeds"], rows) if rows else None
+
+
+def hls():
+    """Two rows for each kernel: the RTL, and the pipeline of an HLS compiler."""
+    file = measured("hls/hls.csv")
+    if not file:
+        return None
+    with open(file, newline="") as stream:
+        found = list(csv.DictReader(stream))
+
+    def row(r, form, what, clocks, unplaced):
+        bits = f" / {r['PositionBits']}.{r['GuardBits']}" if r["PositionBits"] else ""
+        mhz = r[f"{form}_fmax_mhz"]
+        return (r["core"], what, f"{r['Order']} / {r['CoefBits']}{bits}", r["device"], clocks,
+                f"{float(mhz):.0f}" if mhz else unplaced,
+                *(r[f"{form}_{fact}"] for fact in ("lut4", "ff", "dsp")), r["seeds"])
+
+    rows = []
+    for r in found:
+        steps = f", steps {r['steps']}" if r["steps"] else ""
+        rows += [row(r, "rtl", "RTL", r["rtl_clocks"], "-"),
+                 row(r, "hls", f"HLS, stages {r['stages']}{steps}", 1, "too large")]
+    head = ["kernel", "form", "Order / CoefBits / position", "device", "clocks per call"]
+    return table([*head, "MHz", "LUT4", "FF", "DSP", "seeds"], list(dict.fromkeys(rows)))
+
+
 def sizes():
     """Five rows of rtl/README.md's table."""
     page = (ROOT / "rtl/README.md").read_text()

@@ -28,6 +28,7 @@ LONG = {
     "scripts/coverage.sh": "half an hour",
     "scripts/real_parts.sh": "fetches a package; a test of its own",
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",
+    "scripts/hls.sh": "a minute or more; tests of its own",
     "cmake ": "builds the libraries; system.Package tests do it",
 }
 

@@ -19,14 +19,17 @@ import sys
 
 from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, throughput
 from choose_tables import choose, choose_impossible, order_words, parameter_guard
-from claim_tables import claims, others, paper_table, spline_table
+from claim_tables import bench_table, claims, minimal_orders, others, paper_table
 from parameter_table import parameter_rows
-from placed_tables import cost_model, order_words_placed, parameter_guard_placed, sizes, synthesis
+from placed_tables import (cost_model, hls, networks, order_words_placed, parameter_guard_placed,
+                           sizes, synthesis)
 from readme_table import PAGES, ROOT, Table, git, sources
 
 BENCH = "scripts/bench.sh"
 CAMPAIGN = "scripts/campaign.sh"
 SWEEP = "scripts/synth.sh --sweep scripts/sweeps/"
+
+bench = functools.partial(functools.partial, bench_table)
 
 # exact: the same on every machine, so --check compares what this tree's runs have left
 TABLES = {
@@ -44,6 +47,8 @@ TABLES = {
     "order_words_placed": Table(order_words_placed, SWEEP + "order_words.csv"),
     "parameter_guard_placed": Table(parameter_guard_placed, SWEEP + "parameter_guard.csv"),
     "synthesis": Table(synthesis, SWEEP + "readme.csv"),
+    "networks": Table(networks, SWEEP + "networks.csv"),
+    "hls": Table(hls, "scripts/hls.sh --sweep scripts/sweeps/hls.csv"),
     "accuracy": Table(accuracy, CAMPAIGN),
     "splines": Table(splines, CAMPAIGN),
     "equality": Table(equality, CAMPAIGN),
@@ -51,8 +56,15 @@ TABLES = {
     "throughput": Table(throughput, BENCH),
     "claims": Table(claims, BENCH, exact=True),
     "paper_table": Table(paper_table, BENCH, exact=True),
-    "spline_tick": Table(functools.partial(spline_table, "spline_tick"), BENCH, exact=True),
-    "spline_period": Table(functools.partial(spline_table, "spline_period"), BENCH, exact=True),
+    "minimal_orders": Table(minimal_orders, BENCH, exact=True),
+    "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
+    "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),
+    "cam_pieces": Table(bench("cam_tables", "cam_pieces"), BENCH, exact=True),
+    "cam_surfaces": Table(bench("cam_tables", "cam_surfaces"), BENCH, exact=True),
+    "cam_input": Table(bench("cam_tables", "cam_input"), BENCH, exact=True),
+    "search_stops": Table(bench("search_tables", "search_stops"), BENCH, exact=True),
+    "search_ticks": Table(bench("search_tables", "search_ticks"), BENCH, exact=True),
+    "search_words": Table(bench("search_tables", "search_words"), BENCH, exact=True),
     "others": Table(others, BENCH, exact=True),
 }
 

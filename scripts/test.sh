@@ -6,7 +6,7 @@
 #
 #   scripts/test.sh [-L LABEL] [-R REGEX] [--preset release|debug|asan|coverage]
 #
-# Labels: model unit system formal lint cli.  Other options go to ctest as they are.
+# Labels: model unit system formal lint cli hls.  Other options go to ctest as they are.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 preset=release
@@ -20,9 +20,9 @@ while [ $# -gt 0 ]; do
       ;;
     -L)
       case ${2:-} in
-        model | unit | system | formal | lint | cli) targets+=("label_$2") ;;
+        model | unit | system | formal | lint | cli | hls) targets+=("label_$2") ;;
         *)
-          echo "test: '${2:-}' is no label: model, unit, system, formal, lint or cli" >&2
+          echo "test: '${2:-}' is no label: model, unit, system, formal, lint, cli or hls" >&2
           exit 2
           ;;
       esac

@@ -169,6 +169,18 @@ foreach(size 2,18 6,36 7,29 12,33)
 endforeach()
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
+# The hyperbola: order, word length, anchor, form.
+foreach(size 2,18,1,0 6,36,1,0 6,36,1,1 7,29,1,0 12,33,1,1 2,36,0,1 6,36,0,0 5,18,0,0 12,29,0,0)
+  read_row(${size} order bits anchor form)
+  core_test(hyperbola_interpolator p${order}_w${bits}_n${anchor}_${form_${form}}
+            TOP hyperbola_interpolator
+            PARAMS Order=${order} CoefBits=${bits} Anchor=${anchor} MultiplierForm=${form})
+endforeach()
+illegal_parameter_test(hyperbola_interpolator Order=1 "Order must be in .2, 12.")
+illegal_parameter_test(hyperbola_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
+illegal_parameter_test(hyperbola_interpolator Anchor=2 "Anchor must be 0 or 1")
+illegal_parameter_test(hyperbola_interpolator MultiplierForm=3 "MultiplierForm must be in .0, 2.")
+illegal_parameter_test(square_integrator Gain=2 "Gain must be 1 or 3")
 
 foreach(core spherical_interpolator spline_interpolator curve_interpolator
              curve_interpolator_serial)

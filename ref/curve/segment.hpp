@@ -48,6 +48,7 @@ struct Segment {
     Aux aux_start{};
     Aux aux_end{};
     Aux aux_advance{};      // per unit of path
+    Aux aux_turned{};       // whole turns of a rotary axis that its words leave out, units
     int step_exponent = 0;  // k: an integration step is 2^k units
     double bound = 0;       // derived bound of the error per axis, before the final rounding, units
     std::uint32_t ticks =

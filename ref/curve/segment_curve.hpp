@@ -53,11 +53,11 @@ inline double exact_aux(const Segment& segment, std::size_t axis, double s) {
 
 using AxisPoint = std::array<double, kMachineAxes>;
 
-/// All axes, X Y Z being known.
+/// All axes, X Y Z being known; rotary axes with all their turns, as the program has them.
 inline AxisPoint exact_point(const Segment& segment, const Vec3& xyz, double s) {
     AxisPoint point{xyz.x(), xyz.y(), xyz.z()};
     for (std::size_t axis = 0; axis < kAuxAxes; ++axis) {
-        point[3 + axis] = exact_aux(segment, axis, s);
+        point[3 + axis] = exact_aux(segment, axis, s) + segment.aux_turned[axis];
     }
     return point;
 }

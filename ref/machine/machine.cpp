@@ -18,7 +18,6 @@ constexpr std::string_view kLetters = "XYZABCUVW";
 constexpr double kJerkTime = 0.05;  // s: an axis without MAX_JERK reaches its acceleration
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
-constexpr double kFarthest = 1e99;  // LinuxCNC's travel of an axis without limits
 
 class MachineReader {
   public:
@@ -156,13 +155,15 @@ class MachineReader {
 
     void read_travel(int axis, const std::vector<std::string>& sections, double unit) {
         AxisLimits& limits = machine_.axis[axis];
-        limits.min = -kFarthest;
-        limits.max = kFarthest;
+        limits.rotary = axis >= 3 && axis < 6 && is_wrapped(sections);
+        limits.min = -kUnlimited;
+        limits.max = kUnlimited;
+        if (limits.rotary) return;
         for (const std::string& section : sections) {
             const std::optional<double> min = ini_.number(section, "MIN_LIMIT");
             const std::optional<double> max = ini_.number(section, "MAX_LIMIT");
-            limits.min = std::max(limits.min, min.value_or(-kFarthest) * unit);
-            limits.max = std::min(limits.max, max.value_or(kFarthest) * unit);
+            limits.min = std::max(limits.min, min.value_or(-kUnlimited) * unit);
+            limits.max = std::min(limits.max, max.value_or(kUnlimited) * unit);
             if (limits.min >= limits.max) {
                 const char* name = max ? "MAX_LIMIT" : "MIN_LIMIT";
                 throw InputError(
@@ -171,6 +172,21 @@ class MachineReader {
                                 kLetters[axis], limits.min, limits.max));
             }
         }
+        limits.rotary = axis >= 3 && axis < 6 && limits.min == -kUnlimited &&
+                        limits.max == kUnlimited && is_angular(sections);
+    }
+
+    bool is_wrapped(const std::vector<std::string>& sections) const {
+        return std::any_of(sections.begin(), sections.end(), [this](const std::string& section) {
+            return ini_.number(section, "WRAPPED_ROTARY").value_or(0) != 0;
+        });
+    }
+
+    bool is_angular(const std::vector<std::string>& sections) const {
+        return std::any_of(sections.begin(), sections.end(), [this](const std::string& section) {
+            const std::optional<IniEntry> type = ini_.find(section, "TYPE");
+            return type && type->value == "ANGULAR";
+        });
     }
 
     /// Limits along the path; without them what the axes together allow.

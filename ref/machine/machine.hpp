@@ -17,7 +17,23 @@ struct AxisLimits {
     double jerk = 100000;        // mm/s^3
     double min = -1000;          // mm
     double max = 1000;           // mm
+    bool rotary = false;         // turns without end: its words leave whole turns out
 };
+
+/// LinuxCNC's travel of an axis without limits, mm.
+constexpr double kUnlimited = 1e99;
+constexpr double kTurn = 360;  // degrees
+
+/// A B C turn without end.
+inline std::array<AxisLimits, kMachineAxes> built_in_axes() {
+    std::array<AxisLimits, kMachineAxes> axes;
+    for (std::size_t i = 3; i < 6; ++i) {
+        axes[i].min = -kUnlimited;
+        axes[i].max = kUnlimited;
+        axes[i].rotary = true;
+    }
+    return axes;
+}
 
 struct Machine {
     std::string name = "built-in";
@@ -25,7 +41,7 @@ struct Machine {
     double acceleration = 5000;  // along and across the path
     double jerk = 100000;
     double joint_time = 1e-3;  // s: how long a joint's change of velocity or acceleration may take
-    std::array<AxisLimits, kMachineAxes> axis;
+    std::array<AxisLimits, kMachineAxes> axis = built_in_axes();
     std::vector<std::string> notes;  // defaults that were taken, for the report
 };
 
@@ -39,9 +55,10 @@ struct Machine {
 /// | | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT MAX_LIMIT;
 /// | | [AXIS_0] ..), [JOINT_0] ..     | where an axis and its joints differ the tighter one holds |
 ///
-/// Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path the
-/// axes' limits are added as vectors; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What was
-/// missing is said in `notes`.
+/// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
+/// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path
+/// the axes' limits are added as vectors; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What
+/// was missing is said in `notes`.
 /// @throws InputError with file, line and reason.
 Machine read_machine(const std::string& file);
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The box that a move needs.
+// The box that a move needs, and whether the machine has it.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
+#include <string>
 
 #include "ref/feed/path_shape.hpp"
+#include "ref/program/coordinates.hpp"
 
 namespace curvecore::ref {
 
@@ -66,6 +70,23 @@ inline AxisRange travel(const Move& move) {
         }
     }
     return range;
+}
+
+/// Why a machine cannot make a move: it goes beyond its travel. Empty: it can.
+inline std::string beyond_travel(const AxisRange& range, const Move& move, const Machine& machine) {
+    constexpr double kSlack = 1e-7;  // mm: rounding of an inch file
+    for (int i = 0; i < kMachineAxes; ++i) {
+        const AxisLimits& axis = machine.axis[i];
+        if (axis.rotary) continue;
+        const bool moves = i < 3 || move.aux_start[i - 3] != move.aux_end[i - 3];
+        const bool low = range.low[i] < axis.min - kSlack;
+        if (moves && (low || range.high[i] > axis.max + kSlack)) {
+            return fmt::format("{} = {:.6g} mm is beyond the machine's travel {:.6g} .. {:.6g} mm",
+                               kAxisLetters[i], low ? range.low[i] : range.high[i], axis.min,
+                               axis.max);
+        }
+    }
+    return "";
 }
 
 }  // namespace curvecore::ref

@@ -44,7 +44,7 @@ class Interpreter {
                                  const Place& place) const;
     void space_arc(Block& block, const Codes& codes, const Place& place);
     void check_nothing_waits(const Place& place) const;
-    void check_spline(Block& block, const Place& place) const;
+    void check_spline(Block& block, const Place& place);
     void spline(Block& block, const Place& place);
     Bezier cubic_legs(Block& block, const Vec3& start, const Vec3& end, const Place& place);
     Bezier quadratic_legs(Block& block, const Vec3& start, const Vec3& end,
@@ -97,7 +97,7 @@ class Interpreter {
     double feed_unit_ = 1;        // .. of this many mm
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
-    std::optional<Vec3> last_leg_;  // P Q of a G5 that is still in force, mm
+    std::optional<Vec3> last_leg_;  // P Q R of a G5 that is still in force, mm
     std::map<std::string, Warning> warnings_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The interpreter's splines, as LinuxCNC means them: G5 (cubic), G5.1 (quadratic) and the NURBS of
-// G5.2 .. G5.3, all in the XY plane.
+// G5.2 .. G5.3, all in the XY plane. Of our own: G5 and G5.2 in space, with Z at every point, and K
+// beside I J, R beside P Q.
 //
 // I J and P Q are offsets also with G90.1. With G91 the control points of a NURBS count from its
 // start, where the machine still stands. Its weights (P) are 1 and its order (L) is 3 unless given.
@@ -20,12 +21,20 @@ constexpr int kHighestOrder = 16;
 
 }  // namespace
 
-void Interpreter::check_spline(Block& block, const Place& place) const {
+void Interpreter::check_spline(Block& block, const Place& place) {
     if (normal_axis_ != 2) {
         place.refuse(fmt::format("{} wants the XY plane (G17)", g_name(motion_)));
     }
-    if (block.has_any("ZABCUVW")) {
-        place.refuse(fmt::format("{} takes the axes X and Y only", g_name(motion_)));
+    const bool flat = motion_ == 51;
+    if (block.has_any(flat ? "ZABCUVW" : "ABCUVW")) {
+        place.refuse(fmt::format("{} takes the axes X{} only", g_name(motion_),
+                                 flat ? " and Y" : ", Y and Z"));
+    }
+    if (block.has_any(motion_ == 50 ? "ZKR" : "Z")) {
+        warn(fmt::format("{} in space (Z, K, R) is this reader's own: elsewhere it lies in the XY "
+                         "plane",
+                         g_name(motion_)),
+             place);
     }
 }
 
@@ -58,13 +67,14 @@ Bezier Interpreter::cubic_legs(Block& block, const Vec3& start, const Vec3& end,
     if (block.has('I')) {
         out.x() = block.use('I') * unit;
         out.y() = block.use('J') * unit;
+        if (block.has('K')) out.z() = block.use('K') * unit;
     } else if (last_leg_) {
         out = -*last_leg_;
     } else {
         place.refuse("the first G5 behind another motion wants I and J");
     }
     const double p = use_p(block, place) * unit;
-    last_leg_ = Vec3(p, block.use('Q') * unit, 0);
+    last_leg_ = Vec3(p, block.use('Q') * unit, block.has('R') ? block.use('R') * unit : 0);
     return {start, start + out, end + *last_leg_, end};
 }
 

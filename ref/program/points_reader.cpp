@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "ref/curve/arc_length.hpp"
 #include "ref/program/coordinates.hpp"
@@ -23,26 +25,40 @@ Aux aux_of(const PointRow& row) {
     return aux;
 }
 
-/// Derivatives are where the fit wants them, and nowhere else.
-void check_derivatives(const PointTable& table, const std::string& file, Fit fit) {
+/// Derivatives are where the fit reads them, and nowhere else.
+void check_derivatives(const PointTable& table, const std::string& file,
+                       const PointsOptions& options) {
     for (const bool first : {true, false}) {
         const int column = first ? kFirstD1 : kFirstD2;
-        const bool wanted = first ? wants_d1(fit) : wants_d2(fit);
+        const Reads reads =
+            first ? reads_d1(options.fit, options.ends) : reads_d2(options.fit, options.ends);
         const char* const names = first ? "dx dy dz" : "ddx ddy ddz";
         const Place header{file, table.header_line};
-        if (wanted && !table.has[column]) {
+        if (options.fit == Fit::kClamped && first && !table.has[column]) {
             header.refuse(fmt::format("this fit wants the columns {}", names));
         }
-        if (!wanted && table.has[column]) {
+        if (reads == Reads::kNothing && table.has[column]) {
             header.refuse(fmt::format("this fit has no use for the columns {}", names));
         }
-        for (std::size_t i = 0; wanted && i < table.rows.size(); ++i) {
+        for (std::size_t i = 0; table.has[column] && i < table.rows.size(); ++i) {
             const bool end = i == 0 || i + 1 == table.rows.size();
-            if (!table.rows[i].cell[column] && (end || fit != Fit::kClamped)) {
+            if (!table.rows[i].cell[column] && (end || reads == Reads::kAll)) {
                 Place{file, table.rows[i].line}.refuse(
                     fmt::format("this fit wants {} here", names));
             }
         }
+    }
+}
+
+void check_closed(const PointTable& table, const std::string& file) {
+    const PointRow& last = table.rows.back();
+    if (table.rows.size() < 4) {
+        Place{file, last.line}.refuse(
+            "a closed spline wants at least 4 points, the first again last");
+    }
+    if (vector_at(table.rows.front(), 0) != vector_at(last, 0)) {
+        Place{file, last.line}.refuse(fmt::format(
+            "a closed spline ends at its first point, that of line {}", table.rows.front().line));
     }
 }
 
@@ -104,6 +120,29 @@ void append(Program& program, const std::vector<Cubic>& chain, const PointRow& f
     }
 }
 
+/// Second derivatives that are not those of a C2 spline leave corners at the points.
+void warn_of_corners(Program& program, const std::vector<std::vector<Cubic>>& chains,
+                     const PointTable& table) {
+    constexpr double kNoCorner = 1e-6;  // rad
+    double worst = kNoCorner;
+    std::size_t at = 0;
+    int count = 0;
+    for (std::size_t i = 1; i < chains.size(); ++i) {
+        const Vec3 in = chains[i - 1].back().velocity(1);
+        const Vec3 out = chains[i].front().velocity(0);
+        const double angle = std::atan2(in.cross(out).norm(), in.dot(out));
+        count += angle > kNoCorner ? 1 : 0;
+        if (angle <= worst) continue;
+        worst = angle;
+        at = i;
+    }
+    if (count == 0) return;
+    program.warnings.push_back(
+        fmt::format("{}:{}: warning: a corner of {:.3g} degrees, the sharpest of {}: these second "
+                    "derivatives are not those of a C2 spline (--fit c2 is one)",
+                    program.file, table.rows[at].line, worst * 180 / M_PI, count));
+}
+
 }  // namespace
 
 Program read_points(const std::string& file, const PointsOptions& options) {
@@ -114,15 +153,17 @@ Program read_points_text(std::string_view text, const std::string& file_name,
                          const PointsOptions& options) {
     const PointTable table = read_point_table(text, file_name);
     const std::vector<FitPoint> points = fit_input(table, file_name);
-    check_derivatives(table, file_name, options.fit);
-    const std::vector<std::vector<Cubic>> chains =
-        fit_points(points, options.fit, options.parametrisation, options.fit_tolerance);
+    check_derivatives(table, file_name, options);
+    if (options.fit == Fit::kC2 && options.ends == Ends::kClosed) check_closed(table, file_name);
+    const std::vector<std::vector<Cubic>> chains = fit_points(
+        points, options.fit, options.parametrisation, options.fit_tolerance, options.ends);
     Program program;
     program.file = file_name;
     for (std::size_t i = 0; i < chains.size(); ++i) {
         append(program, chains[i], table.rows[i], table.rows[i + 1], options.feed);
     }
     program.moves.back().exact_stop = true;
+    if (options.fit == Fit::kMoments) warn_of_corners(program, chains, table);
     return program;
 }
 

@@ -7,7 +7,8 @@
 //
 // Columns: x y z (wanted), a b c u v w (auxiliary axes, linear in path length between the points),
 // dx dy dz and ddx ddy ddz (derivatives by the spline's parameter, for the fits that want them;
-// their cells may be empty where the fit does not). Lengths in mm, angles in degrees.
+// their cells may be empty where the fit does not; the fits that want them everywhere take them
+// from the positions if the columns are missing). Lengths in mm, angles in degrees.
 #pragma once
 
 #include <string>
@@ -20,6 +21,7 @@ namespace curvecore::ref {
 
 struct PointsOptions {
     Fit fit = Fit::kBessel;
+    Ends ends = Ends::kNatural;  // of the fit c2
     Parametrisation parametrisation = Parametrisation::kChord;
     double feed = 1000.0 / 60;             // mm/s
     double fit_tolerance = kFitTolerance;  // mm, for quintics

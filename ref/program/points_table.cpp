@@ -4,42 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "ref/program/coordinates.hpp"
+#include "ref/program/csv_cells.hpp"
 #include "ref/program/text_file.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr double kLargestDerivative = 1e9;
-constexpr std::size_t kShownCharacters = 20;
-
-std::string_view trim(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        cells.push_back(trim(line.substr(begin, end - begin)));
-        begin = end + 1;
-    }
-    return cells;
-}
-
-/// A cell as a message may show it.
-std::string shown(std::string_view cell) {
-    std::string text(cell.substr(0, kShownCharacters));
-    for (char& c : text) {
-        if (c < 0x20 || c > 0x7e) c = '?';
-    }
-    return cell.size() > kShownCharacters ? text + ".." : text;
-}
 
 class Reader {
   public:
@@ -64,18 +38,10 @@ class Reader {
     }
 
   private:
+    /// inf and nan are no numbers to us but no names either.
     static bool is_name(std::string_view cell) {
         return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell[0])) != 0 &&
-               !parse(cell);
-    }
-
-    /// Also for inf and nan, which are no numbers to us but no names either.
-    static std::optional<double> parse(std::string_view cell) {
-        if (!cell.empty() && cell[0] == '+') cell.remove_prefix(1);
-        double value = 0;
-        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-        if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-        return value;
+               !cell_number(cell);
     }
 
     void read_header(const std::vector<std::string_view>& cells, const Place& place) {
@@ -142,7 +108,7 @@ class Reader {
 
     static std::optional<double> number(int column, std::string_view cell, const Place& place) {
         if (cell.empty() && column >= kFirstD1) return std::nullopt;
-        const std::optional<double> value = parse(cell);
+        const std::optional<double> value = cell_number(cell);
         if (!value || !std::isfinite(*value)) {
             place.refuse(
                 fmt::format("{} = '{}' is not a number", kPointColumns[column], shown(cell)));

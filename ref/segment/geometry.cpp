@@ -20,7 +20,6 @@ namespace {
 
 constexpr double kQuanta = 65536;  // per unit
 constexpr double kClosing = 0.02;  // units by which a computed arc may miss its end
-constexpr std::string_view kNames = "XYZABCUVW";
 
 /// How a move is cut.
 struct Cut {
@@ -71,7 +70,7 @@ Cut best_step(Segment segment, const CoreParameters& format, double limit) {
 }
 
 Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& format, double unit,
-             const PlanOptions& options) {
+             const PlanOptions& options, int pieces_by_turns) {
     const double limit = options.error_limit;
     const auto with = [&](int pieces) {
         Cut cut = best_step(prototype(move, shape, pieces, unit), format, limit);
@@ -79,6 +78,7 @@ Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& for
         return cut;
     };
     int least = static_cast<int>(shape.length / unit / (kLongestSegment - 1)) + 1;
+    least = std::max(least, pieces_by_turns);
     if (move.kind == Move::Kind::kArc) {
         least = std::max(least, static_cast<int>(std::ceil(move.angle / M_PI_2 * (1 - 1e-12))));
     }
@@ -147,11 +147,12 @@ class Cutter {
             path_ += static_cast<long double>(shape.length) / unit;
             return;
         }
-        const Cut cut = cut_move(move, shape, options_.format, unit, options_);
+        const int by_turns = pieces_by_turns(move);
+        const Cut cut = cut_move(move, shape, options_.format, unit, options_, by_turns);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
             refuse_width(move, kind, [&](const CoreParameters& format, double finer) {
-                return cut_move(move, shape, format, finer, options_).pieces > 0;
+                return cut_move(move, shape, format, finer, options_, by_turns).pieces > 0;
             });
         }
         PlannedMove planned;
@@ -180,7 +181,7 @@ class Cutter {
             if (rate > kMaxAuxRate) {
                 refuse(move, fmt::format("{} goes {:.4g} times as far as this spline is long; {:g} "
                                          "times is the most",
-                                         kNames[3 + i], rate, kMaxAuxRate));
+                                         kAxisLetters[3 + i], rate, kMaxAuxRate));
             }
         }
         std::vector<Segment> segments;
@@ -195,6 +196,7 @@ class Cutter {
                                                          segments.size(), options_.unit_mm)) {
             geometry_.moves.push_back(planned);
         }
+        for (Segment& segment : segments) leave_out_turns(segment);
         geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
     }
 
@@ -235,7 +237,51 @@ class Cutter {
             segment.aux_end[a] = i + 1 == cut.pieces ? move.aux_end[a] / unit
                                                      : (move.aux_start[a] + travel * to) / unit;
         }
+        leave_out_turns(segment);
         if (segment.length > 0) geometry_.segments.push_back(segment);
+    }
+
+    /// A rotary axis starts a segment within a turn of 0, on its own side of it.
+    void leave_out_turns(Segment& segment) const {
+        const double turn = kTurn / options_.unit_mm;
+        for (std::size_t i = 0; i < kAuxAxes; ++i) {
+            if (!machine_.axis[3 + i].rotary) continue;
+            const double turned = std::trunc(segment.aux_start[i] / turn) * turn;
+            segment.aux_start[i] -= turned;
+            segment.aux_end[i] -= turned;
+            segment.aux_turned[i] = turned;
+        }
+    }
+
+    /// How far a rotary axis may turn in one segment, degrees: its words begin within a turn.
+    double longest_turn() const {
+        return std::ldexp(options_.unit_mm, options_.format.position_bits - 1) - kTurn;
+    }
+
+    /// Segments that a rotary axis needs for all its turns.
+    int pieces_by_turns(const Move& move) const {
+        double pieces = 1;
+        for (std::size_t i = 0; i < kAuxAxes; ++i) {
+            if (!machine_.axis[3 + i].rotary) continue;
+            const double travel = std::abs(move.aux_end[i] - move.aux_start[i]);
+            pieces = std::max(pieces, std::floor(travel / longest_turn()) + 1);
+        }
+        if (pieces > options_.max_pieces) {
+            refuse(move,
+                   fmt::format("this move turns so far that it needs {:.0f} segments", pieces));
+        }
+        return static_cast<int>(pieces);
+    }
+
+    /// Of a rotary axis: a whole turn fits into its words, and a spline's turns into one segment's.
+    void check_turns(const Move& move, std::size_t axis) const {
+        const double travel = std::abs(move.aux_end[axis - 3] - move.aux_start[axis - 3]);
+        const double one_segment = move.kind == Move::Kind::kCubic ? travel : 0;
+        if (travel == 0 || longest_turn() > one_segment) return;
+        refuse(move,
+               fmt::format("{}: words of a turn and a segment's {:.6g} degrees need more than "
+                           "PositionBits {}, or a larger unit",
+                           kAxisLetters[axis], one_segment, options_.format.position_bits));
     }
 
     /// Point of an arc, units, from its start so that a far centre costs no digits.
@@ -257,23 +303,19 @@ class Cutter {
 
     void check_travel(const Move& move) const {
         const AxisRange range = travel(move);
+        const std::string beyond = beyond_travel(range, move, machine_);
+        if (!beyond.empty()) refuse(move, beyond);
         for (int i = 0; i < kMachineAxes; ++i) {
-            const AxisLimits& axis = machine_.axis[i];
-            const bool moves = i < 3 || move.aux_start[i - 3] != move.aux_end[i - 3];
-            constexpr double kSlack = 1e-7;  // mm: rounding of an inch file
-            const bool low = range.low[i] < axis.min - kSlack;
-            if (moves && (low || range.high[i] > axis.max + kSlack)) {
-                refuse(move, fmt::format("{} = {:.6g} mm is beyond the machine's travel {:.6g} .. "
-                                         "{:.6g} mm",
-                                         kNames[i], low ? range.low[i] : range.high[i], axis.min,
-                                         axis.max));
+            if (machine_.axis[i].rotary) {
+                check_turns(move, static_cast<std::size_t>(i));
+                continue;
             }
             const double far = std::max(-range.low[i], range.high[i]) / options_.unit_mm + 1;
             const int bits = far < 1 ? 1 : static_cast<int>(std::ceil(std::log2(far))) + 1;
             if (bits > options_.format.position_bits) {
                 refuse(move, fmt::format("{} = {:.6g} mm needs PositionBits {} (now {}) or a "
                                          "larger unit",
-                                         kNames[i], (far - 1) * options_.unit_mm, bits,
+                                         kAxisLetters[i], (far - 1) * options_.unit_mm, bits,
                                          options_.format.position_bits));
             }
         }

@@ -52,7 +52,81 @@ PaperRow measure(int order, double feed_m_min) {
             static_cast<double>(distance(state, start))};
 }
 
+struct Complex {
+    Real real, imaginary;
+};
+
+Complex operator*(const Complex& a, const Complex& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary,
+            a.real * b.imaginary + a.imaginary * b.real};
+}
+
+// The series of e^(i theta) up to the power `order`.
+Complex turn(int order, const Real& theta) {
+    Complex sum{1, 0};
+    Complex term{1, 0};
+    for (int k = 1; k <= order; ++k) {
+        term = term * Complex{0, theta / k};
+        sum = {sum.real + term.real, sum.imaginary + term.imaginary};
+    }
+    return sum;
+}
+
+Complex power(Complex base, long exponent) {
+    Complex product{1, 0};
+    for (; exponent > 0; exponent /= 2) {
+        if (exponent % 2 == 1) product = product * base;
+        base = base * base;
+    }
+    return product;
+}
+
+Real theta_of(double feed_m_min, double tick_ms) {
+    return Real(feed_m_min) / 60 * Real(tick_ms) / kPaperRadiusMm;
+}
+
+// Distance from the exact place after `ticks` of them and a part of one.
+double error_after(int order, const Real& theta, long ticks, const Real& part) {
+    const Complex drawn = power(turn(order, theta), ticks) * turn(order, part);
+    const Real angle = ticks * theta + part;
+    const Real x = drawn.real - cos(angle);
+    const Real y = drawn.imaginary - sin(angle);
+    return kPaperRadiusMm * static_cast<double>(sqrt(x * x + y * y));
+}
+
+template <class Error>
+int least_order(double tolerance, const Error& error) {
+    int order = 1;
+    while (error(order) > tolerance) ++order;
+    return order;
+}
+
 }  // namespace
+
+double circles_error(int order, double feed_m_min, double tick_ms, int circles) {
+    const Real theta = theta_of(feed_m_min, tick_ms);
+    const Real whole = circles * boost::math::constants::two_pi<Real>();
+    const long ticks = static_cast<long>(whole / theta);
+    return error_after(order, theta, ticks, whole - ticks * theta);
+}
+
+std::vector<OrderRow> minimal_orders() {
+    std::vector<OrderRow> rows;
+    for (const double tolerance : kOrderTolerancesMm) {
+        for (const double tick : kOrderTicksMs) {
+            const auto circles = [&](int count) {
+                return least_order(tolerance, [&](int order) {
+                    return circles_error(order, kOrdersFeed, tick, count);
+                });
+            };
+            const Real theta = theta_of(kOrdersFeed, tick);
+            const int step = least_order(
+                tolerance, [&](int order) { return error_after(order, theta, 1, Real(0)); });
+            rows.push_back({tick, tolerance, step, circles(1), circles(kManyCircles)});
+        }
+    }
+    return rows;
+}
 
 std::vector<PaperRow> paper_table() {
     std::vector<PaperRow> rows;

@@ -32,4 +32,28 @@ struct PaperRow {
 /// In 100 decimal digits, by the network of Fig. 8 in a tilted plane; order by order, feeds inside.
 std::vector<PaperRow> paper_table();
 
+/// | field        | unit | remark                                                    |
+/// |--------------|------|-----------------------------------------------------------|
+/// | tick_ms      | ms   | one integration step                                      |
+/// | tolerance_mm | mm   |                                                           |
+/// | step         |      | the least order that keeps it after one tick              |
+/// | circle       |      | after a full circle                                       |
+/// | circles      |      | after kManyCircles of them                                |
+struct OrderRow {
+    double tick_ms;
+    double tolerance_mm;
+    int step, circle, circles;
+};
+constexpr double kOrdersFeed = 60;  // m/min, on the same circle
+constexpr std::array<double, 3> kOrderTicksMs{10, 1, 0.1};
+constexpr std::array<double, 3> kOrderTolerancesMm{1e-3, 1e-6, 1e-9};
+constexpr int kManyCircles = 1000;
+
+/// Tolerance by tolerance, ticks inside. A step multiplies x + i F by the series of e^(i theta) cut
+/// after its order, which is taken to the power of the ticks.
+std::vector<OrderRow> minimal_orders();
+
+/// The same after `circles` full circles, mm: what paper_table() has of one.
+double circles_error(int order, double feed_m_min, double tick_ms, int circles);
+
 }  // namespace curvecore::ref

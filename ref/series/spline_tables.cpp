@@ -15,8 +15,6 @@ namespace {
 namespace mp = boost::multiprecision;
 using Precise = mp::number<mp::cpp_bin_float<40>, mp::et_off>;
 
-constexpr int kPhases = 5;
-constexpr double kLost = 1000;          // mm
 constexpr double kDoubleShows = 1e-9;   // mm
 constexpr double kShortestStep = 1e-4;  // mm
 
@@ -41,7 +39,7 @@ struct Miss {
         feed = static_cast<double>(state[spline_node::kPhi] / consistent[spline_node::kPhi] - 1);
     }
 
-    bool lost() const { return !(position <= kLost) || !std::isfinite(feed); }
+    bool lost() const { return !(position <= kSplineLostMm) || !std::isfinite(feed); }
 };
 
 // Stops as soon as the position is off by more than `enough`.
@@ -49,10 +47,10 @@ template <class Real>
 Deviation follow_to(const Cubic& cubic, SplineMethod method, int order, double step,
                     double enough) {
     Deviation worst;
-    for (int phase = 0; phase < kPhases; ++phase) {
+    for (int phase = 0; phase < kSplinePhases; ++phase) {
         ExactPath<Real> path(cubic);
         const Real h(step);
-        const Real start = h * phase / kPhases;
+        const Real start = h * phase / kSplinePhases;
         SplineFollower<Real> follower(cubic, method, order, path.parameter(start));
         for (int n = 1; static_cast<double>(start + n * h) <= path.length(); ++n) {
             follower.step(h);

@@ -15,6 +15,10 @@ constexpr double kSplineTickMs = 10;
 constexpr double kSplineFeedsMetresPerMinute[] = {1.5, 2.0};
 constexpr double kSplineToleranceMm = 1e-3;
 
+// How every way is judged: from so many phases of the first tick, lost so far off the curve.
+constexpr int kSplinePhases = 5;
+constexpr double kSplineLostMm = 1000;
+
 /// Path of a tick in mm: 1 m/min is 1 / 60 mm per ms.
 constexpr double tick_path(double feed_m_min, double tick_ms) { return feed_m_min / 60 * tick_ms; }
 

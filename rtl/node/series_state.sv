@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The terms of a node's series, {there, order, coefficient}, and their sum, the node's state at the
-// end of the step.
+// end of the step.  A term of order 0 begins the sum, wherever it comes from.
 //
 //   cycle      0                       1
 //   x_i        x[i], there             x_o = x[i], kept until the next
@@ -28,6 +28,7 @@ module series_state #(
   logic        [     3:0] order_q;
   logic signed [Bits-1:0] x_q;
   logic                   zeroth;
+  logic                   zeroth_term;
   logic signed [Bits-1:0] start;
   local_copy u_reset (
       .clk_i,
@@ -35,6 +36,7 @@ module series_state #(
       .data_o(reset_n)
   );
   assign zeroth = control_i[series_pkg::Load] || control_i[series_pkg::Again];
+  assign zeroth_term = zeroth || x_i[Bits+3:Bits] == 4'd0;
   assign start  = control_i[series_pkg::Again] ? state_o : initial_i;
   assign x_o    = {there_q, order_q, x_q};
   always_ff @(posedge clk_i) begin
@@ -43,7 +45,7 @@ module series_state #(
   end
   always_ff @(posedge clk_i) begin
     if (x_i[Bits+4] || zeroth) begin
-      zeroth_q <= zeroth;
+      zeroth_q <= zeroth_term;
       order_q  <= zeroth ? 4'd0 : x_i[Bits+3:Bits];
       x_q      <= zeroth ? start : x_i[Bits-1:0];
     end

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The node  R = -3 phi^2  of the spline network: the integral of -6 phi dphi, [Chikurov] (30). Its
-// sum of products is that of the square; of the paper's recurrences, that of R_i lacks the 6:
+// The node  R = -Gain phi^2: the integral of -2 Gain phi dphi. Gain 3 is the spline's R, [Chikurov]
+// (30); of the paper's recurrences, that of R_i lacks the 6. Gain 1 is the hyperbola's z, Fig. 3.
+// The sum of products is that of the square:
 //
-//     S[i] = sum of phi[j] phi[i-j], j = 0 .. i        R[i] = -3 S[i]
+//     S[i] = sum of phi[j] phi[i-j], j = 0 .. i        R[i] = -3 S[i], or -S[i]
 //
 // Terms are {there, order, coefficient}.
 //
-//   cycle              0     4(i+1)+10
+//   cycle              0     4(i+1)+9
 //   Start, Order       1                and phi[i] or before
 //   r_o                      R[i], kept
 //   Load, Again                         a clock later R[0] = initial_i, or state_o
 //
-// S has Bits - 3 fraction bits, R two less; phi Bits - 2.
+// With Gain 3 S has Bits - 3 fraction bits, R two less, phi Bits - 2. With Gain 1 all have Bits.
 `default_nettype none
 module square_integrator #(
     parameter int Bits = 36,  // [18, 36]
+    parameter int Gain = 3,   // 1, 3
     parameter int Own  = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
     parameter int Form = 0    // 0 portable, 1 ECP5
 ) (
@@ -32,6 +34,8 @@ module square_integrator #(
     input  wire logic [35:0] product_i
 );
 
+  initial if (Gain != 1 && Gain != 3) $fatal(1, "Gain must be 1 or 3");
+
   logic                   phi_there;
   logic        [     3:0] phi_order;
   logic signed [Bits-1:0] phi;
@@ -42,7 +46,7 @@ module square_integrator #(
   assign {phi_there, phi_order, phi} = phi_i;
   series_product #(
       .Bits(Bits),
-      .Shift(Bits - 1),
+      .Shift((Gain == 3) ? Bits - 1 : Bits),
       .Quotient(0),
       .First(0),
       .Extra(1),
@@ -67,17 +71,18 @@ module square_integrator #(
       .product_i
   );
 
-  // floor(-3 S / 4 + 1/2) in three clocks.
+  // floor(-3 S / 4 + 1/2), or -S, in three clocks.
   logic signed [Bits+1:0] square_wide;
   logic signed [Bits+1:0] square_twice;
   logic signed [Bits+1:0] three_q;
   logic signed [Bits+1:0] minus_three_q;
-  logic signed [Bits+1:0] two;
+  logic signed [Bits+1:0] half;
+  logic signed [Bits-1:0] r;
   logic                   three_there_q;
   logic                   minus_there_q;
   assign square_wide  = (Bits + 2)'(square);
-  assign square_twice = {square[Bits-1], square, 1'b0};
-  assign two          = (Bits + 2)'(3'sd2);
+  assign square_twice = (Gain == 3) ? {square[Bits-1], square, 1'b0} : '0;
+  assign half         = (Gain == 3) ? (Bits + 2)'(3'sd2) : '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       three_there_q <= 1'b0;
@@ -89,8 +94,10 @@ module square_integrator #(
   end
   always_ff @(posedge clk_i) begin
     three_q       <= square_wide + square_twice;
-    minus_three_q <= two - three_q;
+    minus_three_q <= half - three_q;
   end
+
+  assign r = (Gain == 3) ? minus_three_q[Bits+1:2] : minus_three_q[Bits-1:0];
 
   series_state #(
       .Bits(Bits)
@@ -99,7 +106,7 @@ module square_integrator #(
       .rst_ni,
       .control_i(control_i[series_pkg::ZerothBits-1:0]),
       .initial_i,
-      .x_i({minus_there_q, order, minus_three_q[Bits+1:2]}),
+      .x_i({minus_there_q, order, r}),
       .x_o(r_o),
       .state_o
   );

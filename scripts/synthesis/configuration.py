@@ -35,6 +35,9 @@ class Configuration:
     def family(self):
         return DEVICES[self.device].family
 
+    def files(self):
+        return sources(self.top)
+
     @property
     def name(self):
         default = next(iter(DEVICES[self.device].speeds), None)
@@ -45,7 +48,7 @@ class Configuration:
     def netlist_name(self):
         """Folder in the store.  Raises Refused where a tool is missing."""
         made = digest(self.top, self.settings, self.family.yosys,
-                      digest_of([*sources(self.top), HERE / "harness.py", *self.family.files]),
+                      digest_of([*self.files(), HERE / "harness.py", *self.family.files]),
                       version(tool("yosys")))
         return f"{self.label}-{self.family.name}-{made}"
 

@@ -14,6 +14,8 @@ TOPS = {  # module, parameters
     ("curve", "parallel"): ("curve_interpolator", {}),
     ("spherical", "serial"): ("curve_interpolator_serial", {}),
     ("curve", "serial"): ("curve_interpolator_serial", {"Splines": "1", "Mode": "1"}),
+    ("sine_cosine", "parallel"): ("sine_cosine_interpolator", {}),
+    ("hyperbola", "parallel"): ("hyperbola_interpolator", {}),
 }
 CORES = tuple(dict.fromkeys(core for core, _ in TOPS))
 BUILDS = tuple(dict.fromkeys(build for _, build in TOPS))

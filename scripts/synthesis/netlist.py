@@ -3,10 +3,11 @@
 
 import json
 import os
+import pathlib
 import re
 import shutil
 
-from synthesis.cores import ROOT, sources
+from synthesis.cores import ROOT
 from synthesis.harness import harness
 from synthesis.tools import alone, last_error, run, tool, work_folder, write_whole
 
@@ -32,12 +33,13 @@ class Yosys:
     """Yosys in a folder that has a copy of all it reads: names stay short, the YoWASP build sees
     no other folder, and what is changed meanwhile does no harm."""
 
-    def __init__(self, top, family, folder):
+    def __init__(self, files, family, folder):
         self.folder = folder
-        self.paths = [path.relative_to(ROOT) for path in sources(top)]
-        for path in self.paths:
+        self.paths = [file.relative_to(ROOT) if file.is_relative_to(ROOT)
+                      else pathlib.Path(file.name) for file in files]
+        for file, path in zip(files, self.paths):
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(ROOT / path, folder / path)
+            shutil.copyfile(file, folder / path)
         for file in family.files:
             shutil.copy(file, folder)
 
@@ -70,7 +72,7 @@ def synthesise(wanted, folder):
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
         if (folder / "netlist.json").exists():
             return
-        yosys = Yosys(wanted.top, wanted.family, work)
+        yosys = Yosys(wanted.files(), wanted.family, work)
         values = ", ".join(f".{name}({value})" for name, value in wanted.settings.items())
         core = f"{wanted.top} #({values})"
         ports, parameters = yosys.elaborate(core, folder / "elaborate.log")

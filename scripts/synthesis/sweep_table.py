@@ -58,8 +58,9 @@ def read_row(header, cells, line, seeds):
                cell.get("note", ""), wanted)
 
 
-def read_table(file, seeds):
+def read_table(file, seeds, check_header=check_header, read_row=read_row):
     """Rows of a table; `seeds` where it has none.  Raises Refused with a line for every error.
+    Another kind of table has a `check_header` and a `read_row` of its own.
 
     An empty cell means the default; lines that begin with # and empty lines are comments.
     """

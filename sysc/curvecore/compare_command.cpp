@@ -18,10 +18,12 @@ int compare_command(CompareOptions options) {
     } else {
         job = read_job(options.common);
     }
+    check_ticked(job.program, options);
     complete_settings(job.program, options.settings);
+    complete_settings(job.program, options.drawn);
     const InterruptGuard guard;
     OutputFolder folder(options.common.folder);
-    const SweepResult result = sweep(job.program, job.machine, options.settings, options.sweep);
+    const SweepResult result = sweep(job.program, job.machine, options.drawn, options.sweep);
     if (result.rows.empty()) {
         fmt::print(stderr, "curvecore: interrupted: no configuration is finished\n");
         return 130;
@@ -33,7 +35,7 @@ int compare_command(CompareOptions options) {
     folder.commit();
     print_warnings(job);
     if (!options.common.quiet) {
-        fmt::print("{}", report.table());
+        fmt::print("{}{}", report.table(), report.curves_table());
         fmt::print(
             "errors in units of {:g} mm at {} places; {} segments with the widest words, {} at "
             "most; {:.1f} s\n",
@@ -47,7 +49,7 @@ int compare_command(CompareOptions options) {
     }
     if (result.interrupted) {
         fmt::print(stderr, "curvecore: interrupted: {} of {} configurations are in {}\n",
-                   result.rows.size(), options.settings.size(), options.common.folder);
+                   result.rows.size(), report.asked(), options.common.folder);
         return 130;
     }
     return report.held() ? 0 : 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words | compare | choose: parts through the cores, from the command line.
+// curvecore run | plan | words | cam | join | compare | choose: parts through the cores, from the
+// command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
 // wrong, and nothing was written; 3 choose: no configuration keeps what is asked; 130 interrupted,
@@ -9,10 +10,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "ref/join/jumps.hpp"
+#include "ref/join/least.hpp"
 #include "ref/program/input_error.hpp"
+#include "sysc/curvecore/cam_command.hpp"
 #include "sysc/curvecore/choose_command.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
+#include "sysc/curvecore/join_command.hpp"
 #include "sysc/curvecore/nearest.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -20,6 +25,7 @@
 namespace curvecore::sysc {
 namespace {
 
+constexpr const char* kAlongPoints = "along points: 10m/min, 100mm/s, 40in/min";
 constexpr const char* kFileOut = "folder for the results; FILE.out when left out";
 
 CLI::Option* add_text(CLI::App& command, const char* name, std::string& text, const char* type,
@@ -32,23 +38,31 @@ void add_set(CLI::App& command, std::vector<std::string>& set, const char* type,
     command.add_option("--set", set, help)->type_name(type)->allow_extra_args(false)->take_all();
 }
 
+/// Where results go, on which machine, in which unit.
+void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {
+    command.add_option("-o,--output", options.folder, kFileOut)->type_name("DIR");
+    add_text(command, "--unit", raw.unit, "LENGTH", "length unit: 2.5um, 1/65536in; default 1nm");
+    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
+        ->type_name("FILE.ini");
+    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+}
+
 /// FILE, and what is read with it.
-CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options) {
+CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options, std::string& feed,
+                       const char* feeds, const std::string& feed_help) {
     CLI::Option* file = command
                             .add_option("FILE", options.file,
                                         "G-code (.ngc .nc .gcode .tap) or points (.csv); - reads "
                                         "G-code from standard input")
                             ->type_name("");
-    command.add_option("-o,--output", options.folder, kFileOut)->type_name("DIR");
     add_text(command, "--fit", raw.fit, "NAME",
              fmt::format("spline through points: {}", fmt::join(ref::kFitNames, ", ")));
+    add_text(command, "--ends", raw.ends, "NAME",
+             fmt::format("of --fit c2: {}", fmt::join(ref::kEndsNames, ", ")));
     add_text(command, "--parametrisation", raw.parametrisation, "NAME",
              fmt::format("of that spline: {}", fmt::join(ref::kParametrisationNames, ", ")));
-    add_text(command, "--feed", raw.feed, "SPEED", "along points: 10m/min, 100mm/s, 40in/min");
-    add_text(command, "--unit", raw.unit, "LENGTH", "length unit: 2.5um, 1/65536in; default 1nm");
-    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
-        ->type_name("FILE.ini");
-    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+    add_text(command, "--feed", feed, feeds, feed_help);
+    add_surroundings(command, raw, options);
     return file;
 }
 
@@ -64,8 +78,8 @@ void add_core(CLI::App& command, RawOptions& raw) {
                          kDefaultBound + CoreParameters().rounding()));
 }
 
-void add_common(CLI::App& command, RawOptions& raw, Options& options) {
-    add_input(command, raw, options)->required();
+/// The core and its clocks.
+void add_timed_core(CLI::App& command, RawOptions& raw) {
     add_core(command, raw);
     add_text(command, "--sample-period", raw.sample_period, "TIME",
              "time between samples; default 100us");
@@ -75,6 +89,38 @@ void add_common(CLI::App& command, RawOptions& raw, Options& options) {
              "the core's clock, which its steps are timed by; default 100MHz, or with --device its "
              "estimate there");
     add_set(command, raw.set, "NAME=VALUE", "a parameter of the core: " + ref::parameter_names());
+}
+
+void add_common(CLI::App& command, RawOptions& raw, Options& options) {
+    add_input(command, raw, options, raw.feed, "SPEED", kAlongPoints)->required();
+    add_timed_core(command, raw);
+}
+
+void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions& options) {
+    command
+        .add_option("TABLE", options.common.file,
+                    "radii of the cutter's centre (.csv): 'x,0,7.5,..' (degrees), then a row per "
+                    "section: x and radii in mm")
+        ->type_name("")
+        ->required();
+    add_text(command, "--kappa", cam.kappa, "N",
+             "half-turns of the spindle from section to section");
+    add_text(command, "--scallop", cam.scallop, "LENGTH",
+             "instead: height that the cutter may leave between turns");
+    add_text(command, "--cutter", cam.cutter, "LENGTH", "radius of the cutter");
+    add_text(command, "--surface", cam.surface, "NAME",
+             fmt::format("through the radii: {}", fmt::join(ref::kSurfaceNames, ", ")));
+    add_text(command, "--generatrix", cam.generatrix, "NAME",
+             fmt::format("of tamm and blend: {}; parabola when left out",
+                         fmt::join(ref::kGeneratrixNames, ", ")));
+    add_text(command, "--delta", cam.delta, "LENGTH",
+             "how far a piece may be off the surface, along the radius");
+    command
+        .add_option("--against", options.against, "a finer table, to hold the drawn cam against")
+        ->type_name("FINE.csv");
+    add_text(command, "--feed", raw.feed, "SPEED", "over the surface: 1m/min, 20mm/s");
+    add_surroundings(command, raw, options.common);
+    add_timed_core(command, raw);
 }
 
 void add_run(CLI::App& command, RawOptions& raw, Options& options) {
@@ -95,9 +141,37 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         ->capture_default_str();
 }
 
+void add_join(CLI::App& command, RawOptions& raw, Options& options, RawJoinOptions& join) {
+    const char* const programs = "working path: G-code, or points (.csv)";
+    command.add_option("A", join.a, programs)->type_name("");
+    command.add_option("B", join.b, programs)->type_name("");
+    const auto add = [&command](const char* name, std::string& text, const char* type,
+                                const std::string& help) {
+        command.add_option(name, text, help)->type_name(type);
+    };
+    add("--load", join.load, "FILE.json",
+        "control points and all choices of a join.json; A and B if they are left out");
+    add("--fit", join.fit, "NAME",
+        fmt::format("curve through the control points: {}; default quintic",
+                    fmt::join(ref::kJoinFitNames, ", ")));
+    add("--points", join.points, "N", "control points, placed anew; default 3");
+    add("--least", join.least, "WHAT",
+        fmt::format("move them for the least {}", fmt::join(ref::kLeastNames, " or ")));
+    add("--speed", join.speed, "LAW",
+        fmt::format("from feed to feed: {}", fmt::join(ref::kSpeedLawNames, " (default) or ")));
+    command.add_flag("--exact", join.exact,
+                     "G5 and G5.2, in space with Z K R of this reader's own; default in XY");
+    add("--tolerance", join.tolerance, "LENGTH", "G1 chords within this; default in space, 1um");
+    add("--step", join.step, "LENGTH", "G1 chords of this path at most");
+    add_surroundings(command, raw, options);
+    add_timed_core(command, raw);
+    add_run(command, raw, options);
+}
+
 void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
                  CompareOptions& options) {
-    add_input(command, raw, options.common);
+    add_input(command, raw, options.common, compare.feed, "LIST",
+              fmt::format("of the schemes that step once a tick; {} if not given", kStandardFeeds));
     add_core(command, raw);
     const auto add = [&command](const char* name, std::string& text, const char* type,
                                 const std::string& help) {
@@ -108,6 +182,11 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     add_set(command, compare.set, "NAME=LIST",
             fmt::format("values of a parameter, 4,6 or 4:8 or 4:8:2; {} if not given: {}",
                         fmt::join(kComparedSets, " "), ref::parameter_names()));
+    add("--scheme", compare.scheme, "LIST",
+        fmt::format("of splines, side by side: {}; the last three step once a tick",
+                    fmt::join(kSchemeNames, ", ")));
+    add("--tick", compare.tick, "LIST",
+        fmt::format("their ticks: 10ms, 250us; {} if not given", kStandardTick));
     add("--segments", compare.segments, "TIMES",
         "segments that a plan may have, in times of those with the widest words");
     add("--samples", compare.samples, "N", "places at which each configuration is compared");
@@ -174,6 +253,16 @@ int dispatch(int argc, char** argv) {
         app.add_subcommand("words", "segment and profile words as memory files for $readmemh");
     for (CLI::App* command : {run, plan, words}) add_common(*command, raw, options);
     add_run(*run, raw, options);
+    CLI::App* cam = app.add_subcommand(
+        "cam", "a volumetric cam: TABLE of radii into a program, which runs as any part does");
+    RawCamOptions raw_cam;
+    CamOptions cam_options;
+    add_cam(*cam, raw, raw_cam, cam_options);
+    add_run(*cam, raw, cam_options.common);
+    CLI::App* join = app.add_subcommand(
+        "join", "an idle move between two working paths A and B: G-code, page to design it, run");
+    RawJoinOptions raw_join;
+    add_join(*join, raw, options, raw_join);
     CLI::App* compare = app.add_subcommand(
         "compare", "orders, widths and samplers through the bit-true kernel, side by side");
     RawCompareOptions raw_compare;
@@ -201,6 +290,7 @@ int dispatch(int argc, char** argv) {
             compare_options.common.folder = "curves.out";
         }
         raw_compare.core_given = !raw.core.empty();
+        if (raw_compare.scheme.empty() && !raw_compare.feed.empty()) raw.feed = raw_compare.feed;
         interpret(raw, compare_options.common);
         interpret(raw_compare, compare_options);
         return compare_command(std::move(compare_options));
@@ -209,7 +299,14 @@ int dispatch(int argc, char** argv) {
         interpret(raw_requirement, choose_options);
         return choose_command(choose_options);
     }
+    if (*cam) {
+        interpret(raw, cam_options.common);
+        interpret(raw_cam, cam_options);
+        return cam_command(cam_options);
+    }
+    if (*join) options.file = "join.ngc";
     interpret(raw, options);
+    if (*join) return join_command(options, raw_join);
     if (*run) return run_command(options);
     return *plan ? plan_command(options) : words_command(options);
 }

@@ -35,7 +35,7 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
         if (tick) {
             pictures.tick(source.tick_ds(), curve.curvature(cursor.segment(), cursor.local()));
         }
-        pictures.error(cursor.s(), 0, cursor.segment().bound);
+        pictures.error(cursor.s(), 0, job.bounded(cursor.segment()) ? cursor.segment().bound : 0);
         const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
         meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
         pictures.sample(cursor.s(), cursor.index(), point, cursor.at_end());

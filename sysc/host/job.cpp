@@ -19,9 +19,20 @@ std::uint64_t Job::path_length() const {
 
 const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
 
+bool Job::bounded(const ref::Segment& segment) const {
+    return options.core.anchor != 0 || segment.kind != ref::Segment::Kind::kSpline;
+}
+
+bool Job::bounded() const {
+    return std::all_of(plan.segments.begin(), plan.segments.end(),
+                       [this](const ref::Segment& segment) { return bounded(segment); });
+}
+
 double Job::bound() const {
     double bound = 0;
-    for (const ref::Segment& segment : plan.segments) bound = std::max(bound, segment.bound);
+    for (const ref::Segment& segment : plan.segments) {
+        if (bounded(segment)) bound = std::max(bound, segment.bound);
+    }
     return bound;
 }
 
@@ -65,9 +76,13 @@ void warn_of_segments(Job& job) {
 }  // namespace
 
 Job read_job(const Options& options) {
+    return make_job(options, ref::read_program(options.file, options.points));
+}
+
+Job make_job(const Options& options, ref::Program program) {
     Job job;
     job.options = options;
-    job.program = ref::read_program(options.file, options.points);
+    job.program = std::move(program);
     set_splines(job);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
@@ -82,6 +97,12 @@ void plan_job(Job& job) {
         throw ref::InputError(job.program.file, 0, "the program does not move");
     }
     warn_of_segments(job);
+    if (!job.bounded()) {
+        job.program.warnings.push_back(fmt::format(
+            "{}: warning: no bound is derived for splines with Anchor=0; they are planned "
+            "as with Anchor=1",
+            job.program.file));
+    }
     if (job.plan.slowed_moves > 0) {
         job.program.warnings.push_back(
             fmt::format("{}: warning: {} short moves are slowed: what fits into the core's queues "

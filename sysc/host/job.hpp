@@ -18,6 +18,11 @@ struct Job {
     std::uint64_t path_length() const;
     /// "spherical", or "curve": the one that draws splines as well.
     const char* core_name() const;
+    /// Whether a bound is derived for the segment: none of splines with Anchor 0, which are planned
+    /// with that of Anchor 1.
+    bool bounded(const ref::Segment& segment) const;
+    /// Of every segment.
+    bool bounded() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
 };
@@ -26,6 +31,9 @@ struct Job {
 /// does, unless --set says otherwise.
 /// @throws ref::InputError, also for splines where --set says that there are none
 Job read_job(const Options& options);
+
+/// The same of a program that was read or made.
+Job make_job(const Options& options, ref::Program program);
 
 /// Plans for the core in job.options.
 /// @throws UsageError: a sample period shorter than the core's own clocks

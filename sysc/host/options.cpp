@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
+#include "sysc/host/choice.hpp"
 #include "sysc/host/core_clocks.hpp"
 #include "sysc/host/core_file.hpp"
 #include "sysc/host/quantity.hpp"
@@ -28,27 +29,12 @@ std::uint64_t whole(const std::string& option, const std::string& text) {
     return value;
 }
 
-/// Index of a name. @throws UsageError
-template <std::size_t Count>
-int choice(const std::string& option, const std::string& text,
-           const std::array<std::string_view, Count>& known) {
-    const auto found = std::find(known.begin(), known.end(), text);
-    if (found == known.end()) {
-        throw UsageError(
-            fmt::format("{} '{}': must be one of {}", option, text, fmt::join(known, ", ")));
-    }
-    return static_cast<int>(found - known.begin());
-}
-
 /// Whether the core is built, with or without splines as long as that is open.
 void check_built(const Options& options) {
     CoreParameters core = options.core;
     const std::string reason = ref::why_not_built(core);
     if (!options.splines_set) core.splines = 1;
     if (!ref::legal(core) && !reason.empty()) throw UsageError(reason);
-    if (core.anchor == 0) {
-        throw UsageError("Anchor=0 is for compare: no bound is derived for it to plan with");
-    }
 }
 
 void set_clock(double hz, Options& options) {
@@ -59,10 +45,14 @@ void set_clock(double hz, Options& options) {
 ref::PointsOptions points_options(const RawOptions& raw, const std::string& file) {
     ref::PointsOptions points;
     points.fit = static_cast<ref::Fit>(choice("--fit", raw.fit, ref::kFitNames));
+    points.ends = static_cast<ref::Ends>(choice("--ends", raw.ends, ref::kEndsNames));
     points.parametrisation = static_cast<ref::Parametrisation>(
         choice("--parametrisation", raw.parametrisation, ref::kParametrisationNames));
     points.feed = speed("--feed", raw.feed);
     const RawOptions unset;
+    if (raw.ends != unset.ends && points.fit != ref::Fit::kC2) {
+        throw UsageError("--ends is for --fit c2");
+    }
     const bool asked = raw.fit != unset.fit || raw.parametrisation != unset.parametrisation ||
                        raw.feed != unset.feed;
     if (asked && !ref::is_points_file(file)) {

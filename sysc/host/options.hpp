@@ -55,6 +55,7 @@ struct Options {
 struct RawOptions {
     std::string core;
     std::string fit = "bessel";
+    std::string ends = "natural";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

@@ -30,7 +30,7 @@ struct AxisError {
 struct KindResult {
     std::uint64_t samples = 0;
     double error = 0;        // on any axis
-    double bound = 0;        // derived
+    double bound = 0;        // derived; 0: none is
     double of_bound = 0;     // error / its segment's bound
     double speed_error = 0;  // chord between samples - the exact curve's
 };

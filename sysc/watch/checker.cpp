@@ -116,10 +116,13 @@ void Checker::compare_with_curve(const Sample& drawn) {
     KindResult& kind = kind_of(segment);
     ++kind.samples;
     kind.error = std::max(kind.error, worst);
-    kind.bound = std::max(kind.bound, segment.bound);
-    kind.of_bound = std::max(kind.of_bound, worst / segment.bound);
+    const double bound = job_.bounded(segment) ? segment.bound : 0;
+    if (bound > 0) {
+        kind.bound = std::max(kind.bound, bound);
+        kind.of_bound = std::max(kind.of_bound, worst / bound);
+    }
     meter(ref::exact_point(segment, curve, s), drawn.position.data());
-    pictures_.error(cursor_.s(), worst, segment.bound);
+    pictures_.error(cursor_.s(), worst, bound);
     pictures_.sample(cursor_.s(), cursor_.index(), point, cursor_.at_end());
     compare_speed(point, curve);
 }
@@ -129,6 +132,7 @@ void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
     ref::AxisPoint rounded{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(axes_); ++i) {
         rounded[i] = static_cast<double>(position[i]);
+        if (i >= 3) rounded[i] += cursor_.segment().aux_turned[i - 3];
     }
     rounded_.take(rounded, cursor_.index());
 }
@@ -149,8 +153,10 @@ void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
         const double error = std::abs((point - last_point_).norm() - length);
         KindResult& kind = kind_of(cursor_.segment());
         kind.speed_error = std::max(kind.speed_error, error);
-        result_.speed_of_allowed =
-            std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
+        if (job_.bounded(cursor_.segment())) {
+            result_.speed_of_allowed =
+                std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
+        }
         if (length >= kSpeedChord) {
             result_.speed_relative = std::max(result_.speed_relative, error / length);
         }
@@ -168,9 +174,10 @@ void Checker::compare_landing(const Sample& drawn) {
     const ref::Move& move = job_.program.moves[cursor_.segment().move];
     for (int axis = 0; axis < axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        const double end = axis < 3 ? move.end[axis] : move.aux_end[a - 3];
+        const double end = (axis < 3 ? move.end[axis] : move.aux_end[a - 3]) / job_.plan.unit_mm;
+        const double turned = axis < 3 ? 0 : cursor_.segment().aux_turned[a - 3];
         const std::int64_t fine =
-            hls::quantise(end / job_.plan.unit_mm, format_.kGuardBits, format_.kFineBits);
+            hls::quantise(end - turned, format_.kGuardBits, format_.kFineBits);
         const std::int64_t word = hls::to_position(fine, format_);
         result_.landing = std::max(result_.landing, std::abs(drawn.position[a] - word));
     }

@@ -12,6 +12,8 @@
 namespace curvecore::sysc {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// Stops that the profile plans: sample after sample falls on them at full speed.
 std::uint64_t planned_stops(const ref::Plan& plan) {
     std::uint64_t stops = 1;
@@ -71,6 +73,10 @@ const char* title_of(BoardKind board) {
     return kTitles[static_cast<std::size_t>(board)];
 }
 
+const char* unbounded_text(const Job& job) {
+    return job.bounded() ? "" : "; none is derived for splines with Anchor=0";
+}
+
 template <std::size_t N>
 double worst(const std::array<AxisError, N>& errors) {
     double max = 0;
@@ -128,7 +134,7 @@ std::vector<Check> Report::checks() const {
                  : fmt::format("{} words differ; first: {}", check.differing_words,
                                check.first_difference)},
             {"error within the derived bound", of_bound <= 1,
-             fmt::format("{:.3f} of the bound at worst", of_bound)},
+             fmt::format("{:.3f} of the bound at worst{}", of_bound, unbounded_text(job))},
             {"exact stops landed", check.landing == 0 && (!full_speed || check.stops == stops),
              fmt::format("off by {} units, {} of {} stops sampled", check.landing, check.stops,
                          stops)},
@@ -192,12 +198,13 @@ nlohmann::ordered_json Report::json() const {
         json["error"] = errors_json(job, check.rounded, check.samples);
         json["unrounded"] = errors_json(job, check.unrounded, check.samples);
         json["unrounded"]["bound_lsb"] = job.bound();
+        json["unrounded"]["bounded"] = job.bounded();
         json["unrounded"]["max_of_bound"] = check.worst(&KindResult::of_bound);
         for (const auto& [name, kind] : check.kinds) {
             json["kinds"][name] = {{"samples", kind.samples},
                                    {"unrounded_max_lsb", kind.error},
-                                   {"bound_lsb", kind.bound},
-                                   {"max_of_bound", kind.of_bound},
+                                   {"bound_lsb", kind.bound > 0 ? Json(kind.bound) : Json()},
+                                   {"max_of_bound", kind.bound > 0 ? Json(kind.of_bound) : Json()},
                                    {"speed_max_error_lsb", kind.speed_error}};
         }
         json["landing_lsb"] = check.landing;
@@ -206,7 +213,7 @@ nlohmann::ordered_json Report::json() const {
         json["speed"] = {{"max_relative_error", check.speed_relative},
                          {"max_error_lsb", check.worst(&KindResult::speed_error)}};
     } else {
-        json["unrounded"]["bound_lsb"] = job.bound();
+        json["unrounded"] = {{"bound_lsb", job.bound()}, {"bounded", job.bounded()}};
     }
     json["time_kept"] = {{"clocks_available", clocks_available()}, {"clocks_used", nullptr}};
     if (period_clocks) json["time_kept"]["clocks_used"] = *period_clocks;
@@ -259,12 +266,13 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
         row("worst error", fmt::format("{:.4f} units of {} (rounded output)", worst(check.rounded),
                                        unit_text(job)));
         row("before rounding",
-            fmt::format("{:.4f} units; derived bound {:.4f}", worst(check.unrounded), job.bound()));
+            fmt::format("{:.4f} units; derived bound {:.4f}{}", worst(check.unrounded), job.bound(),
+                        unbounded_text(job)));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
         if (has_clock()) row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
     } else {
-        row("derived bound",
-            fmt::format("{:.4f} units of {} before rounding", job.bound(), unit_text(job)));
+        row("derived bound", fmt::format("{:.4f} units of {} before rounding{}", job.bound(),
+                                         unit_text(job), unbounded_text(job)));
     }
     const auto worst = [&](Limited of) { return limits.worst[of].ratio; };
     row("of the limits",

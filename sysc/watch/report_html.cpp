@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "sysc/watch/course.hpp"
 #include "sysc/watch/limit_text.hpp"
 #include "sysc/watch/report_template.hpp"
 
@@ -81,7 +82,11 @@ std::string data(const Report& report, const Pictures& pictures) {
     if (report.drawn != nullptr) {
         for (const auto& [name, kind] : report.drawn->check.kinds) {
             head["kinds"].push_back(
-                {name, kind.error, kind.bound, kind.of_bound, kind.speed_error, kind.samples});
+                {name, kind.error, nullptr, nullptr, kind.speed_error, kind.samples});
+            if (kind.bound > 0) {
+                head["kinds"].back()[2] = kind.bound;
+                head["kinds"].back()[3] = kind.of_bound;
+            }
         }
     }
     head["windows"] = limits_rows(job, report.limits);
@@ -97,6 +102,12 @@ std::string data(const Report& report, const Pictures& pictures) {
     envelope(rest, "acceleration", pictures.acceleration());
     envelope(rest, "total", pictures.total_acceleration());
     envelope(rest, "jerk", pictures.jerk());
+    const Course shape = course(job.plan);
+    envelope(rest, "curvature", shape.curvature);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        envelope(rest, std::array<const char*, 3>{"slope_x", "slope_y", "slope_z"}[axis],
+                 shape.slope[axis]);
+    }
     text += fmt::to_string(rest) + "}";
     // A file name must not close the script.
     for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {

@@ -14,8 +14,10 @@ constexpr std::size_t kLongestRow = 16 * 21;
 
 }  // namespace
 
-SamplesWriter::SamplesWriter(const std::string& file, const Job& job)
-    : file_(std::fopen(file.c_str(), "wb"), &std::fclose), axes_(3 + job.plan.aux_axes) {
+SamplesWriter::SamplesWriter(const std::string& file, const Job& job, TakeSample also)
+    : file_(std::fopen(file.c_str(), "wb"), &std::fclose),
+      axes_(3 + job.plan.aux_axes),
+      also_(std::move(also)) {
     if (!file_) throw std::runtime_error("cannot write " + file);
     buffer_.reserve(kBuffer + kLongestRow);
     buffer_ = fmt::format(
@@ -36,6 +38,7 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job)
 
 void SamplesWriter::row(std::uint64_t k, std::size_t segment, std::uint64_t s,
                         const std::int64_t* position) {
+    if (also_) also_(segment, position);
     const auto number = [this](auto value) {
         const fmt::format_int text(value);
         buffer_.append(text.data(), text.size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -10,10 +11,14 @@
 
 namespace curvecore::sysc {
 
+/// A sample's segment and its position as the board gave it.
+using TakeSample = std::function<void(std::size_t segment, const std::int64_t* position)>;
+
 class SamplesWriter {
   public:
     /// @throws std::runtime_error when the file cannot be written
-    SamplesWriter(const std::string& file, const Job& job);
+    /// `also`: takes the samples too.
+    SamplesWriter(const std::string& file, const Job& job, TakeSample also = {});
 
     /// `position` has 3 + aux_axes words.
     void row(std::uint64_t k, std::size_t segment, std::uint64_t s, const std::int64_t* position);
@@ -26,6 +31,7 @@ class SamplesWriter {
 
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     int axes_;
+    TakeSample also_;
     std::string buffer_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "ref/curve/segment_shape.hpp"
 #include "sysc/host/bus_words.hpp"
 
 namespace curvecore::sysc {
@@ -14,14 +15,13 @@ namespace {
 using Text = fmt::memory_buffer;
 
 /// Three axes and the auxiliary ones that the program uses, mm.
-void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz,
-           const ref::Aux& aux) {
+void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz, const ref::Aux& aux,
+           const ref::Aux& turned) {
     const double unit = job.plan.unit_mm;
     fmt::format_to(std::back_inserter(text), ", \"{}\": [{:.12g}, {:.12g}, {:.12g}", name,
                    xyz.x() * unit, xyz.y() * unit, xyz.z() * unit);
-    for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
-        fmt::format_to(std::back_inserter(text), ", {:.12g}",
-                       aux[static_cast<std::size_t>(axis)] * unit);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(job.plan.aux_axes); ++a) {
+        fmt::format_to(std::back_inserter(text), ", {:.12g}", (aux[a] + turned[a]) * unit);
     }
     text.push_back(']');
 }
@@ -38,6 +38,27 @@ void spline(Text& text, const ref::Segment& segment) {
     fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", segment.lambda, segment.beta);
 }
 
+/// JSON has no infinity: a cusp's curvature is null.
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
+}
+
+/// Derivatives at both ends and the sharpest place.
+void shape(Text& text, const ref::Segment& segment, double unit_mm) {
+    const auto out = std::back_inserter(text);
+    const ref::SegmentShape shape = ref::segment_shape(segment);
+    const auto vector = [&](const char* name, const ref::Vec3& v) {
+        fmt::format_to(out, ", \"{}\": [{}, {}, {}]", name, number(v.x()), number(v.y()),
+                       number(v.z()));
+    };
+    vector("tangent_start", shape.tangent_start);
+    vector("tangent_end", shape.tangent_end);
+    fmt::format_to(out, ", \"curvature_start_per_mm\": {}, \"curvature_end_per_mm\": {}",
+                   number(shape.curvature_start / unit_mm), number(shape.curvature_end / unit_mm));
+    fmt::format_to(out, ", \"least_radius_mm\": {}, \"least_radius_at_mm\": {}",
+                   number(unit_mm / shape.most), number(shape.most_at * unit_mm));
+}
+
 }  // namespace
 
 std::string segments_json(const Job& job) {
@@ -52,16 +73,18 @@ std::string segments_json(const Job& job) {
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
                        i == 0 ? "" : ",", i, segment.move, job.program.moves[segment.move].line,
                        ref::kind_name(segment));
-        point(text, "start_mm", job, segment.start, segment.aux_start);
-        point(text, "end_mm", job, segment.end, segment.aux_end);
+        point(text, "start_mm", job, segment.start, segment.aux_start, segment.aux_turned);
+        point(text, "end_mm", job, segment.end, segment.aux_end, segment.aux_turned);
         if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);
+        shape(text, segment, job.plan.unit_mm);
         fmt::format_to(out,
                        ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
-                       "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {:.6g}, "
+                       "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {}, "
                        "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"ticks\": {}, \"words\": [",
                        segment.s_start, segment.length,
                        std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
-                       segment.radius * job.plan.unit_mm, segment.step_exponent, segment.bound,
+                       segment.radius * job.plan.unit_mm, segment.step_exponent,
+                       job.bounded(segment) ? fmt::format("{:.6g}", segment.bound) : "null",
                        segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";
         for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {

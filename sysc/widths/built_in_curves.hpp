@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "ref/machine/machine.hpp"
@@ -10,15 +11,19 @@
 
 namespace curvecore::sysc {
 
-constexpr std::array<std::string_view, 3> kCurveSets{"all", "arcs", "splines"};
+constexpr std::array<std::string_view, 4> kCurveSets{"all", "arcs", "splines", "papers"};
 
-enum class CurveSet { kAll, kArcs, kSplines };
+enum class CurveSet { kAll, kArcs, kSplines, kPapers };
 
 /// Moves that do not join, mm: for ref::make_geometry, not for a feed profile.
 ///   arcs     R = 10 um, 100 um, .. 1 m in any plane; helices; lines
 ///   splines  random cubics of 20 um .. 1 m; hairpins of 3 um, 100 um, 1 mm; S bends, inflexions,
 ///            near cusps
+///   papers   those that the papers' schemes are measured on (ref/series/spline_tables.hpp)
 ref::Program built_in_curves(CurveSet set);
+
+/// Of a move of CurveSet::kPapers.
+std::string paper_curve_name(std::size_t move);
 
 /// Travels as far as the position words go.
 ref::Machine unlimited_machine();

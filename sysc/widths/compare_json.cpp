@@ -79,21 +79,35 @@ Json estimate_json(const std::optional<CostEstimate>& cost, const Device& device
 
 Json row_json(const Row& row, int axes, const Device& device) {
     Json json = Json::object();
-    for (const ref::Parameter& one : ref::kParameters) json[one.field] = row.setting.*one.value;
+    const bool words = !row.ticks || row.ticks->words;
+    const Scheme kernel = row.setting.anchor != 0 ? Scheme::kAnchored : Scheme::kPropagated;
+    json["scheme"] = scheme_name(row.ticks ? row.ticks->scheme : kernel);
+    json["arithmetic"] = words ? "words" : "double";
+    json["tick_s"] = row.ticks ? Json(row.ticks->tick) : Json(nullptr);
+    json["feed_mm_s"] = row.ticks ? Json(row.ticks->feed) : Json(nullptr);
+    json["blow_ups"] = row.blow_ups;
+    for (const double worst : row.by_move) {
+        json["by_curve_mm"].push_back(std::isinf(worst) ? Json(nullptr) : Json(worst));
+    }
+    for (const ref::Parameter& one : ref::kParameters) {
+        const bool used = !row.ticks || row.ticks->uses(one);
+        json[one.field] = used ? Json(row.setting.*one.value) : Json(nullptr);
+    }
     json.update({{"refused", row.refused.empty() ? Json(nullptr) : Json(row.refused)},
-                 {"limit", row.drawn ? Json(row.limit) : Json(nullptr)},
+                 {"limit", row.drawn && !row.ticks ? Json(row.limit) : Json(nullptr)},
                  {"segments", row.segments},
                  {"steps", row.steps},
                  {"multiplier_bits", row.cost.bits},
                  {"sampler_products", row.cost.sampler_products},
                  {"integrators", row.cost.integrators},
                  {"estimate", estimate_json(row.estimate, device)}});
-    if (!row.drawn) return json;
+    if (!row.has_figures()) return json;
     json["output"] = position_json(row.output, axes);
     json["unrounded"] = position_json(row.fine, axes);
-    json["landing"] = row.landing;
     json["speed_error"] = row.speed_error;
     json["speed_relative"] = optional_json(row.speed_relative);
+    if (row.ticks) return json;
+    json["landing"] = row.landing;
     json["bound"] = optional_json(row.bound);
     json["bound_of_seen"] = row.bound ? Json(*row.bound / row.fine.worst()) : Json(nullptr);
     json["max_of_bound"] = optional_json(row.of_bound);
@@ -122,7 +136,12 @@ Json CompareReport::json() const {
     }
     Json front = Json::array();
     for (const std::size_t index : pareto_front(result.rows)) front.push_back(index);
+    Json curves = Json::array();
+    for (std::size_t move = 0; options.schemes && move < program.moves.size(); ++move) {
+        curves.push_back(curve_name(move));
+    }
     return {{"title", title()},
+            {"curves", curves},
             {"version", CURVECORE_VERSION},
             {"unit_mm", options.common.unit_mm},
             {"moves", program.moves.size()},
@@ -130,7 +149,7 @@ Json CompareReport::json() const {
             {"limit", options.sweep.limit},
             {"reference_segments", result.reference_segments},
             {"most_segments", result.most_segments},
-            {"asked", options.settings.size()},
+            {"asked", asked()},
             {"finished", result.rows.size()},
             {"interrupted", result.interrupted},
             {"held", held()},

@@ -19,10 +19,15 @@ struct CompareReport {
     std::string csv() const;
     /// A line for each row.
     std::string table() const;
+    /// With --scheme: the worst distance on every curve, a line for each.
+    std::string curves_table() const;
     std::string html() const;
+    /// Rows asked for.
+    std::size_t asked() const;
 
   private:
     std::string title() const;
+    std::string curve_name(std::size_t move) const;
     int axes() const { return 3 + program.aux_axes; }
 };
 

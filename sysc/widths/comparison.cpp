@@ -12,35 +12,6 @@ namespace {
 
 constexpr std::int64_t kBatch = 8192;  // samples between two reports of progress
 
-struct PositionCount {
-    std::array<ErrorCount, kMostAxes> axis;
-    ErrorCount along;
-    ErrorCount across;
-
-    void add(const double* error, const double* tangent, int axes) {
-        double square = 0;
-        double forward = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
-            axis[i].add(error[i]);
-            if (i >= 3) continue;
-            square += error[i] * error[i];
-            forward += error[i] * tangent[i];
-        }
-        along.add(forward);
-        across.add(std::sqrt(std::max(0.0, square - forward * forward)));
-    }
-
-    PositionFigures figures(int axes) const {
-        PositionFigures figures;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(axes); ++i) {
-            figures.axis[i] = axis[i].figures();
-        }
-        figures.along = along.figures();
-        figures.across = across.figures();
-        return figures;
-    }
-};
-
 class Comparison {
   public:
     Comparison(const Subject& subject, const CoreParameters& setting,
@@ -56,6 +27,7 @@ class Comparison {
         for (const ref::Segment& segment : segmented.segments) {
             per_bound_.push_back(segment.bound > 0 ? 1 / segment.bound : 0);
         }
+        if (subject.by_move) row.by_move.assign(subject.program.moves.size(), 0);
     }
 
     void run(const std::function<void(std::int64_t)>& progress) {
@@ -109,7 +81,8 @@ class Comparison {
             const auto a = static_cast<std::size_t>(axis);
             const double there =
                 axis < 3 ? exact.position[a]
-                         : subject_.exact.aux[n * static_cast<std::size_t>(axes_ - 3) + a - 3];
+                         : subject_.exact.aux[n * static_cast<std::size_t>(axes_ - 3) + a - 3] -
+                               segmented_.segments[next_ - 1].aux_turned[a - 3];
             const double fine = static_cast<double>(fine_[axis]) * unit_;
             if (axis < 3) point[a] = fine;
             before[a] = fine - there;
@@ -117,6 +90,10 @@ class Comparison {
             worst = std::max(worst, std::abs(before[a]));
         }
         of_bound_ = std::max(of_bound_, worst * per_bound_[next_ - 1]);
+        if (subject_.by_move) {
+            double& most = row_.by_move[segmented_.segments[next_ - 1].move];
+            most = std::max(most, std::hypot(before[0], before[1], before[2]) * subject_.unit_mm);
+        }
         fine_count_->add(before, exact.tangent, axes_);
         output_count_->add(after, exact.tangent, axes_);
         if (exact.chord > 0) {
@@ -139,8 +116,10 @@ class Comparison {
         for (int axis = 0; axis < axes_; ++axis) {
             const double place =
                 axis < 3 ? move.end[axis] : move.aux_end[static_cast<std::size_t>(axis - 3)];
+            const double turned =
+                axis < 3 ? 0 : segment.aux_turned[static_cast<std::size_t>(axis - 3)];
             const std::int64_t end =
-                hls::quantise(place / subject_.unit_mm, format_.kGuardBits, 62);
+                hls::quantise(place / subject_.unit_mm - turned, format_.kGuardBits, 62);
             row_.landing = std::max(row_.landing, std::abs(hls::to_position(fine_[axis], format_) -
                                                            hls::to_position(end, format_)));
         }
@@ -179,12 +158,6 @@ class Comparison {
 };
 
 }  // namespace
-
-double PositionFigures::worst() const {
-    double worst = 0;
-    for (const ErrorFigures& figures : axis) worst = std::max(worst, figures.worst);
-    return worst;
-}
 
 Row compare_setting(const Subject& subject, const CoreParameters& setting,
                     const SegmentedProgram& segmented,

@@ -5,24 +5,14 @@
 #include <functional>
 #include <optional>
 
-#include "sysc/host/run_time_format.hpp"
 #include "sysc/widths/cost_model.hpp"
-#include "sysc/widths/error_figures.hpp"
 #include "sysc/widths/exact_samples.hpp"
 #include "sysc/widths/multiplier_bits.hpp"
+#include "sysc/widths/position_count.hpp"
+#include "sysc/widths/scheme.hpp"
 #include "sysc/widths/segmented_program.hpp"
 
 namespace curvecore::sysc {
-
-/// Errors of positions in length units: axis by axis, and of X Y Z as a vector.
-struct PositionFigures {
-    std::array<ErrorFigures, kMostAxes> axis;
-    ErrorFigures along;   // ahead of or behind the commanded path length
-    ErrorFigures across;  // at right angles to the path
-
-    /// Worst of any axis.
-    double worst() const;
-};
 
 /// | field          | unit  | meaning                                                        |
 /// |----------------|-------|----------------------------------------------------------------|
@@ -37,8 +27,15 @@ struct PositionFigures {
 /// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
 /// | cost           |       | of any device                                                  |
 /// | estimate       |       | on Subject's device; none: no measured runs                      |
+/// | ticks          |       | of a scheme that steps once a tick: then `steps` are ticks,      |
+/// |                |       | `segments` curves, and there is no bound, landing or cost        |
+/// | blow_ups       |       | curves that such a scheme has lost; if any, no figures           |
+/// | by_move        | mm    | worst distance from the exact place of each move; infinite: lost |
 struct Row {
     CoreParameters setting;
+    std::optional<TickScheme> ticks;
+    std::size_t blow_ups = 0;
+    std::vector<double> by_move;
     double limit = 0;
     std::string refused;
     bool drawn = false;  // or not drawable at all
@@ -57,6 +54,7 @@ struct Row {
     std::optional<CostEstimate> estimate;
     ValueRanges ranges{36};
 
+    bool has_figures() const { return drawn && blow_ups == 0; }
     /// Within the derived bound, every end exact.
     bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
 };
@@ -69,6 +67,7 @@ struct Subject {
     bool splines;
     ExactSamples exact;
     const Device* device = nullptr;  // whose cost is estimated; none: nobody's
+    bool by_move = false;            // Row::by_move is asked for
 };
 
 /// `progress(n)`: n more samples are done.

@@ -11,6 +11,7 @@
 
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/progress_bar.hpp"
+#include "sysc/widths/tick_comparison.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -106,6 +107,24 @@ class Workers {
     std::exception_ptr failure_;
 };
 
+/// On the caller's thread.
+void draw_ticked(const Subject& subject, const SweepOptions& options, ProgressBar& bar,
+                 SweepResult& result) {
+    std::uint64_t ticks = 0;
+    const auto progress = [&] {
+        if (++ticks % 256 != 0) return;
+        InterruptGuard::check();
+        bar.update(ticks);
+    };
+    try {
+        for (const TickedSetting& one : options.ticked) {
+            result.rows.push_back(compare_ticks(subject, one.setting, one.ticks, progress));
+        }
+    } catch (const Interrupted&) {
+        result.interrupted = true;
+    }
+}
+
 }  // namespace
 
 SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
@@ -121,7 +140,8 @@ SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
     };
     const auto splines = std::count_if(program.moves.begin(), program.moves.end(), is_spline);
     const auto moves = static_cast<std::ptrdiff_t>(program.moves.size());
-    Subject subject{program, options.unit_mm, splines<moves, splines> 0, {}, options.device};
+    Subject subject{program, options.unit_mm, splines<moves, splines> 0,
+                    {},      options.device,  options.by_move};
     const auto all = static_cast<std::int64_t>(settings.size() + 1) * options.samples;
     ProgressBar bar(static_cast<std::uint64_t>(all), options.quiet);
     try {
@@ -138,6 +158,12 @@ SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
     workers.run(bar, options.samples);
     result.rows = workers.finished();
     result.interrupted = workers.interrupted();
+    if (!options.ticked.empty() && !result.interrupted) {
+        double ticks = 0;
+        for (const TickedSetting& one : options.ticked) ticks += ticks_of(program, one.ticks);
+        ProgressBar tick_bar(static_cast<std::uint64_t>(ticks), options.quiet);
+        draw_ticked(subject, options, tick_bar, result);
+    }
     result.samples = static_cast<std::int64_t>(subject.exact.samples.size());
     result.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -6,16 +6,24 @@
 
 namespace curvecore::sysc {
 
+/// A scheme that steps once a tick, in a configuration's order and words.
+struct TickedSetting {
+    CoreParameters setting;
+    TickScheme ticks;
+};
+
 struct SweepOptions {
     double unit_mm = 1e-6;
     double limit = 0.1;      // units: derived bound that the plans keep
     int times_segments = 4;  // of those that the widest words need
     std::int64_t samples = 100000;
     const Device* device = nullptr;
+    std::vector<TickedSetting> ticked;
+    bool by_move = false;
     bool quiet = false;  // no bar
 };
 
-/// The finished rows, in the order of the settings.
+/// The finished rows, in the order of the settings, then of `ticked`.
 struct SweepResult {
     std::vector<Row> rows;
     bool interrupted = false;

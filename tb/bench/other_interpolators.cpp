@@ -22,7 +22,8 @@ using tb::Drawing;
 using tb::DrawnCurve;
 
 constexpr double kSamplePeriod = 1e-4;  // s
-constexpr double kTick = 1e-3;          // s: of Runge-Kutta, LinuxCNC's servo period
+constexpr double kPaperTick = 10e-3;    // s: of [Chikurov]'s Runge-Kutta
+constexpr double kTick = 1e-3;          // s: LinuxCNC's servo period
 constexpr double kUnit = 1e-6;          // mm
 constexpr double kTolerance = 0.002;    // mm: of chords, grblHAL's default
 constexpr const char* kFineChords = "chords, 0.002 mm off";
@@ -117,6 +118,8 @@ int main(int argc, char** argv) {
         const std::vector<std::pair<std::string, Drawing>> drawings{
             {kFineChords, draw_chords(part.curve, chords_of_tolerance(part.curve, kTolerance), ds)},
             {"chords of 1 mm", draw_chords(part.curve, chords_of_length(part.curve, 1), ds)},
+            {"Runge-Kutta each 10 ms",
+             draw_runge_kutta(part.curve, part.feed * kPaperTick, ds, bits_of(1))},
             {"Runge-Kutta each ms",
              draw_runge_kutta(part.curve, part.feed * kTick, ds, bits_of(1))},
             {"forward differences, cubic", draw_forward_differences(part.curve, core.bits, ds)},

@@ -8,22 +8,16 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "tb/bench/claim_table.hpp"
 
 namespace {
 
 using namespace curvecore::ref;
-using Cells = std::vector<std::string>;
-
-struct Table {
-    std::string name;
-    std::string claim;
-    Cells header;
-    std::vector<Cells> rows;
-};
+using curvecore::tb::Cells;
+using curvecore::tb::Table;
 
 struct Way {
     const char* name;
@@ -179,16 +173,6 @@ Table drift_table() {
     return table;
 }
 
-void print(const Table& table) {
-    const auto line = [](const Cells& cells) { fmt::print("| {} |\n", fmt::join(cells, " | ")); };
-    fmt::print("\n{}:\n\n", table.claim);
-    line(table.header);
-    line(Cells(table.header.size(), "---"));
-    for (const Cells& row : table.rows) {
-        line(row);
-    }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -197,24 +181,12 @@ int main(int argc, char** argv) {
     app.add_option("-o,--json", json_path, "write {tables: {NAME: {claim, header, rows}}}");
     CLI11_PARSE(app, argc, argv);
 
-    nlohmann::json json;
+    std::vector<Table> tables;
     for (const auto make : {tick_table, period_table, order_table, vertex_table, drift_table}) {
-        const Table table = make();
+        tables.push_back(make());
         progress("");
         fmt::print(stderr, "\r");
-        print(table);
-        json["tables"][table.name] = {
-            {"claim", table.claim}, {"header", table.header}, {"rows", table.rows}};
+        print(tables.back());
     }
-    if (json_path.empty()) {
-        return 0;
-    }
-    std::ofstream file(json_path);
-    file << json.dump(2) << "\n";
-    file.close();
-    if (!file) {
-        fmt::print(stderr, "{}: error: cannot be written\n", json_path);
-        return 1;
-    }
-    return 0;
+    return curvecore::tb::write_tables(tables, json_path);
 }

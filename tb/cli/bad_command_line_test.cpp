@@ -29,7 +29,8 @@ std::vector<std::string> run_with(std::vector<std::string> more) {
 const std::vector<BadCommandLine> kBadCommandLines{
     {"UnknownCommand",
      {"draw", "part.ngc"},
-     "curvecore: error: there is no command 'draw'; there are run, plan, words, compare, choose"},
+     "curvecore: error: there is no command 'draw'; there are run, plan, words, cam, "
+     "join, compare, choose"},
     {"NoFile", {"plan", "-o", "out"}, "curvecore: error: FILE is required"},
     {"OutputWithoutName",
      {"plan", "part.ngc", "-o"},
@@ -125,8 +126,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetParameterGuardWithoutSplines", with({"--set", "ParameterGuard=4"}),
      "part.ngc: error: no spline, and ParameterGuard=4 works with --build parallel and Splines=1 "
      "only"},
-    {"SetAnchorWithoutABound", with({"--set", "Anchor=0"}),
-     "curvecore: error: Anchor=0 is for compare: no bound is derived for it to plan with"},
+    {"SetAnchorOfTheSerialBuild", with({"--set", "Anchor=0", "--build", "serial"}),
+     "curvecore: error: Anchor=0 works with --build parallel and Splines=1 only"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
      "curvecore: error: --set GuardBits must be in [2, 12]"},
     {"BoardUnknown", run_with({"--on", "paper"}),
@@ -151,7 +152,10 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .csv are read"},
     {"FitUnknown", with({"--fit", "cubic"}),
      "curvecore: error: --fit 'cubic': must be one of bessel, akima, natural, clamped, hermite, "
-     "moments, quintic"},
+     "moments, quintic, c2"},
+    {"EndsUnknown", with({"--ends", "free"}),
+     "curvecore: error: --ends 'free': must be one of natural, slope, second, closed"},
+    {"EndsWithoutC2", with({"--ends", "closed"}), "curvecore: error: --ends is for --fit c2"},
     {"ParametrisationUnknown", with({"--parametrisation", "time"}),
      "curvecore: error: --parametrisation 'time': must be one of chord, centripetal, uniform"},
     {"FitOfAProgram", with({"--fit", "akima"}),

@@ -23,6 +23,9 @@ TEST_P(BadInputFile, IsRefused) {
     if (bad.contains("fit")) {
         arguments.insert(arguments.end(), {"--fit", bad["fit"].get<std::string>()});
     }
+    if (bad.contains("ends")) {
+        arguments.insert(arguments.end(), {"--ends", bad["ends"].get<std::string>()});
+    }
     if (bad.contains("machine")) {
         write_bad_input(program.folder(), bad["machine"]);
         const std::string machine = bad["machine"].at("file");

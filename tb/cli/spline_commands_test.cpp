@@ -40,6 +40,13 @@ TEST_F(SplineCommands, PlanSaysWhatEverySegmentIs) {
             continue;
         }
         ++splines;
+        // What preparing the frame gives: the unit tangent, and the sharpest place within.
+        const Json tangent = segment["tangent_end"];
+        EXPECT_NEAR(std::hypot(tangent[0].get<double>(), tangent[1], tangent[2]), 1, 1e-6);
+        const double least = segment["least_radius_mm"];
+        EXPECT_LE(least, (1 + 1e-6) / segment["curvature_start_per_mm"].get<double>());
+        EXPECT_LE(least, (1 + 1e-6) / segment["curvature_end_per_mm"].get<double>());
+        EXPECT_LE(segment["least_radius_at_mm"], segment["length_mm"]);
         // r(beta) = start + 2^lambda ((a beta + b) beta + c) beta, in units of 1 nm.
         const double beta = segment["beta"];
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -106,6 +113,55 @@ TEST_F(SplineCommands, RunsWithAFineParameter) {
     EXPECT_EQ(report["landing_lsb"], 0);
     EXPECT_LE(report["unrounded"]["max_of_bound"], 1);
     EXPECT_GT(report["unrounded"]["max_of_bound"], 0.1);
+}
+
+/// The scheme of the paper: no bound is derived for its splines, and the reports say so.
+class CarriedStates : public SplineCommands,
+                      public testing::WithParamInterface<std::vector<std::string>> {};
+
+TEST_P(CarriedStates, RunAndSayThatSplinesHaveNoBound) {
+    std::vector<std::string> arguments{"run", "part.ngc", "-o", "out", "--set", "Anchor=0"};
+    arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
+    const ProgramResult result = program_.run(arguments);
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::string none = "no bound is derived for splines with Anchor=0";
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "part.ngc: warning: " + none, result.err);
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "; none is derived for splines with Anchor=0",
+                        result.out);
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["parameters"]["Anchor"], 0);
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_EQ(report["landing_lsb"], 0);
+    EXPECT_EQ(report["unrounded"]["bounded"], false);
+    const Json& spline = report["kinds"]["spline"];
+    EXPECT_TRUE(spline["bound_lsb"].is_null() && spline["max_of_bound"].is_null());
+    EXPECT_LE(report["kinds"]["arc"]["max_of_bound"], 1);
+    // Of 36 bits and half a segment: still far below a unit, and other words than with Anchor 1.
+    EXPECT_LE(spline["unrounded_max_lsb"], 0.5);
+    program_.run({"run", "part.ngc", "-q", "-o", "anchored", "--on", "kernel"});
+    const Json anchored = Json::parse(program_.read("anchored/report.json"));
+    EXPECT_EQ(anchored["unrounded"]["bounded"], true);
+    EXPECT_NE(spline["unrounded_max_lsb"], anchored["kinds"]["spline"]["unrounded_max_lsb"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, CarriedStates,
+                         testing::Values(std::vector<std::string>{"--on", "kernel"},
+                                         std::vector<std::string>{"--on", "kernel", "--set",
+                                                                  "Mode=1"},
+                                         std::vector<std::string>{"--stall", "5"}));
+
+TEST_F(SplineCommands, OfCarriedStatesArePlannedAndMadeIntoWords) {
+    for (const char* command : {"plan", "words"}) {
+        const ProgramResult result =
+            program_.run({command, "part.ngc", "-o", command, "--set", "Anchor=0"});
+        EXPECT_EQ(result.status, 0) << result.err;
+    }
+    const Json plan = Json::parse(program_.read("plan/segments.json"));
+    for (const Json& segment : plan["segments"]) {
+        EXPECT_EQ(segment["bound_lsb"].is_null(), segment["kind"] == "spline");
+    }
+    const Json words = Json::parse(program_.read("words/words.json"));
+    EXPECT_EQ(words["parameters"]["Anchor"], 0);
 }
 
 TEST_F(SplineCommands, NoSplinesAreForACoreWithout) {

@@ -28,7 +28,8 @@ ProgramResult SynthRun::synth(const std::vector<std::string>& options) const {
 ProgramResult SynthRun::shell(const std::string& script) const {
     const std::string here = folder().string();
     return run({"PATH=" + here + "/bin", "FAKE_LOG=" + here + "/log", "FAKE_GATE=" + here + "/gate",
-                "SYNTH=" SYNTH_PYTHON " " SYNTH_PY " --output out", "/bin/sh", "-c", script});
+                "SYNTH=" SYNTH_PYTHON " " SYNTH_PY " --output out",
+                "HLS=" SYNTH_PYTHON " " HLS_PY " --output out", "/bin/sh", "-c", script});
 }
 
 int SynthRun::runs(const std::string& tool) const {

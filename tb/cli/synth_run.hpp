@@ -17,7 +17,7 @@ class SynthRun : public ProgramRun {
 
     /// synth.py with `options` and --output out.
     ProgramResult synth(const std::vector<std::string>& options) const;
-    /// A script of /bin/sh; $SYNTH is the program, with --output out.
+    /// A script of /bin/sh; $SYNTH is the program, $HLS scripts/hls.py, with --output out.
     ProgramResult shell(const std::string& script) const;
     /// How often a tool ran.
     int runs(const std::string& tool) const;

@@ -23,6 +23,9 @@ ref::PointsOptions points_options(const Json& bad) {
     const auto name = std::find(ref::kFitNames.begin(), ref::kFitNames.end(),
                                 bad.value("fit", std::string("bessel")));
     options.fit = static_cast<ref::Fit>(name - ref::kFitNames.begin());
+    const auto ends = std::find(ref::kEndsNames.begin(), ref::kEndsNames.end(),
+                                bad.value("ends", std::string("natural")));
+    options.ends = static_cast<ref::Ends>(ends - ref::kEndsNames.begin());
     return options;
 }
 

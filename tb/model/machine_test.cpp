@@ -45,6 +45,21 @@ TEST(MachineFile, TighterOfAxisAndJointHolds) {
     EXPECT_EQ(gantry.axis[2].velocity, 20);
 }
 
+TEST(MachineFile, AnAxisOfAnglesWithoutLimitsIsRotary) {
+    const auto rotary = [](const std::string& axis) {
+        const Machine machine = read("[TRAJ]\nCOORDINATES = X A\n" + axis);
+        return machine.axis[3].rotary;
+    };
+    EXPECT_TRUE(rotary("[JOINT_1]\nTYPE = ANGULAR\nMAX_VELOCITY = 90\n"));
+    EXPECT_FALSE(rotary("[JOINT_1]\nTYPE = ANGULAR\nMIN_LIMIT = -120\nMAX_LIMIT = 120\n"));
+    EXPECT_FALSE(rotary("[JOINT_1]\nTYPE = LINEAR\nMAX_VELOCITY = 90\n"));
+    EXPECT_TRUE(rotary("[AXIS_A]\nWRAPPED_ROTARY = 1\nMIN_LIMIT = 0\nMAX_LIMIT = 360\n"));
+    EXPECT_FALSE(rotary("[AXIS_A]\nWRAPPED_ROTARY = 0\nMAX_VELOCITY = 90\n"));
+    EXPECT_TRUE(Machine().axis[3].rotary);
+    EXPECT_FALSE(Machine().axis[0].rotary);
+    EXPECT_FALSE(Machine().axis[6].rotary);
+}
+
 TEST(MachineFile, InchFilesScaleLengthsButNotDegrees) {
     const Machine machine = read(
         "[TRAJ]\nLINEAR_UNITS = inch\nMAX_LINEAR_VELOCITY = 2\nJOINT_TIME = 0.002\n"

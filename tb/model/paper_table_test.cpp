@@ -75,6 +75,27 @@ TEST_F(PaperTable, RungeKuttaLeavesThirtyMicrometresPerCircleAtSixtyMetres) {
     EXPECT_LT(row(4, 0).circle_mm, 1.4e-8);
 }
 
+// One tick / a full circle / 1000 of them, at 10, 1 and 0.1 ms: computed independently.
+TEST_F(PaperTable, LeastOrdersAreThoseOfTheTheory) {
+    constexpr int kLeast[3][3][3] = {{{5, 6, 8}, {2, 3, 5}, {1, 2, 3}},
+                                     {{7, 8, 10}, {4, 5, 6}, {2, 3, 4}},
+                                     {{9, 10, 12}, {5, 6, 7}, {3, 4, 5}}};
+    const std::vector<OrderRow> rows = minimal_orders();
+    ASSERT_EQ(rows.size(), 9U);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& least = kLeast[i / 3][i % 3];
+        EXPECT_EQ(rows[i].tolerance_mm, kOrderTolerancesMm[i / 3]);
+        EXPECT_EQ(rows[i].tick_ms, kOrderTicksMs[i % 3]);
+        EXPECT_EQ(rows[i].step, least[0]) << i;
+        EXPECT_EQ(rows[i].circle, least[1]) << i;
+        EXPECT_EQ(rows[i].circles, least[2]) << i;
+    }
+    // By powers of one step as by the network, tick after tick.
+    for (const int order : {1, 4, 9}) {
+        EXPECT_NEAR(circles_error(order, 60, 10, 1) / row(order, 2).circle_mm, 1, 1e-12) << order;
+    }
+}
+
 // The paper integrates by Runge-Kutta's fourth-order method; on this linear network it is order 4.
 TEST_F(PaperTable, RungeKuttaIsTheFourthOrderRow) {
     const double h = 0.4;

@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(Model, Top,
                          testing::Values("motion_interpolator.sv", "curve_interpolator.sv",
                                          "curve_interpolator_serial.sv",
                                          "spherical_interpolator.sv", "spline_interpolator.sv",
-                                         "sine_cosine_interpolator.sv"),
+                                         "sine_cosine_interpolator.sv",
+                                         "hyperbola_interpolator.sv"),
                          [](const auto& test) {
                              return std::filesystem::path(test.param).stem().string();
                          });

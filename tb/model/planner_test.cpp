@@ -126,6 +126,36 @@ TEST(Planner, FastAuxiliaryAxisStretchesThePath) {
     EXPECT_GT(plan.duration_s, 190 / 500.0);
 }
 
+TEST(Planner, RotaryAxisLeavesWholeTurnsOut) {
+    ProgramBuilder builder;
+    builder.line({10, 0, 0}, 60).aux_end[0] = 36000 + 17;
+    builder.line({20, 0, 0}, 60).aux_end[0] = -720.5;
+    builder.program().aux_axes = 1;
+    const double turn = 360e6;
+    for (const int bits : {32, 31}) {
+        PlanOptions options;
+        options.format.position_bits = bits;
+        const Plan plan = make_plan(builder.program(), Machine(), options);
+        double last = 0;
+        for (const Segment& segment : plan.segments) {
+            EXPECT_LT(std::abs(segment.aux_start[0]), turn);
+            EXPECT_LT(std::abs(segment.aux_end[0]), std::ldexp(1, bits - 1));
+            EXPECT_EQ(std::remainder(segment.aux_turned[0], turn), 0);
+            EXPECT_NEAR(segment.aux_start[0] + segment.aux_turned[0], last, 1e-3);
+            last = segment.aux_end[0] + segment.aux_turned[0];
+        }
+        EXPECT_NEAR(last, -720.5e6, 1e-3);
+    }
+    // B is no rotary axis: its words are all of its travel.
+    Machine machine;
+    machine.axis[3].rotary = false;
+    EXPECT_THROW(make_plan(builder.program(), machine, PlanOptions()), ref::InputError);
+    // A turn alone is too long for the words.
+    PlanOptions narrow;
+    narrow.format.position_bits = 29;
+    EXPECT_THROW(make_plan(builder.program(), Machine(), narrow), ref::InputError);
+}
+
 TEST(Planner, StretchedHelixStaysOnItsCurve) {
     ProgramBuilder builder;
     Move& move = builder.arc({5, 0, 0}, {0.6, 0, 0.8}, 3, 2, 60);

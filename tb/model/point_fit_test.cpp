@@ -38,12 +38,39 @@ TEST(PointSlopes, BesselIsTheParabolaThroughThreePointsAlsoAtTheEnds) {
 
 TEST(PointSlopes, ClampedSplineIsTheCubicThatItsPointsComeFrom) {
     const Vectors points = sample(cubic_at, kUneven);
-    const Vectors slopes = smooth_slopes(points, kUneven, cubic_d1(0), cubic_d1(kUneven.back()));
-    const Vectors natural = smooth_slopes(points, kUneven, std::nullopt, std::nullopt);
+    const Vectors slopes =
+        smooth_slopes(points, kUneven, {cubic_d1(0)}, {cubic_d1(kUneven.back())});
+    const Vectors natural = smooth_slopes(points, kUneven, {}, {});
     for (std::size_t i = 0; i < kUneven.size(); ++i) {
         EXPECT_LE((slopes[i] - cubic_d1(kUneven[i])).norm(), 1e-13) << i;
     }
     EXPECT_GE((natural[0] - slopes[0]).norm(), 0.1) << "the end conditions make no difference";
+}
+
+TEST(PointSlopes, SecondDerivativesAtTheEndsAreMet) {
+    const Vectors points = sample(cubic_at, kUneven);
+    const auto d2 = [](double t) { return Vec3(0, -2, 1.8 * t - 2); };
+    const Vectors slopes = smooth_slopes(points, kUneven, {{}, d2(0)}, {{}, d2(kUneven.back())});
+    for (std::size_t i = 0; i < kUneven.size(); ++i) {
+        EXPECT_LE((slopes[i] - cubic_d1(kUneven[i])).norm(), 1e-13) << i;
+    }
+}
+
+TEST(PointSlopes, ClosedSplineOfACircleHasItsClosedForm) {
+    constexpr int kPoints = 7;
+    const double angle = 2 * kPi / kPoints;
+    Vectors points;
+    std::vector<double> t;
+    for (int i = 0; i <= kPoints; ++i) {
+        points.emplace_back(std::cos(i % kPoints * angle), std::sin(i % kPoints * angle), 2);
+        t.push_back(0.5 * i);
+    }
+    const Vectors slopes = closed_slopes(points, t);
+    const double speed = 3 * std::sin(angle) / (0.5 * (2 + std::cos(angle)));
+    for (int i = 0; i <= kPoints; ++i) {
+        const Vec3 expected(-speed * std::sin(i * angle), speed * std::cos(i * angle), 0);
+        EXPECT_LE((slopes[i] - expected).norm(), 1e-13) << i;
+    }
 }
 
 /// Jumps of the first two derivatives at the inner points, and the second one at the ends.
@@ -93,18 +120,31 @@ Vec3 loop(double t) { return {std::cos(2 * t), std::sin(3 * t), std::sin(t) + t}
 
 TEST(PointSlopes, NaturalAndClampedSplinesHaveNoJumpInTheSecondDerivative) {
     const Vectors points = sample(loop, kUneven);
-    const Vectors natural = smooth_slopes(points, kUneven, std::nullopt, std::nullopt);
+    const Vectors natural = smooth_slopes(points, kUneven, {}, {});
     const Joints free = joints(with_slopes(points, kUneven, natural), false);
     EXPECT_LE(free.d1, 1e-13);
     EXPECT_LE(free.d2, 1e-12);
     EXPECT_LE(free.end_d2, 1e-12);
-    const Vectors held = smooth_slopes(points, kUneven, Vec3(1, 0, 0), Vec3(0, 5, 0));
+    const Vectors held = smooth_slopes(points, kUneven, {Vec3(1, 0, 0)}, {Vec3(0, 5, 0)});
     const Joints clamped = joints(with_slopes(points, kUneven, held), false);
     EXPECT_LE(clamped.d2, 1e-12);
     EXPECT_EQ(held.front(), Vec3(1, 0, 0));
     EXPECT_EQ(held.back(), Vec3(0, 5, 0));
     const Vectors bessel = bessel_slopes(points, kUneven);
     EXPECT_GE(joints(with_slopes(points, kUneven, bessel), false).d2, 1) << "Bessel is C1 only";
+}
+
+TEST(PointSlopes, ClosedSplineHasNoSeam) {
+    Vectors points = sample(loop, kUneven);
+    points.back() = points.front();
+    std::vector<HermitePiece> pieces = with_slopes(points, kUneven, closed_slopes(points, kUneven));
+    pieces.push_back(pieces.front());
+    const Joints closed = joints(pieces, false);
+    EXPECT_LE(closed.d1, 1e-13);
+    EXPECT_LE(closed.d2, 1e-12);
+    pieces = with_slopes(points, kUneven, smooth_slopes(points, kUneven, {}, {}));
+    pieces.push_back(pieces.front());
+    EXPECT_GE(joints(pieces, false).d1, 0.1) << "a natural spline has a seam";
 }
 
 TEST(PointSlopes, AkimaKeepsStraightPartsStraightAndDoesNotDependOnTheAxes) {
@@ -163,8 +203,8 @@ TEST(PointSlopes, TwoPointsMakeAStraightLine) {
     const Vectors points{Vec3(1, 2, 3), Vec3(5, 2, 0)};
     const std::vector<double> t{0, 5};
     const Vec3 slope(0.8, 0, -0.6);
-    for (const Vectors& slopes : {bessel_slopes(points, t), akima_slopes(points, t),
-                                  smooth_slopes(points, t, std::nullopt, std::nullopt)}) {
+    for (const Vectors& slopes :
+         {bessel_slopes(points, t), akima_slopes(points, t), smooth_slopes(points, t, {}, {})}) {
         EXPECT_LE((slopes[0] - slope).norm() + (slopes[1] - slope).norm(), 1e-15);
     }
 }
@@ -204,7 +244,7 @@ TEST(Hermite, SlopesUseTheCardinalFunctionsOfPetrakov) {
 TEST(Hermite, MomentsOfASmoothSplineMakeItAndOthersLeaveCorners) {
     const Vectors points = sample(loop, kUneven);
     std::vector<HermitePiece> pieces =
-        with_slopes(points, kUneven, smooth_slopes(points, kUneven, std::nullopt, std::nullopt));
+        with_slopes(points, kUneven, smooth_slopes(points, kUneven, {}, {}));
     for (HermitePiece& piece : pieces) {
         const Cubic cubic = cubic_of_slopes(piece);
         piece.start_d2 = cubic.acceleration(0) / (piece.h * piece.h);

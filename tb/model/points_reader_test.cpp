@@ -2,9 +2,11 @@
 // Files of points: columns, comments, and the moves that a fit makes of them.
 #include "ref/program/points_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "ref/program/program_reader.hpp"
 
@@ -95,6 +97,35 @@ TEST(PointsReader, SecondDerivativesOfTheFileAreThoseOfTheCurve) {
         read("x,y,z,ddx,ddy,ddz\n0,0,0,0,0,0.5\n3,4,0,0,0.1,0\n", Fit::kMoments);
     EXPECT_LE((program.moves[0].cubic.acceleration(0) / 25 - Vec3(0, 0, 0.5)).norm(), 1e-14);
     EXPECT_LE((program.moves[0].cubic.acceleration(1) / 25 - Vec3(0, 0.1, 0)).norm(), 1e-14);
+}
+
+TEST(PointsReader, CornersOfSecondDerivativesAreSaid) {
+    const std::string bent = "0,0,0\n10,5,0\n20,0,0\n30,6,0\n";
+    const Program corners = read(bent, Fit::kMoments);
+    ASSERT_EQ(corners.warnings.size(), 1U);
+    const Vec3 in = corners.moves[1].cubic.velocity(1);
+    const Vec3 out = corners.moves[2].cubic.velocity(0);
+    const double degrees = std::acos(in.normalized().dot(out.normalized())) * 180 / M_PI;
+    EXPECT_EQ(corners.warnings[0],
+              fmt::format("points.csv:3: warning: a corner of {:.3g} degrees, the sharpest of 2: "
+                          "these second derivatives are not those of a C2 spline (--fit c2 is one)",
+                          degrees));
+    EXPECT_GT(degrees, 1);
+    EXPECT_TRUE(read("0,0,0\n10,5,0\n20,10,0\n", Fit::kMoments).warnings.empty()) << "straight";
+    EXPECT_TRUE(read(bent, Fit::kC2).warnings.empty());
+}
+
+TEST(PointsReader, ClosedSplineEndsWhereItBegan) {
+    ref::PointsOptions options;
+    options.fit = Fit::kC2;
+    options.ends = ref::Ends::kClosed;
+    const Program program =
+        ref::read_points_text("0,0,0\n10,0,1\n10,10,0\n0,0,0\n", "points.csv", options);
+    const auto& moves = program.moves;
+    EXPECT_LE(
+        (moves.back().cubic.velocity(1).normalized() - moves.front().cubic.velocity(0).normalized())
+            .norm(),
+        1e-12);
 }
 
 TEST(PointsReader, AuxiliaryAxesOfAQuinticGoWithItsPathLength) {

@@ -5,13 +5,13 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <filesystem>
-#include <random>
 
 #include "ref/machine/machine.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/points_reader.hpp"
 #include "ref/program/text_file.hpp"
+#include "tb/support/mutator.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -30,61 +30,6 @@ const std::vector<std::string> kWords{
 const std::vector<std::string> kCells{
     "1",   "0",   "-",   ".", ",", "7",  "25",        "3.5",     "1e3", "1e-9", "1e9",
     "nan", "inf", "0x1", "#", " ", "\n", "\n0,0,0\n", "x,y,z\n", "dx",  "\xFF", "\r"};
-
-/// Changes texts at random, always in the same way.
-class Mutator {
-  public:
-    /// `pieces` are what it likes to insert.
-    Mutator(std::vector<std::string> samples, std::vector<std::string> pieces)
-        : samples_(std::move(samples)), pieces_(std::move(pieces)) {}
-
-    std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
-
-    /// Up to 30 lines of a sample, mostly from its start.
-    std::string excerpt() {
-        const std::string& sample = samples_[below(samples_.size())];
-        std::size_t begin = 0;
-        if (below(4) == 0) {
-            begin = sample.find('\n', below(sample.size())) + 1;
-        }
-        std::size_t end = begin;
-        for (std::size_t lines = 1 + below(30); lines > 0 && end < sample.size(); --lines) {
-            end = std::min(sample.find('\n', end), sample.size() - 1) + 1;
-        }
-        return sample.substr(begin, end - begin);
-    }
-
-    void mutate(std::string& text) {
-        const std::size_t at = below(text.size() + 1);
-        const std::size_t length = 1 + below(below(4) == 0 ? 20 : 3);
-        switch (below(7)) {
-            case 0:
-                text.erase(at, length);
-                break;
-            case 1:
-                text.insert(at, 1, static_cast<char>(below(256)));
-                break;
-            case 2:
-                if (at < text.size()) {
-                    text[at] = static_cast<char>(below(2) == 0 ? '0' + below(10) : below(128));
-                }
-                break;
-            case 3:
-                text.insert(at, text.substr(below(text.size() + 1), length));
-                break;
-            case 4:
-                text += excerpt();
-                break;
-            default:
-                text.insert(at, pieces_[below(pieces_.size())]);
-        }
-    }
-
-  private:
-    std::vector<std::string> samples_;
-    std::vector<std::string> pieces_;
-    std::mt19937_64 random_{20240607};
-};
 
 std::vector<std::string> samples(const std::string& extension) {
     std::vector<std::string> files;
@@ -160,7 +105,7 @@ TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
 }
 
 TEST(ReaderFuzz, MutatedPointsAreRefusedOrSound) {
-    std::vector<std::string> texts = samples(".csv");
+    std::vector<std::string> texts{ref::read_text_file(std::string(DATA_DIR) + "/points.csv")};
     texts.emplace_back(
         "x,y,z,dx,dy,dz\n0,0,0,1,0,0\n5,1,0,0,1,0\n7,9,1,0,0,0\n0,9,1,-1,0,0.5\n3,2,1,0,0,1\n");
     texts.emplace_back(
@@ -178,10 +123,12 @@ TEST(ReaderFuzz, MutatedPointsAreRefusedOrSound) {
         const auto has = [&text](const char* column) { return text.find(column) < text.size(); };
         const int known = has("ddx") ? 2 : has("dx") ? 1 : 0;
         const std::vector<ref::Fit> fits[] = {
-            {ref::Fit::kBessel, ref::Fit::kAkima, ref::Fit::kNatural},
+            {ref::Fit::kBessel, ref::Fit::kAkima, ref::Fit::kNatural, ref::Fit::kC2,
+             ref::Fit::kHermite, ref::Fit::kMoments, ref::Fit::kQuintic},
             {ref::Fit::kHermite, ref::Fit::kClamped},
             {ref::Fit::kMoments, ref::Fit::kQuintic}};
         options.fit = fits[known][mutator.below(fits[known].size())];
+        options.ends = static_cast<ref::Ends>(mutator.below(ref::kEndsNames.size()));
         options.parametrisation =
             static_cast<ref::Parametrisation>(mutator.below(ref::kParametrisationNames.size()));
         try {

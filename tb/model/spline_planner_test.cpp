@@ -5,6 +5,7 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/curve/segment_curve.hpp"
+#include "ref/curve/segment_shape.hpp"
 #include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/segment/geometry.hpp"
@@ -215,6 +216,32 @@ TEST(SplinePlanner, LatencyOfTheSplineNetworkBoundsTheSpeed) {
     // Control: that of the other network does not.
     std::swap(options.core.spline, options.core.arc);
     EXPECT_LT(make_plan(builder.program(), Machine(), options).duration_s, 5);
+}
+
+/// A hairpin's vertex has the least radius, wherever the planner cuts it.
+TEST(SegmentShape, FindsTheSharpestPlaceAndTheEnds) {
+    for (const double radius : {3.0, 0.3, 0.03}) {
+        ProgramBuilder builder;
+        const double c = std::sqrt(160 * radius);
+        builder.cubic({c / 3, -80. / 3, 0}, {2 * c / 3, -80. / 3, 0}, {c, 0, 0}, 20);
+        const Plan plan = make_plan(builder.program(), Machine(), PlanOptions());
+        double least = 1e9;
+        const Segment* before = nullptr;
+        for (const Segment& segment : plan.segments) {
+            const ref::SegmentShape shape = ref::segment_shape(segment);
+            EXPECT_NEAR(shape.tangent_start.norm(), 1, 1e-9);
+            EXPECT_GE(shape.most, shape.curvature_start * (1 - 1e-9));
+            EXPECT_GE(shape.most, shape.curvature_end * (1 - 1e-9));
+            least = std::min(least, 1e-6 / shape.most);
+            if (before != nullptr) {
+                const ref::SegmentShape last = ref::segment_shape(*before);
+                EXPECT_LT((last.tangent_end - shape.tangent_start).norm(), 1e-5);
+                EXPECT_NEAR(last.curvature_end / shape.curvature_start, 1, 1e-3);
+            }
+            before = &segment;
+        }
+        EXPECT_NEAR(least, radius, 1e-5 * radius);
+    }
 }
 
 }  // namespace

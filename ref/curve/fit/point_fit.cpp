@@ -9,22 +9,47 @@
 namespace curvecore::ref {
 namespace {
 
-Vectors slopes(const std::vector<FitPoint>& points, Fit fit, const std::vector<double>& t) {
-    Vectors positions;
-    for (const FitPoint& point : points) positions.push_back(point.position);
+using Derivative = std::optional<Vec3> FitPoint::*;
+
+/// The points' own, or [Petrakov] (1) of what they are derivatives of.
+Vectors derivatives(const std::vector<FitPoint>& points, Derivative which, const Vectors& of,
+                    const std::vector<double>& t) {
+    if (!(points.front().*which)) return bessel_slopes(of, t);
+    Vectors given;
+    for (const FitPoint& point : points) given.push_back(*(point.*which));
+    return given;
+}
+
+Vectors c2_slopes(const std::vector<FitPoint>& points, const Vectors& positions,
+                  const std::vector<double>& t, Ends ends) {
+    if (ends == Ends::kClosed) return closed_slopes(positions, t);
+    const Vectors d1 = bessel_slopes(positions, t);
+    const Vectors d2 = bessel_slopes(d1, t);
+    const auto end = [ends](const FitPoint& point, const Vec3& slope, const Vec3& second) {
+        SplineEnd found;
+        if (ends == Ends::kSlope) found.slope = point.d1.value_or(slope);
+        if (ends == Ends::kSecond) found.second = point.d2.value_or(second);
+        return found;
+    };
+    return smooth_slopes(positions, t, end(points.front(), d1.front(), d2.front()),
+                         end(points.back(), d1.back(), d2.back()));
+}
+
+Vectors slopes(const std::vector<FitPoint>& points, const Vectors& positions, Fit fit,
+               const std::vector<double>& t, Ends ends) {
     switch (fit) {
         case Fit::kBessel:
             return bessel_slopes(positions, t);
         case Fit::kAkima:
             return akima_slopes(positions, t);
         case Fit::kNatural:
-            return smooth_slopes(positions, t, std::nullopt, std::nullopt);
+            return c2_slopes(points, positions, t, Ends::kNatural);
         case Fit::kClamped:
-            return smooth_slopes(positions, t, points.front().d1, points.back().d1);
+            return c2_slopes(points, positions, t, Ends::kSlope);
+        case Fit::kC2:
+            return c2_slopes(points, positions, t, ends);
         default:
-            Vectors given;
-            for (const FitPoint& point : points) given.push_back(point.d1.value_or(Vec3::Zero()));
-            return given;
+            return derivatives(points, &FitPoint::d1, positions, t);
     }
 }
 
@@ -40,11 +65,16 @@ std::vector<Cubic> quintic_cubics(const HermitePiece& piece, double tolerance) {
 
 }  // namespace
 
-bool wants_d1(Fit fit) {
-    return fit == Fit::kClamped || fit == Fit::kHermite || fit == Fit::kQuintic;
+Reads reads_d1(Fit fit, Ends ends) {
+    if (fit == Fit::kHermite || fit == Fit::kQuintic) return Reads::kAll;
+    const bool slope = fit == Fit::kC2 && ends == Ends::kSlope;
+    return fit == Fit::kClamped || slope ? Reads::kEnds : Reads::kNothing;
 }
 
-bool wants_d2(Fit fit) { return fit == Fit::kMoments || fit == Fit::kQuintic; }
+Reads reads_d2(Fit fit, Ends ends) {
+    if (fit == Fit::kMoments || fit == Fit::kQuintic) return Reads::kAll;
+    return fit == Fit::kC2 && ends == Ends::kSecond ? Reads::kEnds : Reads::kNothing;
+}
 
 std::vector<double> parameters(const std::vector<FitPoint>& points,
                                Parametrisation parametrisation) {
@@ -60,9 +90,15 @@ std::vector<double> parameters(const std::vector<FitPoint>& points,
 }
 
 std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
-                                           Parametrisation parametrisation, double tolerance) {
+                                           Parametrisation parametrisation, double tolerance,
+                                           Ends ends) {
     const std::vector<double> t = parameters(points, parametrisation);
-    const Vectors m = slopes(points, fit, t);
+    Vectors positions;
+    for (const FitPoint& point : points) positions.push_back(point.position);
+    const Vectors m = slopes(points, positions, fit, t, ends);
+    const Vectors second = reads_d2(fit, ends) == Reads::kAll
+                               ? derivatives(points, &FitPoint::d2, m, t)
+                               : Vectors(points.size(), Vec3::Zero());
     std::vector<std::vector<Cubic>> chains;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         HermitePiece piece;
@@ -71,8 +107,8 @@ std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, 
         piece.end = points[i + 1].position;
         piece.start_d1 = m[i];
         piece.end_d1 = m[i + 1];
-        piece.start_d2 = points[i].d2.value_or(Vec3::Zero());
-        piece.end_d2 = points[i + 1].d2.value_or(Vec3::Zero());
+        piece.start_d2 = second[i];
+        piece.end_d2 = second[i + 1];
         if (fit == Fit::kQuintic) {
             chains.push_back(quintic_cubics(piece, tolerance));
         } else {

@@ -12,21 +12,29 @@
 
 namespace curvecore::ref {
 
-/// | fit      | wants at the points                    | joints   | source                        |
+/// | fit      | of the points                          | joints   | source                        |
 /// |----------|----------------------------------------|----------|-------------------------------|
 /// | bessel   | nothing                                | C1       | [Obukhov] (2)                 |
 /// | akima    | nothing                                | C1       | Akima 1970                    |
 /// | natural  | nothing                                | C2       |                               |
 /// | clamped  | first derivative at both ends          | C2       |                               |
-/// | hermite  | first derivatives                      | C1       | [Petrakov] (2)                |
-/// | moments  | second derivatives                     | C0 (*)   | [Petrakov] (3)-(5), corrected |
-/// | quintic  | first and second derivatives           | G1, near C2 | [Petrakov], announced      |
+/// | hermite  | first derivatives (+)                  | C1       | [Petrakov] (2)                |
+/// | moments  | second derivatives (+)                 | C0 (*)   | [Petrakov] (3)-(5), corrected |
+/// | quintic  | first and second derivatives (+)       | G1, near C2 | [Petrakov], announced      |
+/// | c2       | what `Ends` says, at both ends (+)     | C2       | [Petrakov] (3)-(5), solved    |
 ///
+/// (+) Where the points have none, [Petrakov] (1) takes the first derivatives from the positions,
+/// and once more the second ones from the first.
 /// (*) C2 if they are those of a C2 spline. The quintic is C2; what is drawn of it are cubics with
 /// its tangents, within the tolerance.
-enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic };
-constexpr std::array<std::string_view, 7> kFitNames = {"bessel",  "akima",   "natural", "clamped",
-                                                       "hermite", "moments", "quintic"};
+enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic, kC2 };
+constexpr std::array<std::string_view, 8> kFitNames = {"bessel",  "akima",   "natural", "clamped",
+                                                       "hermite", "moments", "quintic", "c2"};
+
+/// Of `c2`: no second derivative; the points' first or second derivatives; the start again, without
+/// a seam.
+enum class Ends { kNatural, kSlope, kSecond, kClosed };
+constexpr std::array<std::string_view, 4> kEndsNames = {"natural", "slope", "second", "closed"};
 
 /// Step of the parameter from point to point: their distance, its square root, or 1. Derivatives
 /// are by this parameter: with kChord a first derivative of length 1 is a unit tangent.
@@ -40,8 +48,10 @@ struct FitPoint {
     std::optional<Vec3> d2;  // second derivative
 };
 
-bool wants_d1(Fit fit);
-bool wants_d2(Fit fit);
+/// Where a fit reads a derivative, if the points have any: nowhere, at both ends, at all of them.
+enum class Reads { kNothing, kEnds, kAll };
+Reads reads_d1(Fit fit, Ends ends);
+Reads reads_d2(Fit fit, Ends ends);
 
 /// Parameter of every point, the first one at 0.
 std::vector<double> parameters(const std::vector<FitPoint>& points,
@@ -49,9 +59,10 @@ std::vector<double> parameters(const std::vector<FitPoint>& points,
 
 /// One chain of cubics for every two neighbours: a single cubic, for quintics as many as the
 /// tolerance wants. At least two points, no two neighbours the same, with the derivatives that the
-/// fit wants.
+/// fit reads; a closed spline has at least four, the last of them the first again.
 std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
                                            Parametrisation parametrisation,
-                                           double tolerance = kFitTolerance);
+                                           double tolerance = kFitTolerance,
+                                           Ends ends = Ends::kNatural);
 
 }  // namespace curvecore::ref

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/curve/fit/point_slopes.hpp"
 
+#include <utility>
+
 namespace curvecore::ref {
 namespace {
 
@@ -18,6 +20,33 @@ Chords chords(const Vectors& points, const std::vector<double>& t) {
         found.s.emplace_back((points[i + 1] - points[i]) / found.d.back());
     }
     return found;
+}
+
+/// below m_{i-1} + diagonal m_i + above m_{i+1} = right
+struct Row {
+    double below, diagonal, above;
+    Vec3 right;
+};
+
+Row smooth_row(double d0, double d1, const Vec3& s0, const Vec3& s1) {
+    return {d1, 2 * (d0 + d1), d0, 3 * (s0 * d1 + s1 * d0)};
+}
+
+/// Rows without corners, diagonally dominant: elimination without pivots.
+Vectors solve(std::vector<Row> rows) {
+    Vectors m(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Row& row = rows[i];
+        if (i > 0) {
+            row.diagonal -= row.below * rows[i - 1].above;
+            row.right -= row.below * rows[i - 1].right;
+        }
+        row.above /= row.diagonal;
+        row.right /= row.diagonal;
+    }
+    m.back() = rows.back().right;
+    for (std::size_t i = rows.size() - 1; i-- > 0;) m[i] = rows[i].right - rows[i].above * m[i + 1];
+    return m;
 }
 
 }  // namespace
@@ -58,24 +87,50 @@ Vectors akima_slopes(const Vectors& points, const std::vector<double>& t) {
     return m;
 }
 
-Vectors smooth_slopes(const Vectors& points, const std::vector<double>& t,
-                      const std::optional<Vec3>& start, const std::optional<Vec3>& end) {
+Vectors smooth_slopes(const Vectors& points, const std::vector<double>& t, const SplineEnd& start,
+                      const SplineEnd& end) {
     const auto [d, s] = chords(points, t);
     const std::size_t last = s.size();
-    // below m_{i-1} + diagonal m_i + above m_{i+1} = right; diagonally dominant.
-    std::vector<double> above(last + 1, 0);
-    Vectors m(last + 1);
-    double diagonal = start ? 1 : 2;
-    above[0] = start ? 0 : 1 / diagonal;
-    m[0] = start ? *start : Vec3(3 * s[0] / diagonal);
-    for (std::size_t i = 1; i < last; ++i) {
-        const double below = d[i];
-        diagonal = 2 * (d[i - 1] + d[i]) - below * above[i - 1];
-        above[i] = d[i - 1] / diagonal;
-        m[i] = (3 * (s[i - 1] * d[i] + s[i] * d[i - 1]) - below * m[i - 1]) / diagonal;
+    std::vector<Row> rows;
+    if (start.slope) {
+        rows.push_back({0, 1, 0, *start.slope});
+    } else {
+        rows.push_back({0, 2, 1, 3 * s[0] - d[0] / 2 * start.second});
     }
-    m[last] = end ? *end : Vec3((3 * s[last - 1] - m[last - 1]) / (2 - above[last - 1]));
-    for (std::size_t i = last; i-- > 0;) m[i] -= above[i] * m[i + 1];
+    for (std::size_t i = 1; i < last; ++i)
+        rows.push_back(smooth_row(d[i - 1], d[i], s[i - 1], s[i]));
+    if (end.slope) {
+        rows.push_back({0, 1, 0, *end.slope});
+    } else {
+        rows.push_back({1, 2, 0, 3 * s[last - 1] + d[last - 1] / 2 * end.second});
+    }
+    return solve(std::move(rows));
+}
+
+Vectors closed_slopes(const Vectors& points, const std::vector<double>& t) {
+    const auto [d, s] = chords(points, t);
+    const std::size_t count = s.size();
+    std::vector<Row> rows{smooth_row(d[count - 1], d[0], s[count - 1], s[0])};
+    for (std::size_t i = 1; i < count; ++i) {
+        rows.push_back(smooth_row(d[i - 1], d[i], s[i - 1], s[i]));
+    }
+    // The first row's neighbour below is the last, the last row's neighbour above the first: two
+    // corners of the matrix, taken out as a product of two vectors (Sherman and Morrison).
+    const double below = rows.front().below;
+    const double above = rows.back().above;
+    const double pivot = -rows.front().diagonal;
+    rows.front().diagonal -= pivot;
+    rows.back().diagonal -= above * below / pivot;
+    std::vector<Row> corners = rows;
+    for (Row& row : corners) row.right = Vec3::Zero();
+    corners.front().right = Vec3::Constant(pivot);
+    corners.back().right = Vec3::Constant(above);
+    Vectors m = solve(std::move(rows));
+    const Vectors z = solve(std::move(corners));
+    const Vec3 share =
+        (m.front() + below / pivot * m.back()) / (1 + z.front().x() + below / pivot * z.back().x());
+    for (std::size_t i = 0; i < count; ++i) m[i] -= z[i].x() * share;
+    m.push_back(m.front());
     return m;
 }
 

@@ -38,8 +38,19 @@ Vectors bessel_slopes(const Vectors& points, const std::vector<double>& t);
 /// the curve does not depend on the axes; along one axis they are Akima's.
 Vectors akima_slopes(const Vectors& points, const std::vector<double>& t);
 
-/// The C2 spline: with the given slope at an end, or with no second derivative there ("natural").
-Vectors smooth_slopes(const Vectors& points, const std::vector<double>& t,
-                      const std::optional<Vec3>& start, const std::optional<Vec3>& end);
+/// What holds at an end of a C2 spline: its slope, or else its second derivative ("natural": 0).
+struct SplineEnd {
+    std::optional<Vec3> slope;
+    Vec3 second = Vec3::Zero();
+};
+
+/// The C2 spline: the slopes m that make the second derivative continuous,
+///
+///     d_i m_{i-1} + 2 (d_{i-1} + d_i) m_i + d_{i-1} m_{i+1} = 3 (s_{i-1} d_i + s_i d_{i-1})
+Vectors smooth_slopes(const Vectors& points, const std::vector<double>& t, const SplineEnd& start,
+                      const SplineEnd& end);
+
+/// The closed C2 spline, smooth where it ends as well: the last point is the first. At least four.
+Vectors closed_slopes(const Vectors& points, const std::vector<double>& t);
 
 }  // namespace curvecore::ref

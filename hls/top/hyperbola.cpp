@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top of the HLS of hls/hyperbola_kernel.hpp, as a function without a state: every call begins a
+// hyperbola and goes on by CFG_Steps integration steps.
+//
+//     start       y at the first step's start
+//     y_coef      orders 0 .. Order of the last step
+//     z_coef      of its derivative: those that are made of it
+//     next_y      y a step farther on
+#include "hls/hyperbola_kernel.hpp"
+#include "hls/top/top_configuration.hpp"
+
+namespace curvecore {
+namespace hls {
+
+using Coef = TopConfiguration::Coef;
+using SeriesOfY = Coef[TopConfiguration::kOrder + 1];
+using SeriesOfZ = Coef[TopConfiguration::kTop + 1];
+
+extern "C" void hyperbola_hls(const Coef& start, SeriesOfY& y_coef, SeriesOfZ& z_coef,
+                              Coef& next_y) {
+    HyperbolaKernel<TopConfiguration> kernel;
+    kernel.load(start);
+    for (int step = 0; step < CFG_Steps; ++step) {
+        kernel.step();
+    }
+    for (int i = 0; i <= TopConfiguration::kOrder; ++i) {
+        y_coef[i] = kernel.y[i];
+    }
+    for (int i = 0; i <= TopConfiguration::kTop; ++i) {
+        z_coef[i] = kernel.z[i];
+    }
+    kernel.step();
+    next_y = kernel.y[0];
+}
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A kernel of segments as a function without a state, for an HLS compiler: every call loads the
+// segment, goes on by CFG_Steps integration steps and draws one sample of that step.
+//
+//     words    the segment as the bus carries it (hls/words.hpp)
+//     sigma    offset into the step, in quanta: 0 .. 2^(k + 16)
+//     fine     fine position, axis by axis
+#pragma once
+
+#include "hls/top/top_configuration.hpp"
+#include "hls/words.hpp"
+
+namespace curvecore {
+namespace hls {
+
+using SegmentFrame = unsigned _BitInt(kBusBits)[17 + 3 * TopConfiguration::kAuxAxes];
+using FinePosition = TopConfiguration::Fine[TopConfiguration::kAxes];
+
+template <class Kernel>
+inline void draw_sample(const SegmentFrame& words, const Word<kLengthBits + 1>& sigma,
+                        FinePosition& fine) {
+    const auto* word = words;
+    Kernel kernel;
+    kernel.load(unpack_segment<TopConfiguration>([&] { return std::uint64_t(*word++); }));
+    for (int step = 0; step < CFG_Steps; ++step) {
+        kernel.step();
+    }
+    FinePosition drawn;  // out of what the compiler must take for the inputs' place
+    kernel.sample(sigma, drawn);
+    for (int axis = 0; axis < TopConfiguration::kAxes; ++axis) {
+        fine[axis] = drawn[axis];
+    }
+}
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// Top of the HLS of hls/spherical_kernel.hpp.
+#include "hls/spherical_kernel.hpp"
+#include "hls/top/segment_top.hpp"
+
+namespace curvecore {
+namespace hls {
+
+extern "C" void spherical_hls(const SegmentFrame& words, const Word<kLengthBits + 1>& sigma,
+                              FinePosition& fine) {
+    draw_sample<SphericalKernel<TopConfiguration>>(words, sigma, fine);
+}
+
+}  // namespace hls
+}  // namespace curvecore

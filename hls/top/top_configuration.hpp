@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The configuration that an HLS compiler is asked for: CFG_<Name> is a parameter of the cores.
+#pragma once
+
+#include "hls/configuration.hpp"
+
+namespace curvecore {
+namespace hls {
+
+using TopConfiguration =
+    Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
+                  SamplerMode(CFG_Mode), CFG_Anchor != 0, CFG_TurnBits, CFG_ParameterGuard>;
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cutter's path over a cam, [Tamm]: a helix over the surface, cut into Archimedean pieces. A
+// stream: sections go in, pieces come out, four sections are in memory.
+//
+// The spindle turns kappa half-turns while the part moves Dx, so an interval of angle moves it
+// (1) D'x = 2 Dx / (kappa n), and kappa n / 2 is whole. In each cell of the table the radius on the
+// helix is a polynomial of the angle; a piece ends where delta is used up, at a given angle (the
+// knots), and where the surface switches sections or generatrices (the mid-lines). A piece begins
+// where the one before ended: a jump of the surface becomes part of the next piece.
+#pragma once
+
+#include <deque>
+#include <functional>
+
+#include "ref/cam/archimedean.hpp"
+#include "ref/cam/cam_surface.hpp"
+
+namespace curvecore::ref {
+
+struct CamHelix {
+    SurfaceKind kind;
+    double kappa = 2;     // half-turns of the spindle per Dx
+    double delta = 5e-3;  // mm, along the radius; rounding included
+};
+
+/// Points of a program are whole multiples of this, in mm and degrees.
+constexpr double kCamGrid = 1e-6;
+constexpr double kLeastDelta = 1e-5;  // mm
+
+/// How far kappa n / 2 may be from a whole number.
+constexpr double kWholeIntervals = 1e-6;
+
+/// A place of the cutter's centre.
+struct CamPoint {
+    double x = 0;      // mm
+    double angle = 0;  // degrees, from the start
+    double rho = 0;    // mm
+};
+
+struct CamPiece {
+    CamPoint from, to;
+    double deviation = 0;  // mm: of the piece from the surface, without the jump at its start
+    double jump = 0;       // mm: of the surface, where the piece begins
+};
+
+class CamPath {
+  public:
+    using Take = std::function<void(const CamPiece&)>;
+
+    /// @throws std::invalid_argument: kappa n / 2 is not whole, delta below kLeastDelta
+    CamPath(const CamHelix& helix, int angles, Take take);
+
+    /// The next one, in order; pieces come as soon as the sections that they need are there.
+    /// @throws std::domain_error: the surface is too steep for kCamGrid and delta; finish() too
+    void section(const CamSection& section);
+    /// After the last section. At least two have come.
+    void finish();
+
+    /// Intervals of angle per Dx.
+    static double intervals(double kappa, int angles) { return kappa * angles / 2; }
+
+  private:
+    void walk(const SectionWindow& window);
+    void cell(const Patch& patch, long step, double from, double to);
+    CamPoint point(const PolarCurve& f, long step, double w) const;
+
+    CamHelix helix_;
+    int angles_;
+    long per_section_;  // kappa n / 2
+    Take take_;
+    std::deque<std::vector<double>> rows_;  // of the last four sections
+    double x0_ = 0;
+    double pitch_ = 0;
+    long sections_ = 0;
+    long interval_ = 0;  // between sections, that the next pieces are in
+    std::optional<CamPoint> last_;
+};
+
+/// Pitch of the helix for scallops of this height by a ball or round cutter of this radius, mm:
+/// [Tamm] Fig. 6, H = 2 sqrt(2 R D - D^2).
+double scallop_pitch(double cutter_radius, double scallop);
+/// Height of scallops that this pitch leaves.
+double scallop_height(double cutter_radius, double pitch);
+
+/// Least kappa, of those with kappa n / 2 whole, whose pitch 2 Dx / kappa is at most `pitch`.
+double kappa_for(double pitch, double dx, int angles);
+
+}  // namespace curvecore::ref

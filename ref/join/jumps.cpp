@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/join/jumps.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace curvecore::ref {
+namespace {
+
+JoinJumps jumps_of(const std::string& name, const IdleMove& move, SpeedLaw law, double length,
+                   const Joint& first, const Joint& last) {
+    const SpeedCourse course{law, move.start.feed, move.end.feed, length};
+    return {name, length, jump(move.start, first, course.acceleration(0)),
+            jump(move.end, last, course.acceleration(length))};
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+double SpeedCourse::speed(double s) const {
+    const double x = s / length;
+    if (law == SpeedLaw::kEven) return std::sqrt(v0 * v0 + (v1 * v1 - v0 * v0) * x);
+    return v0 + (v1 - v0) * x * x * x * (10 + x * (6 * x - 15));
+}
+
+double SpeedCourse::acceleration(double s) const {
+    const double x = s / length;
+    if (law == SpeedLaw::kEven) return (v1 * v1 - v0 * v0) / (2 * length);
+    return speed(s) * (v1 - v0) * 30 * x * x * (1 - x) * (1 - x) / length;
+}
+
+Jump jump(const Joint& working, const Joint& idle, double acceleration) {
+    Jump found;
+    found.slope = angle_between(working.tangent, idle.tangent);
+    found.curvature = (idle.curvature - working.curvature).norm();
+    found.across = working.feed * working.feed * found.curvature / kGravity;
+    found.along = std::abs(acceleration) / kGravity;
+    return found;
+}
+
+JoinJumps jumps(const IdleMove& move, SpeedLaw law) {
+    const PathTable path(move.pieces());
+    const PathTable::Place last{path.pieces().size() - 1, 1};
+    return jumps_of(std::string(kJoinFitNames[static_cast<std::size_t>(move.fit)]), move, law,
+                    path.length(), path.at(PathTable::Place{}), path.at(last));
+}
+
+std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law) {
+    const Vec3 chord = move.end.position - move.start.position;
+    const double length = chord.norm();
+    const Vec3 along = chord / length;
+    const auto mirrored = [&along](const Vec3& v) { return Vec3(v - 2 * along * along.dot(v)); };
+
+    const Joint line{move.start.position, along, Vec3::Zero(), 0};
+    Joint first = move.start;  // of the arc: curvature 2 sin(angle) / chord, towards the chord
+    const Vec3 across = chord - first.tangent * first.tangent.dot(chord);
+    first.curvature = 2 * across / chord.squaredNorm();
+    const Joint last{move.end.position, -mirrored(first.tangent), mirrored(first.curvature), 0};
+    const double angle = angle_between(first.tangent, along);
+    // Straight on, or straight back: no arc.
+    const double arc = std::sin(angle) > 1e-9 ? length * angle / std::sin(angle) : length;
+
+    std::vector<JoinJumps> found{jumps_of("line", move, law, length, line, line),
+                                 jumps_of("arc", move, law, arc, first, last)};
+    IdleMove other = move;
+    for (std::size_t fit = 0; fit < kJoinFitNames.size(); ++fit) {
+        other.fit = static_cast<JoinFit>(fit);
+        found.push_back(jumps(other, law));
+    }
+    return found;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/program/gcode_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "ref/program/coordinates.hpp"
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+std::string aux_words(const Move& move) {
+    std::string text;
+    for (std::size_t i = 0; i < kAuxAxes; ++i) {
+        if (move.aux_end[i] != move.aux_start[i])
+            text += word(kAxisLetters[3 + i], move.aux_end[i]);
+    }
+    return text;
+}
+
+/// G2 or G3 in one of the three planes.
+std::string plane_arc(const Move& move, int axis, const std::string& feed) {
+    const bool clockwise = move.normal[axis] < 0;
+    const Vec3 centre = move.centre - move.start;
+    const int turns = std::max(1, static_cast<int>(std::ceil(move.angle / (2 * M_PI) - 1e-12)));
+    std::string text = fmt::format("G{} G{}{}",
+                                   axis == 2   ? 17
+                                   : axis == 1 ? 18
+                                               : 19,
+                                   clockwise ? 2 : 3, point_words(move.end, true));
+    for (int i = 0; i < 3; ++i) {
+        if (i != axis) text += word("IJK"[i], centre[i]);
+    }
+    if (turns > 1) text += fmt::format(" P{}", turns);
+    return text + aux_words(move) + feed + (axis == 2 ? "\n" : "\nG17\n");
+}
+
+/// G3.4 through points of the arc, half a turn at most each: any plane.
+std::string space_arc(const Move& move, const std::string& feed) {
+    const int parts = static_cast<int>(std::ceil(move.angle / M_PI - 1e-12));
+    const auto at = [&move](double part) {
+        const Vec3 radius = move.start - move.centre;
+        return Vec3(move.centre + Eigen::AngleAxisd(part * move.angle, move.normal) * radius);
+    };
+    std::string text;
+    for (int i = 0; i < parts; ++i) {
+        const Vec3 end = i + 1 == parts ? move.end : at(static_cast<double>(i + 1) / parts);
+        text += "G3.4" + point_words(at((i + 0.5) / parts), true) + feed + "\n";
+        text += point_words(end, true).substr(1) + aux_words(move) + "\n";
+    }
+    return text;
+}
+
+std::string arc(const Move& move, const std::string& feed) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(move.normal[axis]) == 1) return plane_arc(move, axis, feed);
+    }
+    return space_arc(move, feed);
+}
+
+std::string cubic(const std::string& file, const Move& move, const std::string& feed) {
+    if (move.aux_start != move.aux_end) {
+        throw InputError(file, move.line, "a spline with auxiliary axes: no G-code block has both");
+    }
+    const Bezier points = to_bezier(move.cubic);
+    bool in_space = false;
+    for (const Vec3& point : points) in_space |= std::abs(point.z() - move.start.z()) > kStill;
+    return g5_block({points[0], points[1], points[2], move.end}, in_space) + feed + "\n";
+}
+
+}  // namespace
+
+std::string word(char letter, double value) {
+    std::string text = fmt::format("{:.9f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return fmt::format(" {}{}", letter, text == "-0" ? "0" : text);
+}
+
+std::string feed_word(double feed) { return word('F', feed * 60); }
+
+std::string point_words(const Vec3& point, bool with_z) {
+    return word('X', point.x()) + word('Y', point.y()) + (with_z ? word('Z', point.z()) : "");
+}
+
+std::string g5_block(const Bezier& points, bool in_space) {
+    const Vec3 out = points[1] - points[0];
+    const Vec3 in = points[2] - points[3];
+    std::string text = "G5" + point_words(points[3], in_space) + word('I', out.x()) +
+                       word('J', out.y()) + (in_space ? word('K', out.z()) : "");
+    return text + word('P', in.x()) + word('Q', in.y()) + (in_space ? word('R', in.z()) : "");
+}
+
+std::string g52_blocks(const std::vector<Vec3>& points, bool in_space, const std::string& words) {
+    std::string text =
+        fmt::format("G5.2{} L{}{}\n", point_words(points[1], in_space), points.size(), words);
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        text += point_words(points[i], in_space).substr(1) + "\n";
+    }
+    return text + "G5.3\n";
+}
+
+std::string gcode_of(const std::string& file, const std::vector<Move>& moves) {
+    std::string text;
+    bool exact_stop = false;
+    for (const Move& move : moves) {
+        if (move.exact_stop != exact_stop) text += move.exact_stop ? "G61.1\n" : "G64\n";
+        exact_stop = move.exact_stop;
+        const std::string feed = move.rapid ? "" : feed_word(move.feed);
+        if (move.kind == Move::Kind::kArc) {
+            text += arc(move, feed);
+        } else if (move.kind == Move::Kind::kCubic) {
+            text += cubic(file, move, feed);
+        } else {
+            text += (move.rapid ? "G0" : "G1") + point_words(move.end, true) + aux_words(move) +
+                    feed + "\n";
+        }
+        if (move.dwell > 0) text += "G4" + word('P', move.dwell) + "\n";
+    }
+    return text + (exact_stop ? "G64\n" : "");
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line asks of a cam.
+#pragma once
+
+#include <string>
+
+#include "ref/cam/cam_path.hpp"
+#include "sysc/host/options.hpp"
+
+namespace curvecore::sysc {
+
+struct CamOptions {
+    Options common;
+    ref::SurfaceKind kind;
+    double kappa = 0;     // half-turns per pitch of the sections; 0: from scallop and cutter
+    double scallop = 0;   // mm
+    double cutter = 0;    // radius, mm; 0: not said
+    double delta = 5e-3;  // mm
+    double feed = 0;      // over the surface, mm/s
+    std::string against;  // a finer table; empty: the table's own tensor surface
+};
+
+/// The command line as text; empty: not given.
+struct RawCamOptions {
+    std::string kappa;
+    std::string scallop;
+    std::string cutter;
+    std::string delta = "5um";
+    std::string surface = "lagrange";
+    std::string generatrix;
+};
+
+/// @throws UsageError with the option's name and the reason
+void interpret(const RawCamOptions& raw, CamOptions& options);
+
+/// The helix on a table of so many angles, a section every dx mm.
+/// @throws UsageError: kappa n / 2 is not whole
+ref::CamHelix helix_of(const CamOptions& options, int angles, double dx);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore cam`: a table of radii becomes a program, which runs as any part does; what it draws
+// is held against the cam's surface.
+#include "sysc/curvecore/cam_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ref/cam/cam_program.hpp"
+#include "ref/program/gcode_reader.hpp"
+#include "ref/program/input_error.hpp"
+#include "ref/program/text_file.hpp"
+#include "sysc/cam/cam_report.hpp"
+#include "sysc/curvecore/run_job.hpp"
+#include "sysc/host/usage_error.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr const char* kProgram = "cam.ngc";
+
+std::vector<std::string> remarks(const CamOptions& options, const ref::CamHelix& helix) {
+    std::string surface(ref::kSurfaceNames[static_cast<std::size_t>(helix.kind.surface)]);
+    if (ref::has_generatrix(helix.kind.surface)) {
+        surface += " ";
+        surface += ref::kGeneratrixNames[static_cast<std::size_t>(helix.kind.generatrix)];
+    }
+    return {"cam of " + std::filesystem::path(options.common.file).filename().string(),
+            fmt::format("surface {}, kappa {:g}, delta {:g} um, {:g} mm/min over the surface",
+                        surface, helix.kappa, helix.delta * 1e3, options.feed * 60),
+            "X radius of the cutter's centre, Z along the axis (mm), A angle (degrees)"};
+}
+
+/// Section by section from the table into the program.
+CamCut cut_table(const CamOptions& options, const std::string& program) {
+    CamCut cut;
+    std::ifstream in = ref::open_cam(options.common.file);
+    ref::CamTable table(in, options.common.file);
+    // The pitch of the sections comes with the second.
+    const std::vector<ref::CamSection> first{*table.next(), *table.next()};
+    const double dx = first[1].x - first[0].x;
+    cut.helix = helix_of(options, table.angles(), dx);
+    cut.pitch = 2 * dx / cut.helix.kappa;
+    ref::CamProgram writer(program, options.feed, remarks(options, cut.helix));
+    double angle = 0;
+    ref::CamPath path(cut.helix, table.angles(), [&](const ref::CamPiece& piece) {
+        writer.piece(piece);
+        cut.deviation = std::max(cut.deviation, piece.deviation);
+        cut.jump = std::max(cut.jump, piece.jump);
+        cut.jumps.push_back(static_cast<float>(piece.jump));
+        angle = piece.to.angle;
+    });
+    int line = 0;
+    try {
+        const auto take = [&](const ref::CamSection& section) {
+            line = section.line;
+            path.section(section);
+        };
+        for (const ref::CamSection& section : first) take(section);
+        while (const std::optional<ref::CamSection> section = table.next()) take(*section);
+        path.finish();
+    } catch (const std::domain_error& error) {
+        throw ref::InputError(table.file(), line, error.what());
+    }
+    writer.close();
+    cut.pieces = writer.pieces();
+    cut.turns = angle / ref::kTurn;
+    return cut;
+}
+
+ref::CamShape truth_of(const CamOptions& options, const std::vector<ref::CamSection>& sections) {
+    const ref::SurfaceKind tensor{ref::Surface::kLagrange, ref::Generatrix::kCubic};
+    if (options.against.empty()) return {sections, tensor};
+    std::vector<ref::CamSection> finer = ref::read_cam(options.against);
+    constexpr double kSlack = 1e-6;  // mm
+    if (finer.front().x > sections.front().x + kSlack ||
+        finer.back().x < sections.back().x - kSlack) {
+        throw ref::InputError(
+            options.against, finer.front().line,
+            fmt::format("sections from {:g} to {:g} mm; the cam is from {:g} to "
+                        "{:g} mm",
+                        finer.front().x, finer.back().x, sections.front().x, sections.back().x));
+    }
+    return {std::move(finer), tensor};
+}
+
+void warn_of_delta(const CamOptions& options, const ref::CamShape& surface, Job& job) {
+    const double own = surface.own_error();
+    if (options.delta >= own) return;
+    job.program.warnings.insert(
+        job.program.warnings.begin(),
+        fmt::format("{}: warning: delta {:g} um is below what the table itself misses, some {:.3g} "
+                    "um",
+                    options.common.file, options.delta * 1e3, own * 1e3));
+}
+
+}  // namespace
+
+int cam_command(const CamOptions& options) {
+    OutputFolder folder(options.common.folder);
+    const std::string program = folder.path(kProgram);
+    const CamCut cut = cut_table(options, program);
+    const std::vector<ref::CamSection> sections = ref::read_cam(options.common.file);
+    const ref::CamShape surface(sections, options.kind);
+    const ref::CamShape truth = truth_of(options, sections);
+
+    Job job =
+        make_job(options.common, ref::read_gcode_text(ref::read_text_file(program), kProgram));
+    warn_of_delta(options, surface, job);
+    CamWatch watch(surface, truth, options.delta, cut.jumps);
+    Runner runner(std::move(job));
+    watch.draws(runner.job());
+    RunExtras extras;
+    extras.sample = [&watch](std::size_t segment, const std::int64_t* position) {
+        watch.sample(segment, position);
+    };
+    extras.finish = [&](const Report& report, const OutputFolder& to) {
+        const CamReport cam{options, surface, cut, watch, report.duration_s()};
+        to.write("cam.json", cam.json().dump(2) + "\n");
+        to.write("cam.html", cam.html());
+        if (!options.common.quiet) {
+            for (const auto& [name, value] : cam.table()) fmt::print("{:<22} {}\n", name, value);
+        }
+        if (!cam.held()) {
+            fmt::print(stderr,
+                       "curvecore: check failed: a sample is {:.3f} times as far from the "
+                       "surface as it may be\n",
+                       watch.of_allowed());
+        }
+        return cam.held();
+    };
+    return runner.run(folder, extras);
+}
+
+}  // namespace curvecore::sysc

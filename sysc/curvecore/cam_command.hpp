@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore cam`.
+#pragma once
+
+#include "sysc/cam/cam_options.hpp"
+
+namespace curvecore::sysc {
+
+/// The exit status: 0 every check held, 1 one failed.
+int cam_command(const CamOptions& options);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/curvecore/join_command.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "ref/join/least.hpp"
+#include "ref/machine/travel.hpp"
+#include "ref/program/gcode_reader.hpp"
+#include "ref/program/input_error.hpp"
+#include "ref/program/program_reader.hpp"
+#include "sysc/curvecore/run_job.hpp"
+#include "sysc/host/choice.hpp"
+#include "sysc/host/quantity.hpp"
+#include "sysc/join/join_page.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+using ref::Program;
+
+constexpr double kSame = 1e-6;   // mm, 1: ends of a loaded move and of the programs
+constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
+
+ref::Machine machine_of(const Options& options) {
+    return options.machine.empty() ? ref::Machine{} : ref::read_machine(options.machine);
+}
+
+Program working_path(const std::string& name, bool before, const ref::Machine& machine) {
+    Program program = ref::read_program(name, {});
+    program = before ? ref::until_last_working_move(std::move(program))
+                     : ref::from_first_working_move(std::move(program));
+    for (const ref::Move& move : program.moves) {
+        const std::string beyond = ref::beyond_travel(ref::travel(move), move, machine);
+        if (!beyond.empty()) throw ref::InputError(name, move.line, beyond);
+    }
+    return program;
+}
+
+/// The programs' ends meet: there is a way to go, and auxiliary axes have none.
+void check_ends(const Program& a, const Program& b) {
+    const ref::Move& last = a.moves.back();
+    const ref::Move& first = b.moves.front();
+    if ((last.end - first.start).norm() < ref::kStill) {
+        throw ref::InputError(
+            b.file, first.line,
+            fmt::format("begins where {} ends: there is nothing to join", a.file));
+    }
+    for (std::size_t i = 0; i < ref::kAuxAxes; ++i) {
+        if (std::abs(last.aux_end[i] - first.aux_start[i]) < ref::kStill) continue;
+        throw ref::InputError(
+            b.file, first.line,
+            fmt::format("{} begins at {:g}, {} leaves it at {:g}: an idle move is "
+                        "of X Y Z alone",
+                        ref::kAxisLetters[3 + i], first.aux_start[i], a.file, last.aux_end[i]));
+    }
+}
+
+void check_loaded(const std::string& file, const ref::Joint& loaded, const ref::Joint& now,
+                  const char* which, const std::string& program) {
+    if ((loaded.position - now.position).norm() <= kSame &&
+        (loaded.tangent - now.tangent).norm() <= kSame) {
+        return;
+    }
+    throw ref::InputError(
+        file, 0,
+        fmt::format("was made for another {}: {} is elsewhere now, or goes another "
+                    "way",
+                    which, program));
+}
+
+int point_count(const std::string& text) {
+    if (text.empty()) return kUsualPoints;
+    const double count = quantity("--points", text, {{"", 0}});
+    if (count >= 0 && count <= static_cast<double>(kMostJoinPoints) && count == std::floor(count)) {
+        return static_cast<int>(count);
+    }
+    throw UsageError(
+        fmt::format("--points '{}': must be a whole number in [0, {}]", text, kMostJoinPoints));
+}
+
+void choose_gcode(const RawJoinOptions& raw, bool loaded, JoinFile& file) {
+    const int given = int{raw.exact} + int{!raw.tolerance.empty()} + int{!raw.step.empty()};
+    if (given > 1) throw UsageError("--exact, --tolerance and --step exclude each other");
+    if (!raw.tolerance.empty()) {
+        file.gcode = {ref::GcodeForm::kTolerance, length("--tolerance", raw.tolerance, 1e-6, 10)};
+    } else if (!raw.step.empty()) {
+        file.gcode = {ref::GcodeForm::kStep, length("--step", raw.step, 1e-6, 1e4)};
+    } else if (raw.exact || (!loaded && ref::is_plane(file.move.pieces()))) {
+        file.gcode = {};
+    } else if (!loaded) {
+        file.gcode = {ref::GcodeForm::kTolerance, 1e-3};
+    }
+}
+
+JoinFile design(const RawJoinOptions& raw, JoinFile file, const Program& a, const Program& b) {
+    const bool loaded = !raw.load.empty();
+    const ref::Joint start = ref::joint_of(a.file, a.moves.back(), true);
+    const ref::Joint end = ref::joint_of(b.file, b.moves.front(), false);
+    if (!raw.fit.empty()) {
+        file.move.fit = static_cast<ref::JoinFit>(choice("--fit", raw.fit, ref::kJoinFitNames));
+    }
+    if (!raw.speed.empty()) {
+        file.law = static_cast<ref::SpeedLaw>(choice("--speed", raw.speed, ref::kSpeedLawNames));
+    }
+    if (loaded && raw.points.empty()) {
+        check_loaded(raw.load, file.move.start, start, "start", a.file);
+        check_loaded(raw.load, file.move.end, end, "end", b.file);
+        file.move.start = start;
+        file.move.end = end;
+    } else {
+        file.move = ref::default_idle_move(start, end, file.move.fit, point_count(raw.points));
+    }
+    if (!raw.least.empty()) {
+        const auto least = static_cast<ref::Least>(choice("--least", raw.least, ref::kLeastNames));
+        try {
+            file.move = ref::with_least(file.move, least);
+        } catch (const std::invalid_argument& error) {
+            throw UsageError(fmt::format("--least {}: {}", raw.least, error.what()));
+        }
+    }
+    const std::string flaw = flaw_of(file.move);
+    if (!flaw.empty()) throw ref::InputError(b.file, b.moves.front().line, flaw);
+    choose_gcode(raw, loaded, file);
+    return file;
+}
+
+std::string blocks_of(const JoinFile& file) {
+    const ref::PathTable path(file.move.pieces());
+    try {
+        return ref::idle_gcode(path, file.course(path.length()), file.gcode);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+std::string joint_row(const char* where, const ref::Jump& jump) {
+    const std::string slope =
+        jump.slope > 1e-6 ? fmt::format("corner of {:.3g} degrees, ", jump.slope * 180 / M_PI) : "";
+    return fmt::format(
+        "  {:<18}{}curvature jumps by {:.3g} /mm, acceleration by {:.3g} g across and "
+        "{:.3g} g along the path\n",
+        where, slope, jump.curvature, jump.across, jump.along);
+}
+
+void print_design(const JoinFile& file) {
+    const ref::JoinJumps found = ref::jumps(file.move, file.law);
+    fmt::print("idle move: {}, {} control points, {:.6g} mm, {:.4g} to {:.4g} m/min\n", found.name,
+               file.move.points.size(), found.length, file.move.start.feed * 0.06,
+               file.move.end.feed * 0.06);
+    fmt::print("{}{}", joint_row("behind path 1", found.start),
+               joint_row("before path 2", found.end));
+}
+
+}  // namespace
+
+int join_command(const Options& options, const RawJoinOptions& raw) {
+    JoinFile file;
+    if (!raw.load.empty()) file = read_join_file(raw.load);
+    if (!raw.a.empty()) file.a = raw.a;
+    if (!raw.b.empty()) file.b = raw.b;
+    if (file.a.empty() || file.b.empty()) {
+        throw UsageError("join wants two programs, A and B, or --load FILE.json");
+    }
+    const ref::Machine machine = machine_of(options);
+    const Program a = working_path(file.a, true, machine);
+    const Program b = working_path(file.b, false, machine);
+    check_ends(a, b);
+    file = design(raw, std::move(file), a, b);
+
+    const JoinProgram program = join_program(a, b);
+    const std::string text = program.with(blocks_of(file));
+    Program joined = ref::read_gcode_text(text, "join.ngc", options.points.fit_tolerance);
+    joined.warnings.insert(joined.warnings.begin(), b.warnings.begin(), b.warnings.end());
+    joined.warnings.insert(joined.warnings.begin(), a.warnings.begin(), a.warnings.end());
+    Runner runner(make_job(options, std::move(joined)));
+    OutputFolder folder(options.folder);
+    if (!options.quiet) print_design(file);
+    folder.write("join.ngc", text);
+    folder.write("join.json", file.text());
+    folder.write("join.html", join_html(file, a, b, program));
+    return runner.run(folder);
+}
+
+}  // namespace curvecore::sysc

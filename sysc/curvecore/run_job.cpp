@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/curvecore/run_job.hpp"
+
+#include "sysc/board/board_run.hpp"
+#include "sysc/board/compiled_core.hpp"
+#include "sysc/board/core_cache.hpp"
+#include "sysc/board/kernel_board.hpp"
+#include "sysc/board/systemc_board.hpp"
+#include "sysc/curvecore/planned_job.hpp"
+#include "sysc/curvecore/publish.hpp"
+#include "sysc/host/feeder.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/host/path_source.hpp"
+#include "sysc/host/progress_bar.hpp"
+#include "sysc/watch/gtkw_writer.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// `make`: of a Verilated core, null for the kernel.
+std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::string& waveform) {
+    const Options& options = job.options;
+    const BoardSettings settings = board_settings(job);
+    std::unique_ptr<Board> board;
+    if (make == nullptr) {
+        board = std::make_unique<KernelBoard>(options.core, settings);
+    } else {
+        board.reset(make({settings, options.stall_seed, waveform, options.trace_clocks}));
+    }
+    if (options.board == BoardKind::kKernel || options.board == BoardKind::kRtl) return board;
+    SystemTimes times;
+    times.sample_s = options.sample_period_s;
+    times.clock_s = 1 / options.clock_hz;
+    return make_systemc_board(std::move(board), times);
+}
+
+}  // namespace
+
+Runner::Runner(Job job) : job_(std::move(job)) {
+    const Options& options = job_.options;
+    const CompiledCore* const built_in = options.needs_rtl() ? find_core(options) : nullptr;
+    if (built_in != nullptr) {
+        const int form = options.core.multiplier_form;
+        job_.options.core = built_in->parameters;
+        job_.options.core.multiplier_form = form;
+        make_ = built_in->make;
+    }
+    plan_and_check(job_);
+    if (options.needs_rtl() && built_in == nullptr) {
+        make_ = CoreCache().open(options.core, options.quiet);
+    }
+}
+
+int Runner::run(OutputFolder& folder, const RunExtras& extras) {
+    const InterruptGuard guard;
+    const Options& options = job_.options;
+    const std::uint64_t samples =
+        count_samples(job_.plan, options.samples_per_tick_log2(), options.override_word());
+    Pictures pictures(job_, samples / static_cast<std::uint64_t>(options.samples_per_tick));
+    SamplesWriter writer(folder.path("samples.csv"), job_, extras.sample);
+    ProgressBar bar(samples, options.quiet);
+    const std::string waveform = options.trace ? folder.path("waves.fst") : "";
+    const auto progress = [&bar](std::uint64_t done) {
+        InterruptGuard::check();
+        bar.update(done);
+    };
+    std::unique_ptr<Board> board = make_board(job_, make_, waveform);
+    const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});
+    board.reset();  // closes the waveform
+    writer.close();
+
+    const Report report{job_, samples, drawn.check.drawn, &drawn, drawn.period_clocks};
+    if (options.trace) {
+        folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder));
+    }
+    const bool held = !extras.finish || extras.finish(report, folder);
+    const int status = publish(report, pictures, folder);
+    return held ? status : 1;
+}
+
+}  // namespace curvecore::sysc

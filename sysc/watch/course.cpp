@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/watch/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/curve/curve_follower.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // of the path, besides the segments' ends
+
+}  // namespace
+
+Course course(const ref::Plan& plan) {
+    Course found;
+    found.curvature.resize(Pictures::kBins);
+    for (std::vector<Envelope>& slope : found.slope) slope.resize(Pictures::kBins);
+    const ref::Segment& last = plan.segments.back();
+    const double total = std::ldexp(static_cast<double>(last.s_start + last.length), -16);
+    ref::CurveFollower curve;
+    for (const ref::Segment& segment : plan.segments) {
+        const double start = std::ldexp(static_cast<double>(segment.s_start), -16);
+        const double length = std::ldexp(static_cast<double>(segment.length), -16);
+        const double pieces = std::ceil(length / total * static_cast<double>(kPlaces));
+        for (double i = 0; i <= pieces; ++i) {
+            const double s = length * i / std::max(pieces, 1.0);
+            const auto bin =
+                std::min(static_cast<std::size_t>((start + s) / total * Pictures::kBins),
+                         Pictures::kBins - 1);
+            const double bend = curve.curvature(segment, s) / plan.unit_mm;
+            const ref::Vec3 slope = curve.direction(segment, s);
+            if (std::isfinite(bend)) found.curvature[bin].add(bend);
+            for (std::size_t axis = 0; axis < 3 && slope.allFinite(); ++axis) {
+                found.slope[axis][bin].add(slope[static_cast<int>(axis)]);
+            }
+        }
+    }
+    return found;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Curvature and slope of the exact path, for the report's charts.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sysc/watch/pictures.hpp"
+
+namespace curvecore::sysc {
+
+/// Bins of equal path length.
+struct Course {
+    std::vector<Envelope> curvature;             // 1/mm; none where it is infinite
+    std::array<std::vector<Envelope>, 3> slope;  // dx/ds, dy/ds, dz/ds
+};
+
+Course course(const ref::Plan& plan);
+
+}  // namespace curvecore::sysc

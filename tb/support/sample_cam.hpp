@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A cam in closed form: what tables of it are held against.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "ref/cam/cam_surface.hpp"
+
+namespace curvecore::tb {
+
+inline constexpr ref::SurfaceKind kTensor{ref::Surface::kLagrange, ref::Generatrix::kCubic};
+inline constexpr ref::SurfaceKind kSmooth{ref::Surface::kCatmullRom, ref::Generatrix::kCubic};
+
+inline const std::vector<ref::SurfaceKind>& all_kinds() {
+    static const std::vector<ref::SurfaceKind> kinds{
+        {ref::Surface::kTamm, ref::Generatrix::kLinear},
+        {ref::Surface::kTamm, ref::Generatrix::kParabola},
+        {ref::Surface::kTamm, ref::Generatrix::kCubic},
+        {ref::Surface::kBlend, ref::Generatrix::kLinear},
+        {ref::Surface::kBlend, ref::Generatrix::kParabola},
+        {ref::Surface::kBlend, ref::Generatrix::kCubic},
+        kTensor,
+        kSmooth};
+    return kinds;
+}
+
+inline double radians(double degrees) { return degrees * M_PI / 180; }
+
+/// Radius at x (mm, 0 .. 100) and theta (rad), mm.
+inline double sample_cam(double x, double theta) {
+    const double u = x / 100;
+    return 40 + (6 + 4 * u) * std::cos(theta + 0.6 * u) +
+           (2.5 + 1.5 * std::sin(2 * M_PI * u)) * std::cos(2 * theta - 0.8 * u) +
+           0.8 * (1 + u) * std::sin(3 * theta + u) + 3 * std::sin(M_PI * u);
+}
+
+/// `count` sections from x0, n radii each.
+inline std::vector<ref::CamSection> sample_cam_table(int n, double dx, int count, double x0 = 0) {
+    std::vector<ref::CamSection> sections(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        ref::CamSection& section = sections[static_cast<std::size_t>(i)];
+        section.line = i + 2;
+        section.x = x0 + i * dx;
+        for (int m = 0; m < n; ++m) {
+            section.rho.push_back(sample_cam(section.x, 2 * M_PI * m / n));
+        }
+    }
+    return sections;
+}
+
+}  // namespace curvecore::tb
