@@ -68,7 +68,8 @@ def claims():
     splines = load("figures/spline_tables.json")
     searches = load("figures/search_tables.json")
     cams = load("figures/cam_tables.json")
-    if None in (circles, splines, searches, cams):
+    forms = load("figures/form_tables.json")
+    if None in (circles, splines, searches, cams, forms):
         return None
     turn = {(r["order"], r["feed_m_min"]): short(r["circle_mm"]) + " mm" for r in circles["rows"]}
 
@@ -90,6 +91,9 @@ def claims():
 
     def cam(name, row, column):
         return look(cams, name, row, column)
+
+    def form(name, column="6 m/min"):
+        return look(forms, "forms", name, column)
 
     def period(radius, method):
         return cell("spline_period", (radius, "20"), method) + " ms"
@@ -138,6 +142,23 @@ def claims():
     )
     rows = [("[Chikurov]", *row) for row in rows] + [
         (
+            "[Chikurov]",
+            "any curve in space can be approximated by arcs",
+            f"a gentle curve within 1 um: {form('gentle, arcs within 1 um', 'moves')} tangent arcs,"
+            f" {form('gentle, chords within 1 um', 'moves')} chords,"
+            f" {form('gentle, splines', 'moves')} splines",
+            "true: as the cube root of the tolerance, chords as the square root",
+        ),
+        (
+            "[Obukhov]",
+            "lines and arcs make programs slower than splines",
+            f"a wave at 6 m/min: splines {form('wave, splines')} s; within 1 um arcs"
+            f" {form('wave, arcs within 1 um')} s, chords {form('wave, chords within 1 um')} s;"
+            f" chords within 0.1 mm {form('wave, chords within 0.1 mm')} s",
+            "true for arcs and coarse chords; fine chords are faster, as limits count over the"
+            " machine's joint time",
+        ),
+        (
             "[Obukhov]",
             "Simpson's rule and Runge's estimate give the arc length to a tolerance",
             f"false stops on random cubics: {search('search_stops', '1 um', 'from n = 2')} at worst"
@@ -158,6 +179,16 @@ def claims():
             f"10^6 ticks, hairpin 0.1: {search('search_ticks', 'hairpin 0.1', SUMMED)} mm,"
             f" from the start {search('search_ticks', 'hairpin 0.1', ABSOLUTE)} mm",
             "true: dozens of times the tolerance of 1e-06 mm",
+        ),
+        (
+            "[Petrakov]",
+            "more blocks cost no time, thanks to look-ahead",
+            f"a U-turn of {form('U-turn, chords within 0.1 mm', 'moves')},"
+            f" {form('U-turn, chords within 10 um', 'moves')},"
+            f" {form('U-turn, chords within 1 um', 'moves')} chords and lines at 6 m/min:"
+            f" {form('U-turn, chords within 0.1 mm')}, {form('U-turn, chords within 10 um')},"
+            f" {form('U-turn, chords within 1 um')} s",
+            "true: they save time",
         ),
         (
             "[Tamm]",

@@ -56,7 +56,11 @@ CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options, std
                                         "G-code from standard input")
                             ->type_name("");
     add_text(command, "--fit", raw.fit, "NAME",
-             fmt::format("spline through points: {}", fmt::join(ref::kFitNames, ", ")));
+             fmt::format("spline through points: {}; arcs: tangent arcs instead of splines, of "
+                         "G-code too",
+                         fmt::join(ref::kFitNames, ", ")));
+    add_text(command, "--tolerance", raw.tolerance, "LENGTH",
+             "of --fit arcs: how far they may be off the splines; default 1um");
     add_text(command, "--ends", raw.ends, "NAME",
              fmt::format("of --fit c2: {}", fmt::join(ref::kEndsNames, ", ")));
     add_text(command, "--parametrisation", raw.parametrisation, "NAME",

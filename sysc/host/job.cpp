@@ -76,7 +76,15 @@ void warn_of_segments(Job& job) {
 }  // namespace
 
 Job read_job(const Options& options) {
-    return make_job(options, ref::read_program(options.file, options.points));
+    ref::Program program = ref::read_program(options.file, options.points);
+    if (!options.arc_tolerance) return make_job(options, std::move(program));
+    AsArcs as_arcs;
+    as_arcs.splines = program;
+    as_arcs.replaced =
+        ref::replace_splines(program, ref::SplineForm::kArcs, *options.arc_tolerance);
+    Job job = make_job(options, std::move(program));
+    if (as_arcs.replaced.splines > 0) job.as_arcs = std::move(as_arcs);
+    return job;
 }
 
 Job make_job(const Options& options, ref::Program program) {
@@ -110,6 +118,7 @@ void plan_job(Job& job) {
                         job.program.file, job.plan.slowed_moves));
     }
     job.limits = ref::limit_report(job.program, job.machine, job.plan);
+    if (job.as_arcs) compare_forms(*job.as_arcs, job.options, job.machine, job.program, job.plan);
 }
 
 }  // namespace curvecore::sysc

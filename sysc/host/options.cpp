@@ -53,12 +53,24 @@ ref::PointsOptions points_options(const RawOptions& raw, const std::string& file
     if (raw.ends != unset.ends && points.fit != ref::Fit::kC2) {
         throw UsageError("--ends is for --fit c2");
     }
-    const bool asked = raw.fit != unset.fit || raw.parametrisation != unset.parametrisation ||
-                       raw.feed != unset.feed;
+    const bool fit = raw.fit != unset.fit && points.fit != ref::Fit::kArcs;
+    const bool asked =
+        fit || raw.parametrisation != unset.parametrisation || raw.feed != unset.feed;
     if (asked && !ref::is_points_file(file)) {
-        throw UsageError("--fit, --parametrisation and --feed are for points (.csv)");
+        throw UsageError("--fit but for arcs, --parametrisation and --feed are for points (.csv)");
     }
     return points;
+}
+
+constexpr double kArcTolerance = 1e-3;  // mm
+
+/// Of --fit arcs.
+std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
+    if (fit != ref::Fit::kArcs) {
+        if (!raw.tolerance.empty()) throw UsageError("--tolerance is for --fit arcs");
+        return std::nullopt;
+    }
+    return raw.tolerance.empty() ? kArcTolerance : length("--tolerance", raw.tolerance, 1e-6, 10);
 }
 
 }  // namespace
@@ -112,6 +124,7 @@ void interpret(const RawOptions& raw, Options& options) {
         options.folder = (options.file == ref::kStandardInput ? "stdin" : options.file) + ".out";
     }
     options.points = points_options(raw, options.file);
+    options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     CoreFile core;
     if (!raw.core.empty()) {
         core = read_core_file(raw.core);

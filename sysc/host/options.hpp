@@ -24,6 +24,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
+    std::optional<double> arc_tolerance;  // mm, of --fit arcs
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
@@ -55,6 +56,7 @@ struct Options {
 struct RawOptions {
     std::string core;
     std::string fit = "bessel";
+    std::string tolerance;
     std::string ends = "natural";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";

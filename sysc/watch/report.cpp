@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sysc/board/faults.hpp"
+#include "sysc/host/quantity.hpp"
 #include "sysc/watch/limit_text.hpp"
 
 namespace curvecore::sysc {
@@ -64,6 +65,21 @@ nlohmann::ordered_json machine_json(const Job& job) {
                               {"max", limits.max}};
     }
     json["notes"] = machine.notes;
+    return json;
+}
+
+nlohmann::ordered_json as_arcs_json(const Job& job) {
+    const AsArcs& found = *job.as_arcs;
+    nlohmann::ordered_json json = {{"tolerance_mm", *job.options.arc_tolerance},
+                                   {"deviation_mm", found.replaced.deviation},
+                                   {"splines", found.replaced.splines},
+                                   {"pieces", found.replaced.moves}};
+    for (const FormCost& cost : found.costs) {
+        json["forms"][cost.form] = {{"moves", cost.moves},
+                                    {"segments", cost.segments},
+                                    {"words", cost.words},
+                                    {"duration_s", cost.duration_s}};
+    }
     return json;
 }
 
@@ -182,6 +198,7 @@ nlohmann::ordered_json Report::json() const {
     json["moves"] = job.program.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
+    if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
     json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
     json["samples"] = samples;
     json["board"] = nullptr;
@@ -256,6 +273,17 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
         fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
                     job.plan.segments.size(),
                     std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
+    if (job.as_arcs) {
+        const ref::Replaced& replaced = job.as_arcs->replaced;
+        row("splines", fmt::format("{} as {} arcs and lines, off by {:.3g} um at most (asked: {})",
+                                   replaced.splines, replaced.moves, replaced.deviation * 1e3,
+                                   exact_length(*job.options.arc_tolerance)));
+        for (const FormCost& cost : job.as_arcs->costs) {
+            row("as " + cost.form,
+                fmt::format("{} moves, {} segments, {} words, {}", cost.moves, cost.segments,
+                            cost.words, time_text(cost.duration_s)));
+        }
+    }
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
                                 job.options.sample_period_s * 1e6));
     if (drawn != nullptr) {

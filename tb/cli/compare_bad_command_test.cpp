@@ -147,7 +147,7 @@ const std::vector<BadComparison> kBadComparisons{
      "curvecore: error: --machine is for a comparison with FILE"},
     {"FitWithoutAFile",
      {"--fit", "akima"},
-     "curvecore: error: --fit, --parametrisation and --feed are for points (.csv)"},
+     "curvecore: error: --fit but for arcs, --parametrisation and --feed are for points (.csv)"},
     {"ErrorBelowTheRounding",
      {"--error", "0nm"},
      "curvecore: error: --error must be in [1e-07, 1000] mm"},

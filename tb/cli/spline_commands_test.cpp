@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tb/cli/program_run.hpp"
+#include "tb/support/curve_distance.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -101,6 +104,64 @@ INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns,
                                                                   "Mode=1"},
                                          std::vector<std::string>{"--stall", "3", "--build",
                                                                   "serial", "--set", "AuxAxes=6"}));
+
+/// For boards without splines: the core of arcs alone draws them.
+TEST_F(SplineCommands, RunAsArcs) {
+    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out", "--fit", "arcs",
+                                               "--tolerance", "2um", "--set", "Splines=0"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "arcs and lines, off by ", result.out);
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "as chords ", result.out);
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["core"], "spherical");
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_FALSE(report["kinds"].contains("spline"));
+    const Json& arcs = report["as_arcs"];
+    EXPECT_EQ(arcs["splines"], 1);
+    EXPECT_LE(arcs["deviation_mm"], 2e-3);
+    EXPECT_GE(arcs["deviation_mm"], 0.5e-3);
+    const Json& forms = arcs["forms"];
+    EXPECT_EQ(forms["arcs"]["moves"], report["moves"]);
+    EXPECT_EQ(forms["arcs"]["moves"], 2 + arcs["pieces"].get<int>());
+    EXPECT_EQ(forms["splines"]["moves"], 3);
+    EXPECT_GT(forms["chords"]["words"], forms["arcs"]["words"]);
+    EXPECT_GT(forms["arcs"]["words"], forms["splines"]["words"]);
+    // A program without splines is as it was.
+    program_.write("line.ngc", "G21 G1 X10 F1200\nM2\n");
+    ASSERT_EQ(program_.run({"plan", "line.ngc", "-q", "-o", "line", "--fit", "arcs"}).status, 0);
+    EXPECT_FALSE(Json::parse(program_.read("line/report.json")).contains("as_arcs"));
+}
+
+/// Samples of the arcs, held against the spline itself.
+TEST_F(SplineCommands, ArcsStayWithinTheToleranceOfTheSpline) {
+    program_.write("curve.ngc", "G21 G1 Z0 F1200\nG5 X20 Y10 I5 J0 P0 Q-5\nM2\n");
+    ref::RationalBezier curve;
+    curve.points = {{0, 0, 0, 1}, {5, 0, 0, 1}, {20, 5, 0, 1}, {20, 10, 0, 1}};
+    const CurveDistance distance(curve);
+    for (const double tolerance : {1e-3, 2e-2}) {
+        const std::string text = std::to_string(tolerance) + "mm";
+        ASSERT_EQ(program_
+                      .run({"run", "curve.ngc", "-q", "-o", "out", "--on", "kernel", "--fit",
+                            "arcs", "--tolerance", text})
+                      .status,
+                  0);
+        std::istringstream samples(program_.read("out/samples.csv"));
+        double worst = 0;
+        int count = 0;
+        for (std::string line; std::getline(samples, line);) {
+            long k = 0, segment = 0, s = 0, x = 0, y = 0;
+            if (std::sscanf(line.c_str(), "%ld,%ld,%ld,%ld,%ld", &k, &segment, &s, &x, &y) != 5) {
+                continue;
+            }
+            if (count++ % 7 != 0) continue;
+            const ref::Vec3 point(static_cast<double>(x) * 1e-6, static_cast<double>(y) * 1e-6, 0);
+            worst = std::max(worst, distance.of(point));
+        }
+        EXPECT_GT(count, 1000);
+        EXPECT_LE(worst, tolerance + 1e-6);
+        EXPECT_GT(worst, 0.2 * tolerance);
+    }
+}
 
 TEST_F(SplineCommands, RunsWithAFineParameter) {
     const ProgramResult result = program_.run({"run", "part.ngc", "-q", "-o", "out", "--set",

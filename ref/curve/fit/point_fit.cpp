@@ -66,7 +66,7 @@ std::vector<Cubic> quintic_cubics(const HermitePiece& piece, double tolerance) {
 }  // namespace
 
 Reads reads_d1(Fit fit, Ends ends) {
-    if (fit == Fit::kHermite || fit == Fit::kQuintic) return Reads::kAll;
+    if (fit == Fit::kHermite || fit == Fit::kQuintic || fit == Fit::kArcs) return Reads::kAll;
     const bool slope = fit == Fit::kC2 && ends == Ends::kSlope;
     return fit == Fit::kClamped || slope ? Reads::kEnds : Reads::kNothing;
 }

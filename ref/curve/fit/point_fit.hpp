@@ -22,14 +22,16 @@ namespace curvecore::ref {
 /// | moments  | second derivatives (+)                 | C0 (*)   | [Petrakov] (3)-(5), corrected |
 /// | quintic  | first and second derivatives (+)       | G1, near C2 | [Petrakov], announced      |
 /// | c2       | what `Ends` says, at both ends (+)     | C2       | [Petrakov] (3)-(5), solved    |
+/// | arcs     | first derivatives (+)                  | G1       | [Chikurov],
+/// ref/curve/fit/arc_fit.hpp |
 ///
 /// (+) Where the points have none, [Petrakov] (1) takes the first derivatives from the positions,
 /// and once more the second ones from the first.
 /// (*) C2 if they are those of a C2 spline. The quintic is C2; what is drawn of it are cubics with
-/// its tangents, within the tolerance.
-enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic, kC2 };
-constexpr std::array<std::string_view, 8> kFitNames = {"bessel",  "akima",   "natural", "clamped",
-                                                       "hermite", "moments", "quintic", "c2"};
+/// its tangents, within the tolerance. Of arcs, too, the cubics stand here: those of hermite.
+enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic, kC2, kArcs };
+constexpr std::array<std::string_view, 9> kFitNames = {
+    "bessel", "akima", "natural", "clamped", "hermite", "moments", "quintic", "c2", "arcs"};
 
 /// Of `c2`: no second derivative; the points' first or second derivatives; the start again, without
 /// a seam.

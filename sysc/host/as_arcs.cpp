@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/host/as_arcs.hpp"
+
+#include "ref/feed/planner.hpp"
+#include "ref/format/path_words.hpp"
+#include "sysc/host/options.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+FormCost cost(const char* form, const ref::Program& program, const ref::Plan& plan) {
+    const std::size_t each = ref::segment_bus_words(plan.aux_axes);
+    const std::size_t segments = plan.segments.size();
+    return {form, program.moves.size(), segments,
+            each * segments + ref::kProfileBusWords * plan.pieces.size(), plan.duration_s};
+}
+
+}  // namespace
+
+void compare_forms(AsArcs& as_arcs, const Options& options, const ref::Machine& machine,
+                   const ref::Program& arcs, const ref::Plan& plan) {
+    as_arcs.costs = {cost("arcs", arcs, plan)};
+    ref::Program chords = as_arcs.splines;
+    ref::replace_splines(chords, ref::SplineForm::kChords, *options.arc_tolerance);
+    Options with_splines = options;
+    with_splines.core.splines = 1;
+    if (ref::legal(with_splines.core)) {
+        const ref::Plan splines =
+            ref::make_plan(as_arcs.splines, machine, with_splines.plan_options());
+        as_arcs.costs.push_back(cost("splines", as_arcs.splines, splines));
+    }
+    as_arcs.costs.push_back(
+        cost("chords", chords, ref::make_plan(chords, machine, options.plan_options())));
+}
+
+}  // namespace curvecore::sysc
