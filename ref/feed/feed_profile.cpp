@@ -6,6 +6,7 @@
 
 #include "ref/feed/hold_bounds.hpp"
 #include "ref/feed/limits.hpp"
+#include "ref/feed/optimal_run.hpp"
 #include "ref/feed/profile_words.hpp"
 #include "ref/feed/queue_cover.hpp"
 #include "ref/feed/step_speed.hpp"
@@ -31,6 +32,8 @@ class FeedPlanner {
           machine_(machine),
           geometry_(geometry),
           plan_(plan),
+          effort_(options.effort),
+          places_(program, geometry, options.unit_mm),
           grid_(machine, options.unit_mm, options.tick_s()),
           step_speed_(step_speeds(plan.segments, geometry.moves, options)),
           most_(most) {}
@@ -39,7 +42,7 @@ class FeedPlanner {
         std::vector<Stretch> stretches = cut_at_stops();
         for (Stretch& stretch : stretches) {
             set_zones(stretch);
-            stretch.phases = plan_speed(stretch.zones);
+            plan(stretch);
         }
         keep_windows(stretches);
         for (const Stretch& stretch : stretches) {
@@ -76,10 +79,16 @@ class FeedPlanner {
         std::size_t first, last;  // planned moves
         std::uint64_t start = 0;  // quanta
         std::uint64_t end = 0;
-        std::vector<Zone> zones;
+        std::vector<Zone> zones;   // moves and, between them, joints
+        std::vector<double> caps;  // of zones, by the rule of windows
         std::vector<Phase> phases;
         bool changed = true;  // since its windows were looked at
         bool looked_at = true;
+
+        void cap(std::size_t zone, double velocity) {
+            caps[zone] = std::min(caps[zone], velocity);
+            zones[zone].velocity = std::min(zones[zone].velocity, velocity);
+        }
 
         double duration() const {
             double time = 0;
@@ -101,7 +110,7 @@ class FeedPlanner {
                 const bool stop = before.stop || last.stop_after || planned.stop_before;
                 if (!stop) joint_speed_[i] = joint_velocity(last.shape, planned.shape, machine_);
             }
-            if (joint_speed_[i] == 0) stretches.push_back({before.dwell, i, i, s, s, {}, {}});
+            if (joint_speed_[i] == 0) stretches.push_back({before.dwell, i, i, s, s, {}, {}, {}});
             s += planned.length;
             stretches.back().last = i;
             stretches.back().end = s;
@@ -118,25 +127,56 @@ class FeedPlanner {
             }
             stretch.zones.push_back(zone(i));
         }
+        stretch.caps.assign(stretch.zones.size(), 1e9);
+    }
+
+    void plan(Stretch& stretch) {
+        stretch.phases = plan_speed(stretch.zones);
+        if (effort_ == Effort::kRules) return;
+        std::vector<RunMove> moves;
+        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+            const std::size_t zone = 2 * (i - stretch.first);
+            const double highest = highest_speed(geometry_.moves[i].shape, machine_);
+            RunMove move;
+            move.planned = i;
+            move.length = stretch.zones[zone].length;
+            move.velocity = std::min(asked_speed(i, highest), stretch.caps[zone]);
+            move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
+            if (i < stretch.last) {
+                move.end_velocity =
+                    std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
+            }
+            moves.push_back(move);
+        }
+        stretch.phases = optimal_run(stretch.phases, moves, geometry_, machine_, places_);
+    }
+
+    /// What feed, core and words allow of a speed that the machine does.
+    double asked_speed(std::size_t i, double machine) const {
+        const PlannedMove& planned = geometry_.moves[i];
+        const Move& move = program_.moves[planned.move];
+        const double v = std::min({machine * kMachineShare, step_speed_[i] * kMachineShare,
+                                   most_[i], fastest_word(grid_)});
+        return !move.rapid && move.feed > 0 ? std::min(v, move.feed / planned.shape.rate) : v;
+    }
+
+    double carried_jerk(double v, double acceleration) const {
+        const double time = static_cast<double>(grid_.shortest) * grid_.tick;
+        return std::min(acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time));
     }
 
     Zone zone(std::size_t i) const {
         const PlannedMove& planned = geometry_.moves[i];
-        const Move& move = program_.moves[planned.move];
-        double v = std::min({top_speed(planned.shape, machine_) * kMachineShare,
-                             step_speed_[i] * kMachineShare, most_[i], fastest_word(grid_)});
-        if (!move.rapid && move.feed > 0) v = std::min(v, move.feed / planned.shape.rate);
+        const double v = asked_speed(i, top_speed(planned.shape, machine_));
         const PathLimits limits = along_path(planned.shape, machine_, v);
         const double acceleration = kAccelerationShare * limits.acceleration;
-        const double time = static_cast<double>(grid_.shortest) * grid_.tick;
-        const double jerk = std::min({kJerkShare * limits.jerk, acceleration / (kRampPieces * time),
-                                      v / (kSpeedPieces * time * time)});
+        const double jerk = std::min(kJerkShare * limits.jerk, carried_jerk(v, acceleration));
         return {static_cast<double>(planned.length) * grid_.quantum, limits.velocity, acceleration,
                 jerk};
     }
 
     /// Plans again, slower, where the limits over windows are broken.
-    void keep_windows(std::vector<Stretch>& stretches) const {
+    void keep_windows(std::vector<Stretch>& stretches) {
         for (int round = 0; round < kRounds; ++round) {
             look_near_changes(stretches);
             VelocityCourse course(plan_.segments, plan_.unit_mm, 3 + program_.aux_axes, machine_);
@@ -163,7 +203,7 @@ class FeedPlanner {
                 stretch.changed = begin != cap;
                 if (!stretch.changed) continue;
                 lower(stretch, begin, cap);
-                stretch.phases = plan_speed(stretch.zones);
+                plan(stretch);
             }
         }
     }
@@ -187,14 +227,14 @@ class FeedPlanner {
     template <class Cap>
     void lower(Stretch& stretch, Cap cap, Cap end) const {
         std::uint64_t s = stretch.start;
-        Zone* after = nullptr;  // the last cap's joint
+        std::size_t after = 0;  // the last cap's joint
         for (std::size_t i = stretch.first; i < stretch.last && cap != end; ++i) {
             s += geometry_.moves[i].length;
             if (s != cap->s) continue;
-            Zone* joint = &stretch.zones[2 * (i - stretch.first) + 1];
-            joint->velocity = std::min(joint->velocity, cap->velocity);
-            for (Zone* zone = after; cap->linked && zone != nullptr && zone != joint; ++zone) {
-                zone->velocity = std::min(zone->velocity, std::max(cap->velocity, after->velocity));
+            const std::size_t joint = 2 * (i - stretch.first) + 1;
+            stretch.cap(joint, cap->velocity);
+            for (std::size_t zone = after; cap->linked && zone != 0 && zone < joint; ++zone) {
+                stretch.cap(zone, std::max(cap->velocity, stretch.zones[after].velocity));
             }
             after = joint;
             ++cap;
@@ -205,6 +245,8 @@ class FeedPlanner {
     const Machine& machine_;
     const Geometry& geometry_;
     Plan& plan_;
+    Effort effort_;
+    PathPlaces places_;
     PieceGrid grid_;
     std::vector<double> step_speed_;
     const std::vector<double>& most_;  // mm/s, of each planned move
@@ -212,11 +254,9 @@ class FeedPlanner {
     double last_dwell_ = 0;
 };
 
-}  // namespace
-
-void plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
-               const Geometry& geometry, Plan& plan) {
-    // Slower motion stops sooner, and the queues last longer: a few rounds do.
+/// Slower motion stops sooner, and the queues last longer: a few rounds do.
+void plan_covered(const Program& program, const Machine& machine, const PlanOptions& options,
+                  const Geometry& geometry, Plan& plan) {
     constexpr int kCoverRounds = 12;
     std::vector<double> most(geometry.moves.size(), 1e9);
     plan.slowed_moves = 0;
@@ -234,6 +274,24 @@ void plan_feed(const Program& program, const Machine& machine, const PlanOptions
                              "not outlast a stop at any speed tried");
         }
     }
+}
+
+}  // namespace
+
+void plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
+               const Geometry& geometry, Plan& plan) {
+    PlanOptions rules = options;
+    rules.effort = Effort::kRules;
+    plan_covered(program, machine, rules, geometry, plan);
+    if (options.effort == Effort::kRules) return;
+    // More pieces want more queue: where that costs more than the optimum gains, the rules stay.
+    Plan optimum = plan;
+    try {
+        plan_covered(program, machine, options, geometry, optimum);
+    } catch (const InputError&) {
+        return;
+    }
+    if (optimum.duration_s < plan.duration_s) plan = std::move(optimum);
 }
 
 }  // namespace curvecore::ref

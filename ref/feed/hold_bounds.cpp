@@ -10,6 +10,24 @@
 
 namespace curvecore::ref {
 
+namespace {
+
+/// A plan at its shares leaves the rest of every limit, whatever the direction: |r'' v| and 3 |r'|
+/// times the acceleration have half of the jerk's each.
+void keep_share(const PathShape& shape, const Machine& machine, double v, double a, double& slope,
+                double& change) {
+    const double across = v * v * shape.curvature;
+    each_limit(shape, machine, [&](double rate, double bend, double acceleration, double jerk) {
+        if (rate * v == 0) return;
+        const double room = (1 - kJerkShare) / 2 * jerk;
+        slope = std::min(slope, (1 - kAccelerationShare) * acceleration / (rate * v));
+        slope = std::min(slope, room / (3 * (rate * a + bend * across)));
+        change = std::min(change, room / (rate * v));
+    });
+}
+
+}  // namespace
+
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan) {
     double slope = 1e9;   // r', 1/s
@@ -20,6 +38,10 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
         const PieceMotion to = motion(stretch, 1, plan);
         const double v = top_of(stretch, plan);
         const double a = std::max(std::abs(from.a), std::abs(to.a));
+        if (options.effort == Effort::kOptimum) {
+            keep_share(stretch.move->shape, machine, v, a, slope, change);
+            return;
+        }
         const PathLimits limits = along_path(stretch.move->shape, machine, v);
         // Pieces end on the grid, so a ramp may reach a little into the next move: there it has the
         // other move's limits, and half of the share left for holds is granted.

@@ -53,11 +53,18 @@ double circular_rate(const PathShape& shape) {
 
 }  // namespace
 
-double top_speed(const PathShape& shape, const Machine& machine) {
+double highest_speed(const PathShape& shape, const Machine& machine) {
     const double turn = circular_rate(shape);
     double v = 1e9;
     each_load(shape, machine, [&](const Load& load) {
         v = std::min(v, load.velocity / (load.swing * turn + load.advance));
+    });
+    return v;
+}
+
+double top_speed(const PathShape& shape, const Machine& machine) {
+    double v = highest_speed(shape, machine);
+    each_load(shape, machine, [&](const Load& load) {
         const double across = load.swing * shape.curvature;
         const double swerve = load.swing * shape.swerve;
         if (across > 0) {
@@ -103,6 +110,14 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v) 
         limits.jerk = std::min(limits.jerk, j);
     });
     return limits;
+}
+
+void each_limit(const PathShape& shape, const Machine& machine,
+                const std::function<void(double, double, double, double)>& visit) {
+    const double turn = circular_rate(shape);
+    each_load(shape, machine, [&](const Load& load) {
+        visit(load.swing * turn + load.advance, load.swing, load.acceleration, load.jerk);
+    });
 }
 
 double joint_velocity(const PathShape& before, const PathShape& after, const Machine& machine) {

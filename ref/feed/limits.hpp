@@ -2,6 +2,8 @@
 // What the machine allows on a move and at a joint.
 #pragma once
 
+#include <functional>
+
 #include "ref/feed/path_shape.hpp"
 
 namespace curvecore::ref {
@@ -25,8 +27,16 @@ struct PathLimits {
 /// R^2 (of a spline also v^3 swerve) allow with some room left along the path.
 double top_speed(const PathShape& shape, const Machine& machine);
 
+/// Speed that a move's path and axis velocities allow.
+double highest_speed(const PathShape& shape, const Machine& machine);
+
 /// What a speed of at most v leaves along the path.
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v);
+
+/// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: at most how
+/// much of a motion along the path, and of one across it, the limit sees.
+void each_limit(const PathShape& shape, const Machine& machine,
+                const std::function<void(double, double, double, double)>& visit);
 
 /// Speed at which a joint may be passed; 0: stop. The change of the velocity vector stays within
 /// acceleration * JointTime, the change of v^2 r'' within jerk * JointTime, path and every axis.

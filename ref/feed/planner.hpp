@@ -2,6 +2,9 @@
 // From moves to what a core is loaded with: the only place where geometry meets feed.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "ref/bound/error_bound.hpp"
 #include "ref/curve/segment.hpp"
 #include "ref/format/queues.hpp"
@@ -32,6 +35,11 @@ struct CoreTime {
     }
 };
 
+/// How the feed is planned: by rules, one bound for each move and ramps between; or as the fastest
+/// motion under the same limits on the true path (ref/feed/time_optimum.hpp).
+enum class Effort { kRules, kOptimum };
+constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
+
 /// | field                  | unit   | remark                                                     |
 /// |------------------------|--------|------------------------------------------------------------|
 /// | unit_mm                | mm     | the length unit                                            |
@@ -44,6 +52,7 @@ struct CoreTime {
 /// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
+/// | effort                 |        | how the feed is planned                                    |
 /// | advise                 |        | a refusal says which width would do: takes many plans      |
 struct PlanOptions {
     double unit_mm = 1e-6;
@@ -57,6 +66,7 @@ struct PlanOptions {
     int profile_queue_words = kProfileQueueWords;
     int max_pieces = 1 << 16;
     bool advise = true;
+    Effort effort = Effort::kRules;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };

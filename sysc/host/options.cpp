@@ -116,6 +116,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.aux_axes = core.aux_axes;
     plan.error_limit = error_limit;
     plan.core = core_time(core, clock_hz);
+    plan.effort = effort;
     return plan;
 }
 
@@ -124,6 +125,7 @@ void interpret(const RawOptions& raw, Options& options) {
         options.folder = (options.file == ref::kStandardInput ? "stdin" : options.file) + ".out";
     }
     options.points = points_options(raw, options.file);
+    options.effort = static_cast<ref::Effort>(choice("--effort", raw.effort, ref::kEffortNames));
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     CoreFile core;
     if (!raw.core.empty()) {

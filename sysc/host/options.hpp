@@ -24,6 +24,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
+    ref::Effort effort = ref::Effort::kRules;
     std::optional<double> arc_tolerance;  // mm, of --fit arcs
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -58,6 +59,7 @@ struct RawOptions {
     std::string fit = "bessel";
     std::string tolerance;
     std::string ends = "natural";
+    std::string effort = "rules";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

@@ -195,6 +195,7 @@ nlohmann::ordered_json Report::json() const {
     json["core"] = job.core_name();
     json["build"] = build_name(job.options.core.build);
     json["parameters"] = parameters_json(job.options.core);
+    json["effort"] = ref::kEffortNames[static_cast<std::size_t>(job.options.effort)];
     json["moves"] = job.program.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();

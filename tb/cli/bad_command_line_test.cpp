@@ -153,6 +153,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"FitUnknown", with({"--fit", "cubic"}),
      "curvecore: error: --fit 'cubic': must be one of bessel, akima, natural, clamped, hermite, "
      "moments, quintic, c2, arcs"},
+    {"EffortUnknown", with({"--effort", "most"}),
+     "curvecore: error: --effort 'most': must be one of rules, optimum"},
     {"ToleranceWithoutArcs", with({"--tolerance", "1um"}),
      "curvecore: error: --tolerance is for --fit arcs"},
     {"ToleranceOfArcsZero", with({"--fit", "arcs", "--tolerance", "0um"}),

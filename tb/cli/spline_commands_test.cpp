@@ -105,6 +105,25 @@ INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns,
                                          std::vector<std::string>{"--stall", "3", "--build",
                                                                   "serial", "--set", "AuxAxes=6"}));
 
+TEST_F(SplineCommands, RunFasterWithMoreEffort) {
+    program_.write("fast.ngc",
+                   "G21 G90 G17 G94 F30000\n"
+                   "G1 X10\n"
+                   "G5 X20 Y10 I5 J0 P0 Q-5\n"
+                   "G3 X10 Y20 I-10 J0\n"
+                   "M2\n");
+    ASSERT_EQ(program_.run({"run", "fast.ngc", "-q", "-o", "rules"}).status, 0);
+    const ProgramResult result =
+        program_.run({"run", "fast.ngc", "-q", "-o", "optimum", "--effort", "optimum"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const Json rules = Json::parse(program_.read("rules/report.json"));
+    const Json optimum = Json::parse(program_.read("optimum/report.json"));
+    EXPECT_EQ(optimum["effort"], "optimum");
+    EXPECT_EQ(optimum["rtl_equals_kernel"], 0);
+    EXPECT_EQ(optimum["landing_lsb"], 0);
+    EXPECT_LT(optimum["duration_s"], 0.9 * rules["duration_s"].get<double>());
+}
+
 /// For boards without splines: the core of arcs alone draws them.
 TEST_F(SplineCommands, RunAsArcs) {
     const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out", "--fit", "arcs",

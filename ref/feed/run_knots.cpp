@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/run_knots.hpp"
+
+#include <algorithm>
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kSliver = 0.3;  // of that time: knots nearer to a joint are left out
+constexpr int kLeastKnots = 16;
+
+class Knots {
+  public:
+    Knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves, double step)
+        : phases_(phases), moves_(moves), step_(step) {
+        double time = 0;
+        for (const Phase& phase : phases) {
+            start_.push_back(time);
+            time += phase.duration;
+        }
+        start_.push_back(time);
+    }
+
+    /// RunKnots in order: joints, and between them even in time.
+    std::vector<RunKnot> run() {
+        const double total = start_.back();
+        const double step = std::min(step_, total / kLeastKnots);
+        std::vector<double> joints;
+        long double s = 0;
+        for (const RunMove& move : moves_) {
+            s += move.length;
+            if (&move != &moves_.back()) joints.push_back(time_of(s));
+        }
+        joints.push_back(total);
+        std::vector<RunKnot> knots{{0, 0, 0, 0}};
+        double t = 0;
+        for (const double joint : joints) {
+            for (double next = t;
+                 (next += std::max(step, cruise_step(next))) < joint - kSliver * step;) {
+                knots.push_back(at(t = next));
+            }
+            const bool apart = joint - t >= kSliver * step && total - joint >= kSliver * step;
+            if (apart) knots.push_back(at(t = joint));
+        }
+        knots.push_back({total, s, 0, 0});
+        return knots;
+    }
+
+  private:
+    std::size_t phase(double t) const {
+        const auto next = std::upper_bound(start_.begin(), start_.end() - 1, t);
+        return static_cast<std::size_t>(next - start_.begin()) - 1;
+    }
+    RunKnot at(double t) const {
+        const std::size_t i = phase(t);
+        const Phase& p = phases_[i];
+        const double x = t - start_[i];
+        return {t, p.s + ((p.j / 6 * x + p.a / 2) * x + p.v) * x,
+                std::max(0.0, (p.j / 2 * x + p.a) * x + p.v), p.a + p.j * x};
+    }
+    double time_of(long double s) const {
+        const auto after =
+            std::upper_bound(phases_.begin(), phases_.end(), s,
+                             [](long double at, const Phase& p) { return at < p.s; });
+        const std::size_t i = static_cast<std::size_t>(after - phases_.begin()) - 1;
+        double low = 0;
+        double high = phases_[i].duration;
+        for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
+            const double middle = (low + high) / 2;
+            (at(start_[i] + middle).s < s ? low : high) = middle;
+        }
+        return start_[i] + low;
+    }
+    /// Where the speed is constant knots are the farther apart the farther its ends are.
+    double cruise_step(double t) const {
+        const std::size_t i = phase(t);
+        if (phases_[i].a != 0 || phases_[i].j != 0) return 0;
+        return std::min(t - start_[i], (start_[i + 1] - t) / 2);
+    }
+
+    const std::vector<Phase>& phases_;
+    const std::vector<RunMove>& moves_;
+    double step_;
+    std::vector<double> start_;
+};
+
+}  // namespace
+
+std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
+                               double step) {
+    return Knots(phases, moves, step).run();
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Knots for an optimum, laid on a motion that is known.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ref/feed/speed_plan.hpp"
+
+namespace curvecore::ref {
+
+/// What one planned move of a run may have besides the machine's limits.
+struct RunMove {
+    std::size_t planned = 0;  // index into Geometry::moves
+    double length = 0;        // mm
+    double velocity = 0;      // mm/s, on it
+    double end_velocity = 0;  // at its end, where the next one begins
+    double jerk = 0;          // mm/s^3, that its pieces can carry
+};
+
+struct RunKnot {
+    double t = 0;  // s, of the motion given
+    long double s = 0;
+    double v = 0;
+    double a = 0;
+    double ease = 1;  // share of the limits from here to the next knot
+};
+
+/// In order: at rest, joints of moves, and between them `step` seconds of the motion apart, farther
+/// where its speed is constant; none so near to the one before that it would be a sliver; at rest.
+std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
+                               double step);
+
+}  // namespace curvecore::ref

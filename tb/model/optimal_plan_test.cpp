@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans of the effort `optimum`: faster than the rules, and within the same limits over windows of
+// what is drawn, in holds as well.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <climits>
+
+#include "tb/support/chopped_curves.hpp"
+#include "tb/support/drawn_limits.hpp"
+#include "tb/support/random_joints.hpp"
+#include "tb/support/random_splines.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using ref::Effort;
+using ref::Machine;
+using ref::Plan;
+using ref::PlanOptions;
+using ref::Program;
+
+PlanOptions options_of(Effort effort) {
+    PlanOptions options;
+    options.effort = effort;
+    return options;
+}
+
+std::string text(const sysc::LimitLoads& loads) {
+    std::string all;
+    for (std::size_t i = 0; i < loads.worst.size(); ++i) {
+        const auto& worst = loads.worst[i];
+        all += fmt::format("{} {:.3f} over {:g} ms of {} at sample {}, ", sysc::kLimitedNames[i],
+                           worst.ratio, worst.window * 1e3, worst.of, worst.sample);
+    }
+    return all;
+}
+
+struct Curve {
+    const char* name;
+    ChoppedCurve chopped;
+    double gain;  // of the time, at least
+};
+const Curve kCurves[] = {
+    {"turn", chopped_turn, 1.08}, {"wave", chopped_wave, 1.7}, {"circle", chopped_circle, 1.2}};
+
+/// With a hold of so many ticks from tick `at` on.
+sysc::LimitLoads held_limits(const Plan& plan, const Machine& machine, int at, int ticks) {
+    hls::PathKernel kernel;
+    hls::TimeScaler scaler(plan.hold_acceleration,
+                           std::int64_t{plan.hold_acceleration} * plan.hold_slope_steps);
+    sysc::PathCursor cursor(plan);
+    ref::CurveFollower curve;
+    sysc::LimitMeter meter(machine, plan.unit_mm, plan.tick_s, 1, 3 + plan.aux_axes, 0,
+                           kManyWindows);
+    std::size_t next = 0;
+    const auto feed = [&](hls::ProfileWords& words) {
+        if (next == plan.pieces.size()) return false;
+        words = hls::to_words(plan.pieces[next++]);
+        return true;
+    };
+    const auto take = [&] {
+        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
+        meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
+    };
+    take();
+    for (int tick = 0; next == 0 || kernel.active(); ++tick) {
+        const bool hold = tick >= at && tick < at + ticks;
+        const std::int32_t rate = scaler.tick(hold ? 0 : 1 << 16);
+        cursor.advance(static_cast<std::uint64_t>(hls::to_int(kernel.tick(rate, feed, hold))));
+        take();
+    }
+    return meter.finish();
+}
+
+TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        const Program program = curve.chopped(0, 1000.0 / 3);
+        const Plan rules = make_plan(program, machine, options_of(Effort::kRules));
+        const Plan plan = make_plan(program, machine, options_of(Effort::kOptimum));
+        const sysc::LimitLoads loads = drawn_limits(plan, machine);
+        EXPECT_LE(loads.most(), 1) << curve.name << ": " << text(loads);
+        EXPECT_GE(rules.duration_s, curve.gain * plan.duration_s) << curve.name;
+    }
+}
+
+TEST(OptimalPlan, HoldsKeepTheLimits) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        const Plan plan =
+            make_plan(curve.chopped(0, 1000.0 / 3), machine, options_of(Effort::kOptimum));
+        const auto total = static_cast<int>(plan.duration_s / plan.tick_s);
+        for (int at = 30; at < total; at += total / 12) {
+            const sysc::LimitLoads loads = held_limits(plan, machine, at, 15000);
+            // The scaler's rate has 16 bits: its steps show in the jerk.
+            EXPECT_LE(loads.worst[sysc::kVelocity].ratio, 1) << curve.name << " at " << at;
+            EXPECT_LE(loads.worst[sysc::kAcceleration].ratio, 1) << curve.name << " at " << at;
+            EXPECT_LE(loads.worst[sysc::kJerk].ratio, 1) << curve.name << ": " << text(loads);
+        }
+        // Control: time that stops many times as fast.
+        Plan rash = plan;
+        rash.hold_acceleration *= 30;
+        const sysc::LimitLoads loads = held_limits(rash, machine, total / 2, 15000);
+        EXPECT_GT(loads.most(), 1) << curve.name;
+    }
+}
+
+TEST(OptimalPlan, ChordsKeepTheLimits) {
+    const Machine machine;
+    for (const Curve& curve : kCurves) {
+        for (const double size : {2., 0.5, 0.1, 0.02}) {
+            const Program program = curve.chopped(size, 1000.0 / 3);
+            const Plan rules = make_plan(program, machine, options_of(Effort::kRules));
+            const Plan plan = make_plan(program, machine, options_of(Effort::kOptimum));
+            const sysc::LimitLoads loads = drawn_limits(plan, machine);
+            EXPECT_LE(loads.most(), 1) << curve.name << " " << size << ": " << text(loads);
+            EXPECT_LE(plan.duration_s, rules.duration_s) << curve.name << " " << size;
+        }
+    }
+}
+
+TEST(OptimalPlan, RandomJointsKeepTheLimits) {
+    double gained = 1;
+    double jerk = 0;
+    for (unsigned seed = 0; seed < 30; ++seed) {
+        const JointCase random = RandomJoints(seed).make();
+        PlanOptions options = random.options;
+        const Plan rules = make_plan(random.program, random.machine, options);
+        options.effort = Effort::kOptimum;
+        const Plan plan = make_plan(random.program, random.machine, options);
+        const sysc::LimitLoads loads = drawn_limits(plan, random.machine, options);
+        EXPECT_LE(loads.most(), 1) << seed << ": " << text(loads);
+        EXPECT_LE(plan.duration_s, rules.duration_s) << seed;
+        gained = std::max(gained, rules.duration_s / plan.duration_s);
+        jerk = std::max(jerk, loads.worst[sysc::kJerk].ratio);
+    }
+    EXPECT_GT(gained, 1.2);
+    EXPECT_GT(jerk, 0.6) << "the limits are idle";
+}
+
+TEST(OptimalPlan, PiecesSumToThePath) {
+    const Plan plan =
+        make_plan(chopped_wave(0, 1000.0 / 3), Machine(), options_of(Effort::kOptimum));
+    std::uint64_t path = 0;
+    for (const ref::ProfilePiece& piece : plan.pieces) path += piece.ds;
+    const ref::Segment& last = plan.segments.back();
+    EXPECT_EQ(path, last.s_start + last.length);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
