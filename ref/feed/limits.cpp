@@ -147,27 +147,6 @@ double joint_velocity(const PathShape& before, const PathShape& after, const Mac
     return v;
 }
 
-LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double v, double a,
-                         double j) {
-    LimitRatios worst;
-    const double turn = circular_rate(shape);
-    const double swerve = v * v * v * shape.swerve;
-    a = std::abs(a);
-    j = std::abs(j);
-    each_load(shape, machine, [&](const Load& load) {
-        const double velocity = (load.swing * turn + load.advance) * v;
-        const double acceleration =
-            load.swing * std::hypot(turn * a, v * v * shape.curvature) + load.advance * a;
-        const double along = turn * j + v * v * v * shape.curvature * shape.twist;
-        const double jerk =
-            load.swing * std::hypot(along, 3 * v * a * shape.curvature + swerve) + load.advance * j;
-        worst.velocity = std::max(worst.velocity, velocity / load.velocity);
-        worst.acceleration = std::max(worst.acceleration, acceleration / load.acceleration);
-        worst.jerk = std::max(worst.jerk, jerk / load.jerk);
-    });
-    return worst;
-}
-
 LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const Machine& machine,
                          double v) {
     const double time = machine.joint_time;

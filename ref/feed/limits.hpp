@@ -48,8 +48,6 @@ struct LimitRatios {
     double acceleration = 0;
     double jerk = 0;
 };
-LimitRatios limit_ratios(const PathShape& shape, const Machine& machine, double v, double a,
-                         double j);
 
 /// Loads of a joint passed with speed v: change of velocity over acceleration * JointTime (field
 /// acceleration) and of v^2 r'' over jerk * JointTime (field jerk).

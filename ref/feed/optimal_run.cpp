@@ -30,37 +30,6 @@ double ramp_time(const Machine& machine) {
     return time;
 }
 
-double dot(const AxisVector& a, const AxisVector& b, std::size_t from, std::size_t to) {
-    double sum = 0;
-    for (std::size_t i = from; i < to; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-/// Of the path and of those axes that it does not imply, at their shares.
-std::vector<PlaceLimit> place_limits(const PathPlace& at, const PathShape& shape,
-                                     const Machine& machine, double most_jerk) {
-    std::vector<PlaceLimit> limits;
-    const auto add = [&](std::size_t from, std::size_t to, double acceleration, double jerk) {
-        const auto product = [&](const AxisVector& a, const AxisVector& b) {
-            return dot(a, b, from, to);
-        };
-        limits.push_back({product(at.d1, at.d1), product(at.d1, at.d2), product(at.d1, at.d3),
-                          product(at.d2, at.d2), product(at.d2, at.d3), product(at.d3, at.d3),
-                          kAccelerationShare * acceleration,
-                          std::min(kJerkShare * jerk, most_jerk)});
-    };
-    const bool xyz = dot(at.d1, at.d1, 0, 3) > 0;
-    if (shape.linear) add(xyz ? 0 : 6, xyz ? 3 : 9, machine.acceleration, machine.jerk);
-    for (std::size_t i = 0; i < kMachineAxes; ++i) {
-        const AxisLimits& axis = machine.axis[i];
-        const bool implied =
-            i < 3 && axis.acceleration >= machine.acceleration && axis.jerk >= machine.jerk;
-        const bool moves = shape.swing[i] != 0 || shape.advance[i] != 0;
-        if (!implied && moves) add(i, i + 1, axis.acceleration, axis.jerk);
-    }
-    return limits;
-}
-
 /// s(t) of an interval as constant jerk: path and speed of both ends.
 Phase phase_of(long double s, double length, double v0, double v1, double duration) {
     Phase phase;
@@ -166,7 +135,13 @@ class OptimalRun {
         const std::size_t move = move_at(s);
         const RunMove& on = moves_[move];
         const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
-        return place_limits(at, geometry_.moves[on.planned].shape, machine_, on.jerk);
+        std::vector<PlaceLimit> limits =
+            place_limits(at, geometry_.moves[on.planned].shape, machine_);
+        for (PlaceLimit& limit : limits) {
+            limit.acceleration *= kAccelerationShare;
+            limit.jerk = std::min(kJerkShare * limit.jerk, on.jerk);
+        }
+        return limits;
     }
 
     /// As few phases as keep the limits and the acceleration at their ends.

@@ -12,7 +12,36 @@ void put(const Vec3& xyz, AxisVector& all) {
     for (std::size_t i = 0; i < 3; ++i) all[i] = xyz[static_cast<Eigen::Index>(i)];
 }
 
+double dot(const AxisVector& a, const AxisVector& b, std::size_t from, std::size_t to) {
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += a[i] * b[i];
+    return sum;
+}
+
 }  // namespace
+
+std::vector<PlaceLimit> place_limits(const PathPlace& at, const PathShape& shape,
+                                     const Machine& machine) {
+    std::vector<PlaceLimit> limits;
+    const auto add = [&](std::size_t from, std::size_t to, double acceleration, double jerk) {
+        const auto product = [&](const AxisVector& a, const AxisVector& b) {
+            return dot(a, b, from, to);
+        };
+        limits.push_back({product(at.d1, at.d1), product(at.d1, at.d2), product(at.d1, at.d3),
+                          product(at.d2, at.d2), product(at.d2, at.d3), product(at.d3, at.d3),
+                          acceleration, jerk});
+    };
+    const bool xyz = dot(at.d1, at.d1, 0, 3) > 0;
+    if (shape.linear) add(xyz ? 0 : 6, xyz ? 3 : 9, machine.acceleration, machine.jerk);
+    for (std::size_t i = 0; i < kMachineAxes; ++i) {
+        const AxisLimits& axis = machine.axis[i];
+        const bool implied =
+            i < 3 && axis.acceleration >= machine.acceleration && axis.jerk >= machine.jerk;
+        const bool moves = shape.swing[i] != 0 || shape.advance[i] != 0;
+        if (!implied && moves) add(i, i + 1, axis.acceleration, axis.jerk);
+    }
+    return limits;
+}
 
 PathPlaces::PathPlaces(const Program& program, const Geometry& geometry, double unit_mm)
     : program_(program), geometry_(geometry) {

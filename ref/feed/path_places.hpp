@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/feed/place_limit.hpp"
 #include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
@@ -16,6 +17,10 @@ struct PathPlace {
     AxisVector d2{};
     AxisVector d3{};
 };
+
+/// The machine's limits there: of the path and of those axes that it does not imply.
+std::vector<PlaceLimit> place_limits(const PathPlace& at, const PathShape& shape,
+                                     const Machine& machine);
 
 /// Exact: lines and arcs in closed form, splines by Frenet's formulas at the place's parameter.
 /// Places may be asked in any order; in that of the path each spline's length is tabled once.

@@ -15,6 +15,7 @@ struct PieceStretch {
     const PlannedMove* move;
     std::size_t move_index;  // in Geometry::moves
     double from, to;         // ticks within the piece
+    double s;                // quanta from the move's start, at `from`
     bool ends_move;          // the move ends here
     bool overhang;           // the piece's end is on the grid, the move's not: it reaches into a
                              // neighbouring move
@@ -65,6 +66,7 @@ void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& gr
         double from = 0;
         while (done < piece.ds && move < geometry.moves.size()) {
             const std::uint64_t part = std::min(left, piece.ds - done);
+            const auto s = static_cast<double>(geometry.moves[move].length - left);
             done += part;
             left -= part;
             const double to =
@@ -72,7 +74,8 @@ void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& gr
             const bool at_end = from == 0 || done == piece.ds;
             const bool overhang =
                 at_end && part < piece.ds && to - from < static_cast<double>(grid.shortest);
-            visit(PieceStretch{&piece, &geometry.moves[move], move, from, to, left == 0, overhang});
+            visit(PieceStretch{&piece, &geometry.moves[move], move, from, to, s, left == 0,
+                               overhang});
             from = to;
             if (left == 0 && ++move < geometry.moves.size()) left = geometry.moves[move].length;
         }

@@ -12,7 +12,6 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kSharpest = 1e-8;   // mm: radius of a tip that is passed in motion
-constexpr double kTip = 1e-5;        // mm
 constexpr double kShortest = 1e-6;   // mm
 constexpr double kLeastShare = 0.6;  // of the speed allowed at any point of a stretch
 // What no machine feels, at any speed below 10 m/s.

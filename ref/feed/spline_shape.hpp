@@ -9,6 +9,9 @@
 
 namespace curvecore::ref {
 
+/// Up to here from a standstill the curve is taken as being as sharp as where it is fastest.
+constexpr double kTip = 1e-5;  // mm
+
 /// Parameters of 0 <= u <= 1, ascending, at which the curve stands still: V = 0, or a tip of less
 /// than 1e-8 mm radius. The machine stops there.
 std::vector<double> standstills(const Cubic& cubic);
@@ -22,7 +25,7 @@ std::vector<double> standstills(const Cubic& cubic);
 /// | swerve         | |r''' across the path| = |G| / v^6,  G = v^2 M' - 3 (V.W) M                |
 /// | swing          | components of V / v, r'' / curvature and the swerving part of r''' / swerve |
 ///
-/// Each is the convex hull of a polynomial over a power of the least speed. Within 1e-5 mm of a
+/// Each is the convex hull of a polynomial over a power of the least speed. Within kTip of a
 /// standstill, where k grows as s^-1/2, they are those of the stretch's fastest point: from rest
 /// the speed grows as s^2/3, so the loads vanish. Source: Frenet's formulas.
 struct SplineStretch {
