@@ -8,7 +8,7 @@
 One writes build/hls/<core>.json and .v, with the parameters in the name where these are not the
 default: a pipeline that takes a call at every clock (hls/README.md).
 A table is done on its devices, with the RTL of the same kernel and configuration beside it, and
-becomes build/hls/<table>.csv.
+becomes build/hls/<table>.csv; what fails has the reason there, and the others are done.
 
 Exit status: 0, 1 where a word differs or something cannot be placed, 2 where the input is wrong, a
 tool is missing or the kernel cannot be taken.
@@ -21,22 +21,18 @@ import signal
 import sys
 from pathlib import Path
 
-from hls_flow.kernels import KERNELS, number, wanted
+from hls_flow.kernels import KERNELS, wanted
 from hls_flow.placing import check_device, of_verilog, placed
 from hls_flow.simulation import Differs, simulate
-from hls_flow.sweep import check_header, read_row, sweep
+from hls_flow.sweep import KERNEL_TABLE, sweep
 from hls_flow.verilog import make
+from synthesis.command_line import Parser, number, number_of_seeds, settings
 from synthesis.cores import ROOT
 from synthesis.devices import DEVICES
 from synthesis.refused import Refused
 from synthesis.result import sentence
 from synthesis.sweep_table import read_table
 from synthesis.tools import alone, write_whole
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        raise Refused(message)
 
 
 def arguments():
@@ -58,13 +54,6 @@ def arguments():
     parser.add_argument("--output", metavar="DIR", default=ROOT / "build" / "hls",
                         help="folder of results (build/hls)")
     return parser.parse_args()
-
-
-def settings(items):
-    for item in items:
-        if "=" not in item:
-            raise Refused(f"--set {item}: must be Name=Value")
-    return dict(item.split("=", 1) for item in items)
 
 
 def say(text):
@@ -123,7 +112,7 @@ def table(given, samples, seeds, output):
         raise Refused("--sweep takes its kernels from the table: leave out --core, --set, --steps,"
                       " --stages and --device")
     try:
-        rows = read_table(given.sweep, seeds, check_header, read_row)
+        rows = read_table(given.sweep, seeds, KERNEL_TABLE)
     except Refused as error:
         print(error, file=sys.stderr)  # has file and line
         return 2
@@ -135,9 +124,9 @@ def table(given, samples, seeds, output):
         return found
 
     file = output / f"{Path(given.sweep).stem}.csv"
-    sweep(rows, file, do, given.minutes, output / "store")
-    print(f"{len(rows)} kernels; {file}")
-    return 0
+    failed = sweep(given.sweep, rows, file, do, given.minutes, output / "store")
+    print(f"{len(rows) - failed} of {len(rows)} kernels, {failed} failed; {file}")
+    return 1 if failed else 0
 
 
 def main():
@@ -146,7 +135,7 @@ def main():
         given = arguments()
         output = Path(given.output).resolve()
         samples = number("--samples", given.samples, 1, 10**10)
-        seeds = number("--seeds", given.seeds, 1, 100)
+        seeds = number_of_seeds("--seeds", given.seeds)
         if given.sweep:
             return table(given, samples, seeds, output)
         if not given.core:
@@ -159,7 +148,7 @@ def main():
         print(f"hls: {error}", file=sys.stderr)
         return 2
     except Differs as error:
-        print(f"hls: the Verilog is not what the kernel is: {error}", file=sys.stderr)
+        print(f"hls: {error}", file=sys.stderr)
         return 1
     except OSError as error:
         print(f"hls: {error.filename}: {error.strerror}", file=sys.stderr)

@@ -8,13 +8,18 @@ import re
 from readme_table import ROOT, measured, sources, table
 
 
-def placed(sweep):
-    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
-    file = measured(f"synth/{sweep}.csv")
+def finished(path):
+    """The rows of a sweep's results that did not fail."""
+    file = measured(path)
     if not file:
         return []
     with open(file, newline="") as stream:
         return [row for row in csv.DictReader(stream) if not row["failed"]]
+
+
+def placed(sweep):
+    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
+    return finished(f"synth/{sweep}.csv")
 
 
 def synthesis():
@@ -59,11 +64,9 @@ def networks():
 
 def hls():
     """Two rows for each kernel: the RTL, and the pipeline of an HLS compiler."""
-    file = measured("hls/hls.csv")
-    if not file:
+    found = finished("hls/hls.csv")
+    if not found:
         return None
-    with open(file, newline="") as stream:
-        found = list(csv.DictReader(stream))
 
     def row(r, form, what, clocks, unplaced):
         bits = f" / {r['PositionBits']}.{r['GuardBits']}" if r["PositionBits"] else ""

@@ -17,29 +17,22 @@ Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the i
 """
 
 import argparse
-import concurrent.futures
 import json
 import os
 import signal
 import sys
 from pathlib import Path
 
+from synthesis.command_line import Parser, number_of_seeds, settings
 from synthesis.configuration import configuration
 from synthesis.core_file import CoreFile, core_file
 from synthesis.cores import BUILDS, CORES, ROOT
 from synthesis.devices import DEVICES
-from synthesis.netlist import synthesise
-from synthesis.placement import place
+from synthesis.placement import best
 from synthesis.refused import Refused
-from synthesis.result import reports, result, sentence
+from synthesis.result import sentence
 from synthesis.sweep import Sweep
-from synthesis.sweep_table import number_of_seeds
-from synthesis.tools import end_all, write_whole
-
-
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        raise Refused(message)
+from synthesis.tools import write_whole
 
 
 def arguments():
@@ -69,37 +62,15 @@ def arguments():
     return parser.parse_args()
 
 
-def settings(items):
-    for item in items:
-        if "=" not in item:
-            raise Refused(f"--set {item}: must be Name=Value")
-    return dict(item.split("=", 1) for item in items)
-
-
 def one(given, output):
     """Returns the exit status."""
-    seeds = number_of_seeds(given.seeds)
+    seeds = number_of_seeds("seeds", given.seeds)
     core = (core_file(given.core) if given.core.endswith(".json")
             else CoreFile(given.core, "parallel", "ecp5-25", {}))
     wanted = configuration(core.name, given.build or core.build, given.device or core.device,
                          given.speed, core.settings | settings(given.set), given.top)
     try:
-        paths = reports(wanted, seeds, output / "store")
-        found = result(wanted, paths)
-        if not found:
-            folder = paths[0].parent
-            synthesise(wanted, folder)
-            with concurrent.futures.ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-                jobs = [pool.submit(place, wanted, seed, folder, given.minutes)
-                        for seed in range(1, seeds + 1)]
-                try:
-                    for job in jobs:
-                        job.result()
-                except KeyboardInterrupt:
-                    end_all()
-                    raise
-            (folder / "netlist.json").unlink(missing_ok=True)
-            found = result(wanted, paths)
+        found = best(wanted, seeds, output / "store", given.minutes)
     except Refused as error:
         print(f"synth: {wanted.name}: {error}", file=sys.stderr)
         return 1
@@ -128,7 +99,7 @@ def main():
                 raise Refused(f"--jobs {given.jobs}: must be at least 1")
             if given.profile and not (Path(given.profile) / "config.yaml").exists():
                 raise Refused(f"--profile {given.profile}: there is no config.yaml in it")
-            sweep = Sweep(given.sweep, output, number_of_seeds(given.seeds))
+            sweep = Sweep(given.sweep, output, number_of_seeds("seeds", given.seeds))
             return sweep.run(given.jobs, given.profile, given.minutes)
         return one(given, output)
     except Refused as error:

@@ -4,6 +4,7 @@
 import dataclasses
 from collections.abc import Callable
 
+from synthesis.command_line import number
 from synthesis.cores import check_parameters, parameters
 from synthesis.refused import Refused
 from synthesis.tables import parameters as table
@@ -84,16 +85,8 @@ def wanted(core, given, steps=None, stages=None):
         if name in RTL_ALONE:
             raise Refused(f"{name} is the RTL's alone: the pipeline takes a call at every clock")
     check_parameters(kernel.module, given)
-    if steps not in (None, "") and kernel.steps is None:
+    if steps and kernel.steps is None:
         raise Refused(f"--steps: a call of {core} is one step")
-    steps = number("--steps", steps, 0, 8, kernel.steps)
-    stages = number("--stages", stages, 1, 200, kernel.stages)
+    steps = number("--steps", steps, 0, 8) if steps else kernel.steps
+    stages = number("--stages", stages, 1, 200) if stages else kernel.stages
     return Wanted(kernel, given, steps, stages)
-
-
-def number(name, text, low, high, default=None):
-    if text in (None, ""):
-        return default
-    if not str(text).isdecimal() or not low <= int(text) <= high:
-        raise Refused(f"{name} '{text}' must be in [{low}, {high}]")
-    return int(text)

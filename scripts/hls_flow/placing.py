@@ -3,16 +3,14 @@
 
 import dataclasses
 import json
-import os
-from concurrent.futures import ThreadPoolExecutor
 
 from synthesis.configuration import Configuration, configuration
 from synthesis.devices import DEVICES, counts, device_named, speed_of
 from synthesis.netlist import synthesise
-from synthesis.placement import place
-from synthesis.refused import Refused
-from synthesis.result import reports, result
-from synthesis.tools import end_all, tool
+from synthesis.placement import best
+from synthesis.refused import Refused, TooLarge
+from synthesis.result import reports
+from synthesis.tools import tool
 
 
 @dataclasses.dataclass
@@ -44,30 +42,17 @@ def of_rtl(wanted, device):
 def counted(config, store):
     """Numbers of cells of a netlist."""
     folder = reports(config, 1, store)[0].parent
-    synthesise(config, folder)
+    if not (folder / "cells.json").exists():
+        synthesise(config, folder)
     cells = json.loads((folder / "cells.json").read_text())
     return {"device": config.device, **counts(DEVICES[config.device].family, cells["core"])}
 
 
 def placed(config, seeds, store, minutes):
-    """Frequency and numbers of cells; where it does not fit, the numbers and `refused`."""
-    paths = reports(config, seeds, store)
-    found = result(config, paths)
-    if found:
-        return found
-    folder = paths[0].parent
+    """Frequency and numbers of cells; of what cannot be placed, the numbers, `refused`, and whether
+    it has more cells than the device, of which nextpnr is not asked."""
     cells = counted(config, store)
     try:
-        with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
-            jobs = [pool.submit(place, config, seed, folder, minutes)
-                    for seed in range(1, seeds + 1)]
-            try:
-                for job in jobs:
-                    job.result()
-            except KeyboardInterrupt:
-                end_all()
-                raise
+        return best(config, seeds, store, minutes)
     except Refused as error:
-        return {"refused": str(error), **cells}
-    (folder / "netlist.json").unlink(missing_ok=True)
-    return result(config, paths)
+        return {"refused": str(error), "too_large": isinstance(error, TooLarge), **cells}

@@ -11,7 +11,10 @@ from synthesis.tools import last_error, run, tool
 
 
 class Differs(Exception):
-    """The Verilog is not what the kernel is; the text says where."""
+    """The Verilog is not what the kernel is."""
+
+    def __init__(self, where):
+        super().__init__(f"the Verilog is not what the kernel is: {where}")
 
 
 def simulate(made, wanted, samples, folder):

@@ -2,18 +2,14 @@
 """Tables of kernels: each through HLS and on its device, and the RTL of the same beside it, which
 is only counted where the other does not fit."""
 
-import csv
 import dataclasses
-import io
+import sys
 
 from hls_flow.kernels import KERNELS, Wanted, parameters_of, wanted
 from hls_flow.placing import check_device, counted, of_rtl, placed
+from hls_flow.simulation import Differs
 from synthesis.refused import Refused
-from synthesis.sweep_table import FACTS, number_of_seeds
-from synthesis.tools import write_whole
-
-NEEDED = ("core", "device")
-OTHERS = ("seeds", "steps", "stages")
+from synthesis.sweep_table import FACTS, Kind, failure, write_lines
 
 
 @dataclasses.dataclass
@@ -24,56 +20,55 @@ class Row:
     seeds: int
 
 
-def check_header(header):
-    known = {name for kernel in KERNELS.values() for name in parameters_of(kernel)}
-    for name in NEEDED:
-        if name not in header:
-            raise Refused(f"there is no column '{name}'")
-    for name in header:
-        if name not in known.union(NEEDED, OTHERS):
-            raise Refused(f"unknown column '{name}': {', '.join(NEEDED + OTHERS)} or a parameter"
-                          f" ({', '.join(sorted(known))})")
-
-
-def read_row(header, cells, line, seeds):
-    if len(cells) != len(header):
-        raise Refused(f"{len(cells)} cells, the header has {len(header)}")
-    cell = dict(zip(header, cells))
-    given = {name: value for name, value in cell.items()
-             if name not in NEEDED + OTHERS and value != ""}
+def read_row(line, cell, given, seeds):
     one = wanted(cell["core"], given, cell.get("steps"), cell.get("stages"))
     check_device(cell["device"])
-    return Row(line, one, cell["device"],
-               number_of_seeds(cell["seeds"]) if cell.get("seeds") else seeds)
+    return Row(line, one, cell["device"], seeds)
 
 
-def line_of(row, found, rtl):
-    """A line of the results: what was asked for, the pipeline, the RTL."""
+KERNEL_TABLE = Kind(("core", "device"), ("seeds", "steps", "stages"),
+                    lambda: [name for one in KERNELS.values() for name in parameters_of(one)],
+                    read_row)
+
+
+def asked(row):
     one = row.wanted
-    values = {"core": one.kernel.name, "device": row.device, "steps": one.steps,
-              "stages": one.stages, "seeds": row.seeds, **one.parameters, **found["simulation"],
-              "rtl_clocks": one.kernel.rtl_clocks(one.parameters)}
-    for form, facts in (("hls", found["placed"]), ("rtl", rtl)):
+    return {"core": one.kernel.name, "device": row.device, "steps": one.steps,
+            "stages": one.stages, "seeds": row.seeds, **one.parameters, "failed": ""}
+
+
+def check_placed(found):
+    """Raises Refused where that failed, unless for the size."""
+    if "refused" in found and not found["too_large"]:
+        raise Refused(found["refused"])
+
+
+def both(row, do, minutes, store):
+    """What is found out about the pipeline and the RTL."""
+    found = do(row)
+    pipeline = found["placed"]
+    check_placed(pipeline)
+    twin = of_rtl(row.wanted, row.device)
+    rtl = (counted(twin, store) if "refused" in pipeline else
+           placed(twin, row.seeds, store, minutes))
+    check_placed(rtl)
+    values = {**found["simulation"], "rtl_clocks": row.wanted.kernel.rtl_clocks(
+        row.wanted.parameters)}
+    for form, facts in (("hls", pipeline), ("rtl", rtl)):
         values |= {f"{form}_{fact}": facts.get(fact, "") for fact in (*FACTS, "refused")}
     return values
 
 
-def write_results(file, lines):
-    names = list(dict.fromkeys(name for line in lines for name in line))
-    text = io.StringIO()
-    table = csv.DictWriter(text, names, restval="", lineterminator="\n")
-    table.writeheader()
-    table.writerows(lines)
-    write_whole(file, text.getvalue())
-
-
-def sweep(rows, file, do, minutes, store):
-    """`do(row)` is what scripts/hls.sh does for one.  The results grow line by line."""
-    lines = []
+def sweep(file, rows, table, do, minutes, store):
+    """`do(row)` is what scripts/hls.sh does for one.  The results, in `table`, grow row by row; one
+    that fails is there with the reason.  Returns how many failed."""
+    lines, failed = [], 0
     for row in rows:
-        found = do(row)
-        twin = of_rtl(row.wanted, row.device)
-        rtl = (counted(twin, store) if "refused" in found["placed"] else
-               placed(twin, row.seeds, store, minutes))
-        lines.append(line_of(row, found, rtl))
-        write_results(file, lines)
+        try:
+            lines.append(asked(row) | both(row, do, minutes, store))
+        except (Refused, Differs) as error:
+            failed += 1
+            lines.append(asked(row) | {"failed": str(error)})
+            print(failure(file, row, error), file=sys.stderr, flush=True)
+        write_lines(table, lines)
+    return failed

@@ -4,7 +4,7 @@
 import dataclasses
 import pathlib
 
-from synthesis.refused import Refused
+from synthesis.refused import Refused, TooLarge
 from synthesis.tables import rows
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -151,4 +151,4 @@ def check_fit(name, cells):
     over = [f"{needed[kind]} {words[kind]} of {device.available[kind]}"
             for kind in words if needed[kind] > device.available[kind]]
     if over:
-        raise Refused(f"does not fit {name}: {', '.join(over)}")
+        raise TooLarge(f"does not fit {name}: {', '.join(over)}")

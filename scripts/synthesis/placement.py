@@ -1,14 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One place and route of a netlist: a device, a speed grade, a seed."""
+"""Place and route of a netlist: a device, a speed grade, a seed; the best of several."""
 
 import json
+import os
 import re
 import shutil
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 from synthesis.devices import DEVICES, check_fit
+from synthesis.netlist import synthesise
 from synthesis.refused import Refused
-from synthesis.tools import alone, last_error, run, tool, version, work_folder, write_whole
+from synthesis.result import reports, result
+from synthesis.tools import (alone, end_all, last_error, run, tool, version, work_folder,
+                             write_whole)
 
 
 def explain(lines):
@@ -61,3 +66,23 @@ def place(wanted, seed, folder, minutes):
             "cells": cells,
             "tools": [version(tool("yosys")), version(nextpnr)],
         }, indent=2) + "\n")
+
+
+def best(wanted, seeds, store, minutes):
+    """The result of some seeds; what is in the store is not done again."""
+    paths = reports(wanted, seeds, store)
+    found = result(wanted, paths)
+    if found:
+        return found
+    folder = paths[0].parent
+    synthesise(wanted, folder)
+    with ThreadPoolExecutor(max_workers=os.cpu_count()) as pool:
+        jobs = [pool.submit(place, wanted, seed, folder, minutes) for seed in range(1, seeds + 1)]
+        try:
+            for job in jobs:
+                job.result()
+        except KeyboardInterrupt:
+            end_all()
+            raise
+    (folder / "netlist.json").unlink(missing_ok=True)
+    return result(wanted, paths)

@@ -4,3 +4,7 @@
 
 class Refused(Exception):
     """A configuration or a design that cannot be made; the text is the whole message."""
+
+
+class TooLarge(Refused):
+    """A design that has more cells than the device."""

@@ -19,7 +19,7 @@ from synthesis.devices import HERE
 from synthesis.plan import reason_file, targets, write_plan
 from synthesis.refused import Refused
 from synthesis.result import result, sentence
-from synthesis.sweep_table import read_table, write_results
+from synthesis.sweep_table import failure, read_table, write_results
 from synthesis.tools import alone
 
 PR_SET_PDEATHSIG = 1
@@ -115,8 +115,7 @@ class Sweep:
         self.part.unlink(missing_ok=True)
         for row in self.rows:
             if row.wanted.name in self.reasons:
-                print(f"{self.file}:{row.line}: failed: {row.wanted.name}:"
-                      f" {self.reasons[row.wanted.name]}", file=sys.stderr)
+                print(failure(self.file, row, self.reasons[row.wanted.name]), file=sys.stderr)
         print(f"{len(self.results)} of {len(self.rows)} placed, {len(self.reasons)} failed;"
               f" {self.table}")
         return 1 if self.reasons else 0

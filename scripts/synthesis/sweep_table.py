@@ -4,10 +4,12 @@
 import csv
 import dataclasses
 import io
+from collections.abc import Callable
 from pathlib import Path
 
+from synthesis.command_line import number_of_seeds
 from synthesis.configuration import Configuration, configuration
-from synthesis.cores import CORES, TOPS, parameters
+from synthesis.cores import TOPS, parameters
 from synthesis.refused import Refused
 from synthesis.tools import write_whole
 
@@ -26,41 +28,50 @@ class Row:
     wanted: Configuration
 
 
-def number_of_seeds(text):
-    if not text.isdecimal() or not 1 <= int(text) <= 100:
-        raise Refused(f"seeds '{text}' must be in [1, 100]")
-    return int(text)
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """A kind of tables: its columns, which may be parameters, too, and what a row becomes."""
+
+    needed: tuple
+    others: tuple  # that may be left out
+    parameters: Callable  # names
+    row: Callable  # of line, cells by name, parameters that are set, seeds
+
+    def check_header(self, header):
+        known = set(self.parameters())
+        for name in self.needed:
+            if name not in header:
+                raise Refused(f"there is no column '{name}'")
+        for name in header:
+            if name not in known.union(self.needed, self.others):
+                raise Refused(f"unknown column '{name}': {', '.join(self.needed + self.others)} or"
+                              f" a parameter ({', '.join(sorted(known))})")
+            if header.count(name) > 1:
+                raise Refused(f"two columns '{name}'")
+
+    def read_row(self, header, cells, line, seeds):
+        if len(cells) != len(header):
+            raise Refused(f"{len(cells)} cells, the header has {len(header)}")
+        cell = dict(zip(header, cells))
+        given = {name: value for name, value in cell.items()
+                 if name not in self.needed + self.others and value != ""}
+        if cell.get("seeds"):
+            seeds = number_of_seeds("seeds", cell["seeds"])
+        return self.row(line, cell, given, seeds)
 
 
-def check_header(header):
-    known = {name for core in CORES for (other, _), (top, _) in TOPS.items() if other == core
-             for name in parameters(top)}
-    for name in NEEDED:
-        if name not in header:
-            raise Refused(f"there is no column '{name}'")
-    for name in header:
-        if name not in known.union(NEEDED, OTHERS):
-            raise Refused(f"unknown column '{name}': {', '.join(NEEDED + OTHERS)} or a parameter"
-                          f" ({', '.join(sorted(known))})")
-        if header.count(name) > 1:
-            raise Refused(f"two columns '{name}'")
-
-
-def read_row(header, cells, line, seeds):
-    if len(cells) != len(header):
-        raise Refused(f"{len(cells)} cells, the header has {len(header)}")
-    cell = dict(zip(header, cells))
-    given = {name: value for name, value in cell.items()
-             if name not in NEEDED + OTHERS and value != ""}
+def read_row(line, cell, given, seeds):
     wanted = configuration(cell["core"], cell["build"], cell["device"], cell.get("speed"), given)
-    return Row(line, cell["core"], cell["build"],
-               number_of_seeds(cell["seeds"]) if cell.get("seeds") else seeds,
-               cell.get("note", ""), wanted)
+    return Row(line, cell["core"], cell["build"], seeds, cell.get("note", ""), wanted)
 
 
-def read_table(file, seeds, check_header=check_header, read_row=read_row):
+CONFIGURATIONS = Kind(NEEDED, OTHERS,
+                      lambda: [name for top, _ in TOPS.values() for name in parameters(top)],
+                      read_row)
+
+
+def read_table(file, seeds, kind=CONFIGURATIONS):
     """Rows of a table; `seeds` where it has none.  Raises Refused with a line for every error.
-    Another kind of table has a `check_header` and a `read_row` of its own.
 
     An empty cell means the default; lines that begin with # and empty lines are comments.
     """
@@ -76,10 +87,10 @@ def read_table(file, seeds, check_header=check_header, read_row=read_row):
         cells = [cell.strip() for cell in next(csv.reader([one]))]
         try:
             if header is None:
-                check_header(cells)
+                kind.check_header(cells)
                 header = cells
                 continue
-            row = read_row(header, cells, line, seeds)
+            row = kind.read_row(header, cells, line, seeds)
             if row.wanted.name in lines:
                 raise Refused(f"the same configuration as line {lines[row.wanted.name]}")
             lines[row.wanted.name] = line
@@ -95,24 +106,40 @@ def read_table(file, seeds, check_header=check_header, read_row=read_row):
     return rows
 
 
+def failure(file, row, reason):
+    """What is said of a row without a result."""
+    return f"{file}:{row.line}: failed: {row.wanted.name}: {reason}"
+
+
+def write_lines(file, lines):
+    """Columns are the names that the lines have; an empty cell where one has it not."""
+    text = io.StringIO()
+    names = dict.fromkeys(name for line in lines for name in line)
+    table = csv.DictWriter(text, names, restval="", lineterminator="\n")
+    table.writeheader()
+    table.writerows(lines)
+    write_whole(file, text.getvalue())
+
+
 def write_results(file, rows, results, reasons):
     """A line for every row: what was found, or why there is nothing.  `results`, `reasons`: by
     name."""
     named = list(dict.fromkeys(name for row in rows
                                for name in {**parameters(row.wanted.top), **row.wanted.settings}))
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(["name", *NEEDED, *OTHERS, *named, *FACTS, "fmax_mhz_by_seed", "seconds",
-                    "tools", "failed"])
+    lines = []
     for row in rows:
         name = row.wanted.name
         found = results.get(name)
         settings = found["parameters"] if found else row.wanted.settings
         values = parameters(row.wanted.top) | settings
-        facts = [found[fact] for fact in FACTS] + [
-            " ".join(map(str, found["fmax_mhz_by_seed"])), found["seconds"],
-            "; ".join(found["tools"])] if found else [""] * (len(FACTS) + 3)
-        table.writerow([name, row.core, row.build, row.wanted.device, row.wanted.speed, row.seeds,
-                        row.note, *(values.get(name, "") for name in named), *facts,
-                        reasons.get(name, "")])
-    write_whole(file, text.getvalue())
+        asked = (name, row.core, row.build, row.wanted.device, row.wanted.speed, row.seeds,
+                 row.note)
+        line = dict(zip(("name", *NEEDED, *OTHERS), asked))
+        line |= {name: values.get(name, "") for name in named}
+        line |= {fact: found[fact] if found else "" for fact in (*FACTS, "fmax_mhz_by_seed",
+                                                                  "seconds", "tools")}
+        if found:
+            line["fmax_mhz_by_seed"] = " ".join(map(str, found["fmax_mhz_by_seed"]))
+            line["tools"] = "; ".join(found["tools"])
+        lines.append(line | {"failed": reasons.get(name, "")})
+    write_lines(file, lines)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/hls.sh on wrong command lines and without its tools; tb/hls has its good runs.
+// scripts/hls.sh on wrong command lines, without its tools, and on tables with tools that fail as
+// told; tb/hls has its good runs.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 namespace curvecore::tb {
 namespace {
 
+using testing::IsNotSubstring;
 using testing::IsSubstring;
 
 struct BadCommand {
@@ -81,6 +83,74 @@ TEST(HlsCommand, MissingToolIsNamed) {
     hls.write("hidden/xls.py", "raise ImportError\n");
     expect_missing(hls, std::string("PYTHONPATH=hidden ") + kSmall,
                    "hls: tool missing: xls-python is not installed: run scripts/setup.sh");
+}
+
+const std::vector<std::string> kTools{"yosys", "nextpnr-ecp5", "clang++-14", "verilator"};
+const std::string kHeader = "core,device,seeds,Order,CoefBits\n";
+
+TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
+    const SynthRun hls(kTools);
+    hls.write("t.csv", kHeader +
+                           "sine_cosine,ecp5-25,1,7,18\n"
+                           "sine_cosine,ecp5-25,1,3,18\n"
+                           "sine_cosine,ecp5-25,1,10,18\n"
+                           "sine_cosine,ecp5-25,1,11,18\n"
+                           "sine_cosine,ecp5-25,2,4,18\n");
+    const ProgramResult result = hls.shell("$HLS --samples 5 --sweep t.csv");
+    EXPECT_EQ(result.status, 1);
+    const std::string name = ": failed: sine_cosine-CoefBits18-Order";
+    for (const std::string& failure :
+         {"t.csv:2" + name + "7: clang does not take the kernel: ",
+          "t.csv:3" + name + "3: the Verilog is not what the kernel is: sample 0: word 0 is 1",
+          "t.csv:4" + name + "10: unroutable: Routing design failed"}) {
+        EXPECT_PRED_FORMAT2(IsSubstring, failure, result.err);
+    }
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "t.csv:5", result.err);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "t.csv:6", result.err);
+    EXPECT_PRED_FORMAT2(IsSubstring, "2 of 5 kernels, 3 failed; ", result.out);
+    const std::string table = hls.read("out/t.csv");
+    for (const char* line :
+         {"core,device,steps,stages,seeds,Order,CoefBits,failed,samples,words,latency,rtl_clocks,",
+          "\nsine_cosine,ecp5-25,,20,1,7,18,\"clang does not take the kernel: ",
+          "\nsine_cosine,ecp5-25,,20,1,3,18,the Verilog is not what the kernel is: ",
+          "\nsine_cosine,ecp5-25,,20,1,10,18,\"unroutable: Routing design failed",
+          "\nsine_cosine,ecp5-25,,20,1,11,18,,5,9,2,137,101,600,50,4,2,,,1000000,50,4,2,"
+          "does not fit ecp5-25: 1000000 LUT4 of 24288\n",
+          "\nsine_cosine,ecp5-25,,20,2,4,18,,5,9,2,53,102,600,50,4,2,,102,400,50,4,2,\n"}) {
+        EXPECT_PRED_FORMAT2(IsSubstring, line, table);
+    }
+    // Lines 4, 5, 6: nextpnr is not asked of the core that has more cells than the device.
+    EXPECT_EQ(hls.runs("nextpnr-ecp5"), 2 + 1 + 2 * 2);
+}
+
+// The placement of the core of Order 5 waits for the file `gate`.
+TEST(HlsSweep, InterruptedEndsAndKeepsWhatIsFinished) {
+    const SynthRun hls(kTools);
+    hls.write("t.csv", kHeader +
+                           "sine_cosine,ecp5-25,1,4,18\n"
+                           "sine_cosine,ecp5-25,1,5,18\n"
+                           "sine_cosine,ecp5-25,1,2,18\n");
+    const ProgramResult result = hls.shell(
+        "$HLS --samples 5 --sweep t.csv & sweep=$!\n"
+        "until ls out/store/*/.*.work/report.json out/sine_cosine-CoefBits18-Order5.json\n"
+        "do sleep 0.05; done >/dev/null 2>&1\n"
+        "kill -TERM $sweep; wait $sweep; status=$?; touch gate; sleep 0.2; exit $status");
+    EXPECT_EQ(result.status, 130);
+    EXPECT_EQ(result.err, "hls: interrupted\n");
+    const std::string table = hls.read("out/t.csv");
+    EXPECT_PRED_FORMAT2(IsSubstring, "\nsine_cosine,ecp5-25,,20,1,4,18,,", table);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "\nsine_cosine,ecp5-25,,20,1,5,18", table);
+    EXPECT_FALSE(hls.exists("out/sine_cosine-CoefBits18-Order2.json"));
+}
+
+// Each row is right: every tool is there, and none does its work.
+TEST(HlsSweep, TableThatShipsIsRight) {
+    const SynthRun hls({"yosys", "nextpnr-ecp5"});
+    const ProgramResult result = hls.shell("$HLS --sweep " SYNTH_TABLES "/hls.csv");
+    EXPECT_EQ(result.status, 1);
+    EXPECT_PRED_FORMAT2(IsSubstring, "\n0 of ", "\n" + result.out);
+    EXPECT_PRED_FORMAT2(IsSubstring, ": tool missing: clang++-14 is not installed", result.err);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, ": error: ", result.err);
 }
 
 }  // namespace

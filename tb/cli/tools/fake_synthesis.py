@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Stands for Yosys and nextpnr in the tests of scripts/synth.py: quick, and fails as told.
+"""Stands for Yosys and nextpnr in the tests of scripts/synth.py, and for clang and Verilator in
+those of scripts/hls.py: quick, and fails as told.
 
     fake_synthesis.py NAME ARGUMENTS..     writes what the tool NAME would write
 
 FAKE_LOG: a file that gets a line for every run but --version.  FAKE_GATE: a file; the placement of
 a core of Order 5 waits until it is there.  sbatch runs what it is given.  A core of Order 8 refuses
 its parameters, one of 9 is not synthesised, one of 10 cannot be routed, one of 11 has a million
-LUTs, one of 12 is too much for nextpnr.
+LUTs, one of 12 is too much for nextpnr.  Of kernels, clang does not take one of Order 7, and
+Verilator's model of one of Order 3 is wrong.
 """
 
 import json
@@ -23,7 +25,8 @@ def order_of(text):
     return int((re.search(r"\.Order\((\d+)\)", text) or ["", "6"])[1])
 
 
-def yosys(script):
+def yosys(arguments):
+    script = arguments[1]
     if "probe.json" in script and ".Order(8)" in Path("probe.v").read_text():
         file = "rtl/curve_interpolator_serial.sv"
         line = next(number for number, text in enumerate(Path(file).read_text().splitlines(), 1)
@@ -62,6 +65,24 @@ def nextpnr(arguments):
     Path("report.json").write_text(json.dumps({"fmax": {"clk": {"achieved": 100 + seed}}}))
 
 
+def clang(arguments):
+    source, result = arguments[-3], Path(arguments[-1])
+    if "-DCFG_Order=7" in arguments:
+        sys.exit(f"{source}:1:1: error: no number")
+    result.write_text("define void @sine_cosine_hls(i18* %a, i18* %b) #0 {\n"
+                      "  %1 = load i18, i18* %a\n  store i18 %1, i18* %b\n"
+                      "  ret void\n}\n")
+
+
+def verilator(arguments):
+    wrong = any("-DCFG_Order=3 " in flags for flags in arguments)
+    bench = Path(arguments[arguments.index("--Mdir") + 1]) / "bench"
+    bench.parent.mkdir(exist_ok=True)
+    bench.write_text("#!/bin/sh\necho sample 0: word 0 is 1 >&2\nexit 1\n" if wrong else
+                     """#!/bin/sh\necho '{"samples": '$1', "words": 9, "latency": 2}'\n""")
+    bench.chmod(0o755)
+
+
 name, arguments = sys.argv[1], sys.argv[2:]
 if arguments == ["--version"]:
     print("Yosys 0.1" if name == "yosys" else "nextpnr-0.1")
@@ -70,4 +91,5 @@ else:
         log.write(f"{name}\n")
     if name == "sbatch":
         sys.exit(subprocess.run(["/bin/sh", arguments[-1]]).returncode)
-    yosys(arguments[1]) if name == "yosys" else nextpnr(arguments)
+    tools = {"yosys": yosys, "clang++-14": clang, "verilator": verilator}
+    tools.get(name, nextpnr)(arguments)
