@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clocks of the cores, as functions of their parameters. The RTL is held to them by the latency
-// tests of tb/unit; planner, choose and run ask them.
+// tests of tb/unit; planner, choose, run and the benches of tb/hls ask them.
 //
 // No clock depends on the values of words. Segment words are taken to come without a pause.
 #pragma once
@@ -45,6 +45,19 @@ constexpr int load_clocks(const TimedCore& core) { return 19 + 3 * core.aux_axes
 
 /// Digits of two bits of a weight: rtl/arithmetic/digit_multiplier.sv.
 constexpr int weight_digits(const TimedCore& core) { return (core.coef_bits + 1) / 2; }
+
+/// A step of rtl/sine_cosine_interpolator.sv, from one start to the next.
+constexpr int sine_cosine_step_clocks(const TimedCore& core) {
+    return core.order * (weight_digits(core) + 3) + 5;
+}
+
+/// A step of rtl/hyperbola_interpolator.sv, from one start to the next; `fresh`: of a load's.
+constexpr int hyperbola_step_clocks(const TimedCore& core, bool fresh) {
+    const int order = core.order;
+    const int last_y = 16 + (order - 1) * (weight_digits(core) + 16) + 2 * order * (order + 1);
+    const int last_z = last_y + 4 * (order + 1) + 9 - (fresh ? 0 : 13);
+    return (core.anchor ? last_y : last_z) + 1;
+}
 
 /// A step of rtl/network/spherical_steps.sv, from one start to the next.
 constexpr int arc_step_clocks(const TimedCore& core) {

@@ -2,7 +2,6 @@
 """The kernels that go through HLS, and what may be set of them."""
 
 import dataclasses
-from collections.abc import Callable
 
 from synthesis.command_line import number
 from synthesis.cores import check_parameters, parameters
@@ -20,24 +19,18 @@ class Kernel:
     name: str
     steps: int | None  # integration steps that a call goes on; None: it is one
     stages: int  # of the pipeline, unless said
-    # Clocks of the RTL for a call, by Order and Digits, as its header says.
-    clocks: Callable = lambda order, digits: 1
 
     @property
     def module(self):
         """The RTL of the same kernel."""
         return f"{self.name}_interpolator"
 
-    def rtl_clocks(self, parameters):
-        return self.clocks(parameters["Order"], (parameters["CoefBits"] + 1) // 2)
-
 
 KERNELS = {kernel.name: kernel for kernel in (
     Kernel("spherical", 0, 20),
     Kernel("spline", 1, 60),
-    Kernel("sine_cosine", None, 20, lambda order, digits: order * (digits + 3) + 5),
-    Kernel("hyperbola", 0, 20,
-           lambda order, digits: 17 + (order - 1) * (digits + 16) + 2 * order * (order + 1)),
+    Kernel("sine_cosine", None, 20),
+    Kernel("hyperbola", 0, 20),
 )}
 
 

@@ -18,7 +18,8 @@ class Differs(Exception):
 
 
 def simulate(made, wanted, samples, folder):
-    """Samples, words, words that differ (none), latency in clocks; raises Differs."""
+    """Samples, words, words that differ (none), latency in clocks, clocks of the RTL for a call;
+    raises Differs."""
     bench = ROOT / "tb/hls" / f"{wanted.kernel.name}_bench.cpp"
     flags = ["-std=c++17", "-I" + str(ROOT), *wanted.definitions()]
     cache = ["OBJCACHE=ccache"] if shutil.which("ccache") else []

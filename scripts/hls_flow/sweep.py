@@ -52,8 +52,7 @@ def both(row, do, minutes, store):
     rtl = (counted(twin, store) if "refused" in pipeline else
            placed(twin, row.seeds, store, minutes))
     check_placed(rtl)
-    values = {**found["simulation"], "rtl_clocks": row.wanted.kernel.rtl_clocks(
-        row.wanted.parameters)}
+    values = dict(found["simulation"])
     for form, facts in (("hls", pipeline), ("rtl", rtl)):
         values |= {f"{form}_{fact}": facts.get(fact, "") for fact in (*FACTS, "refused")}
     return values

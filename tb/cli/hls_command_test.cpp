@@ -114,9 +114,9 @@ TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
           "\nsine_cosine,ecp5-25,,20,1,7,18,\"clang does not take the kernel: ",
           "\nsine_cosine,ecp5-25,,20,1,3,18,the Verilog is not what the kernel is: ",
           "\nsine_cosine,ecp5-25,,20,1,10,18,\"unroutable: Routing design failed",
-          "\nsine_cosine,ecp5-25,,20,1,11,18,,5,9,2,137,101,600,50,4,2,,,1000000,50,4,2,"
+          "\nsine_cosine,ecp5-25,,20,1,11,18,,5,9,2,7,101,600,50,4,2,,,1000000,50,4,2,"
           "does not fit ecp5-25: 1000000 LUT4 of 24288\n",
-          "\nsine_cosine,ecp5-25,,20,2,4,18,,5,9,2,53,102,600,50,4,2,,102,400,50,4,2,\n"}) {
+          "\nsine_cosine,ecp5-25,,20,2,4,18,,5,9,2,7,102,600,50,4,2,,102,400,50,4,2,\n"}) {
         EXPECT_PRED_FORMAT2(IsSubstring, line, table);
     }
     // Lines 4, 5, 6: nextpnr is not asked of the core that has more cells than the device.

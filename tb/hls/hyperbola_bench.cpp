@@ -11,6 +11,7 @@ namespace {
 struct HyperbolaCall {
     using C = TopConfiguration;
     static constexpr int bits = C::kCoefBits;
+    static constexpr int rtl_clocks = hyperbola_step_clocks(rtl_core(), true);
 
     void draw(Random& random) {
         start = int64_t(std::ldexp(random.uniform(0.5, 1), bits - 1)) >> int(random.uniform(0, 12));

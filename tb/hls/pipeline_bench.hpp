@@ -6,6 +6,7 @@
 //     void drive(Vhls&) const          its inputs, to the ports
 //     std::vector<int64_t> expected    the words of out_o, lowest first, each of `bits`
 //     static constexpr int bits
+//     static constexpr int rtl_clocks  of the RTL, for a call
 #pragma once
 
 #include <verilated.h>
@@ -17,10 +18,18 @@
 #include <vector>
 
 #include "Vhls.h"
+#include "hls/clocks.hpp"
 #include "sysc/board/port_word.hpp"
 #include "tb/support/plain_segments.hpp"
 
 namespace curvecore::tb {
+
+/// The RTL of the same kernel and configuration.
+constexpr hls::TimedCore rtl_core() {
+    hls::TimedCore core{false, CFG_Order, CFG_CoefBits, CFG_AuxAxes, CFG_Mode == 0};
+    core.anchor = CFG_Anchor != 0;
+    return core;
+}
 
 template <class Call>
 class PipelineBench {
@@ -45,9 +54,11 @@ class PipelineBench {
                 return 1;
             }
         }
-        std::printf("{\"samples\": %lld, \"words\": %lld, \"differ\": %lld, \"latency\": %lld}\n",
-                    static_cast<long long>(compared_), static_cast<long long>(words_),
-                    static_cast<long long>(differ_), static_cast<long long>(latency_));
+        std::printf(
+            "{\"samples\": %lld, \"words\": %lld, \"differ\": %lld, \"latency\": %lld,"
+            " \"rtl_clocks\": %d}\n",
+            static_cast<long long>(compared_), static_cast<long long>(words_),
+            static_cast<long long>(differ_), static_cast<long long>(latency_), Call::rtl_clocks);
         return differ_ == 0 ? 0 : 1;
     }
 

@@ -7,11 +7,12 @@
 
 namespace curvecore::tb {
 
-/// Segment: random_segment or random_spline.
+/// Segment: random_segment or random_spline. The RTL draws a sample at every clock.
 template <class Kernel, SegmentWords<TopConfiguration> (*segment_of)(Random&)>
 struct SegmentCall {
     using C = TopConfiguration;
     static constexpr int bits = C::kFineBits;
+    static constexpr int rtl_clocks = rtl_core().sample_interval;
 
     void draw(Random& random) {
         const SegmentWords<C> segment = segment_of(random);

@@ -11,6 +11,7 @@ namespace {
 struct SineCosineCall {
     using C = TopConfiguration;
     static constexpr int bits = C::kCoefBits;
+    static constexpr int rtl_clocks = sine_cosine_step_clocks(rtl_core());
 
     void draw(Random& random) {
         theta =

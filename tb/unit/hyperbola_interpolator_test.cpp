@@ -6,6 +6,7 @@
 #include <random>
 
 #include "Vhyperbola_interpolator.h"
+#include "hls/clocks.hpp"
 #include "hls/hyperbola_kernel.hpp"
 #include "sysc/board/clocked_dut.hpp"
 #include "sysc/board/port_word.hpp"
@@ -32,7 +33,9 @@ int z_cycle(int i, bool carried) {
     return y_cycle(i, carried) + (carried && i == 0 ? 0 : 4 * (i + 1) + 9);
 }
 int step_clocks(bool carried) {
-    return 1 + (kAnchor ? y_cycle(kOrder, false) : z_cycle(kOrder, carried));
+    hls::TimedCore core{false, kOrder, kBits};
+    core.anchor = kAnchor;
+    return hls::hyperbola_step_clocks(core, !carried);
 }
 
 class HyperbolaInterpolator : public testing::Test {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "Vsine_cosine_interpolator.h"
+#include "hls/clocks.hpp"
 #include "hls/spherical_kernel.hpp"
 #include "sysc/board/clocked_dut.hpp"
 #include "sysc/board/port_word.hpp"
@@ -21,7 +22,7 @@ constexpr int kBits = CFG_CoefBits;
 
 // As stated in the header of the RTL.
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kStepClocks = kOrder * (kDigits + 3) + 5;
+constexpr int kStepClocks = hls::sine_cosine_step_clocks({false, kOrder, kBits});
 
 class SineCosineInterpolator : public testing::Test {
   protected:
