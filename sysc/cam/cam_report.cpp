@@ -9,12 +9,11 @@
 #include <iterator>
 
 #include "sysc/cam/cam_template.hpp"
+#include "sysc/host/html_page.hpp"
 #include "sysc/watch/report.hpp"
 
 namespace curvecore::sysc {
 namespace {
-
-constexpr std::string_view kDataMark = "/*DATA*/";
 
 /// Below a picometre it is rounding.
 std::string um(double mm) { return fmt::format("{:.4g} um", mm < 1e-9 ? 0 : mm * 1e3); }
@@ -154,20 +153,13 @@ std::string CamReport::html() const {
             rho.push_back(surface.at(x, 360 * (column + 0.5) / ErrorMap::kAround).rho * 1e-3);
         }
     }
-    std::string text = head.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    std::string text = page_json(head);
     text.pop_back();  // the closing brace
     fmt::memory_buffer rest;
     map(rest, "rho", rho);
     map(rest, "off_surface", watch.surface_map().cells());
     map(rest, "off_truth", watch.truth_map().cells());
-    text += fmt::to_string(rest) + "}";
-    // A file name must not close the script.
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {
-        text.replace(at, 2, "<\\/");
-    }
-    std::string page(kCamTemplate);
-    page.replace(page.find(kDataMark), kDataMark.size(), text);
-    return page;
+    return html_page(kCamTemplate, text + fmt::to_string(rest) + "}");
 }
 
 }  // namespace curvecore::sysc

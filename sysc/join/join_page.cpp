@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ref/program/gcode_writer.hpp"
+#include "sysc/host/html_page.hpp"
 #include "sysc/join/join_template.hpp"
 
 namespace curvecore::sysc {
@@ -14,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kDataMark = "/*DATA*/";
 constexpr std::size_t kMostPoints = 4000;  // of a working path in the picture
 constexpr double kStretch = 0.25;          // of the idle move, of working path in the charts
 constexpr int kStretchPoints = 50;
@@ -100,14 +100,7 @@ std::string join_html(const JoinFile& file, const ref::Program& a, const ref::Pr
     data["program"] = {{"head", program.head}, {"tail", program.tail}};
     data["paths"] = {polyline(a, true), polyline(b, false)};
     data["stretches"] = {stretch(a, true, kStretch * length), stretch(b, false, kStretch * length)};
-    std::string text = data.dump(-1, ' ', true, Json::error_handler_t::replace);
-    // A file name must not close the script.
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {
-        text.replace(at, 2, "<\\/");
-    }
-    std::string page(kJoinTemplate);
-    page.replace(page.find(kDataMark), kDataMark.size(), text);
-    return page;
+    return html_page(kJoinTemplate, page_json(data));
 }
 
 }  // namespace curvecore::sysc

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "sysc/host/html_page.hpp"
 #include "sysc/watch/course.hpp"
 #include "sysc/watch/limit_text.hpp"
 #include "sysc/watch/report_template.hpp"
@@ -15,7 +16,6 @@ namespace curvecore::sysc {
 namespace {
 
 using Text = fmt::memory_buffer;
-constexpr std::string_view kDataMark = "/*DATA*/";
 
 template <class Values, class Format>
 void array(Text& text, const char* name, const Values& values, Format format) {
@@ -94,7 +94,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     head["warnings"] = job.program.warnings;
     if (head["warnings"].size() > 50)
         head["warnings"].get_ref<nlohmann::ordered_json::array_t&>().resize(50);
-    std::string text = head.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+    std::string text = page_json(head);
     text.pop_back();  // the closing brace
     Text rest;
     path(rest, report, pictures);
@@ -108,21 +108,13 @@ std::string data(const Report& report, const Pictures& pictures) {
         envelope(rest, std::array<const char*, 3>{"slope_x", "slope_y", "slope_z"}[axis],
                  shape.slope[axis]);
     }
-    text += fmt::to_string(rest) + "}";
-    // A file name must not close the script.
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) {
-        text.replace(at, 2, "<\\/");
-    }
-    return text;
+    return text + fmt::to_string(rest) + "}";
 }
 
 }  // namespace
 
 std::string report_html(const Report& report, const Pictures& pictures) {
-    std::string page(kReportTemplate);
-    const std::size_t mark = page.find(kDataMark);
-    page.replace(mark, kDataMark.size(), data(report, pictures));
-    return page;
+    return html_page(kReportTemplate, data(report, pictures));
 }
 
 }  // namespace curvecore::sysc
