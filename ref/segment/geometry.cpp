@@ -13,6 +13,7 @@
 #include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/segment/remedy.hpp"
+#include "ref/segment/rotary_turns.hpp"
 #include "ref/segment/spline_geometry.hpp"
 
 namespace curvecore::ref {
@@ -196,7 +197,7 @@ class Cutter {
                                                          segments.size(), options_.unit_mm)) {
             geometry_.moves.push_back(planned);
         }
-        for (Segment& segment : segments) leave_out_turns(segment);
+        for (Segment& segment : segments) turns_.leave_out(segment);
         geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
     }
 
@@ -237,51 +238,17 @@ class Cutter {
             segment.aux_end[a] = i + 1 == cut.pieces ? move.aux_end[a] / unit
                                                      : (move.aux_start[a] + travel * to) / unit;
         }
-        leave_out_turns(segment);
+        turns_.leave_out(segment);
         if (segment.length > 0) geometry_.segments.push_back(segment);
     }
 
-    /// A rotary axis starts a segment within a turn of 0, on its own side of it.
-    void leave_out_turns(Segment& segment) const {
-        const double turn = kTurn / options_.unit_mm;
-        for (std::size_t i = 0; i < kAuxAxes; ++i) {
-            if (!machine_.axis[3 + i].rotary) continue;
-            const double turned = std::trunc(segment.aux_start[i] / turn) * turn;
-            segment.aux_start[i] -= turned;
-            segment.aux_end[i] -= turned;
-            segment.aux_turned[i] = turned;
-        }
-    }
-
-    /// How far a rotary axis may turn in one segment, degrees: its words begin within a turn.
-    double longest_turn() const {
-        return std::ldexp(options_.unit_mm, options_.format.position_bits - 1) - kTurn;
-    }
-
-    /// Segments that a rotary axis needs for all its turns.
     int pieces_by_turns(const Move& move) const {
-        double pieces = 1;
-        for (std::size_t i = 0; i < kAuxAxes; ++i) {
-            if (!machine_.axis[3 + i].rotary) continue;
-            const double travel = std::abs(move.aux_end[i] - move.aux_start[i]);
-            pieces = std::max(pieces, std::floor(travel / longest_turn()) + 1);
-        }
+        const double pieces = turns_.pieces(move);
         if (pieces > options_.max_pieces) {
             refuse(move,
                    fmt::format("this move turns so far that it needs {:.0f} segments", pieces));
         }
         return static_cast<int>(pieces);
-    }
-
-    /// Of a rotary axis: a whole turn fits into its words, and a spline's turns into one segment's.
-    void check_turns(const Move& move, std::size_t axis) const {
-        const double travel = std::abs(move.aux_end[axis - 3] - move.aux_start[axis - 3]);
-        const double one_segment = move.kind == Move::Kind::kCubic ? travel : 0;
-        if (travel == 0 || longest_turn() > one_segment) return;
-        refuse(move,
-               fmt::format("{}: words of a turn and a segment's {:.6g} degrees need more than "
-                           "PositionBits {}, or a larger unit",
-                           kAxisLetters[axis], one_segment, options_.format.position_bits));
     }
 
     /// Point of an arc, units, from its start so that a far centre costs no digits.
@@ -307,7 +274,9 @@ class Cutter {
         if (!beyond.empty()) refuse(move, beyond);
         for (int i = 0; i < kMachineAxes; ++i) {
             if (machine_.axis[i].rotary) {
-                check_turns(move, static_cast<std::size_t>(i));
+                const std::string beyond_words =
+                    turns_.beyond_words(move, static_cast<std::size_t>(i));
+                if (!beyond_words.empty()) refuse(move, beyond_words);
                 continue;
             }
             const double far = std::max(-range.low[i], range.high[i]) / options_.unit_mm + 1;
@@ -324,6 +293,7 @@ class Cutter {
     const Program& program_;
     const Machine& machine_;
     const PlanOptions& options_;
+    const RotaryTurns turns_{machine_, options_};
     Geometry geometry_;
     long double path_ = 0;  // units
 };
