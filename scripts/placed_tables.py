@@ -68,18 +68,18 @@ def hls():
     if not found:
         return None
 
-    def row(r, form, what, clocks, unplaced):
+    def row(r, form, what, clocks):
         bits = f" / {r['PositionBits']}.{r['GuardBits']}" if r["PositionBits"] else ""
         mhz = r[f"{form}_fmax_mhz"]
         return (r["core"], what, f"{r['Order']} / {r['CoefBits']}{bits}", r["device"], clocks,
-                f"{float(mhz):.0f}" if mhz else unplaced,
+                f"{float(mhz):.0f}" if mhz else "too large" if r[f"{form}_refused"] else "-",
                 *(r[f"{form}_{fact}"] for fact in ("lut4", "ff", "dsp")), r["seeds"])
 
     rows = []
     for r in found:
         steps = f", steps {r['steps']}" if r["steps"] else ""
-        rows += [row(r, "rtl", "RTL", r["rtl_clocks"], "-"),
-                 row(r, "hls", f"HLS, stages {r['stages']}{steps}", 1, "too large")]
+        rows += [row(r, "rtl", "RTL", r["rtl_clocks"]),
+                 row(r, "hls", f"HLS, stages {r['stages']}{steps}", 1)]
     head = ["kernel", "form", "Order / CoefBits / position", "device", "clocks per call"]
     return table([*head, "MHz", "LUT4", "FF", "DSP", "seeds"], list(dict.fromkeys(rows)))
 
