@@ -8,7 +8,8 @@
 One writes build/hls/<core>.json and .v, with the parameters in the name where these are not the
 default: a pipeline that takes a call at every clock (hls/README.md).
 A table is done on its devices, with the RTL of the same kernel and configuration beside it, and
-becomes build/hls/<table>.csv; what fails has the reason there, and the others are done.
+becomes build/hls/<table>.csv; what fails has the reason there, and the others are done. What has
+0 seeds is only counted.
 
 Exit status: 0, 1 where a word differs or something cannot be placed, 2 where the input is wrong, a
 tool is missing or the kernel cannot be taken.
@@ -30,7 +31,7 @@ from synthesis.command_line import Parser, number, number_of_seeds, settings
 from synthesis.cores import ROOT
 from synthesis.devices import DEVICES
 from synthesis.refused import Refused
-from synthesis.result import sentence
+from synthesis.result import cells_of, sentence
 from synthesis.sweep_table import read_table
 from synthesis.tools import alone, write_whole
 
@@ -102,7 +103,7 @@ def report(one, found, output):
         print(f"hls: {one.name}: {place['refused']}", file=sys.stderr)
         return 1
     if place:
-        print(f"{place['device']}: {sentence(place)}")
+        print(f"{place['device']}: {sentence(place) if 'fmax_mhz' in place else cells_of(place)}")
     return 0
 
 

@@ -49,9 +49,12 @@ def counted(config, store):
 
 
 def placed(config, seeds, store, minutes):
-    """Frequency and numbers of cells; of what cannot be placed, the numbers, `refused`, and whether
-    it has more cells than the device, of which nextpnr is not asked."""
+    """Frequency and numbers of cells; without seeds, the numbers alone; of what cannot be placed,
+    the numbers, `refused`, and whether it has more cells than the device, of which nextpnr is not
+    asked."""
     cells = counted(config, store)
+    if seeds == 0:
+        return cells
     try:
         return best(config, seeds, store, minutes)
     except Refused as error:

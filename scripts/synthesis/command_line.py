@@ -25,5 +25,5 @@ def number(name, text, low, high):
     return int(text)
 
 
-def number_of_seeds(name, text):
-    return number(name, text, 1, 100)
+def number_of_seeds(name, text, fewest=1):
+    return number(name, text, fewest, 100)

@@ -38,5 +38,8 @@ def result(wanted, paths):
 
 
 def sentence(found):
-    return (f"{found['fmax_mhz']} MHz (best of {found['seeds']}), {found['lut4']} LUT4, "
-            f"{found['ff']} FF, {found['dsp']} DSP, {found['bram']} RAM")
+    return f"{found['fmax_mhz']} MHz (best of {found['seeds']}), {cells_of(found)}"
+
+
+def cells_of(found):
+    return (f"{found['lut4']} LUT4, {found['ff']} FF, {found['dsp']} DSP, {found['bram']} RAM")

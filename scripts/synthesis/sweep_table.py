@@ -36,6 +36,7 @@ class Kind:
     others: tuple  # that may be left out
     parameters: Callable  # names
     row: Callable  # of line, cells by name, parameters that are set, seeds
+    fewest_seeds: int = 1
 
     def check_header(self, header):
         known = set(self.parameters())
@@ -56,7 +57,7 @@ class Kind:
         given = {name: value for name, value in cell.items()
                  if name not in self.needed + self.others and value != ""}
         if cell.get("seeds"):
-            seeds = number_of_seeds("seeds", cell["seeds"])
+            seeds = number_of_seeds("seeds", cell["seeds"], self.fewest_seeds)
         return self.row(line, cell, given, seeds)
 
 

@@ -44,6 +44,7 @@ const std::vector<BadCommand> kBadCommands{
     {"CoreBesideATable", "--sweep t.csv --core spline", "hls: --sweep takes its kernels from the"},
     {"NoTable", "--sweep none.csv", "none.csv: error: No such file or directory\n"},
     {"TableWithoutCore", "--sweep head.csv", "head.csv:1: error: there is no column 'core'\n"},
+    {"TableWithTooFewSeeds", "--sweep seeds.csv", "seeds.csv:2: error: seeds '-1' must be in [0, "},
     {"TableWithABadRow", "--sweep bad.csv", "bad.csv:3: error: Order must be in [2, 12] (Order is"},
 };
 
@@ -52,6 +53,7 @@ class HlsBadCommand : public testing::TestWithParam<BadCommand> {};
 TEST_P(HlsBadCommand, IsRefusedBeforeAnythingRuns) {
     const SynthRun hls;
     hls.write("head.csv", "kernel,device\nspline,ecp5-25\n");
+    hls.write("seeds.csv", "core,device,seeds\nspline,ecp5-25,-1\n");
     hls.write("bad.csv", "core,device,Order\nspline,ecp5-25,4\nspline,ecp5-25,13\n");
     const ProgramResult result = hls.shell(std::string("$HLS ") + GetParam().options);
     EXPECT_EQ(result.status, 2);
@@ -95,7 +97,8 @@ TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
                            "sine_cosine,ecp5-25,1,3,18\n"
                            "sine_cosine,ecp5-25,1,10,18\n"
                            "sine_cosine,ecp5-25,1,11,18\n"
-                           "sine_cosine,ecp5-25,2,4,18\n");
+                           "sine_cosine,ecp5-25,2,4,18\n"
+                           "sine_cosine,ecp5-25,0,6,18\n");
     const ProgramResult result = hls.shell("$HLS --samples 5 --sweep t.csv");
     EXPECT_EQ(result.status, 1);
     const std::string name = ": failed: sine_cosine-CoefBits18-Order";
@@ -107,7 +110,9 @@ TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
     }
     EXPECT_PRED_FORMAT2(IsNotSubstring, "t.csv:5", result.err);
     EXPECT_PRED_FORMAT2(IsNotSubstring, "t.csv:6", result.err);
-    EXPECT_PRED_FORMAT2(IsSubstring, "2 of 5 kernels, 3 failed; ", result.out);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "t.csv:7", result.err);
+    EXPECT_PRED_FORMAT2(IsSubstring, "ecp5-25: 600 LUT4, 50 FF, 4 DSP, 2 RAM\n", result.out);
+    EXPECT_PRED_FORMAT2(IsSubstring, "3 of 6 kernels, 3 failed; ", result.out);
     const std::string table = hls.read("out/t.csv");
     for (const char* line :
          {"core,device,steps,stages,seeds,Order,CoefBits,failed,samples,words,latency,rtl_clocks,",
@@ -116,10 +121,12 @@ TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
           "\nsine_cosine,ecp5-25,,20,1,10,18,\"unroutable: Routing design failed",
           "\nsine_cosine,ecp5-25,,20,1,11,18,,5,9,2,7,101,600,50,4,2,,,1000000,50,4,2,"
           "does not fit ecp5-25: 1000000 LUT4 of 24288\n",
-          "\nsine_cosine,ecp5-25,,20,2,4,18,,5,9,2,7,102,600,50,4,2,,102,400,50,4,2,\n"}) {
+          "\nsine_cosine,ecp5-25,,20,2,4,18,,5,9,2,7,102,600,50,4,2,,102,400,50,4,2,\n",
+          "\nsine_cosine,ecp5-25,,20,0,6,18,,5,9,2,7,,600,50,4,2,,,600,50,4,2,\n"}) {
         EXPECT_PRED_FORMAT2(IsSubstring, line, table);
     }
-    // Lines 4, 5, 6: nextpnr is not asked of the core that has more cells than the device.
+    // Lines 4, 5, 6: nextpnr is not asked of the core that has more cells than the device, nor of
+    // line 7.
     EXPECT_EQ(hls.runs("nextpnr-ecp5"), 2 + 1 + 2 * 2);
 }
 
