@@ -58,9 +58,9 @@ void CamPath::section(const CamSection& section) {
     if (sections_ == 4) {
         const std::vector<double> ghost =
             ghost_section({&rows_[0], &rows_[1], &rows_[2], &rows_[3]});
-        walk({&ghost, &rows_[0], &rows_[1], &rows_[2]});
+        between({&ghost, &rows_[0], &rows_[1], &rows_[2]}, false);
     }
-    walk({&rows_[0], &rows_[1], &rows_[2], &rows_[3]});
+    between({&rows_[0], &rows_[1], &rows_[2], &rows_[3]}, false);
 }
 
 void CamPath::finish() {
@@ -70,36 +70,40 @@ void CamPath::finish() {
     const std::vector<double> before = ghost_section(rows);
     const std::vector<double> after = ghost_section({rows.rbegin(), rows.rend()});
     if (n == 2) {
-        walk({&before, rows[0], rows[1], &after});
+        between({&before, rows[0], rows[1], &after}, true);
         return;
     }
-    if (n == 3) walk({&before, rows[0], rows[1], rows[2]});
-    walk({rows[n - 3], rows[n - 2], rows[n - 1], &after});
+    if (n == 3) between({&before, rows[0], rows[1], rows[2]}, false);
+    between({rows[n - 3], rows[n - 2], rows[n - 1], &after}, true);
 }
 
-/// The pieces between the window's middle sections.
-void CamPath::walk(const SectionWindow& window) {
-    const bool halves = has_generatrix(helix_.kind.surface);
-    const long first = interval_ * per_section_;
-    for (long j = 0; j < per_section_; ++j) {
-        const int m = static_cast<int>((first + j) % angles_);
-        const int parts = halves ? 2 : 1;
-        for (int half = 0; half < parts; ++half) {
-            // A mid-line between sections is a knot, or the middle of an interval of angle.
-            const int half_u = 2 * (2 * j + half) < 2 * per_section_ ? 0 : 1;
-            const Patch patch = surface_patch(helix_.kind, window, m, halves ? half_u : 0, half);
-            const double from = halves ? half / 2. : 0.;
-            cell(patch, first + j, from, halves ? from + 0.5 : 1.);
-        }
-    }
+/// The pieces between the window's middle sections; `last`: of all sections.
+void CamPath::between(const SectionWindow& window, bool last) {
+    const bool turns = helix_.ends == CamEnds::kTurn;
+    if (turns && interval_ == 0) walk(window, angles_, {0, 0});
+    walk(window, per_section_, {0, 1. / static_cast<double>(per_section_)});
+    if (turns && last) walk(window, angles_, {1, 0});
     ++interval_;
 }
 
-/// The pieces in one cell, between `from` and `to` of interval `step` of angle.
-void CamPath::cell(const Patch& patch, long step, double from, double to) {
-    const double slope = 1. / static_cast<double>(per_section_);
-    const double u0 = static_cast<double>(step - interval_ * per_section_) * slope;
-    const PolarCurve f = along_helix(patch, u0, slope);
+void CamPath::walk(const SectionWindow& window, long steps, Advance u) {
+    const int parts = has_generatrix(helix_.kind.surface) ? 2 : 1;
+    for (long j = 0; j < steps; ++j, ++step_) {
+        const int m = static_cast<int>(step_ % angles_);
+        const Advance here{u.start + static_cast<double>(j) * u.slope, u.slope};
+        for (int half = 0; half < parts; ++half) {
+            // A mid-line between sections is a knot, or the middle of an interval of angle.
+            const int half_u = here.start + here.slope * (half + 0.5) / parts < 0.5 ? 0 : 1;
+            const double from = static_cast<double>(half) / parts;
+            cell(surface_patch(helix_.kind, window, m, half_u, half), here, from,
+                 from + 1. / parts);
+        }
+    }
+}
+
+/// The pieces in one cell, between `from` and `to` of the interval of angle.
+void CamPath::cell(const Patch& patch, Advance u, double from, double to) {
+    const PolarCurve f = along_helix(patch, u.start, u.slope);
     // A piece's ends are off by half a grid in rho, and by what half a grid of x makes there.
     const double rounding = kCamGrid / 2 * (1 + steepest(patch) / pitch_);
     if (rounding > helix_.delta / 2) {
@@ -111,14 +115,14 @@ void CamPath::cell(const Patch& patch, long step, double from, double to) {
     const double delta = helix_.delta - rounding;
     double jump = last_ ? std::abs(value(f, from) - last_->rho) - kCamGrid / 2 : 0;
     if (jump < kCamGrid) jump = 0;
-    if (!last_) last_ = point(f, step, from);
+    if (!last_) last_ = point(f, u, from);
     for (double w = from; w < to;) {
         const double reach = longest_piece(f, w, to, delta);
         CamPiece piece;
         piece.from = *last_;
-        piece.to = point(f, step, reach);
+        piece.to = point(f, u, reach);
         double w1 = reach;
-        if (reach < to) w1 = piece.to.angle * angles_ / 360 - static_cast<double>(step);
+        if (reach < to) w1 = piece.to.angle * angles_ / 360 - static_cast<double>(step_);
         if (!(piece.to.angle > piece.from.angle)) {
             throw std::domain_error(
                 fmt::format("delta {:g} um wants pieces of less than {:g} degrees before this "
@@ -134,15 +138,16 @@ void CamPath::cell(const Patch& patch, long step, double from, double to) {
     }
 }
 
-/// The place at w of interval `step`, its angle on the grid and the radius there.
-CamPoint CamPath::point(const PolarCurve& f, long step, double w) const {
+/// The place at w of the interval of angle, its angle on the grid and the radius there.
+CamPoint CamPath::point(const PolarCurve& f, Advance u, double w) const {
+    const auto step = static_cast<double>(step_);
     CamPoint place;
-    const double degrees = (static_cast<double>(step) + w) * 360 / angles_;
+    const double degrees = (step + w) * 360 / angles_;
     place.angle = std::floor(degrees / kCamGrid + kGridSlack) * kCamGrid;
-    const double exact = place.angle * angles_ / 360 - static_cast<double>(step);
+    const double exact = place.angle * angles_ / 360 - step;
     place.rho = on_grid(value(f, exact));
-    place.x = on_grid(x0_ + pitch_ * (static_cast<double>(step) + exact) /
-                                static_cast<double>(per_section_));
+    const double along = static_cast<double>(interval_) + u.start + u.slope * exact;
+    place.x = on_grid(x0_ + pitch_ * along);
     return place;
 }
 

@@ -7,8 +7,12 @@
 // helix is a polynomial of the angle; a piece ends where delta is used up, at a given angle (the
 // knots), and where the surface switches sections or generatrices (the mid-lines). A piece begins
 // where the one before ended: a jump of the surface becomes part of the next piece.
+//
+// A helix from the first section to the last leaves a wedge of one pitch on both. So the part turns
+// once at rest along x before the helix, and once behind it.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 
@@ -17,10 +21,15 @@
 
 namespace curvecore::ref {
 
+/// A turn on the first section and one on the last, or the paper's helix alone.
+enum class CamEnds { kTurn, kHelix };
+constexpr std::array<std::string_view, 2> kCamEndNames{"turn", "helix"};
+
 struct CamHelix {
     SurfaceKind kind;
     double kappa = 2;     // half-turns of the spindle per Dx
     double delta = 5e-3;  // mm, along the radius; rounding included
+    CamEnds ends = CamEnds::kTurn;
 };
 
 /// Points of a program are whole multiples of this, in mm and degrees.
@@ -60,9 +69,15 @@ class CamPath {
     static double intervals(double kappa, int angles) { return kappa * angles / 2; }
 
   private:
-    void walk(const SectionWindow& window);
-    void cell(const Patch& patch, long step, double from, double to);
-    CamPoint point(const PolarCurve& f, long step, double w) const;
+    /// u = start + slope w between the window's middle sections, w from 0 over an interval of
+    /// angle.
+    struct Advance {
+        double start, slope;
+    };
+    void between(const SectionWindow& window, bool last);
+    void walk(const SectionWindow& window, long steps, Advance u);
+    void cell(const Patch& patch, Advance u, double from, double to);
+    CamPoint point(const PolarCurve& f, Advance u, double w) const;
 
     CamHelix helix_;
     int angles_;
@@ -73,6 +88,7 @@ class CamPath {
     double pitch_ = 0;
     long sections_ = 0;
     long interval_ = 0;  // between sections, that the next pieces are in
+    long step_ = 0;      // interval of angle, from the start
     std::optional<CamPoint> last_;
 };
 

@@ -46,6 +46,9 @@ void interpret(const RawCamOptions& raw, CamOptions& options) {
     interpret_helix(raw, options);
     options.delta = length("--delta", raw.delta, ref::kLeastDelta, 10);
     options.feed = options.common.points.feed;
+    if (!raw.ends.empty()) {
+        options.ends = static_cast<ref::CamEnds>(choice("--ends", raw.ends, ref::kCamEndNames));
+    }
     options.kind.surface =
         static_cast<ref::Surface>(choice("--surface", raw.surface, ref::kSurfaceNames));
     if (raw.generatrix.empty()) {
@@ -64,6 +67,7 @@ ref::CamHelix helix_of(const CamOptions& options, int angles, double dx) {
     ref::CamHelix helix;
     helix.kind = options.kind;
     helix.delta = options.delta;
+    helix.ends = options.ends;
     helix.kappa = options.kappa;
     if (helix.kappa == 0) {
         helix.kappa =

@@ -16,6 +16,7 @@ struct CamOptions {
     double scallop = 0;   // mm
     double cutter = 0;    // radius, mm; 0: not said
     double delta = 5e-3;  // mm
+    ref::CamEnds ends = ref::CamEnds::kTurn;
     double feed = 0;      // over the surface, mm/s
     std::string against;  // a finer table; empty: the table's own tensor surface
 };
@@ -28,6 +29,7 @@ struct RawCamOptions {
     std::string delta = "5um";
     std::string surface = "lagrange";
     std::string generatrix;
+    std::string ends;
 };
 
 /// @throws UsageError with the option's name and the reason

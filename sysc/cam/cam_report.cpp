@@ -71,6 +71,7 @@ nlohmann::ordered_json CamReport::json() const {
     json["kappa"] = cut.helix.kappa;
     json["pitch_mm"] = cut.pitch;
     json["turns"] = cut.turns;
+    json["ends"] = ref::kCamEndNames[static_cast<std::size_t>(cut.helix.ends)];
     json["delta_mm"] = cut.helix.delta;
     json["feed_mm_per_s"] = options.feed;
     json["duration_s"] = duration_s;
@@ -111,8 +112,11 @@ std::vector<std::pair<std::string, std::string>> CamReport::table() const {
                        ", generatrix {}",
                        ref::kGeneratrixNames[static_cast<std::size_t>(options.kind.generatrix)])
                  : ""));
-    rows.emplace_back("helix", fmt::format("kappa {:g}: {:.4g} mm a turn, {:.4g} turns",
-                                           cut.helix.kappa, cut.pitch, cut.turns));
+    rows.emplace_back(
+        "helix",
+        fmt::format(
+            "kappa {:g}: {:.4g} mm a turn, {:.4g} turns{}", cut.helix.kappa, cut.pitch, cut.turns,
+            cut.helix.ends == ref::CamEnds::kTurn ? ", the first and the last on a section" : ""));
     if (options.cutter > 0) rows.emplace_back("scallop", um(scallop()));
     rows.emplace_back("pieces",
                       fmt::format("{}: {:.1f} a turn; {:.1f} if no knot cut them", cut.pieces,

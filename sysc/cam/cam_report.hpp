@@ -18,9 +18,9 @@ struct CamCut {
     double pitch = 0;  // of the helix, mm a turn
     double turns = 0;
     std::size_t pieces = 0;
-    double deviation = 0;      // mm: the worst piece from the surface, jumps left out
-    double jump = 0;           // mm: the greatest on the path
-    std::vector<float> jumps;  // of every piece, mm
+    double deviation = 0;         // mm: the worst piece from the surface, jumps left out
+    double jump = 0;              // mm: the greatest on the path
+    std::vector<float> jumps{0};  // of every move, mm; the first goes to the start
 };
 
 struct CamReport {

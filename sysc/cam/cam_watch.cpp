@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace curvecore::sysc {
 
@@ -44,15 +45,17 @@ CamWatch::CamWatch(const ref::CamShape& surface, const ref::CamShape& truth, dou
       truth_map_(surface.first_x(), surface.last_x()) {}
 
 void CamWatch::draws(const Job& job) {
+    if (job.program.moves.size() != jumps_.size()) {
+        throw std::logic_error("a cam's program has a move for every piece, and one to the start");
+    }
     job_ = &job;
     unit_ = job.plan.unit_mm;
-    while (job.program.moves.at(first_piece_).rapid) ++first_piece_;
 }
 
 /// A sample at a piece's end may be read on the next one's side of the jump.
-double CamWatch::jump_at(std::size_t piece) const {
-    const double here = jumps_.at(piece);
-    return piece + 1 < jumps_.size() ? std::max<double>(here, jumps_[piece + 1]) : here;
+double CamWatch::jump_at(std::size_t move) const {
+    const double here = jumps_[move];
+    return move + 1 < jumps_.size() ? std::max<double>(here, jumps_[move + 1]) : here;
 }
 
 void CamWatch::sample(std::size_t segment, const std::int64_t* position) {
@@ -67,8 +70,7 @@ void CamWatch::sample(std::size_t segment, const std::int64_t* position) {
     ++samples_;
     from_surface_.add(error, x, degrees);
     surface_map_.add(x, degrees, error);
-    of_allowed_ =
-        std::max(of_allowed_, std::abs(error) / (delta_ + jump_at(move - first_piece_) + units));
+    of_allowed_ = std::max(of_allowed_, std::abs(error) / (delta_ + jump_at(move) + units));
     const double missed = rho - truth_.at(x, degrees).rho;
     from_truth_.add(missed, x, degrees);
     truth_map_.add(x, degrees, missed);

@@ -40,7 +40,7 @@ class ErrorMap {
 /// | the truth    | a finer table, or the table's tensor surface: an error, shown                |
 class CamWatch {
   public:
-    /// `jumps`: of every piece of the program, mm; its moves follow a first, rapid one.
+    /// `jumps`: of every move of the program, mm: of the surface, where the move begins.
     CamWatch(const ref::CamShape& surface, const ref::CamShape& truth, double delta,
              const std::vector<float>& jumps);
 
@@ -57,7 +57,7 @@ class CamWatch {
     const ErrorMap& truth_map() const { return truth_map_; }
 
   private:
-    double jump_at(std::size_t piece) const;
+    double jump_at(std::size_t move) const;
 
     const ref::CamShape& surface_;
     const ref::CamShape& truth_;
@@ -65,7 +65,6 @@ class CamWatch {
     const std::vector<float>& jumps_;
     const Job* job_ = nullptr;
     double unit_ = 0;
-    std::size_t first_piece_ = 0;  // its move
     std::uint64_t samples_ = 0;
     SurfaceError from_surface_;
     SurfaceError from_truth_;

@@ -32,14 +32,16 @@ std::vector<std::string> remarks(const CamOptions& options, const ref::CamHelix&
             "X radius of the cutter's centre, Z along the axis (mm), A angle (degrees)"};
 }
 
-/// Section by section from the table into the program.
-CamCut cut_table(const CamOptions& options, const std::string& program) {
+/// Section by section from the table into the program; `read`: all of them, for what holds the
+/// drawn cam against its surface.
+CamCut cut_table(const CamOptions& options, const std::string& program,
+                 std::vector<ref::CamSection>& read) {
     CamCut cut;
     std::ifstream in = ref::open_cam(options.common.file);
     ref::CamTable table(in, options.common.file);
     // The pitch of the sections comes with the second.
-    const std::vector<ref::CamSection> first{*table.next(), *table.next()};
-    const double dx = first[1].x - first[0].x;
+    for (int i = 0; i < 2; ++i) read.push_back(*table.next());
+    const double dx = read[1].x - read[0].x;
     cut.helix = helix_of(options, table.angles(), dx);
     cut.pitch = 2 * dx / cut.helix.kappa;
     ref::CamProgram writer(program, options.feed, remarks(options, cut.helix));
@@ -57,8 +59,11 @@ CamCut cut_table(const CamOptions& options, const std::string& program) {
             line = section.line;
             path.section(section);
         };
-        for (const ref::CamSection& section : first) take(section);
-        while (const std::optional<ref::CamSection> section = table.next()) take(*section);
+        for (const ref::CamSection& section : read) take(section);
+        while (const std::optional<ref::CamSection> section = table.next()) {
+            read.push_back(*section);
+            take(*section);
+        }
         path.finish();
     } catch (const std::domain_error& error) {
         throw ref::InputError(table.file(), line, error.what());
@@ -100,8 +105,8 @@ void warn_of_delta(const CamOptions& options, const ref::CamShape& surface, Job&
 int cam_command(const CamOptions& options) {
     OutputFolder folder(options.common.folder);
     const std::string program = folder.path(kProgram);
-    const CamCut cut = cut_table(options, program);
-    const std::vector<ref::CamSection> sections = ref::read_cam(options.common.file);
+    std::vector<ref::CamSection> sections;
+    const CamCut cut = cut_table(options, program, sections);
     const ref::CamShape surface(sections, options.kind);
     const ref::CamShape truth = truth_of(options, sections);
 

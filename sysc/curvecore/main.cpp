@@ -119,6 +119,8 @@ void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions&
     add_text(command, "--generatrix", cam.generatrix, "NAME",
              fmt::format("of tamm and blend: {}; parabola when left out",
                          fmt::join(ref::kGeneratrixNames, ", ")));
+    add_text(command, "--ends", cam.ends, "NAME",
+             "turn (default): once around the first and the last section too; helix: without");
     add_text(command, "--delta", cam.delta, "LENGTH",
              "how far a piece may be off the surface, along the radius");
     command

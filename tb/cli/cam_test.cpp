@@ -49,7 +49,7 @@ TEST_F(CamCommand, DrawsATableThroughTheRtl) {
     EXPECT_EQ(report["board"], "rtl");
     const Json cam = figures();
     EXPECT_EQ(cam["sections"], 4);
-    EXPECT_NEAR(cam["turns"].get<double>(), 3, 1e-6);
+    EXPECT_NEAR(cam["turns"].get<double>(), 3 + 2, 1e-6) << "three of helix, one on either end";
     EXPECT_LE(cam["worst_piece_mm"].get<double>(), 5e-3 * (1 + 1e-6));
     EXPECT_GT(cam["from_surface"]["of_allowed"].get<double>(), 0.9);
     EXPECT_LE(cam["from_surface"]["of_allowed"].get<double>(), 1);
@@ -57,11 +57,20 @@ TEST_F(CamCommand, DrawsATableThroughTheRtl) {
     EXPECT_GT(cam["from_truth"]["max_mm"].get<double>(), 10e-3);
     EXPECT_LT(cam["from_truth"]["max_mm"].get<double>(), 30e-3);
     EXPECT_EQ(cam["pieces"].get<std::size_t>() + 1, report["moves"]);
-    // Held over the surface but for starting and stopping: three turns of some 47 mm.
-    EXPECT_NEAR(cam["duration_s"].get<double>(), 3 * 2 * M_PI * 46 / 100, 1.0);
+    // Held over the surface but for starting and stopping: five turns of some 46 mm.
+    EXPECT_NEAR(cam["duration_s"].get<double>(), 5 * 2 * M_PI * 46 / 100, 1.0);
     for (const char* file : {"cam.ngc", "cam.html", "report.html", "samples.csv"}) {
         EXPECT_TRUE(program_.exists(std::string("out/") + file)) << file;
     }
+}
+
+TEST_F(CamCommand, LeavesTheTurnsOutWhereAsked) {
+    program_.write("cam.csv", table_text(24, 10, 4));
+    const ProgramResult result = run({"--kappa", "2", "--feed", "6m/min", "--ends", "helix", "--on",
+                                      "kernel", "--sample-period", "1ms"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_NEAR(figures()["turns"].get<double>(), 3, 1e-6);
+    EXPECT_EQ(figures()["ends"], "helix");
 }
 
 /// Surfaces with jumps are held to within them; the report shows how large they are.
@@ -198,6 +207,10 @@ const BadCam kBad[] = {
      with_rows("0,40,40,40,40\n"),
      {"--kappa", "1", "--surface", "flat"},
      "curvecore: error: --surface 'flat': must be one of tamm, blend, lagrange, catmull-rom"},
+    {"UnknownEnds",
+     with_rows("0,40,40,40,40\n"),
+     {"--kappa", "1", "--ends", "none"},
+     "curvecore: error: --ends 'none': must be one of turn, helix"},
     {"DeltaTooSmall",
      with_rows("0,40,40,40,40\n"),
      {"--kappa", "1", "--delta", "1nm"},

@@ -94,6 +94,7 @@ TEST(CamHelix, SurfacesThatJumpAreKeptToWithinTheirJump) {
 TEST(CamHelix, IsOneHelixFromTheFirstSectionToTheLast) {
     ref::CamHelix helix;
     helix.kappa = 2.5;  // 2.5 * 24 / 2 = 30 intervals per section
+    helix.ends = ref::CamEnds::kHelix;
     const std::vector<ref::CamSection> table = sample_cam_table(24, 10, 11);
     const Walk found = walk(helix, table);
     EXPECT_EQ(found.pieces.front().from.x, 0);
@@ -107,6 +108,34 @@ TEST(CamHelix, IsOneHelixFromTheFirstSectionToTheLast) {
         if (i == 0) continue;
         EXPECT_EQ(piece.from.angle, found.pieces[i - 1].to.angle);
         EXPECT_EQ(piece.from.rho, found.pieces[i - 1].to.rho);
+    }
+}
+
+// Without the turns a cutter leaves a wedge of one pitch on both faces.
+TEST(CamHelix, TurnsOnceOnTheFirstSectionAndOnceOnTheLast) {
+    for (const int count : {2, 3, 4, 6}) {
+        for (const SurfaceKind kind : all_kinds()) {
+            ref::CamHelix helix;
+            helix.kind = kind;
+            helix.kappa = 2.5;
+            const std::vector<ref::CamSection> table = sample_cam_table(24, 10, count, 5);
+            const CamShape shape(table, kind);
+            const Walk found = walk(helix, table);
+            const double end = 5 + 10. * (count - 1);
+            const double turns = (count - 1) * 2.5 / 2 + 2;
+            EXPECT_NEAR(found.pieces.back().to.angle, 360 * turns, 1e-5);
+            for (const CamPiece& piece : found.pieces) {
+                const double along = (piece.to.angle / 360 - 1) * 2 * 10 / 2.5;  // of the helix
+                ASSERT_NEAR(piece.to.x, std::clamp(5 + along, 5., end), 1e-6);
+                for (const double part : {0.25, 0.5, 0.75}) {
+                    ASSERT_LE(off(shape, piece, part), helix.delta + piece.jump + 1e-6);
+                }
+            }
+            helix.ends = ref::CamEnds::kHelix;
+            const Walk paper = walk(helix, table);
+            EXPECT_NEAR(paper.pieces.back().to.angle, 360 * (turns - 2), 1e-5);
+            EXPECT_LT(paper.pieces.size(), found.pieces.size());
+        }
     }
 }
 
@@ -176,6 +205,7 @@ TEST(CamHelix, PiecesOfAWholeCam) {
         ref::CamHelix helix;
         helix.delta = delta[i];
         helix.kappa = kappa;
+        helix.ends = ref::CamEnds::kHelix;
         const auto pieces = static_cast<double>(walk(helix, table).pieces.size());
         EXPECT_GT(pieces, asked[i]);
         EXPECT_LT(pieces, 1.2 * asked[i]);
@@ -223,6 +253,7 @@ TEST(CamFuzz, MutatedTablesAreRefusedOrSound) {
             std::istringstream in(text);
             ref::CamTable table(in, "cam.csv");
             std::vector<CamPiece> pieces;
+            std::vector<ref::CamSection> sections;
             std::optional<CamPath> path;
             bool giant = false;
             while (const std::optional<ref::CamSection> section = table.next()) {
@@ -234,8 +265,12 @@ TEST(CamFuzz, MutatedTablesAreRefusedOrSound) {
                 }
                 giant = giant || *std::max_element(section->rho.begin(), section->rho.end()) > 200;
                 if (!giant) path->section(*section);
+                sections.push_back(*section);
             }
             ++read;
+            const CamShape shape(sections, helix.kind);
+            ASSERT_TRUE(std::isfinite(shape.own_error() + shape.largest_jump(2))) << text;
+            ASSERT_GT(shape.linear_radii(helix.delta), 0) << text;
             if (giant) continue;  // pieces by the million
             path->finish();
             ASSERT_FALSE(pieces.empty()) << text;
