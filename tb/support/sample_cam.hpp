@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cam in closed form: what tables of it are held against.
+// Cams in closed form: what tables of them are held against.
 #pragma once
 
 #include <cmath>
@@ -35,18 +35,42 @@ inline double sample_cam(double x, double theta) {
            0.8 * (1 + u) * std::sin(3 * theta + u) + 3 * std::sin(M_PI * u);
 }
 
+/// An eccentric with three concave flanks that come and go along the axis.
+inline double harmonic_cam(double x, double theta) {
+    return 6 * std::cos(theta) + std::sqrt(1600 - std::pow(6 * std::sin(theta), 2)) +
+           6 * (1 + 0.3 * std::sin(x / 9)) * std::cos(3 * theta - 0.5);
+}
+
+/// Two ridges that wind around the axis, a turn in 80 mm.
+inline double twisted_cam(double x, double theta) {
+    return 35 + 7 * std::cos(2 * (theta - 2 * M_PI * x / 80));
+}
+
+/// A base circle with one lobe of 12 mm, as valves have, that leans along the axis.
+inline double lobe_cam(double x, double theta) {
+    return 30 + 12 * std::exp(2.5 * (std::cos(theta - 2 - 0.01 * x) - 1));
+}
+
+/// Radius at x and theta, as the functions above.
+using CamRadius = double (*)(double, double);
+
 /// `count` sections from x0, n radii each.
-inline std::vector<ref::CamSection> sample_cam_table(int n, double dx, int count, double x0 = 0) {
+inline std::vector<ref::CamSection> cam_table(CamRadius radius, int n, double dx, int count,
+                                              double x0 = 0) {
     std::vector<ref::CamSection> sections(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         ref::CamSection& section = sections[static_cast<std::size_t>(i)];
         section.line = i + 2;
         section.x = x0 + i * dx;
         for (int m = 0; m < n; ++m) {
-            section.rho.push_back(sample_cam(section.x, 2 * M_PI * m / n));
+            section.rho.push_back(radius(section.x, 2 * M_PI * m / n));
         }
     }
     return sections;
+}
+
+inline std::vector<ref::CamSection> sample_cam_table(int n, double dx, int count, double x0 = 0) {
+    return cam_table(sample_cam, n, dx, count, x0);
 }
 
 }  // namespace curvecore::tb
