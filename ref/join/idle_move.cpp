@@ -4,6 +4,7 @@
 #include "ref/curve/fit/hermite.hpp"
 #include "ref/curve/fit/point_slopes.hpp"
 #include "ref/join/path_table.hpp"
+#include "ref/join/quintic_slopes.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -61,6 +62,11 @@ std::vector<BezierPiece> IdleMove::pieces() const {
     Vectors second = bessel_slopes(m, t);
     second.front() = start.curvature;
     second.back() = end.curvature;
+    if (fit == JoinFit::kQuintic) {
+        QuinticSlopes slopes = quintic_slopes(y, t, {m, second});
+        m = std::move(slopes.m);
+        second = std::move(slopes.second);
+    }
     std::vector<BezierPiece> found;
     for (std::size_t i = 0; i + 1 < y.size(); ++i) {
         found.push_back(piece_of(

@@ -10,12 +10,12 @@
 
 namespace curvecore::ref {
 
-/// | fit     | at the joints               | control points | source                        |
-/// |---------|-----------------------------|----------------|-------------------------------|
-/// | cubic   | tangent                     | C1             | [Petrakov] (2), slopes by (1) |
-/// | moments | curvature, not the tangent  | C0             | (3)-(5), M by (1) twice       |
-/// | c2      | tangent                     | C2             | (3)-(5), M solved             |
-/// | quintic | tangent and curvature       | C2             | announced                     |
+/// | fit     | at the joints               | control points | source                          |
+/// |---------|-----------------------------|----------------|---------------------------------|
+/// | cubic   | tangent                     | C1             | [Petrakov] (2), slopes by (1)   |
+/// | moments | curvature, not the tangent  | C0             | (3)-(5), M by (1) twice         |
+/// | c2      | tangent                     | C2             | (3)-(5), M solved               |
+/// | quintic | tangent and curvature       | C4             | announced; quintic_slopes.hpp   |
 enum class JoinFit { kCubic, kMoments, kC2, kQuintic };
 constexpr std::array<std::string_view, 4> kJoinFitNames = {"cubic", "moments", "c2", "quintic"};
 

@@ -2,6 +2,7 @@
 #include "ref/join/jumps.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 namespace curvecore::ref {
@@ -17,6 +18,9 @@ JoinJumps jumps_of(const std::string& name, const IdleMove& move, SpeedLaw law, 
 double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
+
+/// Of a jump in rad or 1/mm: what is less is the rounding of points and derivatives.
+double above_rounding(double value) { return value < 1e-9 ? 0 : value; }
 
 }  // namespace
 
@@ -34,8 +38,8 @@ double SpeedCourse::acceleration(double s) const {
 
 Jump jump(const Joint& working, const Joint& idle, double acceleration) {
     Jump found;
-    found.slope = angle_between(working.tangent, idle.tangent);
-    found.curvature = (idle.curvature - working.curvature).norm();
+    found.slope = above_rounding(angle_between(working.tangent, idle.tangent));
+    found.curvature = above_rounding((idle.curvature - working.curvature).norm());
     found.across = working.feed * working.feed * found.curvature / kGravity;
     found.along = std::abs(acceleration) / kGravity;
     return found;
@@ -46,6 +50,22 @@ JoinJumps jumps(const IdleMove& move, SpeedLaw law) {
     const PathTable::Place last{path.pieces().size() - 1, 1};
     return jumps_of(std::string(kJoinFitNames[static_cast<std::size_t>(move.fit)]), move, law,
                     path.length(), path.at(PathTable::Place{}), path.at(last));
+}
+
+Jump worst_inside(const IdleMove& move, SpeedLaw law) {
+    const PathTable path(move.pieces());
+    const SpeedCourse course{law, move.start.feed, move.end.feed, path.length()};
+    const std::vector<double> starts = path.starts();
+    Jump worst;
+    for (std::size_t piece = 1; piece < path.pieces().size(); ++piece) {
+        Joint before = path.at(PathTable::Place{piece - 1, 1});
+        before.feed = course.speed(starts[piece]);
+        const Jump here = jump(before, path.at(PathTable::Place{piece, 0}), 0);
+        worst.slope = std::max(worst.slope, here.slope);
+        worst.curvature = std::max(worst.curvature, here.curvature);
+        worst.across = std::max(worst.across, here.across);
+    }
+    return worst;
 }
 
 std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law) {

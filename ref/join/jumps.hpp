@@ -30,7 +30,7 @@ struct SpeedCourse {
     double acceleration(double s) const;  // along the path, dv/dt = v dv/ds
 };
 
-/// What changes at once at a joint.
+/// What changes at once at a joint; 0 where it is not above rounding.
 ///
 /// | field     | equation                    | unit | remark                               |
 /// |-----------|-----------------------------|------|--------------------------------------|
@@ -56,6 +56,9 @@ struct JoinJumps {
 
 /// Of the move itself.
 JoinJumps jumps(const IdleMove& move, SpeedLaw law);
+
+/// The largest at the move's own control points.
+Jump worst_inside(const IdleMove& move, SpeedLaw law);
 
 /// Of a straight line, of the arc that leaves along the first tangent, and of every fit through the
 /// same control points.

@@ -137,7 +137,7 @@ std::string blocks_of(const JoinFile& file) {
 
 std::string joint_row(const char* where, const ref::Jump& jump) {
     const std::string slope =
-        jump.slope > 1e-6 ? fmt::format("corner of {:.3g} degrees, ", jump.slope * 180 / M_PI) : "";
+        jump.slope > 0 ? fmt::format("corner of {:.3g} degrees, ", jump.slope * 180 / M_PI) : "";
     return fmt::format(
         "  {:<18}{}curvature jumps by {:.3g} /mm, acceleration by {:.3g} g across and "
         "{:.3g} g along the path\n",
@@ -151,6 +151,8 @@ void print_design(const JoinFile& file) {
                file.move.end.feed * 0.06);
     fmt::print("{}{}", joint_row("behind path 1", found.start),
                joint_row("before path 2", found.end));
+    const ref::Jump inside = ref::worst_inside(file.move, file.law);
+    if (inside.slope + inside.curvature > 0) fmt::print("{}", joint_row("at its points", inside));
 }
 
 }  // namespace

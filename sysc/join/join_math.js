@@ -58,6 +58,36 @@ function pieceOf(fit, h, y0, y1, m0, m1, second0, second1) {
   return { h, points: [y0, plus(y0, times(1 / 3, out)), minus(y1, times(1 / 3, into)), y1] };
 }
 
+// Slopes m and second derivatives of the quintic spline whose third and fourth derivatives go on at
+// every inner point; those of the ends are given. ref/join/quintic_slopes.cpp has the equations.
+function quinticSlopes(y, t, m, second) {
+  const size = 2 * y.length, z = y.flatMap((_, i) => [m[i], second[i]]);
+  const a = z.map(() => new Float64Array(size)), right = z.map(() => [0, 0, 0]);
+  for (let i = 0; i + 1 < y.length; ++i) {
+    const h = t[i + 1] - t[i], chord = minus(y[i + 1], y[i]);
+    const part = [[192 / h, 36, 168 / h, -24], [36, 9 * h, 24, -3 * h], [168 / h, 24, 192 / h, -36], [-24, -3 * h, -36, 9 * h]];
+    part.forEach((row, r) => row.forEach((v, c) => { a[2 * i + r][2 * i + c] += v / (h * h); }));
+    [360 / h, 60, 360 / h, -60].forEach((v, r) => { right[2 * i + r] = plus(right[2 * i + r], times(v / (h * h * h), chord)); });
+  }
+  const end = size - 2, behind = (k) => Math.min(k + 4, end);  // rows and columns 2 .. end - 1, three beside the diagonal
+  for (let k = 2; k < end; ++k) {
+    for (const j of [0, 1, end, end + 1]) right[k] = minus(right[k], times(a[k][j], z[j]));
+  }
+  for (let k = 2; k < end; ++k) {
+    for (let i = k + 1; i < behind(k); ++i) {
+      const share = a[i][k] / a[k][k];
+      for (let j = k; j < behind(k); ++j) a[i][j] -= share * a[k][j];
+      right[i] = minus(right[i], times(share, right[k]));
+    }
+  }
+  for (let k = end - 1; k > 1; --k) {
+    let sum = right[k];
+    for (let j = k + 1; j < behind(k); ++j) sum = minus(sum, times(a[k][j], z[j]));
+    z[k] = times(1 / a[k][k], sum);
+  }
+  return [z.filter((_, k) => k % 2 === 0), z.filter((_, k) => k % 2 === 1)];
+}
+
 function piecesOf(move) {
   const y = [move.start.position, ...move.points, move.end.position], t = move.t;
   let m;
@@ -66,8 +96,9 @@ function piecesOf(move) {
     m = besselSlopes(y, t);
     m[0] = move.start.tangent; m[m.length - 1] = move.end.tangent;
   }
-  const second = besselSlopes(m, t);
+  let second = besselSlopes(m, t);
   second[0] = move.start.curvature; second[second.length - 1] = move.end.curvature;
+  if (move.fit === "quintic") [m, second] = quinticSlopes(y, t, m, second);
   return y.slice(1).map((_, i) =>
     pieceOf(move.fit, t[i + 1] - t[i], y[i], y[i + 1], m[i], m[i + 1], second[i], second[i + 1]));
 }
@@ -149,9 +180,10 @@ function speedCourse(law, v0, v1, length) {
   return { speed, acceleration };
 }
 
+const aboveRounding = (v) => v < 1e-9 ? 0 : v;
 function jump(working, idle, acceleration) {
-  const curvature = norm(minus(idle.curvature, working.curvature));
-  return { slope_rad: angleBetween(working.tangent, idle.tangent), curvature,
+  const curvature = aboveRounding(norm(minus(idle.curvature, working.curvature)));
+  return { slope_rad: aboveRounding(angleBetween(working.tangent, idle.tangent)), curvature,
            across_g: working.feed * working.feed * curvature / GRAVITY, along_g: Math.abs(acceleration) / GRAVITY };
 }
 

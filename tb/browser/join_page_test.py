@@ -109,6 +109,7 @@ class JoinPage(unittest.TestCase):
         page = (self.folder / "out/join.html").read_text()
         for right, wrong in (("h * h / 20, second0", "h * h / 21, second0"),
                              ("minus(y1, times(1 / 3, into))", "minus(y1, times(1 / 4, into))"),
+                             ("36, 9 * h, 24, -3 * h", "36, 9 * h, 25, -3 * h"),
                              ("GRAVITY = 9806.65", "GRAVITY = 9810")):
             self.assertIn(right, page)
             (self.folder / "wrong.html").write_text(page.replace(right, wrong))

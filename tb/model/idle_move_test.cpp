@@ -9,47 +9,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
+#include "tb/support/idle_turns.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSlow = 25;  // mm/s: 1.5 m/min
+using tb::lane_change;
+using tb::peak_curvature;
+using tb::u_turn;
 
-/// Antiparallel lines at a step-over w; k: length of the end tangents.
-IdleMove u_turn(JoinFit fit, double w, double k) {
-    IdleMove move;
-    move.start = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlow};
-    move.end = {Vec3(0, w, 0), Vec3(-1, 0, 0), Vec3::Zero(), kSlow};
-    move.fit = fit;
-    move.t = {0, k};
-    return move;
-}
-
-/// y from 0 to w over x = 0 .. l, x being the parameter.
-IdleMove lane_change(JoinFit fit, double w, double l, int points) {
-    IdleMove move = u_turn(fit, w, l);
-    move.end = {Vec3(l, w, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlow};
-    move.t = {0};
-    for (int i = 1; i <= points; ++i) {
-        move.t.push_back(l * i / (points + 1));
-        move.points.emplace_back(move.t.back(), w * i / (points + 1), 0);
-    }
-    move.t.push_back(l);
-    return move;
-}
-
-double peak_curvature(const IdleMove& move) {
-    const PathTable path(move.pieces());
-    double peak = 0;
-    for (int i = 0; i <= 4000; ++i) {
-        peak = std::max(peak, path.at(path.length() * i / 4000).curvature.norm());
-    }
-    return peak;
-}
+constexpr double kSlow = tb::kSlowFeed;
 
 TEST(IdleMove, CubicUTurnJumpsBySixWOverKSquared) {
     for (const auto& [w, k] : {std::pair{1.0, 3.09}, {2.0, 4.37}, {5.0, 6.91}, {10.0, 9.78}}) {

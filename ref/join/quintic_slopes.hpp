@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slopes and second derivatives of the quintic spline through points.
+#pragma once
+
+#include "ref/curve/fit/point_slopes.hpp"
+
+namespace curvecore::ref {
+
+struct QuinticSlopes {
+    Vectors m;       // dr/dt
+    Vectors second;  // d2r/dt2
+};
+
+/// Of the spline through y at ascending t whose third and fourth derivatives go on at every inner
+/// point; slopes and second derivatives at its ends are those of `ends`. Of all curves through the
+/// same it has the least integral of |r'''|^2 dt; of points on one quintic it is that quintic.
+QuinticSlopes quintic_slopes(const Vectors& y, const std::vector<double>& t,
+                             const QuinticSlopes& ends);
+
+}  // namespace curvecore::ref
