@@ -5,6 +5,10 @@ from readme_table import load, short, table
 
 ABSOLUTE = "10^6 ticks, from the start, mm"
 SUMMED = "from the tick before, mm"
+SPIRALS, CUBICS = "spirals alone are off, um", "cubics are off, um"
+HARMONIC = "40 + 8 cos 3 theta"
+JOINTS, POINTS = "curvature at the joints, 1/mm", "at the control points, 1/mm"
+PEAK = "greatest curvature, 1/mm"
 
 
 def bench_table(file, name):
@@ -69,7 +73,8 @@ def claims():
     searches = load("figures/search_tables.json")
     cams = load("figures/cam_tables.json")
     forms = load("figures/form_tables.json")
-    if None in (circles, splines, searches, cams, forms):
+    idle = load("figures/idle_tables.json")
+    if None in (circles, splines, searches, cams, forms, idle):
         return None
     turn = {(r["order"], r["feed_m_min"]): short(r["circle_mm"]) + " mm" for r in circles["rows"]}
 
@@ -94,6 +99,9 @@ def claims():
 
     def form(name, column="6 m/min"):
         return look(forms, "forms", name, column)
+
+    def fit(name, column):
+        return look(idle, "idle_fits", name, column)
 
     def period(radius, method):
         return cell("spline_period", (radius, "20"), method) + " ms"
@@ -140,6 +148,13 @@ def claims():
             " 3 to 60 times",
         ),
     )
+
+    def jump(name, second):
+        """Row of an idle move by its second cell."""
+        one = idle["tables"][name]
+        return next(dict(zip(one["header"], r)) for r in one["rows"] if r[1] == second)
+
+    turn_over, speed_up = jump("idle_across", "6.91"), jump("idle_along", "64")
     rows = [("[Chikurov]", *row) for row in rows] + [
         (
             "[Chikurov]",
@@ -200,6 +215,61 @@ def claims():
             f" {cam('cam_input', '28 x 16', 'error, um')} um",
             "true below some 40 um, without the paper's own switching, which jumps by"
             f" {cam('cam_surfaces', 'tamm, parabola', '5 mm').split(' / ')[1]} um",
+        ),
+        (
+            "[Tamm]",
+            "radii every 7 to 8 degrees or more want two stages",
+            f"at 7.5 degrees spirals alone are {cam('cam_stages', '7.5', SPIRALS)} um off, cubics"
+            f" between the radii {cam('cam_stages', '7.5', CUBICS)} um; at 3 degrees"
+            f" {cam('cam_stages', '3', SPIRALS)} and {cam('cam_stages', '3', CUBICS)}",
+            "true; for an error of 10 um from 3 degrees on",
+        ),
+        (
+            "[Tamm]",
+            "concave parts want a step several times smaller",
+            "pieces of 10 um, mean, concave and convex: 40 + 8 cos 3 theta"
+            f" {cam('cam_concave', HARMONIC, 'concave')} and"
+            f" {cam('cam_concave', HARMONIC, 'convex')} degrees; circle off its centre"
+            f" {cam('cam_concave', 'circle, 5 mm off its centre', 'convex')}",
+            f"false on one section: {cam('cam_concave', HARMONIC, 'times shorter')} times; true"
+            " beside parts that are nearly circles",
+        ),
+        (
+            "[Tamm]",
+            "the path is computed without help by hand",
+            "`curvecore cam`: one command from the table to drawn positions",
+            "true",
+        ),
+        (
+            "[Tamm]",
+            "computing and machining take many times less",
+            f"delta 5 um: {cam('cam_time', '5', 'pieces')} pieces, machined at 6 m/min in"
+            f" {cam('cam_time', '5', 'machined at 6 m/min in, s')} s, computing"
+            f" takes {cam('cam_time', '5', 'computing, of machining')} of that; pieces of one"
+            f" length are {cam('cam_time', '5', 'times as many')} times as many",
+            "computing: cannot be measured against his machine; machining: false at one speed over"
+            " the surface, whose path is as long; a controller reads fewer blocks",
+        ),
+        (
+            "[Petrakov]",
+            "acceleration jumps by 0.04 g at 1.5 m/min",
+            f"across: {turn_over['1.5 m/min']} g where one cubic turns over 5 mm, tangents 6.91 mm;"
+            f" along: {speed_up['at constant acceleration']} g where the speed is reached in 64 ms",
+            f"true for such moves; across it grows with the square: {turn_over['6 m/min']} g at"
+            " 6 m/min; he does not say which it is",
+        ),
+        (
+            "[Petrakov]",
+            "cubic splines are enough for a smooth acceleration",
+            "U-turn over 5 mm through three points, jumps of curvature at joints and points, 1/mm:"
+            f" his cubic {fit('cubic', JOINTS)} and {fit('cubic', POINTS)},"
+            f" C2 {fit('c2', JOINTS)} and {fit('c2', POINTS)},"
+            f" quintic {fit('quintic', JOINTS)} and {fit('quintic', POINTS)}",
+            "false for his cubics; true for C2 cubics that spend two points on the joints: jumps"
+            f" {fit('c2, points for least jerk', JOINTS)} and"
+            f" {fit('c2, points for least jerk', POINTS)}, peak"
+            f" {fit('c2, points for least jerk', PEAK)} instead of the quintic's"
+            f" {fit('quintic', PEAK)}",
         ),
     ]
     return table(["paper", "claim", "measured, Runge-Kutta unless said", "verdict"], rows)

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cmath>
 
-#include "ref/cam/archimedean.hpp"
+#include "ref/cam/cam_program.hpp"
 #include "ref/cam/cam_shape.hpp"
 #include "tb/bench/claim_table.hpp"
-#include "tb/support/sample_cam.hpp"
+#include "tb/support/cam_claims.hpp"
 
 namespace {
 
@@ -56,14 +57,7 @@ Table pieces_table() {
         std::vector<std::string> row{fmt::format("{:g}", delta * 1e3)};
         for (const int n : {24, 48, 72}) {
             const std::vector<double> rho = tb::sample_cam_table(n, 1, 1, 50)[0].rho;
-            int count = 0;
-            for (int m = 0; m < n; ++m) {
-                const Patch patch = surface_patch(tb::kTensor, {&rho, &rho, &rho, &rho}, m, 0, 0);
-                PolarCurve f = PolarCurve::Zero();
-                f.head<4>() = patch.row(0).transpose();
-                for (double w = 0; w < 1; ++count) w = longest_piece(f, w, 1, delta);
-            }
-            row.push_back(std::to_string(count));
+            row.push_back(std::to_string(tb::pieces_a_turn(rho, delta)));
         }
         row.push_back(fmt::format("{:.0f}", exact.pieces_per_turn(50, delta)));
         table.rows.push_back(row);
@@ -115,6 +109,89 @@ Table input_table() {
     return table;
 }
 
+Table stages_table() {
+    Table table{"cam_stages",
+                "A section (x = 50 mm) by the angle between its radii: they are joined by "
+                "Archimedean spirals, or by cubics that spirals follow within delta",
+                {"angle, degrees", "spirals alone are off, um", "cubics are off, um"},
+                {}};
+    for (const int n : {180, 120, 72, 48, 36, 24}) {
+        const tb::StageErrors off = tb::stage_errors(sample_cam, 50, n);
+        table.rows.push_back({fmt::format("{:g}", 360. / n),
+                              fmt::format("{:.3g}", off.spirals * 1e3),
+                              fmt::format("{:.2g}", off.cubics * 1e3)});
+    }
+    return table;
+}
+
+Table concave_table() {
+    Table table{"cam_concave",
+                "Mean length of a piece, degrees, on parts that bend inwards and outwards "
+                "(delta 10 um)",
+                {"section", "concave", "convex", "times shorter"},
+                {}};
+    const auto row = [&table](const char* name, const auto& radius) {
+        const tb::MeanSteps steps = tb::mean_steps(radius, 0.01);
+        const bool both = steps.concave > 0;
+        table.rows.push_back({name, both ? fmt::format("{:.2f}", steps.concave) : "-",
+                              fmt::format("{:.2f}", steps.convex),
+                              both ? fmt::format("{:.1f}", steps.convex / steps.concave) : "-"});
+    };
+    row("40 + 8 cos 3 theta", [](double theta) { return 40 + 8 * std::cos(3 * theta); });
+    row("40 + 2 cos 6 theta", [](double theta) { return 40 + 2 * std::cos(6 * theta); });
+    row("eccentric with concave flanks", [](double theta) { return tb::harmonic_cam(0, theta); });
+    row("base circle with a lobe", [](double theta) { return tb::lobe_cam(0, theta); });
+    row("circle, 5 mm off its centre", [](double theta) {
+        return 5 * std::cos(theta) + std::sqrt(1600 - std::pow(5 * std::sin(theta), 2));
+    });
+    return table;
+}
+
+/// The whole sample cam, a cutter of 10 mm, scallops of 5 um, 6 m/min.
+Table time_table() {
+    Table table{
+        "cam_time",
+        "All of the cam's helix from 48 radii every 5 mm, scallops of 5 um: the time that "
+        "computing and machining take, and pieces beside pieces of one length",
+        {"delta, um", "pieces", "computed in, ms", "us a piece", "machined at 6 m/min in, s",
+         "computing, of machining", "of one length", "times as many"},
+        {}};
+    constexpr double kFeed = 100;  // mm/s
+    const std::vector<CamSection> sections = tb::sample_cam_table(48, 5, 21);
+    for (const double delta : {0.02, 0.01, 0.005, 0.002}) {
+        CamHelix helix;
+        helix.delta = delta;
+        helix.kappa = kappa_for(scallop_pitch(10, 5e-3), 5, 48);
+        std::size_t pieces = 0;
+        double length = 0, angle = 0;
+        const auto begin = std::chrono::steady_clock::now();
+        CamPath path(helix, 48, [&](const CamPiece& piece) {
+            ++pieces;
+            length += surface_length(piece);
+            angle = piece.to.angle;
+        });
+        for (const CamSection& section : sections) path.section(section);
+        path.finish();
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        double even = 0;
+        for (const CamSection& section : sections) {
+            even = std::max(even,
+                            tb::even_pieces_a_turn(
+                                [&](double theta) { return sample_cam(section.x, theta); }, delta));
+        }
+        const auto count = static_cast<double>(pieces);
+        const double share = took.count() / (length / kFeed);
+        table.rows.push_back({fmt::format("{:g}", delta * 1e3), std::to_string(pieces),
+                              fmt::format("{:.0f}", took.count() * 1e3),
+                              fmt::format("{:.1f}", took.count() * 1e6 / count),
+                              fmt::format("{:.0f}", length / kFeed),
+                              share < 0.01 ? "below 1 %" : fmt::format("{:.0f} %", share * 100),
+                              fmt::format("{:.0f}", even * angle / 360),
+                              fmt::format("{:.1f}", even * angle / 360 / count)});
+    }
+    return table;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -123,7 +200,8 @@ int main(int argc, char** argv) {
     app.add_option("-o,--json", json_path, "write {tables: {NAME: {claim, header, rows}}}");
     CLI11_PARSE(app, argc, argv);
     std::vector<Table> tables;
-    for (const auto make : {pieces_table, surfaces_table, input_table}) {
+    for (const auto make :
+         {pieces_table, surfaces_table, input_table, stages_table, concave_table, time_table}) {
         tables.push_back(make());
         print(tables.back());
     }

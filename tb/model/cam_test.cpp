@@ -5,16 +5,14 @@
 #include <cmath>
 #include <random>
 
-#include "ref/cam/archimedean.hpp"
 #include "ref/cam/cam_shape.hpp"
-#include "tb/support/sample_cam.hpp"
+#include "tb/support/cam_claims.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using ref::CamShape;
 using ref::Generatrix;
-using ref::Patch;
 using ref::PolarCurve;
 using ref::Surface;
 using ref::SurfaceKind;
@@ -41,23 +39,6 @@ PolarCurve cubic(double a, double b, double c, double d) {
     PolarCurve f = PolarCurve::Zero();
     f.head<4>() << d, c, b, a;
     return f;
-}
-
-/// The section's cubic (6) of an interval, in radians from its start.
-PolarCurve section_cubic(const std::vector<double>& rho, int m) {
-    const Patch patch = ref::surface_patch(kTensor, {&rho, &rho, &rho, &rho}, m, 0, 0);
-    PolarCurve f = PolarCurve::Zero();
-    f.head<4>() = patch.row(0).transpose();
-    return f;
-}
-
-int pieces_a_turn(const std::vector<double>& rho, double delta) {
-    int count = 0;
-    for (int m = 0; m < static_cast<int>(rho.size()); ++m) {
-        const PolarCurve f = section_cubic(rho, m);
-        for (double w = 0; w < 1; ++count) w = ref::longest_piece(f, w, 1, delta);
-    }
-    return count;
 }
 
 TEST(Cam, EverySurfaceGoesThroughTheTable) {
@@ -235,6 +216,40 @@ TEST(Cam, ConcavePartsTakeShorterPieces) {
     }
     EXPECT_NEAR(concave.value(), 1.99, 0.06);
     EXPECT_NEAR(convex.value(), 2.56, 0.2);
+    // The same without drawing pieces.
+    const MeanSteps steps =
+        mean_steps([](double theta) { return 40 + 8 * std::cos(3 * theta); }, 0.01);
+    EXPECT_NEAR(steps.concave, concave.value(), 0.05);
+    EXPECT_NEAR(steps.convex, convex.value(), 0.2);
+    const MeanSteps circle = mean_steps(
+        [](double theta) {
+            return 5 * std::cos(theta) + std::sqrt(1600 - std::pow(5 * std::sin(theta), 2));
+        },
+        0.01);
+    EXPECT_EQ(circle.concave, 0);
+    EXPECT_NEAR(circle.convex, 9.5, 0.1) << "of rho'' = -5 cos theta";
+}
+
+// [Tamm], p. 4: "from 7 to 8 degrees" two stages are worth it: spirals alone miss 58 um there where
+// |rho''| is 27 mm, and cubics miss a micrometre.
+TEST(Cam, RadiiOfSevenDegreesWantCubicsBetween) {
+    const auto by_bend = [](int n) { return 27 * std::pow(2 * M_PI / n, 2) / 8; };
+    for (const int n : {180, 48}) {
+        const StageErrors off = stage_errors(sample_cam, 50, n);
+        EXPECT_NEAR(off.spirals, by_bend(n), 0.1 * by_bend(n));
+        EXPECT_LT(off.cubics, off.spirals / 40);
+    }
+    EXPECT_NEAR(stage_errors(sample_cam, 50, 48).spirals, 58e-3, 6e-3);
+    EXPECT_NEAR(stage_errors(sample_cam, 50, 48).cubics, 1e-3, 0.3e-3);
+}
+
+TEST(Cam, EvenPiecesAreManyMore) {
+    const double delta[] = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
+    const double even[] = {37, 52, 82, 116, 164, 259, 366};
+    for (int i = 0; i < 7; ++i) {
+        const auto radius = [](double theta) { return sample_cam(50, theta); };
+        EXPECT_NEAR(even_pieces_a_turn(radius, delta[i]), even[i], 1);
+    }
 }
 
 // [Tamm], conclusion 2: 10 to 15 times less input, here at 5 to 10 um.
