@@ -57,6 +57,7 @@ TABLES = {
     "claims": Table(claims, BENCH, exact=True),
     "paper_table": Table(paper_table, BENCH, exact=True),
     "minimal_orders": Table(minimal_orders, BENCH, exact=True),
+    "efforts": Table(bench("form_tables", "efforts"), BENCH, exact=True),
     "forms": Table(bench("form_tables", "forms"), BENCH, exact=True),
     "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
     "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),
