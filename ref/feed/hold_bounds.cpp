@@ -12,17 +12,20 @@ namespace curvecore::ref {
 
 namespace {
 
-/// A plan at its shares leaves the rest of every limit, whatever the direction: |r'' v| and 3 |r'|
-/// times the acceleration have half of the jerk's each.
+/// A plan at its shares leaves the rest of every limit, whatever the direction. With time at the
+/// rate r the acceleration is r^2 a + r' v and the jerk r^3 j + 3 r r' a + r'' v, vectors but for
+/// v.
 void keep_share(const PathShape& shape, const Machine& machine, double v, double a, double& slope,
                 double& change) {
+    constexpr double kOfSlope = 0.8;  // of the jerk's rest: stops are quickest about here
     const double across = v * v * shape.curvature;
     each_limit(shape, machine, [&](double rate, double bend, double acceleration, double jerk) {
         if (rate * v == 0) return;
-        const double room = (1 - kJerkShare) / 2 * jerk;
+        const double most = std::min(rate * a + bend * across, kAccelerationShare * acceleration);
+        const double room = (1 - kJerkShare) * jerk;
         slope = std::min(slope, (1 - kAccelerationShare) * acceleration / (rate * v));
-        slope = std::min(slope, room / (3 * (rate * a + bend * across)));
-        change = std::min(change, room / (rate * v));
+        slope = std::min(slope, kOfSlope * room / (3 * most));
+        change = std::min(change, (1 - kOfSlope) * room / (rate * v));
     });
 }
 
