@@ -138,7 +138,7 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
         coordinates_.select_system(*system);
     }
     if (const std::optional<int> control = codes.of(Group::kPathControl)) {
-        exact_stop_ = control != 640;
+        exact_stop_ = control == 611;
         if (control == 640 && block.has('P') && use_p(block, place) < 0) {
             place.refuse("P of G64 must not be negative");
         }

@@ -223,9 +223,10 @@ TEST(GcodeReader, StopsAreWhereTheProgramAsksForThem) {
         return flags;
     };
     EXPECT_EQ(stops(""), "001");
-    EXPECT_EQ(stops("G61"), "011");
+    EXPECT_EQ(stops("G61"), "001") << "the exact path, without a stop";
     EXPECT_EQ(stops("G61.1"), "011");
-    EXPECT_EQ(stops("G61\nG64 P0.1 Q0.1"), "001");
+    EXPECT_EQ(stops("G61.1\nG64 P0.1 Q0.1"), "001");
+    EXPECT_EQ(stops("G61.1\nG61"), "001");
     EXPECT_EQ(stops("G4 P0"), "101");
     EXPECT_EQ(stops("X1.5 M0"), "0101");
     EXPECT_EQ(stops("X1.5 M3 S100"), "1001");

@@ -109,6 +109,25 @@ TEST(OptimalPlan, HoldsKeepTheLimits) {
     }
 }
 
+TEST(OptimalPlan, HoldsOfRandomProgramsKeepTheLimits) {
+    int looked_at = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const JointCase random = RandomJoints(seed).make();
+        PlanOptions options = random.options;
+        options.samples_per_tick = 1;
+        options.effort = Effort::kOptimum;
+        const Plan plan = make_plan(random.program, random.machine, options);
+        const auto total = static_cast<int>(plan.duration_s / plan.tick_s);
+        if (total > 40000) continue;
+        for (int at = 20; at < total; at += total / 4 + 1) {
+            const sysc::LimitLoads loads = held_limits(plan, random.machine, at, 12000);
+            EXPECT_LE(loads.most(), 1) << seed << " at " << at << ": " << text(loads);
+            ++looked_at;
+        }
+    }
+    EXPECT_GT(looked_at, 60);
+}
+
 TEST(OptimalPlan, ChordsKeepTheLimits) {
     const Machine machine;
     for (const Curve& curve : kCurves) {

@@ -90,7 +90,7 @@ TEST(SplineReader, ZeroLegsAreStopsAndNoError) {
 TEST(SplineReader, NurbsOfOrderFourIsExactPieceByPiece) {
     // Six points, uniform clamped knots 0 0 0 0 1 2 3 3 3 3: Bernstein points by hand.
     const Program program =
-        read("G61\nG5.2 L4 X0 Y6\nX6 Y6\nX6 Y0 F1200\nX12 Y0\nX12 Y6\nG5.3\nG1 X0");
+        read("G61.1\nG5.2 L4 X0 Y6\nX6 Y6\nX6 Y0 F1200\nX12 Y0\nX12 Y6\nG5.3\nG1 X0");
     ASSERT_EQ(program.moves.size(), 4U);
     expect_bezier(program.moves[0], {Vec3(0, 0, 0), Vec3(0, 6, 0), Vec3(3, 6, 0), Vec3(4.5, 5, 0)});
     expect_bezier(program.moves[1],
