@@ -66,6 +66,25 @@ def others():
     return table([*head, "jumps of velocity, mm/s"], rows)
 
 
+def oracle():
+    """Durations over those of the time oracle."""
+    data = load("figures/oracle.json")
+    if data is None:
+        return None
+    head = ["path", "mm/s", "rules", "optimum", "oracle, the same shares", "optimum / oracle",
+            "oracle, whole limits", "rules / oracle", "optimum / oracle"]
+    rows = []
+    for r in data["rows"]:
+        times = [r[name] for name in ("rules_s", "optimum_s", "oracle_shares_s", "oracle_s")]
+        rules, optimum, shares, whole = times
+        rows.append([r["path"], f"{r['feed_mm_s']:g}", f"{rules:.4f}", f"{optimum:.4f}",
+                     f"{shares:.4f}", f"{optimum / shares:.3f}", f"{whole:.4f}",
+                     f"{rules / whole:.3f}", f"{optimum / whole:.3f}"])
+    off = f"{data['off_on_lines']:.0e}"
+    return (f"Seconds. On lines the oracle is within {off} of Ruckig's time, which is exact there:"
+            f"\n\n{table(head, rows)}")
+
+
 def claims():
     """The papers' claims, with what the tables' programs measured."""
     circles = load("figures/paper_table.json")

@@ -104,62 +104,10 @@ void add_rows(Table& table, const char* name, const Program& path) {
     }
 }
 
-Program straight() {
-    Program program;
-    line_to(program, Vec3(100, 0, 0));
-    return program;
-}
-
-Program circle(double radius) {
-    Program program;
-    Move move;
-    move.kind = Move::Kind::kArc;
-    move.centre = Vec3(radius, 0, 0);
-    move.angle = 2 * M_PI;
-    program.moves.push_back(move);
-    return program;
-}
-
-Table efforts() {
-    Table table{
-        "efforts",
-        "The same limits, planned by rules and as an optimum (`--effort`): seconds by feed, "
-        "by rules / optimum, and pieces of constant jerk at 30 m/min",
-        {"path", "6 m/min", "30 m/min", "gain at 30 m/min", "pieces"},
-        {}};
-    const std::pair<const char*, Program> paths[] = {{"line of 100 mm", straight()},
-                                                     {"circle of R 25 mm", circle(25)},
-                                                     {"circle of R 2 mm", circle(2)},
-                                                     {"U-turn", u_turn()},
-                                                     {"wave", wave()},
-                                                     {"gentle", gentle()}};
-    for (const auto& [name, path] : paths) {
-        std::vector<std::string> row{name};
-        double gain = 0;
-        std::string pieces;
-        for (const double feed : {6., 30.}) {
-            Program program = path;
-            for (Move& move : program.moves) move.feed = feed * 1000 / 60;
-            program.moves.back().exact_stop = true;
-            PlanOptions options;
-            const Plan rules = make_plan(program, Machine(), options);
-            options.effort = Effort::kOptimum;
-            const Plan optimum = make_plan(program, Machine(), options);
-            row.push_back(fmt::format("{:.3f} / {:.3f}", rules.duration_s, optimum.duration_s));
-            gain = rules.duration_s / optimum.duration_s;
-            pieces = fmt::format("{} / {}", rules.pieces.size(), optimum.pieces.size());
-        }
-        row.push_back(fmt::format("{:.2f}", gain));
-        row.push_back(pieces);
-        table.rows.push_back(row);
-    }
-    return table;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app("one path as splines, as tangent arcs, as chords; with more effort");
+    CLI::App app("one path as splines, as tangent arcs, as chords");
     std::string output;
     app.add_option("-o", output, "also as JSON")->type_name("FILE");
     CLI11_PARSE(app, argc, argv);
@@ -172,7 +120,5 @@ int main(int argc, char** argv) {
     add_rows(table, "wave", wave());
     add_rows(table, "gentle", gentle());
     tb::print(table);
-    const Table effort = efforts();
-    tb::print(effort);
-    return tb::write_tables({table, effort}, output);
+    return tb::write_tables({table}, output);
 }

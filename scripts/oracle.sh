@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# How far the planner is from the time optimum of an independent oracle: a table, and
+# build/figures/oracle.json. Some minutes.
+set -euo pipefail
+case ${1:-} in
+  -h | --help)
+    sed -n '3,4s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+esac
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+PATH=$PWD/.venv/bin:$PATH
+cmake --preset release >/dev/null
+cmake --build --preset release -j "$(nproc)" --target curvecore
+mkdir -p build/figures
+python3 tb/oracle/time_over_optimum.py --program build/curvecore -o build/figures/oracle.json

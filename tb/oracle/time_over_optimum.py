@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Durations that `curvecore plan` gives, over those of the oracle.
+
+    time_over_optimum.py --program curvecore -o FILE.json    all paths, printed as a table
+    time_over_optimum.py --program curvecore --check         some of them: fails where a plan of the
+                                                             effort optimum is slower than it should
+
+The program's machine has the limits of time_oracle.Limits; its plans take shares of them, the rest
+is for holds.
+"""
+
+import argparse
+import json
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import ruckig
+from paths import PATHS, Line, code
+from time_oracle import Limits, oracle
+
+ROOT = Path(__file__).resolve().parents[2]
+FEEDS = (500.0, 100.0)  # mm/s
+GRID = 1200
+CHECKED = ("line100", "circle25", "circle2", "wave")
+SLOWER = 1.01  # than the oracle under the same shares
+
+
+def shares():
+    """As the planner has them."""
+    text = (ROOT / "ref/feed/limits.hpp").read_text()
+    return [float(re.search(rf"{name} = ([\d.]+);", text)[1])
+            for name in ("kAccelerationShare", "kJerkShare")]
+
+
+def planned(program, curves, feed, effort, folder):
+    file = folder / "path.ngc"
+    file.write_text(code(curves, feed * 60))
+    subprocess.run([program, "plan", file, "--effort", effort, "-q", "-o", folder / "out"],
+                   check=True)
+    return json.loads((folder / "out/report.json").read_text())["duration_s"]
+
+
+def best(curves, limits, feed, grid):
+    """The better of two starts: a slow motion, and that of a stronger machine slowed."""
+    found = [oracle(curves, limits, feed, grid)]
+    strong = oracle(curves, limits.shares(1.3, 1.5), feed, grid)
+    if strong:
+        found.append(oracle(curves, limits, feed, grid, strong.slowed(1.5**(1 / 3))))
+    times = [motion.duration for motion in found if motion]
+    if not times:
+        sys.exit("time_over_optimum: the oracle found no motion")
+    return min(times)
+
+
+def seven_phases(length, limits, feed):
+    """A line from rest to rest by Ruckig, which is exact there."""
+    generator = ruckig.Ruckig(1)
+    wanted = ruckig.InputParameter(1)
+    wanted.target_position = [length]
+    wanted.max_velocity = [min(feed, limits.velocity)]
+    wanted.max_acceleration = [limits.acceleration]
+    wanted.max_jerk = [limits.jerk]
+    trajectory = ruckig.Trajectory(1)
+    generator.calculate(wanted, trajectory)
+    return trajectory.duration
+
+
+def off_on_lines(limits, grid):
+    """By how much the oracle misses Ruckig's time at worst, as a share."""
+    worst = 0
+    for length in (1.0, 10.0, 100.0, 300.0):
+        for feed in FEEDS:
+            exact = seven_phases(length, limits, feed)
+            motion = oracle([Line((0, 0, 0), (length, 0, 0))], limits, feed, grid)
+            worst = max(worst, abs(motion.duration / exact - 1))
+    return worst
+
+
+def row(program, name, feed, grid, folder):
+    curves = PATHS[name]
+    limits = Limits()
+    return {
+        "path": name,
+        "feed_mm_s": feed,
+        "rules_s": planned(program, curves, feed, "rules", folder),
+        "optimum_s": planned(program, curves, feed, "optimum", folder),
+        "oracle_shares_s": best(curves, limits.shares(*shares()), feed, grid),
+        "oracle_s": best(curves, limits, feed, grid),
+    }
+
+
+def check(program, folder):
+    """Returns the exit status."""
+    status = 0
+    off = off_on_lines(Limits(), 400)
+    print(f"oracle against Ruckig on lines: off by {off:.1e} at worst")
+    status |= off > 2e-4
+    for name in CHECKED:
+        found = row(program, name, FEEDS[0], 600, folder)
+        ratio = found["optimum_s"] / found["oracle_shares_s"]
+        print(f"{name}: {found['optimum_s']:.4f} s, {ratio:.4f} of the oracle's time")
+        status |= ratio > SLOWER
+        # Control: the rules are told from the optimum, but on lines.
+        status |= name != "line100" and found["rules_s"] / found["oracle_shares_s"] < 1.1
+    return status
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, metavar="CURVECORE")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("-o", dest="output", metavar="FILE.json")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        if given.check:
+            return check(given.program, folder)
+        rows = []
+        for feed in FEEDS:
+            for path in PATHS:
+                found = row(given.program, path, feed, GRID, folder)
+                rows.append(found)
+                print(", ".join(f"{name} {value}" for name, value in found.items()), flush=True)
+        result = {"rows": rows, "off_on_lines": off_on_lines(Limits(), GRID)}
+    if given.output:
+        Path(given.output).write_text(json.dumps(result, indent=2) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
