@@ -106,7 +106,7 @@ def check(program, folder):
         status |= ratio > SLOWER
         # Control: the rules are told from the optimum, but on lines.
         status |= name != "line100" and found["rules_s"] / found["oracle_shares_s"] < 1.1
-    return status
+    return int(status)
 
 
 def main():
