@@ -7,6 +7,7 @@
 #include "ref/feed/hold_bounds.hpp"
 #include "ref/feed/limits.hpp"
 #include "ref/feed/optimal_run.hpp"
+#include "ref/feed/piece_loads.hpp"
 #include "ref/feed/profile_words.hpp"
 #include "ref/feed/queue_cover.hpp"
 #include "ref/feed/step_speed.hpp"
@@ -22,7 +23,9 @@ constexpr double kJointShare = 0.99;     // the same at joints
 // of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr int kRounds = 50;  // of planning; some five are seen
+constexpr double kCarried = 1.1;  // of a share: what rounding to ticks may add to an optimum
+constexpr double kWorth = 0.003;  // of the time: what an optimum must be able to gain
+constexpr int kRounds = 50;       // of planning; some five are seen
 
 class FeedPlanner {
   public:
@@ -41,10 +44,12 @@ class FeedPlanner {
     void run() {
         std::vector<Stretch> stretches = cut_at_stops();
         for (Stretch& stretch : stretches) {
+            stretch.rules = effort_ == Effort::kRules;
             set_zones(stretch);
             plan(stretch);
         }
         keep_windows(stretches);
+        if (leave_optimum(stretches)) keep_windows(stretches);
         for (const Stretch& stretch : stretches) {
             append_rest(stretch.dwell, grid_, plan_.pieces);
             append_run(stretch.phases, stretch.end - stretch.start, grid_, plan_.pieces);
@@ -82,6 +87,7 @@ class FeedPlanner {
         std::vector<Zone> zones;   // moves and, between them, joints
         std::vector<double> caps;  // of zones, by the rule of windows
         std::vector<Phase> phases;
+        bool rules = false;   // plan by rules alone
         bool changed = true;  // since its windows were looked at
         bool looked_at = true;
 
@@ -132,8 +138,9 @@ class FeedPlanner {
 
     void plan(Stretch& stretch) {
         stretch.phases = plan_speed(stretch.zones);
-        if (effort_ == Effort::kRules) return;
+        if (stretch.rules) return;
         std::vector<RunMove> moves;
+        double least = 0;  // s, without ramps
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
             const std::size_t zone = 2 * (i - stretch.first);
             const double highest = highest_speed(geometry_.moves[i].shape, machine_);
@@ -147,8 +154,41 @@ class FeedPlanner {
                     std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
             }
             moves.push_back(move);
+            least += move.length / move.velocity;
         }
+        if (stretch.duration() * (1 - kWorth) < least) return;
         stretch.phases = optimal_run(stretch.phases, moves, geometry_, machine_, places_);
+    }
+
+    /// Where the words' rounding to ticks asks too much of an optimum, as at joints within a few
+    /// ticks, the rules plan again. Whether there is such a stretch.
+    bool leave_optimum(std::vector<Stretch>& stretches) {
+        bool any = false;
+        for (Stretch& stretch : stretches) {
+            stretch.changed = !stretch.rules && !carried(stretch);
+            if (!stretch.changed) continue;
+            stretch.rules = any = true;
+            plan(stretch);
+        }
+        return any;
+    }
+
+    bool carried(const Stretch& stretch) {
+        Plan run;
+        run.unit_mm = plan_.unit_mm;
+        run.tick_s = plan_.tick_s;
+        append_run(stretch.phases, stretch.end - stretch.start, grid_, run.pieces);
+        Geometry own;
+        const auto move = [this](std::size_t i) {
+            return geometry_.moves.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        own.moves.assign(move(stretch.first), move(stretch.last + 1));
+        LimitRatios worst;
+        walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
+            keep_loads(part, stretch.first + part.move_index, run, grid_, machine_, places_, worst);
+        });
+        return worst.acceleration <= kCarried * kAccelerationShare &&
+               worst.jerk <= kCarried * kJerkShare;
     }
 
     /// What feed, core and words allow of a speed that the machine does.

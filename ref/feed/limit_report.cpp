@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "ref/feed/path_places.hpp"
-#include "ref/feed/piece_walk.hpp"
-#include "ref/feed/spline_shape.hpp"
+#include "ref/feed/piece_loads.hpp"
 #include "ref/segment/spline_geometry.hpp"
 
 namespace curvecore::ref {
@@ -42,12 +40,6 @@ void keep_worst(LimitRatios& worst, const LimitRatios& ratios) {
     worst.jerk = std::max(worst.jerk, ratios.jerk);
 }
 
-/// From rest the loads vanish, but rounded words leave a speed where the curvature has no end.
-bool near_standstill(const PlannedMove& move, double s, double quantum) {
-    const double left = static_cast<double>(move.length) * quantum - s;
-    return (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
-}
-
 }  // namespace
 
 LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan) {
@@ -56,27 +48,7 @@ LimitReport limit_report(const Program& program, const Machine& machine, const P
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     PathPlaces places(program, geometry, plan.unit_mm);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
-        constexpr int kParts = 4;         // within a stretch all loads are smooth
-        constexpr double kWithin = 1e-6;  // at its ends a curve may stand still
-        for (int i = 0; i <= kParts && !stretch.overhang; ++i) {
-            const double part = std::clamp(static_cast<double>(i) / kParts, kWithin, 1 - kWithin);
-            const double t = stretch.from + (stretch.to - stretch.from) * part;
-            const double s = stretch.s + piece_state(*stretch.piece, t).s -
-                             piece_state(*stretch.piece, stretch.from).s;
-            if (near_standstill(*stretch.move, s * grid.quantum, grid.quantum)) continue;
-            const PathPlace at = places.at(stretch.move_index, s * grid.quantum);
-            const PieceMotion m = motion(stretch, part, plan);
-            for (const PlaceLimit& limit : place_limits(at, stretch.move->shape, machine)) {
-                report.inside.acceleration =
-                    std::max(report.inside.acceleration,
-                             acceleration_of(limit, m.v, m.a) / limit.acceleration);
-                report.inside.jerk =
-                    std::max(report.inside.jerk, jerk_of(limit, m.v, m.a, m.j) / limit.jerk);
-            }
-        }
-        report.inside.velocity =
-            std::max(report.inside.velocity,
-                     top_of(stretch, plan) / highest_speed(stretch.move->shape, machine));
+        keep_loads(stretch, stretch.move_index, plan, grid, machine, places, report.inside);
         const std::size_t next = stretch.move_index + 1;
         if (!stretch.ends_move || next == geometry.moves.size()) return;
         const PieceMotion m = motion(stretch, 1, plan);

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <climits>
+#include <random>
 
+#include "ref/feed/limit_report.hpp"
+#include "ref/feed/limits.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_joints.hpp"
@@ -159,6 +161,31 @@ TEST(OptimalPlan, RandomJointsKeepTheLimits) {
     }
     EXPECT_GT(gained, 1.2);
     EXPECT_GT(jerk, 0.6) << "the limits are idle";
+}
+
+/// On the true path, as the words have it. Some of these were beyond the limit before pieces that
+/// ticks round too coarsely were left to the rules.
+TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
+    for (const unsigned seed : {7U, 8U}) {
+        std::mt19937 random(seed);
+        const auto factor = [&] { return 0.3 + static_cast<double>(random() % 1000) * 1e-3; };
+        Machine machine;
+        for (ref::AxisLimits& axis : machine.axis) {
+            axis.velocity *= factor();
+            axis.acceleration *= factor();
+            axis.jerk *= factor();
+        }
+        PlanOptions options = options_of(Effort::kOptimum);
+        options.unit_mm = seed % 2 ? 1e-6 : 1e-5;
+        options.sample_period_s = seed % 3 ? 1e-4 : 2e-5;
+        const Program program = random_splines(seed, 30);
+        const Plan plan = make_plan(program, machine, options);
+        const ref::LimitReport report = limit_report(program, machine, plan);
+        EXPECT_LE(report.inside.velocity, 1) << seed;
+        EXPECT_LE(report.inside.acceleration, 1.1 * ref::kAccelerationShare) << seed;
+        EXPECT_LE(report.inside.jerk, 1.1 * ref::kJerkShare) << seed;
+        EXPECT_GE(report.inside.jerk, 0.9 * ref::kJerkShare) << seed;
+    }
 }
 
 TEST(OptimalPlan, PiecesSumToThePath) {

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What pieces, as their words have them, ask of the machine on the true path.
+#pragma once
+
+#include "ref/feed/limits.hpp"
+#include "ref/feed/path_places.hpp"
+#include "ref/feed/piece_walk.hpp"
+
+namespace curvecore::ref {
+
+/// Raises `worst` to the ratios to the limits inside one stretch; one that reaches into a
+/// neighbouring move counts with its speed alone.
+/// @param planned index of the stretch's move for `places`
+/// @param plan length unit and tick of the pieces
+void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
+                const PieceGrid& grid, const Machine& machine, PathPlaces& places,
+                LimitRatios& worst);
+
+}  // namespace curvecore::ref
