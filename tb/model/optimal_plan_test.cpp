@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans of the effort `optimum`: faster than the rules, and within the same limits over windows of
 // what is drawn, in holds as well.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -26,16 +25,6 @@ PlanOptions options_of(Effort effort) {
     PlanOptions options;
     options.effort = effort;
     return options;
-}
-
-std::string text(const sysc::LimitLoads& loads) {
-    std::string all;
-    for (std::size_t i = 0; i < loads.worst.size(); ++i) {
-        const auto& worst = loads.worst[i];
-        all += fmt::format("{} {:.3f} over {:g} ms of {} at sample {}, ", sysc::kLimitedNames[i],
-                           worst.ratio, worst.window * 1e3, worst.of, worst.sample);
-    }
-    return all;
 }
 
 struct Curve {

@@ -28,16 +28,6 @@ PlanOptions endless_queues() {
     return options;
 }
 
-std::string text(const sysc::LimitLoads& loads) {
-    std::string all;
-    for (std::size_t i = 0; i < loads.worst.size(); ++i) {
-        const auto& worst = loads.worst[i];
-        all += fmt::format("{} {:.3f} over {:g} ms of {} at sample {}, ", sysc::kLimitedNames[i],
-                           worst.ratio, worst.window * 1e3, worst.of, worst.sample);
-    }
-    return all;
-}
-
 /// What the joints' own limits give when nothing adds them up: lines alone, without a stop.
 Plan joint_by_joint(const Program& program, const Machine& machine) {
     Plan plan = make_plan(program, machine, endless_queues());

@@ -2,6 +2,8 @@
 // The limits of a plan's motion as the hardware's own increments draw it.
 #pragma once
 
+#include <fmt/format.h>
+
 #include "ref/curve/curve_follower.hpp"
 #include "ref/feed/planner.hpp"
 #include "sysc/host/path_cursor.hpp"
@@ -38,6 +40,17 @@ inline sysc::LimitLoads drawn_limits(const ref::Plan& plan, const ref::Machine& 
         take();
     }
     return meter.finish();
+}
+
+/// "velocity 0.900 over 1 ms of 0 at sample 7, acceleration ..."
+inline std::string text(const sysc::LimitLoads& loads) {
+    std::string all;
+    for (std::size_t i = 0; i < loads.worst.size(); ++i) {
+        const auto& worst = loads.worst[i];
+        all += fmt::format("{} {:.3f} over {:g} ms of {} at sample {}, ", sysc::kLimitedNames[i],
+                           worst.ratio, worst.window * 1e3, worst.of, worst.sample);
+    }
+    return all;
 }
 
 }  // namespace curvecore::tb
