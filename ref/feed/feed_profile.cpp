@@ -24,7 +24,7 @@ constexpr double kJointShare = 0.99;     // the same at joints
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
 constexpr double kCarried = 1.1;  // of a share: what rounding to ticks may add to an optimum
-constexpr double kWorth = 0.003;  // of the time: what an optimum must be able to gain
+constexpr double kWorth = 0.01;   // of the time: what an optimum must be able to gain
 constexpr int kRounds = 50;       // of planning; some five are seen
 
 class FeedPlanner {

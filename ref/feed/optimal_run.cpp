@@ -59,9 +59,10 @@ class OptimalRun {
     std::vector<Phase> run(const std::vector<Phase>& phases) {
         knots_ = run_knots(phases, moves_, ramp_time(machine_) / kKnots);
         for (int round = 0; round < kRounds; ++round) {
-            std::vector<Phase> found = solve();
-            if (!keeps(found)) continue;
-            return duration(found) < duration(phases) ? merged(found) : phases;
+            const std::vector<Phase> found = solve();
+            // Rounds only take longer; where the solver has lost its way, they do not end.
+            if (!(duration(found) < duration(phases))) break;
+            if (keeps(found)) return merged(found);
         }
         return phases;
     }
