@@ -25,6 +25,7 @@ LONG = {
     "scripts/demo.sh": "builds the program first",
     "scripts/test.sh": "runs this test",
     "scripts/campaign.sh": "three hours",
+    "scripts/oracle.sh": "some minutes",
     "scripts/coverage.sh": "half an hour",
     "scripts/real_parts.sh": "fetches a package; a test of its own",
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",
