@@ -95,12 +95,6 @@ class FeedPlanner {
             caps[zone] = std::min(caps[zone], velocity);
             zones[zone].velocity = std::min(zones[zone].velocity, velocity);
         }
-
-        double duration() const {
-            double time = 0;
-            for (const Phase& phase : phases) time += phase.duration;
-            return time;
-        }
     };
 
     std::vector<Stretch> cut_at_stops() {
@@ -156,7 +150,7 @@ class FeedPlanner {
             moves.push_back(move);
             least += move.length / move.velocity;
         }
-        if (stretch.duration() * (1 - kWorth) < least) return;
+        if (duration(stretch.phases) * (1 - kWorth) < least) return;
         stretch.phases = optimal_run(stretch.phases, moves, geometry_, machine_, places_);
     }
 
@@ -231,7 +225,7 @@ class FeedPlanner {
                 if (stretch.looked_at) {
                     course.run(stretch.phases, first, segment - 1);
                 } else {
-                    course.rest(stretch.duration());
+                    course.rest(duration(stretch.phases));
                 }
             }
             const std::vector<JointCap> caps = WindowRule(machine_, course).caps();
@@ -256,7 +250,7 @@ class FeedPlanner {
             for (auto stretch = begin; stretch != end; ++stretch) {
                 if (stretch->changed) time = 0;
                 stretch->looked_at = stretch->looked_at || time <= reach;
-                if (!stretch->changed) time += stretch->duration();
+                if (!stretch->changed) time += duration(stretch->phases);
             }
         };
         for (Stretch& stretch : stretches) stretch.looked_at = false;

@@ -41,12 +41,6 @@ Phase phase_of(long double s, double length, double v0, double v1, double durati
     return phase;
 }
 
-double duration(const std::vector<Phase>& phases) {
-    double time = 0;
-    for (const Phase& phase : phases) time += phase.duration;
-    return time;
-}
-
 class OptimalRun {
   public:
     OptimalRun(const std::vector<RunMove>& moves, const Geometry& geometry, const Machine& machine,
@@ -158,10 +152,12 @@ class OptimalRun {
         const auto fits = [&](std::size_t first, std::size_t end) {
             const Phase phase = one(first, end);
             const Phase& back = run[end - 1];
-            const double off = phase.a + phase.j * phase.duration - back.a - back.j * back.duration;
+            const double off =
+                phase.acceleration(phase.duration) - back.acceleration(back.duration);
             const double jump = kJump * machine_.jerk * machine_.joint_time;
             return std::abs(phase.a - run[first].a) <= jump && std::abs(off) <= jump &&
-                   load(phase, first == 0, last_of(end), static_cast<int>(end - first)) <= kKept;
+                   load(phase, first == 0, end == run.size(), static_cast<int>(end - first)) <=
+                       kKept;
         };
         std::vector<Phase> phases;
         for (std::size_t first = 0; first < run.size();) {
@@ -182,8 +178,6 @@ class OptimalRun {
         return phases;
     }
 
-    bool last_of(std::size_t end) const { return end == intervals(); }
-
     /// Worst ratio to a limit of one phase, on the true path.
     double load(const Phase& phase, bool first, bool last, int intervals) {
         double worst = 0;
@@ -193,11 +187,11 @@ class OptimalRun {
         for (int i = first ? 1 : 0; i <= places - (last ? 1 : 0); ++i) {
             const double part = i == 0 ? kInside : i == places ? 1 - kInside : 1. * i / places;
             const double t = phase.duration * part;
-            const double v = phase.v + (phase.a + phase.j / 2 * t) * t;
-            const double a = phase.a + phase.j * t;
-            const double s = (phase.v + (phase.a / 2 + phase.j / 6 * t) * t) * t;
-            worst = std::max(worst, v / moves_[move_at(phase.s + s)].velocity);
-            for (const PlaceLimit& limit : limits(phase.s + s)) {
+            const long double s = phase.place(t);
+            const double v = phase.speed(t);
+            const double a = phase.acceleration(t);
+            worst = std::max(worst, v / moves_[move_at(s)].velocity);
+            for (const PlaceLimit& limit : limits(s)) {
                 worst = std::max({worst, acceleration_of(limit, v, a) / limit.acceleration,
                                   jerk_of(limit, v, a, phase.j) / limit.jerk});
             }
@@ -211,7 +205,7 @@ class OptimalRun {
         std::vector<RunKnot> knots;
         for (std::size_t k = 0; k < intervals(); ++k) {
             knots.push_back(knots_[k]);
-            const double ratio = load(run[k], k == 0, last_of(k + 1), 1);
+            const double ratio = load(run[k], k == 0, k + 1 == intervals(), 1);
             if (ratio <= kKept) continue;
             kept = false;
             const bool long_enough = !(run[k].duration < 2 * kShortest);
@@ -220,7 +214,7 @@ class OptimalRun {
             } else {
                 const RunKnot& from = knots_[k];
                 const RunKnot& to = knots_[k + 1];
-                knots.push_back({0, (from.s + to.s) / 2,
+                knots.push_back({(from.s + to.s) / 2,
                                  std::sqrt((from.v * from.v + to.v * to.v) / 2),
                                  (from.a + to.a) / 2, from.ease});
             }

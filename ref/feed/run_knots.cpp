@@ -6,7 +6,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSliver = 0.3;  // of that time: knots nearer to a joint are left out
+constexpr double kSliver = 0.3;  // of a step: knots nearer to a joint are left out
 constexpr int kLeastKnots = 16;
 
 class Knots {
@@ -21,7 +21,6 @@ class Knots {
         start_.push_back(time);
     }
 
-    /// RunKnots in order: joints, and between them even in time.
     std::vector<RunKnot> run() {
         const double total = start_.back();
         const double step = std::min(step_, total / kLeastKnots);
@@ -32,7 +31,7 @@ class Knots {
             if (&move != &moves_.back()) joints.push_back(time_of(s));
         }
         joints.push_back(total);
-        std::vector<RunKnot> knots{{0, 0, 0, 0}};
+        std::vector<RunKnot> knots{{0, 0, 0}};
         double t = 0;
         for (const double joint : joints) {
             for (double next = t;
@@ -42,7 +41,7 @@ class Knots {
             const bool apart = joint - t >= kSliver * step && total - joint >= kSliver * step;
             if (apart) knots.push_back(at(t = joint));
         }
-        knots.push_back({total, s, 0, 0});
+        knots.push_back({s, 0, 0});
         return knots;
     }
 
@@ -55,8 +54,7 @@ class Knots {
         const std::size_t i = phase(t);
         const Phase& p = phases_[i];
         const double x = t - start_[i];
-        return {t, p.s + ((p.j / 6 * x + p.a / 2) * x + p.v) * x,
-                std::max(0.0, (p.j / 2 * x + p.a) * x + p.v), p.a + p.j * x};
+        return {p.place(x), std::max(0.0, p.speed(x)), p.acceleration(x)};
     }
     double time_of(long double s) const {
         const auto after =

@@ -19,7 +19,6 @@ struct RunMove {
 };
 
 struct RunKnot {
-    double t = 0;  // s, of the motion given
     long double s = 0;
     double v = 0;
     double a = 0;

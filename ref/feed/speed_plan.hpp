@@ -21,7 +21,18 @@ struct Phase {
     double v = 0;
     double a = 0;
     double j = 0;
+
+    /// After t seconds of it.
+    long double place(double t) const { return s + ((j / 6 * t + a / 2) * t + v) * t; }
+    double speed(double t) const { return (j / 2 * t + a) * t + v; }
+    double acceleration(double t) const { return a + j * t; }
 };
+
+inline double duration(const std::vector<Phase>& phases) {
+    double time = 0;
+    for (const Phase& phase : phases) time += phase.duration;
+    return time;
+}
 
 /// Motion from rest to rest over all zones.
 ///

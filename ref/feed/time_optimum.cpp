@@ -24,12 +24,8 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 using Three = Eigen::Vector3d;
 using Square = Eigen::Matrix3d;
 
-/// q, a, a' as linear functions of three neighbouring control points.
-struct Form {
-    Square rows = Square::Zero();
-
-    Three of(const Three& c) const { return rows * c; }
-};
+/// q, a, a' (rows) as linear functions of three neighbouring control points.
+using Form = Square;
 
 class Optimum {
   public:
@@ -41,9 +37,7 @@ class Optimum {
           hessian_(n_ - 2),
           gradient_(n_ - 2) {
         for (std::size_t k = 0; k < n_; ++k) {
-            const Form start_form = form(k, 0);
-            const Form end_form = form(k, 1);
-            forms_.push_back({start_form, middle(start_form, end_form, k), end_form});
+            forms_.push_back(forms(k));
             rooms_ += 3;
             for (const auto& limits : intervals[k].limits) rooms_ += limits.size();
         }
@@ -79,41 +73,31 @@ class Optimum {
   private:
     double h(std::size_t k) const { return intervals_[k].length; }
 
-    /// At the start (0) or end (1) of an interval.
-    Form form(std::size_t k, int end) const {
-        Form f;
-        if ((k == 0 && end == 0) || (k + 1 == n_ && end == 1)) return f;
-        const std::size_t left = end == 0 ? k - 1 : k;  // the intervals at the knot
-        const int column = end;                         // of the left one's control point
+    /// q and a at the end of interval `left`, whose control point is in `column`.
+    Form knot(std::size_t left, int column) const {
         const double sum = h(left) + h(left + 1);
-        f.rows(0, column) = h(left + 1) / sum;
-        f.rows(0, column + 1) = h(left) / sum;
-        f.rows(1, column) = -1 / sum;
-        f.rows(1, column + 1) = 1 / sum;
-        if (k == 0 || k + 1 == n_) {
-            f.rows.row(2) = f.rows.row(0) * (2 / (9 * h(k) * h(k)));
-        } else {
-            Form other = f;
-            if (end == 0) {
-                const double next = h(k) + h(k + 1);
-                other.rows.row(1) << 0, -1 / next, 1 / next;
-                f.rows.row(2) = (other.rows.row(1) - f.rows.row(1)) / h(k);
-            } else {
-                const double before = h(k - 1) + h(k);
-                other.rows.row(1) << -1 / before, 1 / before, 0;
-                f.rows.row(2) = (f.rows.row(1) - other.rows.row(1)) / h(k);
-            }
-        }
+        Form f = Form::Zero();
+        f(0, column) = h(left + 1) / sum;
+        f(0, column + 1) = h(left) / sum;
+        f(1, column) = -1 / sum;
+        f(1, column + 1) = 1 / sum;
         return f;
     }
 
-    Form middle(const Form& start, const Form& end, std::size_t k) const {
-        if (k == 0) return end;
-        if (k + 1 == n_) return start;
-        Form f = start;
-        f.rows.row(0) += h(k) * start.rows.row(1) + h(k) * h(k) / 4 * start.rows.row(2);
-        f.rows.row(1) += h(k) / 2 * start.rows.row(2);
-        return f;
+    /// At the start, in the middle and at the end of an interval; next to rest at its other end.
+    std::array<Form, 3> forms(std::size_t k) const {
+        if (k == 0 || k + 1 == n_) {
+            Form moving = k == 0 ? knot(0, 1) : knot(k - 1, 0);
+            moving.row(2) = moving.row(0) * (2 / (9 * h(k) * h(k)));
+            return {moving, moving, moving};
+        }
+        Form start = knot(k - 1, 0);
+        Form end = knot(k, 1);
+        start.row(2) = end.row(2) = (end.row(1) - start.row(1)) / h(k);
+        Form middle = start;
+        middle.row(0) += h(k) * start.row(1) + h(k) * h(k) / 4 * start.row(2);
+        middle.row(1) += h(k) / 2 * start.row(2);
+        return {start, middle, end};
     }
 
     /// Control points k - 1, k, k + 1.
@@ -130,7 +114,7 @@ class Optimum {
     }
 
     Three motion(const std::vector<double>& y, std::size_t k, std::size_t place) const {
-        return forms_[k][place].of(controls(y, k));
+        return forms_[k][place] * controls(y, k);
     }
 
     /// All places where the motion is held against limits: starts, middles and ends of intervals.
@@ -219,7 +203,7 @@ class Optimum {
         for (int i = 0; i < 2; ++i) {
             const double x = (i == 0 ? kGauss : 1 - kGauss) * h(k);
             rows[static_cast<std::size_t>(i)] =
-                (f.rows.row(0) + 2 * x * f.rows.row(1) + x * x * f.rows.row(2)).transpose();
+                (f.row(0) + 2 * x * f.row(1) + x * x * f.row(2)).transpose();
         }
         return rows;
     }
@@ -229,7 +213,7 @@ class Optimum {
         double sum = 0;
         for (std::size_t k = 0; k < n_; ++k) {
             if (k == 0 || k + 1 == n_) {
-                sum += 3 * h(k) / std::sqrt(motion(y, k, k == 0 ? 2 : 0)[0]);
+                sum += 3 * h(k) / std::sqrt(motion(y, k, 1)[0]);
                 continue;
             }
             const Three c = controls(y, k);
@@ -312,7 +296,7 @@ class Optimum {
                 add(k, -t / (2 * q) * row, 0.75 * t / (q * q) * row * row.transpose());
             };
             if (k == 0 || k + 1 == n_) {
-                count(forms_[k][k == 0 ? 2 : 0].rows.row(0).transpose(), 3 * h(k));
+                count(forms_[k][1].row(0).transpose(), 3 * h(k));
             } else {
                 for (const Three& row : gauss(k)) count(row, h(k) / 2);
             }
@@ -347,7 +331,7 @@ class Optimum {
                 bend += w * w.transpose() / (space * space) + 2 * u / space;
                 bend(0, 0) -= 2 * dg * dg / space;
             }
-            add(k, form.rows.transpose() * slope, form.rows.transpose() * bend * form.rows);
+            add(k, form.transpose() * slope, form.transpose() * bend * form);
         });
     }
 

@@ -9,13 +9,9 @@ namespace {
 
 constexpr double kRest = 1e-9;  // mm/s
 
-double position(const Phase& phase, double t) {
-    return static_cast<double>(phase.s + ((phase.j / 6 * t + phase.a / 2) * t + phase.v) * t);
-}
+double position(const Phase& phase, double t) { return static_cast<double>(phase.place(t)); }
 
-double speed(const Phase& phase, double t) {
-    return std::max(0.0, (phase.j / 2 * t + phase.a) * t + phase.v);
-}
+double speed(const Phase& phase, double t) { return std::max(0.0, phase.speed(t)); }
 
 /// Time within the phase, not before `from`, at which the path is s.
 double time_at(const Phase& phase, double from, double s) {

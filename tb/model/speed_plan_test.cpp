@@ -67,12 +67,6 @@ double worst_ratio(const std::vector<Phase>& phases, const std::vector<Zone>& zo
     return worst;
 }
 
-double duration(const std::vector<Phase>& phases) {
-    double sum = 0;
-    for (const Phase& phase : phases) sum += phase.duration;
-    return sum;
-}
-
 TEST(SpeedPlan, KeepsToTheLimitsOfEveryZone) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         const std::vector<Zone> zones = random_zones(seed);
