@@ -71,6 +71,11 @@ std::string cubic(const std::string& file, const Move& move, const std::string& 
     return g5_block({points[0], points[1], points[2], move.end}, in_space) + feed + "\n";
 }
 
+std::string path_control(const Move& move) {
+    if (move.tolerance == 0) return move.exact_stop ? "G61.1" : "G61";
+    return move.tolerance == kPathTolerance ? "G64" : "G64" + word('P', move.tolerance);
+}
+
 }  // namespace
 
 std::string word(char letter, double value) {
@@ -105,10 +110,13 @@ std::string g52_blocks(const std::vector<Vec3>& points, bool in_space, const std
 
 std::string gcode_of(const std::string& file, const std::vector<Move>& moves) {
     std::string text;
-    bool exact_stop = false;
+    std::string mode = "G64";
+    const auto enter = [&](const std::string& wanted) {
+        if (wanted != mode) text += wanted + "\n";
+        mode = wanted;
+    };
     for (const Move& move : moves) {
-        if (move.exact_stop != exact_stop) text += move.exact_stop ? "G61.1\n" : "G64\n";
-        exact_stop = move.exact_stop;
+        enter(path_control(move));
         const std::string feed = move.rapid ? "" : feed_word(move.feed);
         if (move.kind == Move::Kind::kArc) {
             text += arc(move, feed);
@@ -118,9 +126,11 @@ std::string gcode_of(const std::string& file, const std::vector<Move>& moves) {
             text += (move.rapid ? "G0" : "G1") + point_words(move.end, true) + aux_words(move) +
                     feed + "\n";
         }
-        if (move.dwell > 0) text += "G4" + word('P', move.dwell) + "\n";
+        const bool stop = move.exact_stop && move.tolerance > 0;
+        if (stop || move.dwell > 0) text += "G4" + word('P', move.dwell) + "\n";
     }
-    return text + (exact_stop ? "G64\n" : "");
+    enter("G64");
+    return text;
 }
 
 }  // namespace curvecore::ref

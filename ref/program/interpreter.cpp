@@ -9,7 +9,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLongestDwell = 86400;  // s
+constexpr double kLongestDwell = 86400;      // s
+constexpr double kSmallestTolerance = 1e-5;  // mm
+constexpr double kLargestTolerance = 10;
 
 }  // namespace
 
@@ -138,19 +140,31 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
         coordinates_.select_system(*system);
     }
     if (const std::optional<int> control = codes.of(Group::kPathControl)) {
-        exact_stop_ = control == 611;
-        if (control == 640 && block.has('P') && use_p(block, place) < 0) {
-            place.refuse("P of G64 must not be negative");
-        }
-        if (control == 640 && block.has('Q') && block.use('Q') < 0) {
-            place.refuse("Q of G64 must not be negative");
-        }
+        set_path_control(*control, block, place);
     }
     if (const std::optional<int> distance = codes.of(Group::kDistance)) {
         coordinates_.set_absolute(distance == 900);
     }
     if (const std::optional<int> distance = codes.of(Group::kArcDistance)) {
         absolute_centre_ = distance == 901;
+    }
+}
+
+void Interpreter::set_path_control(int control, Block& block, const Place& place) {
+    exact_stop_ = control == 611;
+    path_tolerance_ = control == 640 ? kPathTolerance : 0;
+    if (control != 640) return;
+    if (block.has('P')) {
+        path_tolerance_ = use_p(block, place) * coordinates_.unit();
+        if (path_tolerance_ < 0) place.refuse("P of G64 must not be negative");
+        if (path_tolerance_ > kLargestTolerance ||
+            (path_tolerance_ > 0 && path_tolerance_ < kSmallestTolerance)) {
+            place.refuse(fmt::format("P of G64 is {:g} mm: 0 or {:g} .. {:g} mm", path_tolerance_,
+                                     kSmallestTolerance, kLargestTolerance));
+        }
+    }
+    if (block.has('Q') && block.use('Q') < 0) {
+        place.refuse("Q of G64 must not be negative");
     }
 }
 

@@ -37,6 +37,7 @@ class Interpreter {
     void set_modes(Block& block, const Codes& codes, const Place& place);
     static double use_p(Block& block, const Place& place);
     void dwell(Block& block, const Place& place);
+    void set_path_control(int control, Block& block, const Place& place);
     void set_offsets(int action, Block& block, const Codes& codes, const Place& place);
     void move(Block& block, const Codes& codes, const Place& place);
     void arc(Block& block, const Place& place);
@@ -92,6 +93,7 @@ class Interpreter {
     int normal_axis_ = 2;
     bool absolute_centre_ = false;
     bool exact_stop_ = false;
+    double path_tolerance_ = kPathTolerance;  // mm
     bool inverse_time_ = false;
     std::optional<double> feed_;  // F as written: per minute, of degrees or ..
     double feed_unit_ = 1;        // .. of this many mm

@@ -89,6 +89,7 @@ Move Interpreter::move_to(const Point& target, const Place& place) const {
     move.aux_start = aux(coordinates_.position());
     move.aux_end = aux(target);
     move.exact_stop = exact_stop_;
+    move.tolerance = path_tolerance_;
     return move;
 }
 

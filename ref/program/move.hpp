@@ -13,6 +13,10 @@ namespace curvecore::ref {
 constexpr int kAuxAxes = 6;  // A B C U V W
 using Aux = std::array<double, kAuxAxes>;
 
+/// How far a G-code program may be drawn from what it says where it does not say it: in G64
+/// without P, and before any mode.
+constexpr double kPathTolerance = 0.01;  // mm
+
 /// A straight line, an arc (circle, helix, any plane) or a cubic, with auxiliary axes linear in
 /// path length.
 ///
@@ -43,6 +47,8 @@ struct Move {
     double feed = 0;
     bool exact_stop = false;  // the machine stands still at the end of this move
     double dwell = 0;         // s of rest after it (implies a stop)
+    double tolerance = 0;     // mm: how far it may be drawn from where it is programmed (G64 P)
+    double deviation = 0;     // mm: a bound of how far it is
 
     /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
     /// mm).

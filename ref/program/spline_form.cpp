@@ -66,21 +66,26 @@ Replaced replace_splines(Program& program, SplineForm form, double tolerance) {
     if (form == SplineForm::kSpline) return replaced;
     std::vector<Move> moves;
     for (const Move& move : program.moves) {
-        if (move.kind != Move::Kind::kCubic) {
+        const double room = move.tolerance - move.deviation;
+        const double within = move.deviation > 0 && room > 0 ? room : tolerance;
+        if (move.kind != Move::Kind::kCubic || within == 0) {
             moves.push_back(move);
             continue;
         }
         ArcFit fit;
         if (form == SplineForm::kArcs) {
-            fit = fit_arcs(move.cubic, tolerance);
+            fit = fit_arcs(move.cubic, within);
         } else {
-            fit = {chords(move.cubic, tolerance), tolerance};
+            fit = {chords(move.cubic, within), within};
         }
         // The cubic's ends are the move's but for roundings.
         fit.arcs.front() = with_ends(fit.arcs.front(), move.start, fit.arcs.front().end);
         fit.arcs.back() = with_ends(fit.arcs.back(), fit.arcs.back().start, move.end);
         std::vector<Move> pieces;
-        for (const TangentArc& arc : fit.arcs) pieces.push_back(piece_of(move, arc));
+        for (const TangentArc& arc : fit.arcs) {
+            pieces.push_back(piece_of(move, arc));
+            if (move.deviation > 0) pieces.back().deviation += fit.deviation;
+        }
         share(move, pieces);
         ++replaced.splines;
         replaced.moves += pieces.size();

@@ -21,7 +21,7 @@ void compare_forms(AsArcs& as_arcs, const Options& options, const ref::Machine& 
                    const ref::Program& arcs, const ref::Plan& plan) {
     as_arcs.costs = {cost("arcs", arcs, plan)};
     ref::Program chords = as_arcs.splines;
-    ref::replace_splines(chords, ref::SplineForm::kChords, *options.arc_tolerance);
+    ref::replace_splines(chords, ref::SplineForm::kChords, options.arc_tolerance.value_or(0));
     Options with_splines = options;
     with_splines.core.splines = 1;
     if (ref::legal(with_splines.core)) {

@@ -56,6 +56,31 @@ void set_splines(Job& job) {
                           (any ? "a spline, and " : "no spline, and ") + reason);
 }
 
+bool draws_splines(const Options& options) {
+    CoreParameters core = options.core;
+    if (options.splines_set) return core.splines != 0;
+    core.splines = 1;
+    return ref::why_not_built(core).empty();
+}
+
+/// What is drawn in the program's place. Where arcs draw what G64 makes smooth, they take half of
+/// its tolerance.
+void make_path(Job& job) {
+    constexpr double kHalf = 0.5;
+    const bool arcs = job.options.arc_tolerance || !draws_splines(job.options);
+    if (!job.options.exact_path) {
+        job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kHalf : 1);
+    }
+    if (!arcs) return;
+    AsArcs as_arcs;
+    as_arcs.splines = job.program;
+    as_arcs.replaced = ref::replace_splines(job.program, ref::SplineForm::kArcs,
+                                            job.options.arc_tolerance.value_or(0));
+    if (as_arcs.replaced.splines == 0) return;
+    if (job.smoothed) ref::look_again(job.program, *job.smoothed);
+    job.as_arcs = std::move(as_arcs);
+}
+
 /// Narrow words are bought with segments, which the host has to send.
 void warn_of_segments(Job& job) {
     constexpr std::size_t kMany = 10;
@@ -76,24 +101,17 @@ void warn_of_segments(Job& job) {
 }  // namespace
 
 Job read_job(const Options& options) {
-    ref::Program program = ref::read_program(options.file, options.points);
-    if (!options.arc_tolerance) return make_job(options, std::move(program));
-    AsArcs as_arcs;
-    as_arcs.splines = program;
-    as_arcs.replaced =
-        ref::replace_splines(program, ref::SplineForm::kArcs, *options.arc_tolerance);
-    Job job = make_job(options, std::move(program));
-    if (as_arcs.replaced.splines > 0) job.as_arcs = std::move(as_arcs);
-    return job;
+    return make_job(options, ref::read_program(options.file, options.points));
 }
 
 Job make_job(const Options& options, ref::Program program) {
     Job job;
     job.options = options;
     job.program = std::move(program);
+    if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
+    make_path(job);
     set_splines(job);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
-    if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
     return job;
 }
 

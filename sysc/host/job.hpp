@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ref/feed/limit_report.hpp"
+#include "ref/path/smooth_path.hpp"
 #include "sysc/host/as_arcs.hpp"
 #include "sysc/host/options.hpp"
 
@@ -14,7 +15,8 @@ struct Job {
     ref::Machine machine;
     ref::Plan plan;
     ref::LimitReport limits;
-    std::optional<AsArcs> as_arcs;  // where --fit arcs took the splines' place
+    std::optional<ref::Smoothed> smoothed;  // unless the exact path is asked for
+    std::optional<AsArcs> as_arcs;          // where --fit arcs took the splines' place
 
     /// Length of the whole path, quanta.
     std::uint64_t path_length() const;

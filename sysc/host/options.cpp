@@ -63,6 +63,7 @@ ref::PointsOptions points_options(const RawOptions& raw, const std::string& file
 }
 
 constexpr double kArcTolerance = 1e-3;  // mm
+constexpr std::array<std::string_view, 2> kPathNames{"program", "exact"};
 
 /// Of --fit arcs.
 std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
@@ -126,6 +127,7 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     options.points = points_options(raw, options.file);
     options.effort = static_cast<ref::Effort>(choice("--effort", raw.effort, ref::kEffortNames));
+    options.exact_path = choice("--path", raw.path, kPathNames) == 1;
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     CoreFile core;
     if (!raw.core.empty()) {

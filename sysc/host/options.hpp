@@ -25,6 +25,7 @@ struct Options {
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
     ref::Effort effort = ref::Effort::kRules;
+    bool exact_path = false;              // G64's tolerance is not used
     std::optional<double> arc_tolerance;  // mm, of --fit arcs
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -60,6 +61,7 @@ struct RawOptions {
     std::string tolerance;
     std::string ends = "natural";
     std::string effort = "rules";
+    std::string path = "program";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

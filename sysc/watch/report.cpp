@@ -68,12 +68,35 @@ nlohmann::ordered_json machine_json(const Job& job) {
     return json;
 }
 
+nlohmann::ordered_json deviation_json(const Job& job) {
+    const ref::Smoothed smoothed = job.smoothed.value_or(ref::Smoothed());
+    return {{"max_mm", smoothed.deviation},
+            {"share_of_P", smoothed.share},
+            {"line", smoothed.line},
+            {"P_mm", smoothed.tolerance},
+            {"programmed_moves", smoothed.moves},
+            {"corners", smoothed.corners},
+            {"curves", smoothed.curves},
+            {"cubics", smoothed.cubics}};
+}
+
+std::string deviation_text(const ref::Smoothed& smoothed) {
+    if (smoothed.tolerance == 0) return "as programmed";
+    if (smoothed.deviation == 0) return "as programmed: nothing to smooth";
+    return fmt::format(
+        "{} moves within {:g} um: {} corners, {} curves of {} cubics; off by {:.3g} um at most "
+        "({:.3f} of the tolerance, line {})",
+        smoothed.moves, smoothed.tolerance * 1e3, smoothed.corners, smoothed.curves,
+        smoothed.cubics, smoothed.deviation * 1e3, smoothed.share, smoothed.line);
+}
+
 nlohmann::ordered_json as_arcs_json(const Job& job) {
     const AsArcs& found = *job.as_arcs;
-    nlohmann::ordered_json json = {{"tolerance_mm", *job.options.arc_tolerance},
+    nlohmann::ordered_json json = {{"tolerance_mm", nullptr},
                                    {"deviation_mm", found.replaced.deviation},
                                    {"splines", found.replaced.splines},
                                    {"pieces", found.replaced.moves}};
+    if (job.options.arc_tolerance) json["tolerance_mm"] = *job.options.arc_tolerance;
     for (const FormCost& cost : found.costs) {
         json["forms"][cost.form] = {{"moves", cost.moves},
                                     {"segments", cost.segments},
@@ -199,6 +222,7 @@ nlohmann::ordered_json Report::json() const {
     json["moves"] = job.program.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
+    json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
     json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
     json["samples"] = samples;
@@ -274,11 +298,14 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
         fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
                     job.plan.segments.size(),
                     std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
+    row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.as_arcs) {
         const ref::Replaced& replaced = job.as_arcs->replaced;
-        row("splines", fmt::format("{} as {} arcs and lines, off by {:.3g} um at most (asked: {})",
-                                   replaced.splines, replaced.moves, replaced.deviation * 1e3,
-                                   exact_length(*job.options.arc_tolerance)));
+        const std::optional<double> asked = job.options.arc_tolerance;
+        row("splines",
+            fmt::format("{} as {} arcs and lines, off by {:.3g} um at most ({})", replaced.splines,
+                        replaced.moves, replaced.deviation * 1e3,
+                        asked ? "asked: " + exact_length(*asked) : "the core draws no splines"));
         for (const FormCost& cost : job.as_arcs->costs) {
             row("as " + cost.form,
                 fmt::format("{} moves, {} segments, {} words, {}", cost.moves, cost.segments,

@@ -124,6 +124,43 @@ TEST_F(SplineCommands, RunFasterWithMoreEffort) {
     EXPECT_LT(optimum["duration_s"], 0.9 * rules["duration_s"].get<double>());
 }
 
+const char* const kCorners =
+    "G21 G64 P0.05 F3000\nG1 X10\nG1 Y10\nG1 X5\nG3 X0 Y5 J-5\nG1 Y0\nM2\n";
+
+/// Drawn within the tolerance of the program: stops at no corner.
+TEST_F(SplineCommands, DrawWhatG64Allows) {
+    program_.write("part.ngc", kCorners);
+    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "5 moves within 50 um: 2 corners", result.out);
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_EQ(report["stops"]["planned"], 1);
+    EXPECT_NEAR(report["deviation"]["share_of_P"], 1, 1e-9);
+    EXPECT_NEAR(report["deviation"]["max_mm"], 0.05, 1e-9);
+    EXPECT_EQ(report["deviation"]["line"], 2);
+    ASSERT_EQ(program_.run({"run", "part.ngc", "-o", "exact", "--path", "exact"}).status, 0);
+    const Json exact = Json::parse(program_.read("exact/report.json"));
+    EXPECT_EQ(exact["stops"]["planned"], 3);
+    EXPECT_EQ(exact["deviation"]["max_mm"], 0);
+    EXPECT_EQ(exact["moves"], 5);
+}
+
+/// A core without splines takes half of the tolerance for arcs.
+TEST_F(SplineCommands, DrawWhatG64AllowsByArcs) {
+    program_.write("part.ngc", kCorners);
+    const ProgramResult result =
+        program_.run({"run", "part.ngc", "-o", "out", "--set", "Splines=0"});
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, "the core draws no splines", result.out);
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["core"], "spherical");
+    EXPECT_EQ(report["rtl_equals_kernel"], 0);
+    EXPECT_FALSE(report["kinds"].contains("spline"));
+    EXPECT_LE(report["deviation"]["share_of_P"], 1 + 1e-9);
+    EXPECT_GT(report["deviation"]["share_of_P"], 0.5);
+}
+
 /// For boards without splines: the core of arcs alone draws them.
 TEST_F(SplineCommands, RunAsArcs) {
     const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out", "--fit", "arcs",

@@ -51,7 +51,7 @@ class Waves : public testing::TestWithParam<Case> {};
 
 TEST_P(Waves, AreArrangedInFull) {
     const ProgramRun program;
-    program.write("part.ngc", "G21 G90 F900\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n");
+    program.write("part.ngc", "G21 G61 G90 F900\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n");
     std::vector<std::string> arguments{"run", "part.ngc", "-q", "-o", "out"};
     arguments.insert(arguments.end(), {"--trace", "--trace-clocks", "500"});
     arguments.insert(arguments.end(), GetParam().options.begin(), GetParam().options.end());

@@ -85,8 +85,8 @@ std::uint64_t digest(const std::vector<std::string>& words) {
 // changes the plan alone puts the new digests here.
 TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     const ProgramRun program;
-    const ProgramResult result =
-        program.run({"words", std::string(DATA_DIR) + "/lines.ngc", "-q", "-o", "words"});
+    const ProgramResult result = program.run(
+        {"words", std::string(DATA_DIR) + "/lines.ngc", "--path", "exact", "-q", "-o", "words"});
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 2);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 8240500981578338437u);

@@ -214,6 +214,20 @@ TEST(GcodeReader, RotaryAxesGoAlongWithArcs) {
     EXPECT_EQ(program.aux_axes, 3);
 }
 
+TEST(GcodeReader, TheToleranceOfThePathIsThatInForce) {
+    const auto tolerance = [](const std::string& text) {
+        return read("F600 " + text + "\nG1 X1").moves.front().tolerance;
+    };
+    EXPECT_EQ(tolerance(""), ref::kPathTolerance);
+    EXPECT_EQ(tolerance("G64 P0.05 Q0.01"), 0.05);
+    EXPECT_EQ(tolerance("G20 G64 P0.001"), 0.0254);
+    EXPECT_EQ(tolerance("G64 P0"), 0) << "the exact path";
+    EXPECT_EQ(tolerance("G64 P0.05\nG64"), ref::kPathTolerance);
+    EXPECT_EQ(tolerance("G61"), 0);
+    EXPECT_EQ(tolerance("G61.1"), 0);
+    EXPECT_EQ(tolerance("G64 P0.05\nG61\nG64"), ref::kPathTolerance);
+}
+
 TEST(GcodeReader, StopsAreWhereTheProgramAsksForThem) {
     const auto stops = [](const std::string& text) {
         std::string flags;

@@ -26,6 +26,7 @@ void expect_same(const Program& a, const Program& b) {
         EXPECT_EQ(x.kind, y.kind) << i;
         EXPECT_EQ(x.rapid, y.rapid);
         EXPECT_EQ(x.exact_stop, y.exact_stop) << i;
+        EXPECT_EQ(x.tolerance, y.tolerance) << i;
         EXPECT_NEAR(x.feed, y.feed, 1e-9);
         EXPECT_NEAR(x.dwell, y.dwell, 1e-9);
         const double length = x.length();

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/path/tube_knots.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kSpanTime = 3e-3;  // s: how long a cubic lasts, r''' being constant
+constexpr double kSpanTurn = 0.5;   // rad
+constexpr double kSlope = 0.6;      // of the width of spans by s
+constexpr double kCorner = 4.53;    // tolerances over sin(turn / 2): a span beside a corner
+constexpr double kReach = 3;        // tolerances: chords that turns are seen by
+constexpr double kLeastSpans = 6;   // three points are given at each end
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+double turn_at(const ProgrammedPath& path, double s, double reach) {
+    const Vec3 here = path.position(s);
+    const Vec3 in = here - path.position(std::max(0.0, s - reach));
+    const Vec3 out = path.position(std::min(path.length(), s + reach)) - here;
+    return in.isZero() || out.isZero() ? 0 : angle(in, out);
+}
+
+/// Least of what chords of several lengths see: a joint of the path is no curvature.
+double bend_at(const ProgrammedPath& path, double s, double tolerance, double turn) {
+    double least = turn / (kReach * tolerance);
+    for (const double reach : {12.0, 48.0, 200.0}) {
+        least = std::min(least, turn_at(path, s, reach * tolerance) / (reach * tolerance));
+    }
+    return least;
+}
+
+/// Integral of 1 / width between sites, the width being a tent of slope kSlope.
+struct Tent {
+    double length, before, after;
+
+    double top() const { return (after - before + kSlope * length) / (2 * kSlope); }
+    double sum(double x) const {
+        const double rise = std::min(x, top());
+        double total = std::log1p(kSlope * rise / before) / kSlope;
+        if (x > top()) {
+            const double high = before + kSlope * top();
+            total -= std::log1p(-kSlope * (x - top()) / high) / kSlope;
+        }
+        return total;
+    }
+    double place(double of_sum) const {
+        const double half = sum(top());
+        if (of_sum <= half) return before * std::expm1(kSlope * of_sum) / kSlope;
+        const double high = before + kSlope * top();
+        return top() - high * std::expm1(-kSlope * (of_sum - half)) / kSlope;
+    }
+};
+
+Tent tent(const std::vector<Site>& sites, std::size_t i) {
+    return {sites[i + 1].s - sites[i].s, sites[i].width, sites[i + 1].width};
+}
+
+}  // namespace
+
+double Pace::at(double most, double bend, double swerve) const {
+    if (bend > 0) {
+        most = std::min({most, std::sqrt(acceleration / bend), std::cbrt(jerk / (bend * bend))});
+    }
+    return swerve > 0 ? std::min(most, std::cbrt(jerk / swerve)) : most;
+}
+
+void sweep(const std::vector<double>& s, double acceleration, std::vector<double>& speeds) {
+    const auto join = [&](std::size_t from, std::size_t to) {
+        const double way = std::abs(s[to] - s[from]);
+        speeds[to] =
+            std::min(speeds[to], std::sqrt(speeds[from] * speeds[from] + 2 * acceleration * way));
+    };
+    for (std::size_t i = 1; i < s.size(); ++i) join(i - 1, i);
+    for (std::size_t i = s.size(); i-- > 1;) join(i, i - 1);
+}
+
+std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to, double tolerance,
+                             const Pace& pace) {
+    std::vector<double> places{from};
+    std::vector<double> speeds;
+    for (std::size_t i = path.piece_at(from); i < path.pieces().size() && places.back() < to; ++i) {
+        const ProgrammedPath::Piece& piece = path.pieces()[i];
+        const double start = places.back();
+        const double end = std::min(to, piece.end());
+        if (!(end > start)) continue;
+        const double longest = kSpanTime * pace.speed;
+        const int parts = std::max(1, static_cast<int>((end - start) / longest));
+        for (int part = 1; part < parts; ++part) {
+            places.push_back(start + (end - start) * part / parts);
+        }
+        places.push_back(end);
+    }
+    std::vector<Site> sites;
+    std::vector<double> bends;
+    for (const double s : places) {
+        const double turn = turn_at(path, s, kReach * tolerance);
+        bends.push_back(bend_at(path, s, tolerance, turn));
+        sites.push_back({s, turn, 0, 0});
+        speeds.push_back(pace.at(pace.speed, bends.back(), 0));
+    }
+    sweep(places, pace.acceleration, speeds);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+        Site& site = sites[i];
+        site.speed = speeds[i];
+        const double bend = bends[i];
+        site.width = kSpanTime * site.speed;
+        if (site.turn > 0) {
+            site.width = std::min(site.width, kCorner * tolerance / std::sin(site.turn / 2));
+        }
+        if (bend > 0) {
+            site.width = std::min({site.width, kSpanTurn / bend,
+                                   std::pow(24 * tolerance / (bend * bend * bend), 0.25)});
+        }
+    }
+    const auto even = [&](std::size_t i, std::size_t j) {
+        const double most = sites[i].width + kSlope * std::abs(sites[j].s - sites[i].s);
+        sites[j].width = std::min(sites[j].width, most);
+    };
+    for (std::size_t i = 1; i < sites.size(); ++i) even(i - 1, i);
+    for (std::size_t i = sites.size(); i-- > 1;) even(i, i - 1);
+    return sites;
+}
+
+std::vector<double> tube_knots(const std::vector<Site>& sites, const std::vector<double>& fixed) {
+    double all = 0;
+    for (std::size_t i = 0; i + 1 < sites.size(); ++i) {
+        all += tent(sites, i).sum(sites[i + 1].s - sites[i].s);
+    }
+    const double finer = std::max(1.0, kLeastSpans / all);
+    std::vector<double> knots{sites.front().s};
+    std::vector<double> ends = fixed;
+    ends.push_back(sites.back().s);
+    std::size_t i = 0;
+    for (const double end : ends) {  // one section after the other, evenly
+        const std::size_t first = i;
+        double sum = 0;
+        for (; i + 1 < sites.size() && sites[i + 1].s <= end; ++i) {
+            sum += tent(sites, i).sum(sites[i + 1].s - sites[i].s);
+        }
+        const auto spans = std::max(1, static_cast<int>(std::ceil(finer * sum - 1e-9)));
+        double reached = 0;
+        std::size_t j = first;
+        for (int k = 1; k < spans; ++k) {
+            const double want = sum * k / spans;
+            double own = tent(sites, j).sum(sites[j + 1].s - sites[j].s);
+            while (reached + own < want && j + 2 < sites.size()) {
+                reached += own;
+                ++j;
+                own = tent(sites, j).sum(sites[j + 1].s - sites[j].s);
+            }
+            knots.push_back(sites[j].s + tent(sites, j).place(want - reached));
+        }
+        knots.push_back(end);
+    }
+    return knots;
+}
+
+}  // namespace curvecore::ref

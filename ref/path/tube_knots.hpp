@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a tube spline needs knots: what a cubic can follow, and how long it may last.
+#pragma once
+
+#include <vector>
+
+#include "ref/path/programmed_path.hpp"
+
+namespace curvecore::ref {
+
+/// What the machine does along a path, for choices alone: nothing that must hold follows from it.
+struct Pace {
+    double acceleration = 5000;  // mm/s^2
+    double jerk = 1e5;           // mm/s^3
+    double speed = 500;          // mm/s, whatever the feeds: they are low where nothing is hard
+
+    /// Speed that a curvature and |r'''| allow of a speed.
+    double at(double most, double bend, double swerve) const;
+};
+
+/// Speeds at places s, lowered until acceleration joins them.
+void sweep(const std::vector<double>& s, double acceleration, std::vector<double>& speeds);
+
+/// A place of the path as a tube of this tolerance sees it: turns are those of chords so long that
+/// noise within the tube does not show.
+struct Site {
+    double s;
+    double turn;   // rad, of chords of 3 tolerances
+    double speed;  // mm/s
+    double width;  // mm, of a span here
+};
+
+/// At the joints and between them, from one place to another.
+std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to, double tolerance,
+                             const Pace& pace);
+
+/// Knots from the first site to the last, six spans at least; one at each of `fixed`.
+std::vector<double> tube_knots(const std::vector<Site>& sites, const std::vector<double>& fixed);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// What G64 P makes of programs: within the tolerance, as a search of both paths sees it that knows
+// nothing of how it was made, and smooth.
+#include "ref/path/smooth_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "ref/curve/cubic.hpp"
+#include "tb/support/chopped_curves.hpp"
+#include "tb/support/frechet.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using ref::Move;
+using ref::Program;
+using ref::Smoothed;
+using ref::Vec3;
+
+Program with_tolerance(Program program, double tolerance) {
+    for (Move& move : program.moves) move.tolerance = tolerance;
+    return program;
+}
+
+/// Worst jumps at joints that do not stop.
+struct Jumps {
+    double place = 0;  // mm
+    double turn = 0;   // rad
+    double bend = 0;   // 1/mm
+};
+
+ref::MovePlace end_of(const Move& move, double part) {
+    if (move.kind != Move::Kind::kCubic) return ref::place_on(move, part);
+    return {move.cubic.position(part), ref::tangent(move.cubic, part),
+            ref::curvature_vector(move.cubic, part)};
+}
+
+Jumps jumps(const Program& program) {
+    Jumps worst;
+    for (std::size_t i = 1; i < program.moves.size(); ++i) {
+        const ref::MovePlace before = end_of(program.moves[i - 1], 1);
+        const ref::MovePlace after = end_of(program.moves[i], 0);
+        worst.place = std::max(worst.place, (after.position - before.position).norm());
+        worst.turn = std::max(worst.turn, (after.slope - before.slope).norm());
+        worst.bend = std::max(worst.bend, (after.bend - before.bend).norm());
+    }
+    return worst;
+}
+
+/// Draws a program anew and holds it against what it was: the share that was searched out.
+double smooth_and_search(Program& program, Smoothed& smoothed) {
+    const double tolerance = program.moves.front().tolerance;
+    const std::vector<Move> programmed = program.moves;
+    smoothed = ref::smooth_path(program, ref::Machine());
+    EXPECT_LE(smoothed.share, 1 + 1e-12);
+    const double fine = tolerance / 2000;
+    return frechet(polyline(programmed, fine), polyline(program.moves, fine), 1.01 * tolerance) /
+           tolerance;
+}
+
+TEST(Frechet, OfAStepAsideIsTheStep) {
+    const Polyline straight{{0, 0, 0}, {10, 0, 0}};
+    const Polyline aside{{0, 0, 0}, {4, 0, 0}, {4, 0.3, 0}, {6, 0.3, 0}, {6, 0, 0}, {10, 0, 0}};
+    EXPECT_NEAR(frechet(straight, aside, 1), 0.3, 1e-3);
+    EXPECT_NEAR(frechet(aside, straight, 1), 0.3, 1e-3);
+}
+
+TEST(Frechet, SeesAWalkBack) {
+    const Polyline straight{{0, 0, 0}, {10, 0, 0}};
+    const Polyline back{{0, 0, 0}, {6, 0, 0}, {4, 0, 0}, {10, 0, 0}};
+    EXPECT_NEAR(frechet(straight, back, 2), 1, 2e-3);
+}
+
+TEST(SmoothPath, OfASquareCornerIsTheCubicWithTheWholeTolerance) {
+    for (const double turn : {0.4, M_PI / 4, M_PI / 2, 2.0, 2.55}) {
+        ProgramBuilder builder;
+        builder.line({10, 0, 0}, 100);
+        builder.line({10 + 10 * std::cos(turn), 10 * std::sin(turn), 0}, 100);
+        Program program = with_tolerance(builder.program(), 0.05);
+        Smoothed smoothed;
+        EXPECT_NEAR(smooth_and_search(program, smoothed), 1, 2e-3) << turn;
+        EXPECT_EQ(program.moves.size(), 3);
+        EXPECT_NEAR(smoothed.share, 1, 1e-12);
+        EXPECT_EQ(smoothed.line, 1);
+        // (2/3) tan^2(turn / 2) / tolerance
+        const double bend = 2.0 / 3 * std::pow(std::tan(turn / 2), 2) / 0.05;
+        EXPECT_NEAR(ref::curvature(program.moves[1].cubic, 0.5), bend, 1e-9 * bend);
+        EXPECT_LT(jumps(program).turn, 1e-12);
+        EXPECT_LT(jumps(program).bend, 1e-9);
+    }
+}
+
+TEST(SmoothPath, OfChordsIsSmooth) {
+    for (const double tolerance : {0.002, 0.005, 0.02}) {
+        for (const double chord : {0.02, 0.1, 0.4}) {
+            for (const ChoppedCurve curve : {chopped_wave, chopped_circle}) {
+                Program program = with_tolerance(curve(chord, 500), tolerance);
+                const std::size_t before = program.moves.size();
+                Smoothed smoothed;
+                const double seen = smooth_and_search(program, smoothed);
+                EXPECT_LE(seen, 1.002) << chord << " " << tolerance;
+                const Jumps worst = jumps(program);
+                EXPECT_LT(worst.place, 1e-11);
+                EXPECT_LT(worst.turn, 1e-9);
+                EXPECT_LT(worst.bend, 1e-4) << chord << " " << tolerance;
+                if (chord < 0.1) {
+                    EXPECT_LT(program.moves.size() * 5, before);
+                }
+            }
+        }
+    }
+}
+
+TEST(SmoothPath, OfALineAndATangentArcLeavesNoStepOfCurvature) {
+    ProgramBuilder builder;
+    builder.line({50, 0, 0}, 500);
+    builder.arc({50, 10, 0}, {0, 0, 1}, M_PI, 0, 500);
+    builder.line({0, 20, 0}, 500);
+    Program program = with_tolerance(builder.program(), 0.005);
+    Smoothed smoothed;
+    EXPECT_LE(smooth_and_search(program, smoothed), 1.002);
+    EXPECT_EQ(smoothed.curves, 2);
+    const Jumps worst = jumps(program);
+    EXPECT_LT(worst.place, 1e-11);
+    EXPECT_LT(worst.turn, 1e-9);
+    EXPECT_LT(worst.bend, 1e-6);
+}
+
+/// Lines, or lines and arcs, that go anywhere: every kind of neighbour at every size.
+class RandomPaths : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomPaths, testing::Range(0, 40));
+
+Program random_lines(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::generate_canonical<double, 53>(random);
+    };
+    ProgramBuilder builder;
+    const int kind = static_cast<int>(seed % 4);
+    const double size = std::pow(10.0, uniform(-3, 1));
+    Vec3 way(1, 0, 0);
+    for (int i = 0; i < 150; ++i) {
+        const Vec3 aside(uniform(-1, 1), uniform(-1, 1), kind == 1 ? 0 : uniform(-1, 1));
+        const double chord = kind == 2 ? std::pow(10.0, uniform(-4, 1)) : size;
+        if (kind == 0) way = (way + 0.3 * aside).normalized();
+        if (kind == 1) way = Vec3(1, i % 2 == 0 ? uniform(0, 2) : uniform(-2, 0), 0).normalized();
+        if (kind == 2) way = (way + uniform(0, 1) * aside).normalized();
+        if (kind == 3 && i % 7 == 0) way = aside.normalized();
+        if (kind == 3 && i % 31 == 30) way = -way;
+        Vec3 end = builder.at() + chord * way;
+        for (double& x : end) x = std::round(x * 1e4) / 1e4;
+        if (end != builder.at()) builder.line(end, std::pow(10.0, uniform(1, 2.7)));
+    }
+    return builder.program();
+}
+
+TEST_P(RandomPaths, OfLinesKeepTheTolerance) {
+    for (const double tolerance : {0.0005, 0.005, 0.05}) {
+        Program program =
+            with_tolerance(random_lines(static_cast<unsigned>(GetParam())), tolerance);
+        Smoothed smoothed;
+        EXPECT_LE(smooth_and_search(program, smoothed), 1.002) << tolerance;
+        EXPECT_LT(jumps(program).place, 1e-9);
+    }
+}
+
+TEST_P(RandomPaths, OfLinesAndArcsKeepTheTolerance) {
+    for (const double tolerance : {0.001, 0.05}) {
+        Program program =
+            with_tolerance(random_program(static_cast<unsigned>(GetParam()), 40, 10), tolerance);
+        for (std::size_t i = 1; i < program.moves.size(); ++i) {
+            EXPECT_EQ(program.moves[i].start, program.moves[i - 1].end);
+        }
+        Smoothed smoothed;
+        EXPECT_LE(smooth_and_search(program, smoothed), 1.002) << tolerance;
+        EXPECT_LT(jumps(program).place, 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
