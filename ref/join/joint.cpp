@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/join/joint.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
-#include "ref/curve/arc_length.hpp"
-#include "ref/curve/helix.hpp"
 #include "ref/program/input_error.hpp"
 
 namespace curvecore::ref {
@@ -14,18 +11,6 @@ namespace {
 constexpr double kStanding = 1e-9;  // of the largest speed of a cubic
 constexpr double kSharpest = 1e6;   // 1/mm: a radius of 1 nm
 constexpr const char* kRapids = "no working move: a joint wants a move with a feed (G1, G2, ..)";
-
-Joint on_cubic(const Cubic& cubic, double u) {
-    return {cubic.position(u), tangent(cubic, u), curvature_vector(cubic, u), 0};
-}
-
-Joint on_arc(const Move& move, double s) {
-    const Helix<double> helix(move.start, move.centre, move.normal, move.angle, move.advance);
-    const Vec3 position = helix.position(s);
-    const Vec3 from_centre = position - move.centre;
-    const Vec3 outward = from_centre - move.normal * move.normal.dot(from_centre);
-    return {position, helix.tangent(s), -helix.curvature() * outward.normalized(), 0};
-}
 
 bool works(const Move& move) { return !move.rapid; }
 
@@ -38,33 +23,15 @@ void check_joint(const Program& program, const Move& move) {
 
 }  // namespace
 
-Joint point_of(const Move& move, double s) {
-    Joint joint;
-    if (move.kind == Move::Kind::kCubic) {
-        joint = on_cubic(move.cubic, parameter_at(move.cubic, s));
-    } else if (move.kind == Move::Kind::kArc) {
-        joint = on_arc(move, s);
-    } else {
-        joint.tangent = (move.end - move.start).normalized();
-        joint.position = move.start + s * joint.tangent;
-    }
-    joint.feed = move.feed;
-    return joint;
-}
-
 Joint joint_of(const std::string& file, const Move& move, bool at_end) {
-    const double u = at_end ? 1 : 0;
-    Joint joint;
-    if (move.kind == Move::Kind::kCubic) {
-        if (!(move.cubic.speed(u) > kStanding * speed_range(move.cubic).max)) {
-            throw InputError(file, move.line,
-                             "no direction at the joint: the spline stands still there");
-        }
-        joint = on_cubic(move.cubic, u);
-        joint.feed = move.feed;
-    } else {
-        joint = point_of(move, at_end ? move.length() : 0);
+    const bool stands =
+        move.kind == Move::Kind::kCubic &&
+        !(move.cubic.speed(at_end ? 1 : 0) > kStanding * speed_range(move.cubic).max);
+    if (stands) {
+        throw InputError(file, move.line,
+                         "no direction at the joint: the spline stands still there");
     }
+    Joint joint{place_on(move, at_end ? move.length() : 0), move.feed};
     joint.position = at_end ? move.end : move.start;
     if (!(joint.curvature.norm() < kSharpest)) {
         throw InputError(file, move.line, "the path is too sharp at the joint: radius below 1 nm");

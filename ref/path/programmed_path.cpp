@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "ref/curve/fit/hermite.hpp"
-#include "ref/path/move_part.hpp"
+#include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -33,10 +33,10 @@ void ProgrammedPath::add(const Move& move, double error) {
     MovePlace place = place_on(move, 0);
     for (int part = 1; part <= parts; ++part) {
         hermite.start = place.position;
-        hermite.start_d1 = place.slope;
-        place = place_on(move, static_cast<double>(part) / parts);
+        hermite.start_d1 = place.tangent;
+        place = place_on(move, part * hermite.h);
         hermite.end = place.position;
-        hermite.end_d1 = place.slope;
+        hermite.end_d1 = place.tangent;
         pieces_.push_back({length(), hermite.h, cubic_of_slopes(hermite), index});
     }
 }

@@ -8,8 +8,8 @@
 
 #include "ref/feed/limits.hpp"
 #include "ref/path/corner.hpp"
-#include "ref/path/move_part.hpp"
 #include "ref/path/tube_run.hpp"
+#include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -97,10 +97,10 @@ class Group {
 
     void look_at(std::size_t i) {
         Joint& joint = joints_[i];
-        const MovePlace before = place_on(moves_[i - 1], 1);
+        const MovePlace before = place_on(moves_[i - 1], length(i - 1));
         const MovePlace after = place_on(moves_[i], 0);
-        const double turn = angle(before.slope, after.slope);
-        const double step = (after.bend - before.bend).norm();
+        const double turn = angle(before.tangent, after.tangent);
+        const double step = (after.curvature - before.curvature).norm();
         if (turn < kNoTurn && step < kNoStep) return;
         const double seen = seen_turn(i);
         if (turn > kReversal && seen > kReversal) {
@@ -134,8 +134,8 @@ class Group {
     }
 
     void round_corner(std::size_t i) {
-        const Corner corner{moves_[i].start, place_on(moves_[i - 1], 1).slope,
-                            place_on(moves_[i], 0).slope, joints_[i].reach};
+        const Corner corner{moves_[i].start, place_on(moves_[i - 1], length(i - 1)).tangent,
+                            place_on(moves_[i], 0).tangent, joints_[i].reach};
         copy_to(joints_[i].s - corner.reach);
         Move move = moves_[i - 1];
         move.feed = std::min(move.feed, moves_[i].feed);
@@ -147,10 +147,10 @@ class Group {
     }
 
     TubeEnd end_at(double s, std::size_t move, bool stop) const {
-        const double part = (s - joints_[move].s) / length(move);
-        const MovePlace place = place_on(moves_[move], std::clamp(part, 0.0, 1.0));
+        const MovePlace place =
+            place_on(moves_[move], std::clamp(s - joints_[move].s, 0.0, length(move)));
         return {stop ? TubeEnd::Given::kPosition : TubeEnd::Given::kBend, place.position,
-                place.slope, place.bend};
+                place.tangent, place.curvature};
     }
 
     /// The curve goes on over short moves; where it would end, joints that are straight are none.
@@ -216,9 +216,9 @@ class Group {
             const double from = joints_[copied_].s;
             const double to = joints_[copied_ + 1].s;
             if (std::min(s, to) - reached_ > kNothing) {
-                const double first = reached_ > from ? (reached_ - from) / (to - from) : 0;
-                const double last = s < to ? (s - from) / (to - from) : 1;
-                Move part = part_of(moves_[copied_], first, last);
+                const Move& move = moves_[copied_];
+                Move part = part_of(move, std::max(0.0, reached_ - from),
+                                    s < to ? s - from : move.length());
                 if (!result_.empty()) part.start = result_.back().end;
                 result_.push_back(part);
             }

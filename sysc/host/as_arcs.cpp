@@ -3,6 +3,7 @@
 
 #include "ref/feed/planner.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/program/input_error.hpp"
 #include "sysc/host/options.hpp"
 
 namespace curvecore::sysc {
@@ -16,6 +17,16 @@ FormCost cost(const char* form, const ref::Program& program, const ref::Plan& pl
 }
 
 }  // namespace
+
+std::optional<FormCost> exact_cost(const Options& options, const ref::Machine& machine,
+                                   const ref::Program& programmed) {
+    try {
+        const ref::Plan plan = ref::make_plan(programmed, machine, options.plan_options());
+        return cost("exact path", programmed, plan);
+    } catch (const ref::InputError&) {
+        return std::nullopt;
+    }
+}
 
 void compare_forms(AsArcs& as_arcs, const Options& options, const ref::Machine& machine,
                    const ref::Program& arcs, const ref::Plan& plan) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ struct AsArcs {
     ref::Replaced replaced;
     std::vector<FormCost> costs;  // of arcs, splines, chords
 };
+
+/// What the program as it is written would cost; none where it cannot be planned.
+std::optional<FormCost> exact_cost(const Options& options, const ref::Machine& machine,
+                                   const ref::Program& programmed);
 
 /// Fills `costs`: plans the other two with the same core. A core that cannot draw splines has no
 /// row of them.

@@ -69,7 +69,9 @@ void make_path(Job& job) {
     constexpr double kHalf = 0.5;
     const bool arcs = job.options.arc_tolerance || !draws_splines(job.options);
     if (!job.options.exact_path) {
+        job.programmed = job.program;
         job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kHalf : 1);
+        if (job.smoothed->deviation == 0) job.programmed = {};
     }
     if (!arcs) return;
     AsArcs as_arcs;
@@ -136,6 +138,9 @@ void plan_job(Job& job) {
                         job.program.file, job.plan.slowed_moves));
     }
     job.limits = ref::limit_report(job.program, job.machine, job.plan);
+    if (!job.programmed.moves.empty()) {
+        job.exact = exact_cost(job.options, job.machine, job.programmed);
+    }
     if (job.as_arcs) compare_forms(*job.as_arcs, job.options, job.machine, job.program, job.plan);
 }
 

@@ -16,6 +16,8 @@ struct Job {
     ref::Plan plan;
     ref::LimitReport limits;
     std::optional<ref::Smoothed> smoothed;  // unless the exact path is asked for
+    ref::Program programmed;                // before, where that is another
+    std::optional<FormCost> exact;          // what that would cost
     std::optional<AsArcs> as_arcs;          // where --fit arcs took the splines' place
 
     /// Length of the whole path, quanta.

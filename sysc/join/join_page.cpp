@@ -47,7 +47,7 @@ Json polyline(const ref::Program& program, bool backward) {
         const double length = move.length();
         for (int k = 1; k <= count; ++k) {
             const double part = static_cast<double>(backward ? count - k : k) / count;
-            points.push_back(rounded(ref::point_of(move, part * length).position));
+            points.push_back(rounded(ref::place_on(move, part * length).position));
         }
     }
     return points;
@@ -67,7 +67,7 @@ Json stretch(const ref::Program& program, bool backward, double length) {
         for (; k <= kStretchPoints; ++k) {
             const double s = length * k / kStretchPoints - passed;
             if (s > whole) break;
-            Json row = joint_json(ref::point_of(move, backward ? whole - s : s));
+            Json row = joint_json({ref::place_on(move, backward ? whole - s : s), move.feed});
             row["s"] = backward ? -(passed + s) : passed + s;
             rows.push_back(std::move(row));
         }

@@ -13,9 +13,12 @@ constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // of the path, besides th
 
 }  // namespace
 
-Course course(const ref::Plan& plan) {
+Course course(const Job& job) {
+    const ref::Plan& plan = job.plan;
     Course found;
     found.curvature.resize(Pictures::kBins);
+    found.deviation.resize(Pictures::kBins);
+    found.tolerance.resize(Pictures::kBins);
     for (std::vector<Envelope>& slope : found.slope) slope.resize(Pictures::kBins);
     const ref::Segment& last = plan.segments.back();
     const double total = std::ldexp(static_cast<double>(last.s_start + last.length), -16);
@@ -23,6 +26,7 @@ Course course(const ref::Plan& plan) {
     for (const ref::Segment& segment : plan.segments) {
         const double start = std::ldexp(static_cast<double>(segment.s_start), -16);
         const double length = std::ldexp(static_cast<double>(segment.length), -16);
+        const ref::Move& move = job.program.moves[segment.move];
         const double pieces = std::ceil(length / total * static_cast<double>(kPlaces));
         for (double i = 0; i <= pieces; ++i) {
             const double s = length * i / std::max(pieces, 1.0);
@@ -31,6 +35,8 @@ Course course(const ref::Plan& plan) {
                          Pictures::kBins - 1);
             const double bend = curve.curvature(segment, s) / plan.unit_mm;
             const ref::Vec3 slope = curve.direction(segment, s);
+            found.deviation[bin].add(move.deviation);
+            if (move.deviation > 0) found.tolerance[bin].add(move.tolerance);
             if (std::isfinite(bend)) found.curvature[bin].add(bend);
             for (std::size_t axis = 0; axis < 3 && slope.allFinite(); ++axis) {
                 found.slope[axis][bin].add(slope[static_cast<int>(axis)]);

@@ -13,8 +13,10 @@ namespace curvecore::sysc {
 struct Course {
     std::vector<Envelope> curvature;             // 1/mm; none where it is infinite
     std::array<std::vector<Envelope>, 3> slope;  // dx/ds, dy/ds, dz/ds
+    std::vector<Envelope> deviation;             // mm from the programmed path, bounds
+    std::vector<Envelope> tolerance;             // mm, of what is not drawn as it is programmed
 };
 
-Course course(const ref::Plan& plan);
+Course course(const Job& job);
 
 }  // namespace curvecore::sysc

@@ -68,16 +68,24 @@ nlohmann::ordered_json machine_json(const Job& job) {
     return json;
 }
 
-nlohmann::ordered_json deviation_json(const Job& job) {
+Json cost_json(const FormCost& cost) {
+    return {{"moves", cost.moves},
+            {"segments", cost.segments},
+            {"words", cost.words},
+            {"duration_s", cost.duration_s}};
+}
+
+std::string cost_text(const FormCost& cost) {
+    return fmt::format("{} moves, {} segments, {} words, {}", cost.moves, cost.segments, cost.words,
+                       time_text(cost.duration_s));
+}
+
+Json deviation_json(const Job& job) {
     const ref::Smoothed smoothed = job.smoothed.value_or(ref::Smoothed());
-    return {{"max_mm", smoothed.deviation},
-            {"share_of_P", smoothed.share},
-            {"line", smoothed.line},
-            {"P_mm", smoothed.tolerance},
-            {"programmed_moves", smoothed.moves},
-            {"corners", smoothed.corners},
-            {"curves", smoothed.curves},
-            {"cubics", smoothed.cubics}};
+    return {{"max_mm", smoothed.deviation}, {"share_of_P", smoothed.share},
+            {"line", smoothed.line},        {"P_mm", smoothed.tolerance},
+            {"corners", smoothed.corners},  {"curves", smoothed.curves},
+            {"cubics", smoothed.cubics},    {"exact", job.exact ? cost_json(*job.exact) : Json()}};
 }
 
 std::string deviation_text(const ref::Smoothed& smoothed) {
@@ -98,10 +106,7 @@ nlohmann::ordered_json as_arcs_json(const Job& job) {
                                    {"pieces", found.replaced.moves}};
     if (job.options.arc_tolerance) json["tolerance_mm"] = *job.options.arc_tolerance;
     for (const FormCost& cost : found.costs) {
-        json["forms"][cost.form] = {{"moves", cost.moves},
-                                    {"segments", cost.segments},
-                                    {"words", cost.words},
-                                    {"duration_s", cost.duration_s}};
+        json["forms"][cost.form] = cost_json(cost);
     }
     return json;
 }
@@ -299,6 +304,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
                     job.plan.segments.size(),
                     std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
+    if (job.exact) row(job.exact->form, cost_text(*job.exact));
     if (job.as_arcs) {
         const ref::Replaced& replaced = job.as_arcs->replaced;
         const std::optional<double> asked = job.options.arc_tolerance;
@@ -307,9 +313,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
                         replaced.moves, replaced.deviation * 1e3,
                         asked ? "asked: " + exact_length(*asked) : "the core draws no splines"));
         for (const FormCost& cost : job.as_arcs->costs) {
-            row("as " + cost.form,
-                fmt::format("{} moves, {} segments, {} words, {}", cost.moves, cost.segments,
-                            cost.words, time_text(cost.duration_s)));
+            row("as " + cost.form, cost_text(cost));
         }
     }
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,

@@ -102,8 +102,12 @@ std::string data(const Report& report, const Pictures& pictures) {
     envelope(rest, "acceleration", pictures.acceleration());
     envelope(rest, "total", pictures.total_acceleration());
     envelope(rest, "jerk", pictures.jerk());
-    const Course shape = course(job.plan);
+    const Course shape = course(job);
     envelope(rest, "curvature", shape.curvature);
+    if (!job.programmed.moves.empty()) {
+        envelope(rest, "deviation", shape.deviation);
+        envelope(rest, "tolerance", shape.tolerance);
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         envelope(rest, std::array<const char*, 3>{"slope_x", "slope_y", "slope_z"}[axis],
                  shape.slope[axis]);

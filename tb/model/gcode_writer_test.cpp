@@ -34,8 +34,8 @@ void expect_same(const Program& a, const Program& b) {
         for (int k = 0; k < kAuxAxes; ++k) EXPECT_NEAR(x.aux_end[k], y.aux_end[k], kRounded);
         if ((x.end - x.start).isZero(0) && x.kind == Move::Kind::kLine) continue;
         for (const double part : {0.0, 0.2, 0.5, 0.7, 1.0}) {
-            const Joint p = point_of(x, part * length);
-            const Joint q = point_of(y, part * y.length());
+            const MovePlace p = place_on(x, part * length);
+            const MovePlace q = place_on(y, part * y.length());
             EXPECT_LE((p.position - q.position).norm(), 2e-7) << "line " << x.line;
             if (!p.tangent.allFinite()) continue;  // a cusp
             EXPECT_LE((p.tangent - q.tangent).norm(), 1e-6) << "line " << x.line;

@@ -227,8 +227,8 @@ TEST(Joint, PointsAlongAMoveMatchItsEnds) {
     const Program program =
         read_gcode_text("F60\nG3 X10 Y0 I5 J3 Z4 P2\nG5 X20 Y5 I3 J0 P0 Q-4\nG1 Z9\n", "p.ngc");
     for (const Move& move : program.moves) {
-        const Joint first = point_of(move, 0);
-        const Joint last = point_of(move, move.length());
+        const MovePlace first = place_on(move, 0);
+        const MovePlace last = place_on(move, move.length());
         EXPECT_LE((first.position - move.start).norm(), 1e-9);
         EXPECT_LE((last.position - move.end).norm(), 1e-9);
         EXPECT_LE((last.tangent - joint_of("p.ngc", move, true).tangent).norm(), 1e-9);

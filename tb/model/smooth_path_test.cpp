@@ -33,20 +33,15 @@ struct Jumps {
     double bend = 0;   // 1/mm
 };
 
-ref::MovePlace end_of(const Move& move, double part) {
-    if (move.kind != Move::Kind::kCubic) return ref::place_on(move, part);
-    return {move.cubic.position(part), ref::tangent(move.cubic, part),
-            ref::curvature_vector(move.cubic, part)};
-}
-
 Jumps jumps(const Program& program) {
     Jumps worst;
     for (std::size_t i = 1; i < program.moves.size(); ++i) {
-        const ref::MovePlace before = end_of(program.moves[i - 1], 1);
-        const ref::MovePlace after = end_of(program.moves[i], 0);
+        const ref::MovePlace before =
+            ref::place_on(program.moves[i - 1], program.moves[i - 1].length());
+        const ref::MovePlace after = ref::place_on(program.moves[i], 0);
         worst.place = std::max(worst.place, (after.position - before.position).norm());
-        worst.turn = std::max(worst.turn, (after.slope - before.slope).norm());
-        worst.bend = std::max(worst.bend, (after.bend - before.bend).norm());
+        worst.turn = std::max(worst.turn, (after.tangent - before.tangent).norm());
+        worst.bend = std::max(worst.bend, (after.curvature - before.curvature).norm());
     }
     return worst;
 }

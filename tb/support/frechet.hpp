@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "ref/path/move_part.hpp"
+#include "ref/program/move_part.hpp"
 
 namespace curvecore::tb {
 
@@ -27,11 +27,12 @@ inline Polyline polyline(const std::vector<ref::Move>& moves, double error) {
                 std::max(move.cubic.acceleration(0).norm(), move.cubic.acceleration(1).norm());
             count = 1 + static_cast<int>(std::sqrt(bend / error / 8));
         }
+        const double length = move.length();
         for (int i = 1; i <= count; ++i) {
             const double part = static_cast<double>(i) / count;
             points.push_back(move.kind == ref::Move::Kind::kCubic
                                  ? move.cubic.position(part)
-                                 : ref::place_on(move, part).position);
+                                 : ref::place_on(move, part * length).position);
         }
     }
     return points;

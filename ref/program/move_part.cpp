@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/program/move_part.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "ref/curve/arc_length.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+MovePlace on_cubic(const Cubic& cubic, double s) {
+    const double u = parameter_at(cubic, s);
+    return {cubic.position(u), tangent(cubic, u), curvature_vector(cubic, u)};
+}
+
+/// From the start, so that a far centre costs no digits.
+MovePlace on_arc(const Move& move, double s) {
+    const double length = move.length();
+    const double twist = move.angle / length;
+    const double sine = std::sin(twist * s);
+    const double cosine = std::cos(twist * s);
+    const double half = std::sin(twist * s / 2);
+    const Vec3 arm = move.start - move.centre;
+    const Vec3 forward = move.normal.cross(arm);
+    const Vec3 rise = move.advance / length * move.normal;
+    return {move.start + sine * forward - 2 * half * half * arm + s * rise,
+            twist * (cosine * forward - sine * arm) + rise,
+            -twist * twist * (cosine * arm + sine * forward)};
+}
+
+}  // namespace
+
+MovePlace place_on(const Move& move, double s) {
+    if (move.kind == Move::Kind::kCubic) return on_cubic(move.cubic, s);
+    if (move.kind == Move::Kind::kArc) return on_arc(move, s);
+    MovePlace place;
+    place.tangent = (move.end - move.start).normalized();
+    place.position = move.start + s * place.tangent;
+    return place;
+}
+
+Move part_of(const Move& move, double from, double to) {
+    const double length = move.length();
+    const double share = (to - from) / length;
+    Move part = move;
+    if (from > 0) part.start = place_on(move, from).position;
+    part.centre += from / length * move.advance * move.normal;
+    part.angle *= share;
+    part.advance *= share;
+    if (to < length) {
+        part.end = place_on(move, to).position;
+        part.exact_stop = false;
+        part.dwell = 0;
+    }
+    return part;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places on a move, and its parts.
+#pragma once
+
+#include "ref/program/move.hpp"
+
+namespace curvecore::ref {
+
+/// | field     | symbol    | shape | unit | remark               |
+/// |-----------|-----------|-------|------|----------------------|
+/// | position  | r         | 3     | mm   |                      |
+/// | tangent   | T = dr/ds | 3     | 1    | |T| = 1              |
+/// | curvature | d2r/ds2   | 3     | 1/mm | kappa N, normal to T |
+struct MovePlace {
+    Vec3 position = Vec3::Zero();
+    Vec3 tangent = Vec3::UnitX();
+    Vec3 curvature = Vec3::Zero();
+};
+
+/// A move at the path length s of X Y Z, 0 .. length.
+MovePlace place_on(const Move& move, double s);
+
+/// A line or an arc from one path length to another, without auxiliary axes. The stop and the dwell
+/// stay behind the move's own end.
+Move part_of(const Move& move, double from, double to);
+
+}  // namespace curvecore::ref
