@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-// A corner of two lines, rounded by one cubic.
+// A corner of two moves, rounded by one cubic.
 #pragma once
 
-#include <cmath>
+#include <optional>
 
 #include "ref/curve/cubic.hpp"
+#include "ref/program/move.hpp"
 
 namespace curvecore::ref {
 
-/// [v - d t1, v, v, v + d t2]: both inner points on the corner v, so its curvature is 0 at the
-/// ends. It is the time of two overlapping ramps of constant jerk: at its best the speed dips in
-/// the middle as for a stop, and never reaches 0.
+/// In the place of what lies within `reach` of a joint, with the tangents and the curvatures that
+/// the moves have there.
 ///
-/// Its half is paired with its line by B = v + p (1 - u)^3 + r u^3, p = -d t1, r = d t2, and
-/// v + p ((1 - u)^3 - u^3): they differ by u^3 (p + r), u <= 1/2. So each keeps |p + r| / 8 =
-/// d sin(turn / 2) / 4 from the other, which is reached at the corner.
+/// Of two lines it is [v - d t1, v, v, v + d t2], both inner points on the joint v: the path of two
+/// overlapping ramps of constant jerk, whose best speed dips in the middle as for a stop and never
+/// reaches 0. With p = -d t1 and r = d t2, u <= 1/2 is paired with v + p ((1 - u)^3 - u^3): they
+/// differ by u^3 (p + r), so each path keeps |p + r| / 8 = d sin(turn / 2) / 4 from the other.
+///
+/// With an arc in the same plane the inner points move along the tangents until the curvatures fit.
+/// The same pairs, by path length, are compared at many places; what is between them is at most
+/// h^2 / 8 of the difference's second derivative.
 struct Corner {
-    Vec3 vertex;
-    Vec3 before;   // t1, the tangents
-    Vec3 after;    // t2
-    double reach;  // d, mm of each line
-
-    Bezier points() const {
-        return {vertex - reach * before, vertex, vertex, vertex + reach * after};
-    }
-    double deviation() const { return reach * (after - before).norm() / 8; }
+    double reach = 0;  // d, mm of either move
+    Bezier points{};
+    double deviation = 0;  // mm, a bound
 };
 
-/// Reach whose deviation is the tolerance, for a turn in rad.
-inline double corner_reach(double turn, double tolerance) {
-    return 4 * tolerance / std::sin(turn / 2);
-}
+/// Reach whose deviation is the tolerance, of two lines, for a turn in rad.
+double corner_reach(double turn, double tolerance);
+
+/// Lines and arcs that meet at an angle; none where the moves lie in no plane, or bend too much.
+std::optional<Corner> corner_of(const Move& before, const Move& after, double reach);
+
+/// The longest one, up to `most`, that keeps the tolerance.
+std::optional<Corner> longest_corner(const Move& before, const Move& after, double tolerance,
+                                     double most);
 
 }  // namespace curvecore::ref

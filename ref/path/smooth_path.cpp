@@ -17,6 +17,7 @@ namespace {
 constexpr double kReversal = 2.6;      // rad: beyond it a joint stops
 constexpr double kMeantCorner = 0.35;  // rad: one of two lines is rounded on its own
 constexpr double kCornerShare = 0.45;  // of a line, that a corner may take
+constexpr double kArcCorner = 3.4;     // reaches of a corner of lines, with an arc: six spans
 constexpr double kStepReach = 10.5;    // sqrt(tolerance / step of the curvature): six spans
 constexpr double kMiddle = 1.2;        // reaches in a move that keeps its middle
 constexpr double kLongMove = 25e-3;    // s: a move beside a joint that is no part of a curve
@@ -36,26 +37,27 @@ struct Joint {
     double reach = 0;  // mm to both sides
 };
 
+/// Whether the machine stands still at the ends of a group.
+struct Rest {
+    bool before;
+    bool after;
+};
+
 /// Moves that follow each other with one tolerance, all rapid or none, without a stop.
 class Group {
   public:
-    Group(const Move* moves, std::size_t count, double tolerance, bool rest_before,
-          const Pace& pace, Smoothed& report)
+    Group(const Move* moves, std::size_t count, double tolerance, Rest rest, const Pace& pace,
+          Smoothed& report)
         : moves_(moves), count_(count), tolerance_(tolerance), pace_(pace), report_(report) {
         joints_.resize(count + 1);
         for (std::size_t i = 0; i < count; ++i) {
             path_.add(moves[i], kArcError * tolerance_);
             joints_[i + 1].s = path_.length();
         }
-        if (rest_before) joints_.front().kind = Joint::Kind::kStop;
-        if (moves[count - 1].exact_stop || moves[count - 1].dwell > 0) {
-            joints_.back().kind = Joint::Kind::kStop;
-        }
+        if (rest.before) joints_.front().kind = Joint::Kind::kStop;
+        if (rest.after) joints_.back().kind = Joint::Kind::kStop;
         for (std::size_t i = 1; i < count; ++i) look_at(i);
     }
-
-    /// Ends where the next group begins at rest.
-    void stop_after() { joints_.back().kind = Joint::Kind::kStop; }
 
     std::vector<Move> run() {
         std::size_t i = 1;
@@ -108,23 +110,26 @@ class Group {
             return;
         }
         const double shorter = std::min(length(i - 1), length(i));
-        if (lines(i) && turn > kMeantCorner && seen > kMeantCorner) {
-            const double reach = corner_reach(turn, tolerance_);
-            if (kCornerShare * shorter > reach / 2) {
+        if (turn > kMeantCorner && seen > kMeantCorner) {
+            const std::optional<Corner> corner =
+                longest_corner(moves_[i - 1], moves_[i], tolerance_, kCornerShare * shorter);
+            if (corner && corner->reach > corner_reach(turn, tolerance_) / 2) {
                 joint.kind = Joint::Kind::kCorner;
-                joint.reach = std::min(reach, kCornerShare * shorter);
+                joint.reach = corner->reach;
                 return;
             }
         }
         joint.kind = Joint::Kind::kCurve;
         double reach = 0;
         if (turn > kNoTurn) reach = corner_reach(std::max(turn, seen), tolerance_);
+        if (turn > kMeantCorner && !lines(i)) reach *= kArcCorner;
         // Between long moves no further than the feed asks for.
         const double most = std::max(feed(i - 1), feed(i));
         const double bend = std::min(pace_.acceleration / (most * most),
                                      std::sqrt(pace_.jerk / (most * most * most)));
         if (shorter > kLongMove * most) reach = std::min(reach, 3 * turn / bend);
-        if (step > kNoStep) reach = std::max(reach, kStepReach * std::sqrt(tolerance_ / step));
+        if (step > kNoStep && turn < kMeantCorner)
+            reach = std::max(reach, kStepReach * std::sqrt(tolerance_ / step));
         joint.reach = reach;
     }
 
@@ -134,14 +139,13 @@ class Group {
     }
 
     void round_corner(std::size_t i) {
-        const Corner corner{moves_[i].start, place_on(moves_[i - 1], length(i - 1)).tangent,
-                            place_on(moves_[i], 0).tangent, joints_[i].reach};
+        const Corner corner = *corner_of(moves_[i - 1], moves_[i], joints_[i].reach);
         copy_to(joints_[i].s - corner.reach);
         Move move = moves_[i - 1];
         move.feed = std::min(move.feed, moves_[i].feed);
-        Bezier points = corner.points();
+        Bezier points = corner.points;
         if (!result_.empty()) points[0] = result_.back().end;
-        append(move, points, corner.deviation());
+        append(move, points, corner.deviation);
         reached_ = joints_[i].s + corner.reach;
         ++report_.corners;
     }
@@ -273,6 +277,12 @@ bool together(const Move& a, const Move& b) {
            !(a.dwell > 0);
 }
 
+bool stops(const Move& before, const Move& after) {
+    const Vec3 out = place_on(before, before.length()).tangent;
+    return before.exact_stop || before.dwell > 0 ||
+           angle(out, place_on(after, 0).tangent) > kSmallTurn;
+}
+
 }  // namespace
 
 Smoothed smooth_path(Program& program, const Machine& machine, double share) {
@@ -294,8 +304,9 @@ Smoothed smooth_path(Program& program, const Machine& machine, double share) {
         while (i + count < program.moves.size() && together(first[count - 1], first[count])) {
             ++count;
         }
-        Group group(first, count, share * first->tolerance, i == 0, pace, report);
-        if (i + count == program.moves.size()) group.stop_after();
+        const Rest rest{i == 0 || stops(first[-1], *first),
+                        i + count == program.moves.size() || stops(first[count - 1], first[count])};
+        Group group(first, count, share * first->tolerance, rest, pace, report);
         const std::vector<Move> drawn = group.run();
         moves.insert(moves.end(), drawn.begin(), drawn.end());
         i += count;

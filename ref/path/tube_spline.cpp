@@ -171,47 +171,60 @@ double TubeSpline::barrier(double mu) const {
     return energy() - mu * (sum + std::log(product));
 }
 
+/// Slope and second derivative of the barrier by the four control points of a span.
+struct TubeSpline::Local {
+    std::array<Vec3, 4> slope;
+    std::array<std::array<Eigen::Matrix3d, 4>, 4> bend;  // of the points i >= j
+
+    Local() {
+        slope.fill(Vec3::Zero());
+        for (auto& row : bend) row.fill(Eigen::Matrix3d::Zero());
+    }
+    /// Adds f(sum of weight x point) by f' and f''.
+    void add(const std::array<double, 4>& weight, const Vec3& first,
+             const Eigen::Matrix3d& second) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            slope[i] += weight[i] * first;
+            for (std::size_t j = 0; j <= i; ++j) bend[i][j] += weight[i] * weight[j] * second;
+        }
+    }
+};
+
+TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
+    Local sum;
+    Vec3 d3 = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) d3 += third_[span][i] * spline_.points[span + i];
+    sum.add(third_[span], jerk_weight_[span] * d3,
+            jerk_weight_[span] * Eigen::Matrix3d::Identity());
+    for (std::size_t k = row_of_span_[span]; k < row_of_span_[span + 1]; ++k) {
+        if (!rows_[k].free) continue;
+        const Vec3 e = error(rows_[k]);
+        const double factor = 2 * mu / (limit_ * limit_ - e.squaredNorm());
+        sum.add(rows_[k].weight, factor * e,
+                factor * Eigen::Matrix3d::Identity() + factor * factor / mu * e * e.transpose());
+    }
+    return sum;
+}
+
 /// Whether it got anywhere.
 bool TubeSpline::newton_step(double mu) {
     const std::size_t n = last_ - first_;
     BandMatrix<11> matrix(3 * n);
     std::vector<double> step(3 * n, 0);
     for (std::size_t span = 0; span < third_.size(); ++span) {
-        const std::array<double, 4>& third = third_[span];
-        Vec3 d3 = Vec3::Zero();
-        for (std::size_t i = 0; i < 4; ++i) d3 += third[i] * spline_.points[span + i];
+        const Local sum = local(span, mu);
         for (std::size_t i = 0; i < 4; ++i) {
             if (!is_free(span + i)) continue;
             const std::size_t at = 3 * (span + i - first_);
-            const double w = jerk_weight_[span] * third[i];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                step[at + axis] -= w * d3[static_cast<Eigen::Index>(axis)];
+            for (std::size_t a = 0; a < 3; ++a) {
+                const auto row = static_cast<Eigen::Index>(a);
+                step[at + a] -= sum.slope[i][row];
                 for (std::size_t j = 0; j <= i; ++j) {
                     if (!is_free(span + j)) continue;
-                    matrix.add(at + axis, 3 * (span + j - first_) + axis, w * third[j]);
-                }
-            }
-        }
-    }
-    for (const Row& row : rows_) {
-        if (!row.free) continue;
-        const Vec3 e = error(row);
-        const double factor = 2 * mu / (limit_ * limit_ - e.squaredNorm());
-        const double outer = factor * factor / mu;
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (!is_free(row.span + i)) continue;
-            const std::size_t at = 3 * (row.span + i - first_);
-            for (std::size_t a = 0; a < 3; ++a) {
-                const double ea = e[static_cast<Eigen::Index>(a)];
-                step[at + a] -= row.weight[i] * factor * ea;
-                for (std::size_t j = 0; j <= i; ++j) {
-                    if (!is_free(row.span + j)) continue;
-                    const double w = row.weight[i] * row.weight[j];
-                    const std::size_t to = 3 * (row.span + j - first_);
+                    const std::size_t to = 3 * (span + j - first_);
                     for (std::size_t b = 0; b < 3; ++b) {
-                        const double own = a == b ? factor : 0;
                         matrix.add(at + a, to + b,
-                                   w * (own + outer * ea * e[static_cast<Eigen::Index>(b)]));
+                                   sum.bend[i][j](row, static_cast<Eigen::Index>(b)));
                     }
                 }
             }

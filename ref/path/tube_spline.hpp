@@ -65,6 +65,8 @@ class TubeSpline {
     void least_squares(const std::vector<double>& weights);
     double energy() const;
     double barrier(double mu) const;
+    struct Local;
+    Local local(std::size_t span, double mu) const;
     bool newton_step(double mu);
 
     CubicSpline spline_;

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "ref/curve/cubic.hpp"
+#include "ref/path/corner.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/frechet.hpp"
 
@@ -86,6 +87,38 @@ TEST(SmoothPath, OfASquareCornerIsTheCubicWithTheWholeTolerance) {
         EXPECT_NEAR(ref::curvature(program.moves[1].cubic, 0.5), bend, 1e-9 * bend);
         EXPECT_LT(jumps(program).turn, 1e-12);
         EXPECT_LT(jumps(program).bend, 1e-9);
+    }
+}
+
+TEST(SmoothPath, OfACornerWithAnArcIsOneCubicToo) {
+    for (const double tolerance : {0.001, 0.05}) {
+        for (const double turn : {-2.0, -1.0, 0.5, 1.5, 2.4}) {
+            for (const double radius : {1.5, 20.0}) {
+                for (const bool two_arcs : {false, true}) {
+                    ProgramBuilder builder;
+                    if (two_arcs) {
+                        builder.arc({0, 30, 0}, {0, 0, 1}, 0.4, 0, 100);
+                    } else {
+                        builder.line({10, 0, 0}, 100);
+                    }
+                    const Vec3 in = end_tangent(builder.program().moves.back());
+                    const Vec3 out = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * in;
+                    builder.tangent_arc(out, Vec3::UnitZ().cross(out), radius, 1.5, 100);
+                    Program program = with_tolerance(builder.program(), tolerance);
+                    Smoothed smoothed;
+                    const double seen = smooth_and_search(program, smoothed);
+                    EXPECT_LE(seen, 1.002) << turn << " " << radius << " " << tolerance;
+                    const double reach = ref::corner_reach(std::abs(turn), tolerance);
+                    if (reach < 0.2 * radius) {  // else it is no longer near a corner of lines
+                        EXPECT_GE(seen, 0.9) << turn << " " << radius << " " << tolerance;
+                        EXPECT_EQ(smoothed.corners, 1) << turn << " " << radius;
+                        EXPECT_EQ(program.moves.size(), 3);
+                    }
+                    EXPECT_LT(jumps(program).turn, 1e-9);
+                    EXPECT_LT(jumps(program).bend, 1e-6);
+                }
+            }
+        }
     }
 }
 

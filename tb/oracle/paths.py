@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-HEAD = "G21 G90 G17 G94 G64\n"
+HEAD = "G21 G90 G17 G94 G61\n"
 
 
 @dataclass(frozen=True)
@@ -73,17 +73,16 @@ class Arc:
 class Cubic:
     """Of Bezier's control points; s(u) by quadrature, u(s) by interpolation and Newton's method."""
 
-    PARTS = 4000
-
-    def __init__(self, points):
+    def __init__(self, points, parts=4000):
         self.points = np.array(points, float)
+        self.parts = parts
         p = self.points
         self.c = np.array([p[0], 3 * (p[1] - p[0]), 3 * (p[0] - 2 * p[1] + p[2]),
                            p[3] - 3 * p[2] + 3 * p[1] - p[0]]).T
-        u = np.linspace(0, 1, self.PARTS + 1)
+        u = np.linspace(0, 1, parts + 1)
         x, w = np.polynomial.legendre.leggauss(5)
-        inside = (u[:-1, None] + (x + 1) / 2 / self.PARTS).ravel()
-        steps = (self.speed(inside).reshape(-1, 5) * w).sum(axis=1) / 2 / self.PARTS
+        inside = (u[:-1, None] + (x + 1) / 2 / parts).ravel()
+        steps = (self.speed(inside).reshape(-1, 5) * w).sum(axis=1) / 2 / parts
         self.u = u
         self.s = np.concatenate(([0], np.cumsum(steps)))
 
@@ -107,7 +106,7 @@ class Cubic:
     def derivatives(self, s):
         u = np.interp(s, self.s, self.u)
         for _ in range(3):
-            near = np.clip(np.searchsorted(self.s, s) - 1, 0, self.PARTS - 1)
+            near = np.clip(np.searchsorted(self.s, s) - 1, 0, self.parts - 1)
             x, w = np.polynomial.legendre.leggauss(5)
             half = (u - self.u[near]) / 2
             at = self.u[near][:, None] + half[:, None] * (x + 1)
