@@ -66,6 +66,24 @@ def others():
     return table([*head, "jumps of velocity, mm/s"], rows)
 
 
+def drawn():
+    """Programs in G64 P: what is drawn, and how long."""
+    data = load("figures/drawn.json")
+    if data is None:
+        return None
+    rows = []
+    for r in data["rows"]:
+        rows.append([r["program"], f"{r['share']:.3f}", f"{r['moves']} -> {r['drawn_moves']}",
+                     f"{r['drawn_words'] / r['words']:.2f}", f"{r['exact_s']:.3f}",
+                     f"{r['drawn_s']:.3f}", f"{r['oracle_shares_s']:.3f}",
+                     f"{r['drawn_s'] / r['oracle_shares_s']:.3f}", f"{r['oracle_s']:.3f}",
+                     f"{r['drawn_s'] / r['oracle_s']:.3f}"])
+    head = ["program", "off / P", "moves", "words / exact", "exact path, s", "drawn, s",
+            "oracle, the same shares", "drawn / oracle", "oracle, whole limits",
+            "drawn / oracle"]
+    return "Along the path that is drawn, at 500 mm/s:\n\n" + table(head, rows)
+
+
 def oracle():
     """Durations over those of the time oracle."""
     data = load("figures/oracle.json")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How far the planner is from the time optimum of an independent oracle: a table, and
-# build/figures/oracle.json. Some minutes.
+# How far the planner is from the time optimum of an independent oracle: tables, and
+# build/figures/oracle.json, drawn.json. Some minutes.
 set -euo pipefail
 case ${1:-} in
   -h | --help)
@@ -16,3 +16,4 @@ cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)" --target curvecore
 mkdir -p build/figures
 python3 tb/oracle/time_over_optimum.py --program build/curvecore -o build/figures/oracle.json
+python3 tb/oracle/drawn_over_optimum.py --program build/curvecore -o build/figures/drawn.json

@@ -19,7 +19,8 @@ import sys
 
 from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, throughput
 from choose_tables import choose, choose_impossible, order_words, parameter_guard
-from claim_tables import bench_table, claims, minimal_orders, oracle, others, paper_table
+from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
+                          paper_table)
 from parameter_table import parameter_rows
 from placed_tables import (cost_model, hls, networks, order_words_placed, parameter_guard_placed,
                            sizes, synthesis)
@@ -58,6 +59,7 @@ TABLES = {
     "paper_table": Table(paper_table, BENCH, exact=True),
     "minimal_orders": Table(minimal_orders, BENCH, exact=True),
     "oracle": Table(oracle, "scripts/oracle.sh"),
+    "drawn": Table(drawn, "scripts/oracle.sh"),
     "forms": Table(bench("form_tables", "forms"), BENCH, exact=True),
     "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
     "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),

@@ -7,13 +7,16 @@
 #include "sysc/host/options.hpp"
 
 namespace curvecore::sysc {
+
+std::size_t words_of(const ref::Plan& plan) {
+    return ref::segment_bus_words(plan.aux_axes) * plan.segments.size() +
+           ref::kProfileBusWords * plan.pieces.size();
+}
+
 namespace {
 
 FormCost cost(const char* form, const ref::Program& program, const ref::Plan& plan) {
-    const std::size_t each = ref::segment_bus_words(plan.aux_axes);
-    const std::size_t segments = plan.segments.size();
-    return {form, program.moves.size(), segments,
-            each * segments + ref::kProfileBusWords * plan.pieces.size(), plan.duration_s};
+    return {form, program.moves.size(), plan.segments.size(), words_of(plan), plan.duration_s};
 }
 
 }  // namespace

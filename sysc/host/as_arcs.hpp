@@ -15,7 +15,9 @@ namespace curvecore::sysc {
 
 struct Options;
 
-/// Words are those that the host sends: of segments and of profile pieces.
+/// That the host sends: of segments and of profile pieces.
+std::size_t words_of(const ref::Plan& plan);
+
 struct FormCost {
     std::string form;
     std::size_t moves = 0;

@@ -227,6 +227,7 @@ nlohmann::ordered_json Report::json() const {
     json["moves"] = job.program.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
+    json["words"] = words_of(job.plan);
     json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
     json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
@@ -300,8 +301,8 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
                             ref::parameters_text(job.options.core)));
     row("program",
-        fmt::format("{} moves, {} segments, {:.3f} mm", job.program.moves.size(),
-                    job.plan.segments.size(),
+        fmt::format("{} moves, {} segments, {} words, {:.3f} mm", job.program.moves.size(),
+                    job.plan.segments.size(), words_of(job.plan),
                     std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.exact) row(job.exact->form, cost_text(*job.exact));

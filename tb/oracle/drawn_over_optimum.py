@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Programs in G64 P: what is drawn, and how long over the oracle's time along that path.
+
+    drawn_over_optimum.py --program curvecore -o FILE.json    all programs, printed
+    drawn_over_optimum.py --program curvecore --check         some of them: fails where a plan leaves
+                                                              the tolerance or is slower than it
+                                                              should be
+"""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from drawn_path import stretches
+from programs import FEED, PROGRAMS
+from time_oracle import Limits
+from time_over_optimum import best, shares
+
+CHECKED = ("circle, chords of 0.1 mm", "turn, chords of 0.1 mm", "stadium, R 10")
+SLOWER = 1.02  # than the oracle along the same path under the same shares
+
+
+def plan(program, text, folder):
+    file = folder / "part.ngc"
+    file.write_text(text)
+    subprocess.run([program, "plan", file, "--effort", "optimum", "-q", "-o", folder / "out"],
+                   check=True)
+    return json.loads((folder / "out/report.json").read_text())
+
+
+def row(program, name, folder):
+    report = plan(program, PROGRAMS[name], folder)
+    exact = report["deviation"]["exact"]
+    limits = Limits()
+    sums = {"oracle_shares_s": 0, "oracle_s": 0}
+    for curves in stretches(folder / "out/segments.json"):
+        grid = max(1200, 30 * len(curves))
+        sums["oracle_shares_s"] += best(curves, limits.shares(*shares()), FEED, grid)
+        sums["oracle_s"] += best(curves, limits, FEED, grid)
+    return {
+        "program": name,
+        "tolerance_mm": report["deviation"]["P_mm"],
+        "share": report["deviation"]["share_of_P"],
+        "moves": exact["moves"],
+        "drawn_moves": report["moves"],
+        "words": exact["words"],
+        "drawn_words": report["words"],
+        "exact_s": exact["duration_s"],
+        "drawn_s": report["duration_s"],
+        **sums,
+    }
+
+
+def check(program, folder):
+    """Returns the exit status."""
+    status = 0
+    for name in CHECKED:
+        found = row(program, name, folder)
+        ratio = found["drawn_s"] / found["oracle_shares_s"]
+        print(f"{name}: {found['drawn_s']:.4f} s, {ratio:.4f} of the oracle's time; "
+              f"{found['share']:.4f} of the tolerance")
+        status |= ratio > SLOWER or not 0.5 < found["share"] <= 1 + 1e-9
+    return int(status)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True, metavar="CURVECORE")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("-o", dest="output", metavar="FILE.json")
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        if given.check:
+            return check(given.program, folder)
+        rows = []
+        for name in PROGRAMS:
+            rows.append(row(given.program, name, folder))
+            print(", ".join(f"{key} {value}" for key, value in rows[-1].items()), flush=True)
+    if given.output:
+        Path(given.output).write_text(json.dumps({"rows": rows}, indent=2) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
