@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "ref/machine/machine.hpp"
+#include "ref/path/smooth_path.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/points_reader.hpp"
@@ -76,6 +77,20 @@ std::string flaw(const Move& move) {
     return "";
 }
 
+/// Of what is drawn within the tolerance.
+std::string flaw_of_path(ref::Program program) {
+    ref::smooth_path(program, ref::Machine());
+    const Move* before = nullptr;
+    for (const Move& move : program.moves) {
+        const std::string found = flaw(move);
+        if (!found.empty()) return found;
+        if (!(move.deviation <= move.tolerance * (1 + 1e-9))) return "the tolerance is left";
+        if (before != nullptr && !((before->end - move.start).norm() <= 1e-9)) return "a gap";
+        before = &move;
+    }
+    return "";
+}
+
 TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
     Mutator mutator(samples(".ngc"), kWords);
     int read = 0;
@@ -97,6 +112,7 @@ TEST(ReaderFuzz, HundredThousandMutatedProgramsAreRefusedOrSound) {
                     << text;
                 before = &move;
             }
+            ASSERT_EQ(flaw_of_path(program), "") << "case " << i << ":\n" << text;
         } catch (const ref::InputError&) {
         }
     }

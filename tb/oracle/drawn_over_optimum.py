@@ -3,9 +3,8 @@
 """Programs in G64 P: what is drawn, and how long over the oracle's time along that path.
 
     drawn_over_optimum.py --program curvecore -o FILE.json    all programs, printed
-    drawn_over_optimum.py --program curvecore --check         some of them: fails where a plan leaves
-                                                              the tolerance or is slower than it
-                                                              should be
+    drawn_over_optimum.py --program curvecore --check         some of them: fails where a plan is
+                                                              slower than it should be, or off
 """
 
 import argparse
