@@ -296,6 +296,7 @@ int dispatch(int argc, char** argv) {
         throw UsageError(error.what());
     }
     if (*compare) {
+        raw.path = "exact";  // the program's own curves
         if (compare_options.common.file.empty() && compare_options.common.folder.empty()) {
             compare_options.common.folder = "curves.out";
         }

@@ -48,6 +48,7 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
 int plan_command(const Options& options) {
     Job job = read_job(options);
     plan_and_check(job);
+    plan_others(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());

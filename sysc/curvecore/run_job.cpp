@@ -46,6 +46,7 @@ Runner::Runner(Job job) : job_(std::move(job)) {
         make_ = built_in->make;
     }
     plan_and_check(job_);
+    plan_others(job_);
     if (options.needs_rtl() && built_in == nullptr) {
         make_ = CoreCache().open(options.core, options.quiet);
     }

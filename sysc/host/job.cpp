@@ -9,6 +9,7 @@
 #include "ref/program/program_reader.hpp"
 #include "ref/segment/geometry.hpp"
 #include "sysc/host/core_clocks.hpp"
+#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
 
@@ -71,7 +72,8 @@ void make_path(Job& job) {
     if (!job.options.exact_path) {
         job.programmed = job.program;
         job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kHalf : 1);
-        if (job.smoothed->deviation == 0) job.programmed = {};
+        const bool same = job.program.moves.size() == job.programmed.moves.size();
+        if (same && job.smoothed->deviation == 0) job.programmed = {};
     }
     if (!arcs) return;
     AsArcs as_arcs;
@@ -117,12 +119,46 @@ Job make_job(const Options& options, ref::Program program) {
     return job;
 }
 
-void plan_job(Job& job) {
+namespace {
+
+void plan_path(Job& job) {
     const bool splines = std::any_of(job.program.moves.begin(), job.program.moves.end(), is_spline);
     check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz);
     job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
     if (job.plan.segments.empty()) {
         throw ref::InputError(job.program.file, 0, "the program does not move");
+    }
+}
+
+/// The core or the machine cannot have the smooth path; if they cannot have that of the program
+/// either, its errors name its lines.
+void plan_as_programmed(Job& job) {
+    std::swap(job.program, job.programmed);
+    job.programmed = {};
+    job.smoothed.reset();
+    job.as_arcs.reset();
+    if (!job.options.splines_set) job.options.core.splines = 0;
+    set_splines(job);
+    plan_path(job);
+    job.program.warnings.push_back(
+        fmt::format("{}: warning: drawn as programmed: what G64 allows is beyond this core or the "
+                    "machine's travel",
+                    job.program.file));
+}
+
+}  // namespace
+
+void plan_job(Job& job) {
+    if (job.programmed.moves.empty()) {
+        plan_path(job);
+    } else {
+        try {
+            plan_path(job);
+        } catch (const ref::InputError&) {
+            plan_as_programmed(job);
+        } catch (const UsageError&) {
+            plan_as_programmed(job);
+        }
     }
     warn_of_segments(job);
     if (!job.bounded()) {
@@ -138,6 +174,9 @@ void plan_job(Job& job) {
                         job.program.file, job.plan.slowed_moves));
     }
     job.limits = ref::limit_report(job.program, job.machine, job.plan);
+}
+
+void plan_others(Job& job) {
     if (!job.programmed.moves.empty()) {
         job.exact = exact_cost(job.options, job.machine, job.programmed);
     }

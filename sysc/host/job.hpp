@@ -46,4 +46,7 @@ Job make_job(const Options& options, ref::Program program);
 /// @throws ref::InputError, also when the program does not move
 void plan_job(Job& job);
 
+/// What the program would cost as it is written, or in other forms, for a report.
+void plan_others(Job& job);
+
 }  // namespace curvecore::sysc

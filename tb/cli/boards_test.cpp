@@ -108,7 +108,7 @@ TEST_F(Boards, ComparisonSeesAnotherOverride) {
 /// a host that looks once a millisecond keeps up.
 TEST_F(Boards, SystemDrawsAChainOfShortMovesInTime) {
     std::ostringstream text;
-    text << "G21 G91 G1 F20000\n";
+    text << "G21 G61 G91 G1 F20000\n";
     for (int move = 0; move < 20000; ++move) text << "X0.01\n";
     text << "M2\n";
     program_.write("chain.ngc", text.str());

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 /// So many lines of 0.2 um.
 std::string joints(int count) {
-    std::string text = "G21 G90 F60000\n";
+    std::string text = "G21 G61 G90 F60000\n";
     for (int n = 1; n <= count; ++n) text += fmt::format("G1 X{:.4f}\n", 2e-4 * n);
     return text + "M2\n";
 }

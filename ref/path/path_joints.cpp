@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/path/path_joints.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "ref/path/corner.hpp"
+#include "ref/program/move_part.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kReversal = 2.6;      // rad: beyond it a joint stops
+constexpr double kMeantCorner = 0.35;  // rad: a corner between long moves is rounded on its own
+constexpr double kCornerShare = 0.45;  // of a move, that a corner may take
+constexpr double kArcCorner = 3.4;     // reaches of a corner of lines, with an arc: six spans
+constexpr double kStepReach = 10.5;    // sqrt(tolerance / step of the curvature): six spans
+constexpr double kMiddle = 1.2;        // reaches in a move that keeps its middle
+constexpr double kLongMove = 25e-3;    // s: a move beside a joint that is no part of a curve
+constexpr double kNoTurn = 1e-9;       // rad
+constexpr double kNoStep = 1e-9;       // 1/mm
+constexpr double kOneLine = 1e-10;     // mm: what lines in one direction are off by
+constexpr double kArcError = 0.01;     // of the tolerance, of an arc's cubics
+
+bool one_line(const Move& a, const Move& b) {
+    if (a.kind != Move::Kind::kLine || b.kind != Move::Kind::kLine || a.feed != b.feed) {
+        return false;
+    }
+    const double turn = angle_between(a.end - a.start, b.end - b.start);
+    return turn < kNoTurn && turn * b.length() < kOneLine;
+}
+
+}  // namespace
+
+double angle_between(const Vec3& a, const Vec3& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+PathJoints::PathJoints(const Move* moves, std::size_t count, double tolerance, Rest rest,
+                       const Pace& pace)
+    : tolerance_(tolerance), pace_(pace) {
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!moves_.empty() && one_line(moves_.back(), moves[i])) {
+            moves_.back().end = moves[i].end;
+            moves_.back().exact_stop = moves[i].exact_stop;
+            moves_.back().dwell = moves[i].dwell;
+        } else {
+            moves_.push_back(moves[i]);
+        }
+    }
+    joints_.resize(moves_.size() + 1);
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+        path_.add(moves_[i], kArcError * tolerance_);
+        joints_[i + 1].s = path_.length();
+    }
+    if (rest.before) joints_.front().kind = PathJoint::Kind::kStop;
+    if (rest.after) joints_.back().kind = PathJoint::Kind::kStop;
+    for (std::size_t i = 1; i < moves_.size(); ++i) look_at(i);
+}
+
+double PathJoints::feed(std::size_t move) const {
+    return moves_[move].rapid ? pace_.speed : std::min(pace_.speed, moves_[move].feed);
+}
+
+bool PathJoints::lines(std::size_t joint) const {
+    return moves_[joint - 1].kind == Move::Kind::kLine && moves_[joint].kind == Move::Kind::kLine;
+}
+
+bool PathJoints::joined(std::size_t move) const {
+    return length(move) <= kMiddle * (joints_[move].reach + joints_[move + 1].reach);
+}
+
+/// Turn between chords that noise within the tolerance does not bend.
+double PathJoints::seen_turn(std::size_t joint) const {
+    const double s = joints_[joint].s;
+    const double reach = 3 * tolerance_;
+    const Vec3& here = moves_[joint].start;
+    return angle_between(here - path_.position(std::max(0.0, s - reach)),
+                         path_.position(std::min(path_.length(), s + reach)) - here);
+}
+
+void PathJoints::look_at(std::size_t i) {
+    PathJoint& joint = joints_[i];
+    const MovePlace before = place_on(moves_[i - 1], moves_[i - 1].length());
+    const MovePlace after = place_on(moves_[i], 0);
+    const double turn = angle_between(before.tangent, after.tangent);
+    const double step = (after.curvature - before.curvature).norm();
+    if (turn < kNoTurn && step < kNoStep) return;
+    const double seen = seen_turn(i);
+    if (turn > kReversal && seen > kReversal) {
+        joint.kind = PathJoint::Kind::kStop;
+        return;
+    }
+    if (turn > kMeantCorner && seen > kMeantCorner) {
+        const double most = kCornerShare * std::min(length(i - 1), length(i));
+        const std::optional<Corner> corner =
+            longest_corner(moves_[i - 1], moves_[i], tolerance_, most);
+        if (corner && corner->reach > corner_reach(turn, tolerance_) / 2) {
+            joint.kind = PathJoint::Kind::kCorner;
+            joint.reach = corner->reach;
+            return;
+        }
+    }
+    joint.kind = PathJoint::Kind::kCurve;
+    joint.reach = curve_reach(i, turn > kNoTurn ? std::max(turn, seen) : 0, step);
+}
+
+double PathJoints::curve_reach(std::size_t i, double turn, double step) const {
+    double reach = turn > 0 ? corner_reach(turn, tolerance_) : 0;
+    if (turn > kMeantCorner) return lines(i) ? reach : kArcCorner * reach;
+    // Between long moves no further than the feed asks for.
+    const double feed_here = std::max(feed(i - 1), feed(i));
+    const double bend = std::min(pace_.acceleration / std::pow(feed_here, 2),
+                                 std::sqrt(pace_.jerk / std::pow(feed_here, 3)));
+    if (std::min(length(i - 1), length(i)) > kLongMove * feed_here) {
+        reach = std::min(reach, 3 * turn / bend);
+    }
+    return step > kNoStep ? std::max(reach, kStepReach * std::sqrt(tolerance_ / step)) : reach;
+}
+
+}  // namespace curvecore::ref

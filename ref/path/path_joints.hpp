@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the programmed path is not smooth, and how much of its moves a smooth one may take.
+#pragma once
+
+#include <vector>
+
+#include "ref/path/programmed_path.hpp"
+#include "ref/path/tube_knots.hpp"
+
+namespace curvecore::ref {
+
+/// Between two moves of a group, or at its ends.
+///
+/// | kind    | remark                                                     |
+/// |---------|------------------------------------------------------------|
+/// | kPassed | nothing jumps, or an end that is passed                    |
+/// | kStop   | the machine stands still: a reversal, or an end            |
+/// | kCorner | rounded by one cubic (ref/path/corner.hpp)                 |
+/// | kCurve  | part of a curve, alone or with its neighbours              |
+struct PathJoint {
+    enum class Kind { kPassed, kStop, kCorner, kCurve };
+    double s = 0;
+    Kind kind = Kind::kPassed;
+    double reach = 0;  // mm to both sides
+};
+
+/// Whether the machine stands still at the ends of a group.
+struct Rest {
+    bool before;
+    bool after;
+};
+
+/// A group: lines and arcs that follow each other with one tolerance, all rapid or none, without a
+/// stop. Lines in one direction are one move here.
+class PathJoints {
+  public:
+    PathJoints(const Move* moves, std::size_t count, double tolerance, Rest rest, const Pace& pace);
+
+    std::size_t count() const { return moves_.size(); }  // of moves; one joint more
+    const Move& move(std::size_t i) const { return moves_[i]; }
+    const PathJoint& operator[](std::size_t i) const { return joints_[i]; }
+    const ProgrammedPath& path() const { return path_; }
+    double tolerance() const { return tolerance_; }
+
+    double length(std::size_t move) const { return joints_[move + 1].s - joints_[move].s; }
+    double feed(std::size_t move) const;
+    /// Whether a joint is of two lines.
+    bool lines(std::size_t joint) const;
+    /// Whether a move between two joints is drawn with both.
+    bool joined(std::size_t move) const;
+
+  private:
+    void look_at(std::size_t joint);
+    double curve_reach(std::size_t joint, double turn, double step) const;
+    double seen_turn(std::size_t joint) const;
+
+    double tolerance_;
+    const Pace& pace_;
+    std::vector<Move> moves_;
+    ProgrammedPath path_;
+    std::vector<PathJoint> joints_;
+};
+
+/// Angle between two directions, rad.
+double angle_between(const Vec3& a, const Vec3& b);
+
+}  // namespace curvecore::ref
