@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSpanTime = 3e-3;  // s: how long a cubic lasts, r''' being constant
+constexpr double kSpanTime = 4.5e-3;  // s: how long a cubic lasts, r''' being constant
 constexpr double kSpanTurn = 0.5;   // rad
 constexpr double kSlope = 0.6;      // of the width of spans by s
 constexpr double kCorner = 4.53;    // tolerances over sin(turn / 2): a span beside a corner
