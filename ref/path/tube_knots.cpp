@@ -9,11 +9,11 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kSpanTime = 4.5e-3;  // s: how long a cubic lasts, r''' being constant
-constexpr double kSpanTurn = 0.5;   // rad
-constexpr double kSlope = 0.6;      // of the width of spans by s
-constexpr double kCorner = 4.53;    // tolerances over sin(turn / 2): a span beside a corner
-constexpr double kReach = 3;        // tolerances: chords that turns are seen by
-constexpr double kLeastSpans = 6;   // three points are given at each end
+constexpr double kSpanTurn = 0.5;     // rad
+constexpr double kSlope = 0.6;        // of the width of spans by s
+constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span beside a corner
+constexpr double kReach = 3;          // tolerances: chords that turns are seen by
+constexpr double kLeastSpans = 6;     // three points are given at each end
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 

@@ -146,6 +146,12 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         ->capture_default_str();
     command.add_flag("--trace", options.trace,
                      "of the RTL: write waves.fst, and waves.gtkw that arranges it");
+    command
+        .add_option("--rows", raw.rows,
+                    fmt::format("of samples.csv at most, default {}: of more samples every n-th; "
+                                "all are checked",
+                                options.most_rows))
+        ->type_name("N");
     command.add_option("--trace-clocks", raw.trace_clocks, "clocks in the waveform")
         ->type_name("N")
         ->capture_default_str();

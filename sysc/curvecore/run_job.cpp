@@ -58,7 +58,7 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     const std::uint64_t samples =
         count_samples(job_.plan, options.samples_per_tick_log2(), options.override_word());
     Pictures pictures(job_, samples / static_cast<std::uint64_t>(options.samples_per_tick));
-    SamplesWriter writer(folder.path("samples.csv"), job_, extras.sample);
+    SamplesWriter writer(folder.path("samples.csv"), job_, samples, extras.sample);
     ProgressBar bar(samples, options.quiet);
     const std::string waveform = options.trace ? folder.path("waves.fst") : "";
     const auto progress = [&bar](std::uint64_t done) {

@@ -169,6 +169,8 @@ void interpret(const RawOptions& raw, Options& options) {
         throw UsageError("--override must be in [1, 100] percent");
     }
     options.trace_clocks = whole("--trace-clocks", raw.trace_clocks);
+    if (!raw.rows.empty()) options.most_rows = whole("--rows", raw.rows);
+    if (options.most_rows == 0) throw UsageError("--rows must be at least 1");
     options.board = static_cast<BoardKind>(choice("--on", raw.on, kBoardNames));
     if (!options.needs_rtl() && (options.trace || !raw.stall_seed.empty())) {
         throw UsageError("--stall and --trace are for --on rtl and systemc-rtl");

@@ -45,6 +45,7 @@ struct Options {
     double override_percent = 100;
     bool trace = false;
     std::uint64_t trace_clocks = 20000;
+    std::uint64_t most_rows = 4000000;  // of samples.csv
 
     /// A Verilated core draws.
     bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
@@ -75,6 +76,7 @@ struct RawOptions {
     std::string on = "rtl";
     std::string stall_seed;
     std::string trace_clocks = "20000";
+    std::string rows;
     std::vector<std::string> set;
 };
 

@@ -14,9 +14,12 @@ constexpr std::size_t kLongestRow = 16 * 21;
 
 }  // namespace
 
-SamplesWriter::SamplesWriter(const std::string& file, const Job& job, TakeSample also)
+SamplesWriter::SamplesWriter(const std::string& file, const Job& job, std::uint64_t samples,
+                             TakeSample also)
     : file_(std::fopen(file.c_str(), "wb"), &std::fclose),
       axes_(3 + job.plan.aux_axes),
+      samples_(samples),
+      stride_(1 + samples / job.options.most_rows),
       also_(std::move(also)) {
     if (!file_) throw std::runtime_error("cannot write " + file);
     buffer_.reserve(kBuffer + kLongestRow);
@@ -25,10 +28,12 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job, TakeSample
         "# input: {}\n"
         "# unit: {:g} mm (positions); path quanta: 2^-16 unit (s)\n"
         "# sample period: {:g} s\n"
-        "# core: {}\n"
+        "{}# core: {}\n"
         "k,segment,s,x,y,z",
         std::filesystem::path(job.options.file).filename().string(), job.plan.unit_mm,
-        job.options.sample_period_s, ref::parameters_text(job.options.core));
+        job.options.sample_period_s,
+        stride_ > 1 ? fmt::format("# rows: every {} samples, and the last\n", stride_) : "",
+        ref::parameters_text(job.options.core));
     for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
         buffer_ += ',';
         buffer_ += "abcuvw"[axis];
@@ -39,6 +44,11 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job, TakeSample
 void SamplesWriter::row(std::uint64_t k, std::size_t segment, std::uint64_t s,
                         const std::int64_t* position) {
     if (also_) also_(segment, position);
+    if (k % stride_ == 0 || k == samples_) append(k, segment, s, position);
+}
+
+void SamplesWriter::append(std::uint64_t k, std::size_t segment, std::uint64_t s,
+                           const std::int64_t* position) {
     const auto number = [this](auto value) {
         const fmt::format_int text(value);
         buffer_.append(text.data(), text.size());

@@ -17,8 +17,10 @@ using TakeSample = std::function<void(std::size_t segment, const std::int64_t* p
 class SamplesWriter {
   public:
     /// @throws std::runtime_error when the file cannot be written
-    /// `also`: takes the samples too.
-    SamplesWriter(const std::string& file, const Job& job, TakeSample also = {});
+    /// Of `samples` samples the first, the last and every n-th get a row, so that there are not
+    /// more rows than the job's options ask for. `also`: takes all of them.
+    SamplesWriter(const std::string& file, const Job& job, std::uint64_t samples,
+                  TakeSample also = {});
 
     /// `position` has 3 + aux_axes words.
     void row(std::uint64_t k, std::size_t segment, std::uint64_t s, const std::int64_t* position);
@@ -27,10 +29,14 @@ class SamplesWriter {
     void close();
 
   private:
+    void append(std::uint64_t k, std::size_t segment, std::uint64_t s,
+                const std::int64_t* position);
     void flush();
 
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     int axes_;
+    std::uint64_t samples_;
+    std::uint64_t stride_;
     TakeSample also_;
     std::string buffer_;
 };

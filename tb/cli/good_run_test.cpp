@@ -144,6 +144,22 @@ TEST_F(GoodRun, SamplesBeginAtTheStartAndEndAtTheEnd) {
     EXPECT_EQ(all.back().substr(all.back().size() - 6), ",0,0,0");
 }
 
+TEST_F(GoodRun, WritesEveryNthRowOfManySamples) {
+    report();
+    const Files all = rows();
+    const Json json = report({"--rows", "1000"}, "few");
+    const Files few = rows("few");
+    const std::size_t samples = json["samples"];
+    const std::size_t stride = 1 + samples / 1000;
+    ASSERT_GT(stride, 2U);
+    ASSERT_EQ(few.size(), 3 + (samples - 1) / stride);  // header, first, ..., last
+    for (std::size_t i = 1; i + 1 < few.size(); ++i) {
+        ASSERT_EQ(few[i], all[1 + (i - 1) * stride]);
+    }
+    EXPECT_EQ(few.back(), all.back());
+    EXPECT_EQ(json["error"], report()["error"]) << "all samples are checked";
+}
+
 TEST_F(GoodRun, StallsDoNotChangeTheSamples) {
     report();
     const std::string samples = program_.read("out/samples.csv");
