@@ -80,6 +80,18 @@ double PathJoints::seen_turn(std::size_t joint) const {
                          path_.position(std::min(path_.length(), s + reach)) - here);
 }
 
+/// Whether both moves last so long that they are no parts of one curve.
+bool PathJoints::is_long(std::size_t joint) const {
+    return std::min(length(joint - 1) / feed(joint - 1), length(joint) / feed(joint)) > kLongMove;
+}
+
+/// Whether a joint may be passed as fast as the feed asks (ref/feed/limits.hpp).
+bool PathJoints::passed(std::size_t joint, double turn, double step) const {
+    const double v = std::max(feed(joint - 1), feed(joint));
+    return v * turn <= pace_.acceleration * pace_.joint_time &&
+           v * v * step <= pace_.jerk * pace_.joint_time;
+}
+
 void PathJoints::look_at(std::size_t i) {
     PathJoint& joint = joints_[i];
     const MovePlace before = place_on(moves_[i - 1], moves_[i - 1].length());
@@ -87,6 +99,7 @@ void PathJoints::look_at(std::size_t i) {
     const double turn = angle_between(before.tangent, after.tangent);
     const double step = (after.curvature - before.curvature).norm();
     if (turn < kNoTurn && step < kNoStep) return;
+    if (is_long(i) && passed(i, turn, step)) return;
     const double seen = seen_turn(i);
     if (turn > kReversal && seen > kReversal) {
         joint.kind = PathJoint::Kind::kStop;
@@ -109,13 +122,10 @@ void PathJoints::look_at(std::size_t i) {
 double PathJoints::curve_reach(std::size_t i, double turn, double step) const {
     double reach = turn > 0 ? corner_reach(turn, tolerance_) : 0;
     if (turn > kMeantCorner) return lines(i) ? reach : kArcCorner * reach;
-    // Between long moves no further than the feed asks for.
     const double feed_here = std::max(feed(i - 1), feed(i));
     const double bend = std::min(pace_.acceleration / std::pow(feed_here, 2),
                                  std::sqrt(pace_.jerk / std::pow(feed_here, 3)));
-    if (std::min(length(i - 1), length(i)) > kLongMove * feed_here) {
-        reach = std::min(reach, 3 * turn / bend);
-    }
+    if (is_long(i)) reach = std::min(reach, 3 * turn / bend);  // no further than the feed asks for
     return step > kNoStep ? std::max(reach, kStepReach * std::sqrt(tolerance_ / step)) : reach;
 }
 

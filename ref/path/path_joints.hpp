@@ -51,6 +51,8 @@ class PathJoints {
 
   private:
     void look_at(std::size_t joint);
+    bool is_long(std::size_t joint) const;
+    bool passed(std::size_t joint, double turn, double step) const;
     double curve_reach(std::size_t joint, double turn, double step) const;
     double seen_turn(std::size_t joint) const;
 

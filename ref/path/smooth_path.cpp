@@ -185,6 +185,7 @@ Smoothed smooth_path(Program& program, const Machine& machine, double share) {
     report.moves = program.moves.size();
     Pace pace;
     pace.speed = machine.velocity;
+    pace.joint_time = machine.joint_time;
     pace.acceleration = kAccelerationShare * machine.acceleration;
     pace.jerk = kJerkShare * machine.jerk;
     std::vector<Move> moves;

@@ -12,6 +12,7 @@ namespace curvecore::ref {
 struct Pace {
     double acceleration = 5000;  // mm/s^2
     double jerk = 1e5;           // mm/s^3
+    double joint_time = 1e-3;    // s
     double speed = 500;          // mm/s, whatever the feeds: they are low where nothing is hard
 
     /// Speed that a curvature and |r'''| allow of a speed.

@@ -143,12 +143,16 @@ TEST(SmoothPath, OfChordsIsSmooth) {
     }
 }
 
-TEST(SmoothPath, OfALineAndATangentArcLeavesNoStepOfCurvature) {
+Program stadium(double feed) {
     ProgramBuilder builder;
-    builder.line({50, 0, 0}, 500);
-    builder.arc({50, 10, 0}, {0, 0, 1}, M_PI, 0, 500);
-    builder.line({0, 20, 0}, 500);
-    Program program = with_tolerance(builder.program(), 0.005);
+    builder.line({50, 0, 0}, feed);
+    builder.arc({50, 10, 0}, {0, 0, 1}, M_PI, 0, feed);
+    builder.line({0, 20, 0}, feed);
+    return with_tolerance(builder.program(), 0.005);
+}
+
+TEST(SmoothPath, OfALineAndATangentArcLeavesNoStepOfCurvature) {
+    Program program = stadium(500);
     Smoothed smoothed;
     EXPECT_LE(smooth_and_search(program, smoothed), 1.002);
     EXPECT_EQ(smoothed.curves, 2);
@@ -156,6 +160,26 @@ TEST(SmoothPath, OfALineAndATangentArcLeavesNoStepOfCurvature) {
     EXPECT_LT(worst.place, 1e-11);
     EXPECT_LT(worst.turn, 1e-9);
     EXPECT_LT(worst.bend, 1e-6);
+}
+
+TEST(SmoothPath, IsAsProgrammedWhereTheFeedPassesJoints) {
+    Program program = stadium(10);
+    const Smoothed smoothed = ref::smooth_path(program, ref::Machine());
+    EXPECT_EQ(program.moves.size(), 3);
+    EXPECT_EQ(smoothed.deviation, 0);
+}
+
+TEST(SmoothPath, LeavesStopsAndAuxiliaryAxesWhereTheyAre) {
+    ProgramBuilder builder;
+    builder.line({10, 0, 0}, 100).exact_stop = true;
+    builder.line({10, 10, 0}, 100);
+    builder.line({20, 10, 0}, 100).aux_end[0] = 90;
+    builder.line({20, 20, 0}, 0);  // a rapid
+    builder.line({10, 20, 0}, 100);
+    Program program = with_tolerance(builder.program(), 0.1);
+    const Smoothed smoothed = ref::smooth_path(program, ref::Machine());
+    EXPECT_EQ(smoothed.deviation, 0);
+    EXPECT_EQ(program.moves.size(), 5);
 }
 
 /// Lines, or lines and arcs, that go anywhere: every kind of neighbour at every size.
