@@ -7,12 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "ref/curve/cubic.hpp"
 #include "ref/path/corner.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/frechet.hpp"
+#include "tb/support/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -21,11 +21,6 @@ using ref::Move;
 using ref::Program;
 using ref::Smoothed;
 using ref::Vec3;
-
-Program with_tolerance(Program program, double tolerance) {
-    for (Move& move : program.moves) move.tolerance = tolerance;
-    return program;
-}
 
 /// Worst jumps at joints that do not stop.
 struct Jumps {
@@ -185,30 +180,6 @@ TEST(SmoothPath, LeavesStopsAndAuxiliaryAxesWhereTheyAre) {
 /// Lines, or lines and arcs, that go anywhere: every kind of neighbour at every size.
 class RandomPaths : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPaths, testing::Range(0, 40));
-
-Program random_lines(unsigned seed) {
-    std::mt19937 random(seed);
-    const auto uniform = [&](double low, double high) {
-        return low + (high - low) * std::generate_canonical<double, 53>(random);
-    };
-    ProgramBuilder builder;
-    const int kind = static_cast<int>(seed % 4);
-    const double size = std::pow(10.0, uniform(-3, 1));
-    Vec3 way(1, 0, 0);
-    for (int i = 0; i < 150; ++i) {
-        const Vec3 aside(uniform(-1, 1), uniform(-1, 1), kind == 1 ? 0 : uniform(-1, 1));
-        const double chord = kind == 2 ? std::pow(10.0, uniform(-4, 1)) : size;
-        if (kind == 0) way = (way + 0.3 * aside).normalized();
-        if (kind == 1) way = Vec3(1, i % 2 == 0 ? uniform(0, 2) : uniform(-2, 0), 0).normalized();
-        if (kind == 2) way = (way + uniform(0, 1) * aside).normalized();
-        if (kind == 3 && i % 7 == 0) way = aside.normalized();
-        if (kind == 3 && i % 31 == 30) way = -way;
-        Vec3 end = builder.at() + chord * way;
-        for (double& x : end) x = std::round(x * 1e4) / 1e4;
-        if (end != builder.at()) builder.line(end, std::pow(10.0, uniform(1, 2.7)));
-    }
-    return builder.program();
-}
 
 TEST_P(RandomPaths, OfLinesKeepTheTolerance) {
     for (const double tolerance : {0.0005, 0.005, 0.05}) {
