@@ -44,12 +44,10 @@ class FeedPlanner {
     void run() {
         std::vector<Stretch> stretches = cut_at_stops();
         for (Stretch& stretch : stretches) {
-            stretch.rules = effort_ == Effort::kRules;
             set_zones(stretch);
             plan(stretch);
         }
         keep_windows(stretches);
-        if (leave_optimum(stretches)) keep_windows(stretches);
         for (const Stretch& stretch : stretches) {
             append_rest(stretch.dwell, grid_, plan_.pieces);
             append_run(stretch.phases, stretch.end - stretch.start, grid_, plan_.pieces);
@@ -86,8 +84,7 @@ class FeedPlanner {
         std::uint64_t end = 0;
         std::vector<Zone> zones;   // moves and, between them, joints
         std::vector<double> caps;  // of zones, by the rule of windows
-        std::vector<Phase> phases;
-        bool rules = false;   // plan by rules alone
+        std::vector<Phase> phases = {};
         bool changed = true;  // since its windows were looked at
         bool looked_at = true;
 
@@ -110,7 +107,7 @@ class FeedPlanner {
                 const bool stop = before.stop || last.stop_after || planned.stop_before;
                 if (!stop) joint_speed_[i] = joint_velocity(last.shape, planned.shape, machine_);
             }
-            if (joint_speed_[i] == 0) stretches.push_back({before.dwell, i, i, s, s, {}, {}, {}});
+            if (joint_speed_[i] == 0) stretches.push_back({before.dwell, i, i, s, s, {}, {}});
             s += planned.length;
             stretches.back().last = i;
             stretches.back().end = s;
@@ -132,7 +129,7 @@ class FeedPlanner {
 
     void plan(Stretch& stretch) {
         stretch.phases = plan_speed(stretch.zones);
-        if (stretch.rules) return;
+        if (effort_ == Effort::kRules || one_line(stretch)) return;
         std::vector<RunMove> moves;
         double least = 0;  // s, without ramps
         for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
@@ -142,6 +139,7 @@ class FeedPlanner {
             move.planned = i;
             move.length = stretch.zones[zone].length;
             move.velocity = std::min(asked_speed(i, highest), stretch.caps[zone]);
+            move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
             move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
             if (i < stretch.last) {
                 move.end_velocity =
@@ -151,38 +149,45 @@ class FeedPlanner {
             least += move.length / move.velocity;
         }
         if (duration(stretch.phases) * (1 - kWorth) < least) return;
-        stretch.phases = optimal_run(stretch.phases, moves, geometry_, machine_, places_);
+        stretch.phases =
+            optimal_run(stretch.phases, moves, geometry_, machine_, places_,
+                        [&](const std::vector<Phase>& run) { return word_loads(stretch, run); });
     }
 
-    /// Where the words' rounding to ticks asks too much of an optimum, as at joints within a few
-    /// ticks, the rules plan again. Whether there is such a stretch.
-    bool leave_optimum(std::vector<Stretch>& stretches) {
-        bool any = false;
-        for (Stretch& stretch : stretches) {
-            stretch.changed = !stretch.rules && !carried(stretch);
-            if (!stretch.changed) continue;
-            stretch.rules = any = true;
-            plan(stretch);
-        }
-        return any;
+    /// From rest to rest on a straight line the rules are the optimum.
+    bool one_line(const Stretch& stretch) const {
+        const Move& move = program_.moves[geometry_.moves[stretch.first].move];
+        return stretch.first == stretch.last && move.kind == Move::Kind::kLine;
     }
 
-    bool carried(const Stretch& stretch) {
+    /// How many times as far apart as elsewhere knots may be while the speed is constant.
+    static double knots_apart(const Move& move) {
+        if (move.kind == Move::Kind::kCubic) return 2;
+        return move.kind == Move::Kind::kArc ? 4 : 1e9;
+    }
+
+    /// Rounding to ticks may ask too much, as at joints within a few of them.
+    std::vector<RunLoad> word_loads(const Stretch& stretch, const std::vector<Phase>& phases) {
         Plan run;
         run.unit_mm = plan_.unit_mm;
         run.tick_s = plan_.tick_s;
-        append_run(stretch.phases, stretch.end - stretch.start, grid_, run.pieces);
+        append_run(phases, stretch.end - stretch.start, grid_, run.pieces);
         Geometry own;
         const auto move = [this](std::size_t i) {
             return geometry_.moves.begin() + static_cast<std::ptrdiff_t>(i);
         };
         own.moves.assign(move(stretch.first), move(stretch.last + 1));
-        LimitRatios worst;
+        std::vector<RunLoad> loads;
+        double begin = 0;  // of the move, mm
         walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
+            LimitRatios worst;
             keep_loads(part, stretch.first + part.move_index, run, grid_, machine_, places_, worst);
+            const double load =
+                std::max(worst.acceleration / kAccelerationShare, worst.jerk / kJerkShare);
+            if (load > kCarried) loads.push_back({begin + part.s * grid_.quantum, load});
+            if (part.ends_move) begin += static_cast<double>(part.move->length) * grid_.quantum;
         });
-        return worst.acceleration <= kCarried * kAccelerationShare &&
-               worst.jerk <= kCarried * kJerkShare;
+        return loads;
     }
 
     /// What feed, core and words allow of a speed that the machine does.

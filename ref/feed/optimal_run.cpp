@@ -5,21 +5,34 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "ref/feed/limits.hpp"
+#include "ref/feed/merged_phases.hpp"
 #include "ref/feed/time_optimum.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kKnots = 25;  // in the time to full acceleration
+constexpr double kKnots = 16;  // in the time to full acceleration
+// Intervals that are solved at once, ten such times, and how many of them are kept: the rest, more
+// than it takes to full deceleration, is solved again with what follows.
+constexpr std::size_t kWindow = 160;
+constexpr std::size_t kCommitted = 120;
+constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
+// Shares of the time that the barrier may cost: first, to draw back from limits, and last.
+constexpr double kFirstGap = 0.5;
+constexpr double kBackGap = 0.06;
 constexpr double kGap = 0.004;
-constexpr int kPlaces = 6;            // of an interval, where it is checked
-constexpr double kKept = 1.002;       // of a limit's share
-constexpr double kSplit = 1.1;        // of it: the path changes within the interval
-constexpr double kShortest = 0.2e-3;  // s
-constexpr int kRounds = 12;
-constexpr double kJump = 0.1;     // of jerk * JointTime: between merged phases
-constexpr double kInside = 1e-6;  // of an interval: of two sides of a joint, its own
+constexpr int kPlaces = 4;           // of an interval, where it is checked
+constexpr double kInside = 0.999;    // of a limit
+constexpr double kKept = 1.01;       // of a limit's share
+constexpr double kTolerated = 1.05;  // of it, after some rounds
+constexpr double kMore = 0.02;       // by which limits are eased more, from round to round
+constexpr int kRounds = 3;
+constexpr int kMostRounds = 8;
+// Intervals that are eased on both sides of where words take too much, and those solved again.
+constexpr std::size_t kNear = 2;
+constexpr std::size_t kAround = 60;
+constexpr int kMends = 10;
+constexpr double kCarried = 1.2;  // of a share, by a few words after so many mends
 
 /// Time to full acceleration, of the quickest limit.
 double ramp_time(const Machine& machine) {
@@ -30,214 +43,145 @@ double ramp_time(const Machine& machine) {
     return time;
 }
 
-/// s(t) of an interval as constant jerk: path and speed of both ends.
-Phase phase_of(long double s, double length, double v0, double v1, double duration) {
-    Phase phase;
-    phase.duration = duration;
-    phase.s = s;
-    phase.v = v0;
-    phase.a = (6 * length / duration - 4 * v0 - 2 * v1) / duration;
-    phase.j = (6 * (v0 + v1) - 12 * length / duration) / (duration * duration);
-    return phase;
-}
-
 class OptimalRun {
   public:
-    OptimalRun(const std::vector<RunMove>& moves, const Geometry& geometry, const Machine& machine,
-               PathPlaces& places)
-        : moves_(moves), geometry_(geometry), machine_(machine), places_(places) {
-        begin_.push_back(0);
-        for (const RunMove& move : moves) begin_.push_back(begin_.back() + move.length);
-    }
+    OptimalRun(std::vector<RunKnot> knots, RunPath& path)
+        : knots_(std::move(knots)),
+          path_(path),
+          optimum_(intervals(), motions()),
+          end_(knots_.size() - 2),
+          found_(knots_.size() - 1),
+          apart_(knots_.size() - 1, false) {}
 
-    std::vector<Phase> run(const std::vector<Phase>& phases) {
-        knots_ = run_knots(phases, moves_, ramp_time(machine_) / kKnots);
-        for (int round = 0; round < kRounds; ++round) {
-            const std::vector<Phase> found = solve();
-            // Rounds only take longer; where the solver has lost its way, they do not end.
-            if (!(duration(found) < duration(phases))) break;
-            if (keeps(found)) return merged(found);
+    void solve() {
+        optimum_.slow_down(1, end_);
+        for (std::size_t first = 1;; first += kCommitted) {
+            const bool whole = first + kWindow + kCommitted / 2 >= end_;
+            const std::size_t last = whole ? end_ : first + kWindow;
+            optimum_.improve(first, last, kFirstGap, kGap);
+            settle(first, last, whole ? end_ : first + kCommitted + kBeyond, {});
+            if (whole) return;
         }
-        return phases;
     }
 
-  private:
-    std::size_t intervals() const { return knots_.size() - 1; }
-
-    std::vector<Phase> solve() {
-        std::vector<PathInterval> path;
-        std::vector<KnotMotion> start;
-        for (std::size_t k = 0; k < intervals(); ++k) path.push_back(interval(k));
-        for (const RunKnot& knot : knots_) start.push_back({knot.v * knot.v, knot.a});
-        const std::vector<KnotMotion> found = time_optimum(path, start, kGap);
-        std::vector<Phase> run;
-        for (std::size_t k = 0; k < intervals(); ++k) {
-            const double length = path[k].length;
-            knots_[k].v = std::sqrt(found[k].q);
-            knots_[k].a = found[k].a;
-            const double v1 = std::sqrt(found[k + 1].q);
-            double duration = 3 * length / std::max(knots_[k].v, v1);
-            if (k > 0 && k + 1 < intervals()) {
-                const double bend = (found[k + 1].a - found[k].a) / length;
-                const auto slowness = [&](double x) {
-                    return 1 / std::sqrt(found[k].q + (2 * found[k].a + bend * x) * x);
-                };
-                duration =
-                    boost::math::quadrature::gauss<double, 10>::integrate(slowness, 0., length);
-            }
-            run.push_back(phase_of(knots_[k].s, length, knots_[k].v, v1, duration));
-        }
-        return run;
-    }
-
-    /// The move at s, which is after it begins or before it ends.
-    std::size_t move_at(long double s) const {
-        const auto after = std::upper_bound(begin_.begin() + 1, begin_.end() - 1, s);
-        return static_cast<std::size_t>(after - begin_.begin()) - 1;
-    }
-
-    PathInterval interval(std::size_t k) {
-        const long double from = knots_[k].s;
-        const long double to = knots_[k + 1].s;
-        PathInterval interval;
-        interval.length = static_cast<double>(to - from);
-        interval.velocity = interval.end_velocity = 1e9;
-        const long double inside = (to - from) * kInside;
-        const std::size_t last = move_at(to - inside);
-        for (std::size_t move = move_at(from + inside); move <= last; ++move) {
-            interval.velocity = std::min(interval.velocity, moves_[move].velocity);
-            if (move < last)
-                interval.velocity = std::min(interval.velocity, moves_[move].end_velocity);
-        }
-        const bool joint = begin_[last + 1] < to + inside;
-        if (joint) interval.end_velocity = moves_[last].end_velocity;
-        // A curve may stand still at an end: nothing is asked there.
-        const long double first = k == 0 ? to : from;
-        const long double end = k + 1 == intervals() ? from : to;
-        const long double asked[] = {first == to ? to - inside : first + inside, (first + end) / 2,
-                                     end == from ? from + inside : end - inside};
-        for (std::size_t i = 0; i < 3; ++i) {
-            interval.limits[i] = limits(asked[i]);
-            for (PlaceLimit& limit : interval.limits[i]) {
-                limit.acceleration *= knots_[k].ease;
-                limit.jerk *= knots_[k].ease;
-            }
-        }
-        return interval;
-    }
-
-    std::vector<PlaceLimit> limits(long double s) {
-        const std::size_t move = move_at(s);
-        const RunMove& on = moves_[move];
-        const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
-        std::vector<PlaceLimit> limits =
-            place_limits(at, geometry_.moves[on.planned].shape, machine_);
-        for (PlaceLimit& limit : limits) {
-            limit.acceleration *= kAccelerationShare;
-            limit.jerk = std::min(kJerkShare * limit.jerk, on.jerk);
-        }
-        return limits;
-    }
-
-    /// As few phases as keep the limits and the acceleration at their ends.
-    std::vector<Phase> merged(const std::vector<Phase>& run) {
-        std::vector<double> time{0};
-        for (const Phase& phase : run) time.push_back(time.back() + phase.duration);
-        const auto one = [&](std::size_t first, std::size_t end) {
-            const bool last = end == run.size();
-            const long double to = last ? knots_.back().s : run[end].s;
-            return phase_of(run[first].s, static_cast<double>(to - run[first].s), run[first].v,
-                            last ? 0 : run[end].v, time[end] - time[first]);
-        };
-        const auto fits = [&](std::size_t first, std::size_t end) {
-            const Phase phase = one(first, end);
-            const Phase& back = run[end - 1];
-            const double off =
-                phase.acceleration(phase.duration) - back.acceleration(back.duration);
-            const double jump = kJump * machine_.jerk * machine_.joint_time;
-            return std::abs(phase.a - run[first].a) <= jump && std::abs(off) <= jump &&
-                   load(phase, first == 0, end == run.size(), static_cast<int>(end - first)) <=
-                       kKept;
-        };
-        std::vector<Phase> phases;
-        for (std::size_t first = 0; first < run.size();) {
-            std::size_t good = first + 1;
-            std::size_t reach = 1;
-            while (good < run.size() && reach > 0) {
-                const std::size_t end = std::min(run.size(), good + reach);
-                if (fits(first, end)) {
-                    good = end;
-                    reach *= 2;
-                } else {
-                    reach /= 2;
+    /// Takes less where the words take too much.
+    void mend(const std::vector<RunLoad>& loads) {
+        for (auto load = loads.begin(); load != loads.end();) {
+            const std::size_t at = std::clamp<std::size_t>(interval_at(load->s), 1, end_ - 1);
+            const std::size_t first = at > kAround ? at - kAround : 1;
+            const std::size_t last = std::min(end_, at + kAround);
+            Eased eased;
+            for (; load != loads.end(); ++load) {
+                const std::size_t k = interval_at(load->s);
+                if (k + kNear >= last && last < end_) break;
+                for (std::size_t i = std::max(k, first + kNear) - kNear;
+                     i <= std::min(k + kNear, last - 1); ++i) {
+                    eased.emplace_back(i, optimum_.load(i) / load->load);
+                    apart_[i] = true;
                 }
             }
-            phases.push_back(one(first, good));
-            first = good;
+            settle(first, last, last, std::move(eased));
         }
-        return phases;
     }
 
-    /// Worst ratio to a limit of one phase, on the true path.
-    double load(const Phase& phase, bool first, bool last, int intervals) {
-        double worst = 0;
-        if (!std::isfinite(phase.duration)) return kSplit;
-        const int places = kPlaces * intervals;
-        // Just within the ends; where the curve may stand still, not there at all.
-        for (int i = first ? 1 : 0; i <= places - (last ? 1 : 0); ++i) {
-            const double part = i == 0 ? kInside : i == places ? 1 - kInside : 1. * i / places;
-            const double t = phase.duration * part;
-            const long double s = phase.place(t);
-            const double v = phase.speed(t);
-            const double a = phase.acceleration(t);
-            worst = std::max(worst, v / moves_[move_at(s)].velocity);
-            for (const PlaceLimit& limit : limits(s)) {
-                worst = std::max({worst, acceleration_of(limit, v, a) / limit.acceleration,
-                                  jerk_of(limit, v, a, phase.j) / limit.jerk});
+    const std::vector<Phase>& phases() const { return found_; }
+    /// Those that have been mended.
+    const std::vector<bool>& apart() const { return apart_; }
+
+  private:
+    using Eased = std::vector<std::pair<std::size_t, double>>;  // intervals, shares
+
+    std::size_t interval_at(double s) const {
+        const auto after =
+            std::upper_bound(knots_.begin(), knots_.end() - 1, s,
+                             [](double at, const RunKnot& knot) { return at < knot.s; });
+        return static_cast<std::size_t>(after - knots_.begin()) - 1;
+    }
+
+    std::vector<PathInterval> intervals() {
+        std::vector<PathInterval> path;
+        for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
+            path.push_back(path_.interval(knots_, k));
+        }
+        return path;
+    }
+    std::vector<KnotMotion> motions() const {
+        std::vector<KnotMotion> motions;
+        for (const RunKnot& knot : knots_) motions.push_back({knot.v * knot.v, knot.a});
+        return motions;
+    }
+
+    /// Where the true path asks for more than its interval's limits did, they are eased.
+    void settle(std::size_t first, std::size_t last, std::size_t kept, Eased eased) {
+        double back = kBackGap;
+        for (int round = 0;; ++round) {
+            if (!eased.empty()) {
+                optimum_.improve(first, last, back, back);
+                ease(first, last, eased);
+                optimum_.improve(first, last, back, kGap);
+                back = std::min(kFirstGap, 3 * back);
             }
-        }
-        return worst;
-    }
-
-    /// Else splits intervals in which the path changes too much, or eases their limits.
-    bool keeps(const std::vector<Phase>& run) {
-        bool kept = true;
-        std::vector<RunKnot> knots;
-        for (std::size_t k = 0; k < intervals(); ++k) {
-            knots.push_back(knots_[k]);
-            const double ratio = load(run[k], k == 0, k + 1 == intervals(), 1);
-            if (ratio <= kKept) continue;
-            kept = false;
-            const bool long_enough = !(run[k].duration < 2 * kShortest);
-            if (ratio < kSplit || !long_enough || k == 0 || k + 1 == intervals()) {
-                knots.back().ease /= std::min(ratio, kSplit);
-            } else {
-                const RunKnot& from = knots_[k];
-                const RunKnot& to = knots_[k + 1];
-                knots.push_back({(from.s + to.s) / 2,
-                                 std::sqrt((from.v * from.v + to.v * to.v) / 2),
-                                 (from.a + to.a) / 2, from.ease});
+            eased.clear();
+            double worst = 0;
+            for (std::size_t k = first - 1; k <= kept; ++k) {
+                found_[k] = phase(k);
+                const double load = path_.load(found_[k], {k == 0, k == end_, kPlaces});
+                worst = std::max(worst, load);
+                if (load <= kKept) continue;
+                eased.emplace_back(k, (1 - kMore * round) * optimum_.load(k) / load);
             }
+            if (worst <= (round < kRounds ? kKept : kTolerated) || round == kMostRounds) return;
         }
-        knots.push_back(knots_.back());
-        knots_ = std::move(knots);
-        return kept;
     }
 
-    const std::vector<RunMove>& moves_;
-    const Geometry& geometry_;
-    const Machine& machine_;
-    PathPlaces& places_;
-    std::vector<long double> begin_;  // of moves, mm
+    void ease(std::size_t first, std::size_t last, const Eased& eased) {
+        for (const auto& [k, share] : eased) optimum_.ease(k, share);
+        if (optimum_.slow_down(first, last)) return;
+        for (const auto& [k, share] : eased) {  // by and by, then
+            optimum_.ease(k, std::max(share, optimum_.load(k) / kInside));
+        }
+    }
+
+    Phase phase(std::size_t k) const {
+        const SpeedSpline& spline = optimum_.spline();
+        const double length = spline.length(k);
+        double duration = spline.time(k);
+        if (!spline.rests(k)) {
+            const PathMotion start = spline.motion(k);
+            const auto slowness = [&](double x) { return 1 / std::sqrt(farther(start, x)[0]); };
+            duration = boost::math::quadrature::gauss<double, 10>::integrate(slowness, 0., length);
+        }
+        return phase_between(knots_[k].s, length, std::sqrt(spline.knot(k).q),
+                             std::sqrt(spline.knot(k + 1).q), duration);
+    }
+
     std::vector<RunKnot> knots_;
+    RunPath& path_;
+    TimeOptimum optimum_;
+    std::size_t end_;  // of free control points
+    std::vector<Phase> found_;
+    std::vector<bool> apart_;
 };
 
 }  // namespace
 
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
-                               const Geometry& geometry, const Machine& machine,
-                               PathPlaces& places) {
-    return OptimalRun(moves, geometry, machine, places).run(phases);
+                               const Geometry& geometry, const Machine& machine, PathPlaces& places,
+                               const WordLoads& word_loads) {
+    RunPath path(moves, geometry, machine, places);
+    const double step = std::max(ramp_time(machine) / kKnots, machine.joint_time);
+    OptimalRun run(run_knots(phases, moves, step), path);
+    run.solve();
+    for (int round = 0; round <= kMends; ++round) {
+        if (!(duration(run.phases()) < duration(phases))) break;
+        std::vector<Phase> found = merged_phases(run.phases(), run.apart(), path, machine);
+        const std::vector<RunLoad> loads = word_loads(found);
+        double worst = 0;
+        for (const RunLoad& load : loads) worst = std::max(worst, load.load);
+        if (loads.empty() || (round == kMends && worst <= kCarried)) return found;
+        run.mend(loads);
+    }
+    return phases;
 }
 
 }  // namespace curvecore::ref

@@ -2,6 +2,7 @@
 // A motion from rest to rest made the fastest that the machine's limits allow on the true path.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "ref/feed/path_places.hpp"
@@ -9,11 +10,19 @@
 
 namespace curvecore::ref {
 
-/// Knots on the motion that `phases` describe, time_optimum() on them, and the motion found as
-/// phases of constant jerk, one from knot to knot. It takes the shares
-/// of the machine's limits that ref/feed/limits.hpp names.
+/// A place of the run and what a motion takes there of what it may.
+struct RunLoad {
+    double s = 0;  // mm
+    double load = 0;
+};
+/// Where the words of a motion take too much.
+using WordLoads = std::function<std::vector<RunLoad>(const std::vector<Phase>&)>;
+
+/// Knots on the motion that `phases` describe, TimeOptimum on them in windows, and the motion found
+/// as phases of constant jerk; `phases` where these are not slower or the words of the other cannot
+/// be mended. It takes the shares of the machine's limits that ref/feed/limits.hpp names.
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
-                               const Geometry& geometry, const Machine& machine,
-                               PathPlaces& places);
+                               const Geometry& geometry, const Machine& machine, PathPlaces& places,
+                               const WordLoads& word_loads);
 
 }  // namespace curvecore::ref

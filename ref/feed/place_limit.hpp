@@ -23,11 +23,20 @@ inline double acceleration_square(const PlaceLimit& l, double q, double a) {
     return l.d11 * a * a + 2 * l.d12 * a * q + l.d22 * q * q;
 }
 
-/// |r''' x + 3 r'' y + r' z|^2 = m^T (this) m with m = (x, y, z): jerk for (v^3, v a, j), jerk / v
-/// for (q, a, a')
-inline Eigen::Matrix3d jerk_square(const PlaceLimit& l) {
+/// |r' y + r'' x|^2 = m^T (this) m with m = (x, y, z): (q, a, a')
+inline Eigen::Matrix3d acceleration_form(const PlaceLimit& l) {
+    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
+    s.topLeftCorner<2, 2>() << l.d22, l.d12, l.d12, l.d11;
+    return s;
+}
+
+/// |r''' x + 3 r'' y + factor r' z|^2 = m^T (this) m with m = (x, y, z): jerk for (v^3, v a, j),
+/// jerk / v for (q, a, a')
+inline Eigen::Matrix3d jerk_square(const PlaceLimit& l, double factor = 1) {
+    const double d13 = factor * l.d13;
+    const double d12 = 3 * factor * l.d12;
     Eigen::Matrix3d s;
-    s << l.d33, 3 * l.d23, l.d13, 3 * l.d23, 9 * l.d22, 3 * l.d12, l.d13, 3 * l.d12, l.d11;
+    s << l.d33, 3 * l.d23, d13, 3 * l.d23, 9 * l.d22, d12, d13, d12, factor * factor * l.d11;
     return s;
 }
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kSliver = 0.3;  // of a step: knots nearer to a joint are left out
 constexpr int kLeastKnots = 16;
+constexpr double kFastest = 0.995;  // of a move's velocity: no optimum is faster
 
 class Knots {
   public:
@@ -33,9 +34,10 @@ class Knots {
         joints.push_back(total);
         std::vector<RunKnot> knots{{0, 0, 0}};
         double t = 0;
-        for (const double joint : joints) {
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const double joint = joints[i];
             for (double next = t;
-                 (next += std::max(step, cruise_step(next))) < joint - kSliver * step;) {
+                 (next += std::max(step, cruise_step(next, moves_[i]))) < joint - kSliver * step;) {
                 knots.push_back(at(t = next));
             }
             const bool apart = joint - t >= kSliver * step && total - joint >= kSliver * step;
@@ -69,11 +71,14 @@ class Knots {
         }
         return start_[i] + low;
     }
-    /// Where the speed is constant knots are the farther apart the farther its ends are.
-    double cruise_step(double t) const {
+    /// Where the speed is constant knots are the farther apart the farther its ends are; where the
+    /// move allows more, the path's bends still count.
+    double cruise_step(double t, const RunMove& move) const {
         const std::size_t i = phase(t);
         if (phases_[i].a != 0 || phases_[i].j != 0) return 0;
-        return std::min(t - start_[i], (start_[i + 1] - t) / 2);
+        const bool fastest = phases_[i].v >= kFastest * move.velocity;
+        return std::min({t - start_[i], (start_[i + 1] - t) / 2,
+                         fastest ? start_.back() : move.widest * step_});
     }
 
     const std::vector<Phase>& phases_;

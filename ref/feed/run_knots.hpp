@@ -16,13 +16,13 @@ struct RunMove {
     double velocity = 0;      // mm/s, on it
     double end_velocity = 0;  // at its end, where the next one begins
     double jerk = 0;          // mm/s^3, that its pieces can carry
+    double widest = 1;        // steps between knots where the speed is constant
 };
 
 struct RunKnot {
     long double s = 0;
     double v = 0;
     double a = 0;
-    double ease = 1;  // share of the limits from here to the next knot
 };
 
 /// In order: at rest, joints of moves, and between them `step` seconds of the motion apart, farther

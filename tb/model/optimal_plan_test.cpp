@@ -7,6 +7,7 @@
 
 #include "ref/feed/limit_report.hpp"
 #include "ref/feed/limits.hpp"
+#include "ref/feed/piece_walk.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_joints.hpp"
@@ -73,6 +74,53 @@ TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {
         const sysc::LimitLoads loads = drawn_limits(plan, machine);
         EXPECT_LE(loads.most(), 1) << curve.name << ": " << text(loads);
         EXPECT_GE(rules.duration_s, curve.gain * plan.duration_s) << curve.name;
+        EXPECT_LE(plan.pieces.size(), 4 * rules.pieces.size()) << curve.name;
+    }
+}
+
+/// Corners of 90 degrees between lines of 10 mm, each a cubic that leaves and enters them `size`
+/// before and after, without curvature.
+Program rounded_corners(int corners, double size) {
+    ProgramBuilder builder;
+    const ref::Vec3 along[] = {ref::Vec3::UnitX(), ref::Vec3::UnitY()};
+    ref::Vec3 corner = ref::Vec3::Zero();
+    for (int i = 0; i < corners; ++i) {
+        const ref::Vec3& out = along[(i + 1) % 2];
+        corner += 10 * along[i % 2];
+        builder.line(corner - size * along[i % 2], 500);
+        builder.cubic(corner, corner, corner + size * out, 500);
+    }
+    builder.line(corner + 10 * along[corners % 2], 500);
+    return builder.program();
+}
+
+/// mm/s at a place of the path, mm.
+double speed_at(const Plan& plan, double mm) {
+    double left = mm / plan.unit_mm * 65536;
+    for (const ref::ProfilePiece& piece : plan.pieces) {
+        if (left > static_cast<double>(piece.ds)) {
+            left -= static_cast<double>(piece.ds);
+            continue;
+        }
+        return piece_state(piece, ticks_at(piece, left)).v * plan.unit_mm / 65536 / plan.tick_s;
+    }
+    return 0;
+}
+
+TEST(OptimalPlan, DipsWithinARoundedCorner) {
+    const Machine machine;
+    for (const double size : {0.1, 0.5}) {
+        const Program program = rounded_corners(6, size);
+        const Plan rules = make_plan(program, machine, options_of(Effort::kRules));
+        const Plan plan = make_plan(program, machine, options_of(Effort::kOptimum));
+        const sysc::LimitLoads loads = drawn_limits(plan, machine);
+        EXPECT_LE(loads.most(), 1) << size << ": " << text(loads);
+        EXPECT_GE(rules.duration_s, 1.3 * plan.duration_s) << size;
+        const double begin = 10 - size;
+        const double length = ref::ArcLength(program.moves[1].cubic).length();
+        const double middle = speed_at(plan, begin + length / 2);
+        EXPECT_GE(speed_at(plan, begin), 1.2 * middle) << size;
+        EXPECT_GE(speed_at(plan, begin + length), 1.2 * middle) << size;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ref/feed/ramp.hpp"
+#include "ref/feed/sliding.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using ref::KnotMotion;
 using ref::PathInterval;
 using ref::PlaceLimit;
+using ref::TimeOptimum;
 
 constexpr double kVelocity = 500;
 constexpr double kAcceleration = 5000;
@@ -26,11 +28,28 @@ struct Path {
     std::vector<PathInterval> path;
     std::vector<KnotMotion> start;
 
-    std::vector<KnotMotion> optimum() const { return time_optimum(path, start, 0.002); }
+    /// In windows of so many intervals, of which a half is kept.
+    std::vector<KnotMotion> optimum(std::size_t window = 1 << 20) const {
+        TimeOptimum optimum(path, start);
+        const std::size_t end = path.size() - 1;
+        EXPECT_TRUE(optimum.slow_down(1, end));
+        for (std::size_t first = 1; first < end; first += window / 2) {
+            optimum.improve(first, std::min(end, first + window), 0.5, 0.002);
+        }
+        return motion(optimum);
+    }
+    static std::vector<KnotMotion> motion(const TimeOptimum& optimum) {
+        std::vector<KnotMotion> knots;
+        for (std::size_t k = 0; k <= optimum.intervals(); ++k) {
+            knots.push_back(optimum.spline().knot(k));
+        }
+        return knots;
+    }
 };
 
-/// Knots even in time of a smooth motion of `seconds`.
-Path path_of(double length, double k, int n = 400, double seconds = 0.5) {
+/// Knots even in time of a smooth motion of `seconds`; curvature(place) is that of the path.
+template <class Curvature>
+Path path_along(double length, Curvature curvature, int n, double seconds) {
     Path run;
     const auto place = [&](double u) { return length * u * u * u * (10 - 15 * u + 6 * u * u); };
     for (int i = 0; i <= n; ++i) {
@@ -42,10 +61,17 @@ Path path_of(double length, double k, int n = 400, double seconds = 0.5) {
         PathInterval interval;
         interval.length = place(1. * (i + 1) / n) - place(u);
         interval.velocity = interval.end_velocity = kVelocity;
-        interval.limits = {{{limit(k)}, {limit(k)}, {limit(k)}}};
+        const PlaceLimit seen = limit(curvature(place(u) + interval.length / 2));
+        interval.places = {{interval.length / 2, i == 0 || i == n - 1, true, seen, 1},
+                           {interval.length, true, false, seen, 1}};
         run.path.push_back(interval);
     }
     return run;
+}
+
+Path path_of(double length, double k, int n = 400, double seconds = 0.5) {
+    return path_along(
+        length, [k](double /*s*/) { return k; }, n, seconds);
 }
 
 double duration(const Path& run, const std::vector<KnotMotion>& motion) {
@@ -126,6 +152,49 @@ TEST(TimeOptimum, ComesFromARoughStart) {
         line.start[i].a = 0;
     }
     EXPECT_LE(duration(line, line.optimum()), 1.005 * smooth);
+}
+
+/// Only around a place that is too fast.
+TEST(TimeOptimum, SlowsDownWhereItMust) {
+    Path line = path_of(100, 0, 400, 1);
+    line.path[199].end_velocity = 20;
+    TimeOptimum optimum(line.path, line.start);
+    ASSERT_TRUE(optimum.slow_down(1, line.path.size() - 1));
+    const std::vector<KnotMotion> motion = Path::motion(optimum);
+    EXPECT_LE(std::sqrt(motion[200].q), 20);
+    EXPECT_GE(std::sqrt(motion[200].q), 12);
+    for (const std::size_t far : {60U, 340U}) {
+        EXPECT_GE(motion[far].q, 0.9 * line.start[far].q) << far;
+    }
+}
+
+/// Nothing is lost that counts where a window is as long as a stop, much where it is not.
+TEST(TimeOptimum, InWindowsIsNearlyTheWhole) {
+    const auto wave = [](double s) { return 0.3 * std::sin(s / 3); };
+    const Path path = path_along(300, wave, 1200, 4);
+    const double whole = duration(path, path.optimum());
+    EXPECT_LE(duration(path, path.optimum(160)), 1.005 * whole);
+    EXPECT_GE(duration(path, path.optimum(10)), 1.02 * whole);
+}
+
+TEST(TimeOptimum, TakesTheShareOfAnInterval) {
+    const Path line = path_of(20, 0);
+    TimeOptimum optimum(line.path, line.start);
+    for (std::size_t k = 190; k < 210; ++k) optimum.ease(k, 0.5);
+    ASSERT_TRUE(optimum.slow_down(1, line.path.size() - 1));
+    optimum.improve(1, line.path.size() - 1, 0.5, 0.002);
+    for (std::size_t k = 1; k + 1 < line.path.size(); ++k) {
+        EXPECT_LE(optimum.load(k), k >= 190 && k < 210 ? 0.5 : 1) << k;
+    }
+    EXPECT_GE(optimum.load(200), 0.48);
+    EXPECT_GE(optimum.load(100), 0.96);
+}
+
+TEST(Sliding, LeastAndMean) {
+    const std::vector<double> values{5, 3, 8, 1, 9, 9, 9, 2};
+    EXPECT_EQ(ref::sliding_least(values, 1), (std::vector<double>{3, 3, 1, 1, 1, 9, 2, 2}));
+    EXPECT_EQ(ref::sliding_least(values, 9), std::vector<double>(8, 1));
+    EXPECT_EQ(ref::sliding_mean({1, 2, 6, 4}, 1), (std::vector<double>{1.5, 3, 4, 5}));
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/merged_phases.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kJump = 0.3;   // of jerk * JointTime: of acceleration, between phases
+constexpr double kKept = 1.04;  // of a limit's share, before words are rounded
+constexpr int kPlaces = 4;      // for each phase of the run
+
+class Merger {
+  public:
+    Merger(const std::vector<Phase>& run, const std::vector<bool>& apart, RunPath& path,
+           const Machine& machine)
+        : run_(run), apart_(apart), path_(path), jump_(kJump * machine.jerk * machine.joint_time) {
+        time_.push_back(0);
+        for (const Phase& phase : run) time_.push_back(time_.back() + phase.duration);
+    }
+
+    std::vector<Phase> merge() {
+        std::vector<Phase> phases;
+        for (std::size_t first = 0; first < run_.size();) {
+            std::size_t good = first + 1;
+            std::size_t reach = 1;
+            while (good < run_.size() && reach > 0) {
+                const std::size_t end = std::min(run_.size(), good + reach);
+                if (fits(first, end)) {
+                    good = end;
+                    reach *= 2;
+                } else {
+                    reach /= 2;
+                }
+            }
+            phases.push_back(one(first, good));
+            first = good;
+        }
+        return phases;
+    }
+
+  private:
+    Phase one(std::size_t first, std::size_t end) const {
+        const Phase& back = run_[end - 1];
+        const long double to = back.place(back.duration);
+        const double v = end == run_.size() ? 0 : run_[end].v;
+        return phase_between(run_[first].s, static_cast<double>(to - run_[first].s), run_[first].v,
+                             v, time_[end] - time_[first]);
+    }
+
+    bool fits(std::size_t first, std::size_t end) {
+        const auto at = [this](std::size_t i) {
+            return apart_.begin() + static_cast<std::ptrdiff_t>(i);
+        };
+        if (std::find(at(first), at(end), true) != at(end)) return false;
+        const Phase phase = one(first, end);
+        const Phase& back = run_[end - 1];
+        const double off = phase.acceleration(phase.duration) - back.acceleration(back.duration);
+        if (std::abs(phase.a - run_[first].a) > jump_ || std::abs(off) > jump_) return false;
+        const int places = kPlaces * static_cast<int>(end - first);
+        return path_.speed_load(phase, places) <= kKept &&
+               path_.load(phase, {first == 0, end == run_.size(), places}) <= kKept;
+    }
+
+    const std::vector<Phase>& run_;
+    const std::vector<bool>& apart_;
+    RunPath& path_;
+    double jump_;
+    std::vector<double> time_;
+};
+
+}  // namespace
+
+Phase phase_between(long double s, double length, double v0, double v1, double duration) {
+    Phase phase;
+    phase.duration = duration;
+    phase.s = s;
+    phase.v = v0;
+    phase.a = (6 * length / duration - 4 * v0 - 2 * v1) / duration;
+    phase.j = (6 * (v0 + v1) - 12 * length / duration) / (duration * duration);
+    return phase;
+}
+
+std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<bool>& apart,
+                                 RunPath& path, const Machine& machine) {
+    return Merger(run, apart, path, machine).merge();
+}
+
+}  // namespace curvecore::ref

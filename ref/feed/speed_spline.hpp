@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion along a path as a quadratic spline of path length.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "ref/feed/path_interval.hpp"
+
+namespace curvecore::ref {
+
+/// q, a, a' at a place: q = v^2, a = q'/2.
+using PathMotion = Eigen::Vector3d;
+
+/// The motion x farther on, while a' is constant.
+inline PathMotion farther(const PathMotion& m, double x) {
+    return {m[0] + (2 * m[1] + m[2] * x) * x, m[1] + m[2] * x, m[2]};
+}
+
+/// q(s) >= 0 with a continuous first derivative, 0 at both ends of the path, from n control points:
+/// c_k belongs to interval k, and at the knot between intervals k - 1 and k
+///
+///     q = (h_k c_{k-1} + h_{k-1} c_k) / (h_{k-1} + h_k)     a = (c_k - c_{k-1}) / (h_{k-1} + h_k)
+///
+/// Within the first and the last interval the jerk is constant, so q goes with s^(4/3) from rest
+/// and a = 2/3 q / s at the other end: this ties c_0 to c_1 and c_{n-1} to c_{n-2}.
+class SpeedSpline {
+  public:
+    /// Rows q, a, a' of a motion by columns of c_{k-1}, c_k, c_{k+1}; tied ones are 0.
+    using Form = Eigen::Matrix3d;
+
+    /// @param lengths at least 4
+    /// @param knots a motion that is nearly met
+    SpeedSpline(std::vector<double> lengths, const std::vector<KnotMotion>& knots);
+
+    std::size_t intervals() const { return h_.size(); }
+    double length(std::size_t k) const { return h_[k]; }
+    /// The first or the last one: motions of these are of the end that is not at rest.
+    bool rests(std::size_t k) const { return k == 0 || k + 1 == h_.size(); }
+
+    /// Free are 1 .. intervals() - 2.
+    double& control(std::size_t k) { return control_[k]; }
+    double control(std::size_t k) const { return control_[k]; }
+
+    /// Of the start of an interval.
+    const Form& form(std::size_t k) const { return form_[k]; }
+    PathMotion motion(std::size_t k) const {
+        // With 0 for what is beyond both ends, whose factors are 0.
+        return form_[k] * Eigen::Vector3d(k == 0 ? 0 : control_[k - 1], control_[k],
+                                          k + 1 == h_.size() ? 0 : control_[k + 1]);
+    }
+    KnotMotion knot(std::size_t k) const;
+
+    /// At the two Gauss points of an interval.
+    static std::array<double, 2> gauss_points(double length) {
+        constexpr double kGauss = 0.21132486540518713;  // (1 - 1 / sqrt 3) / 2
+        return {kGauss * length, (1 - kGauss) * length};
+    }
+    /// Seconds, infinite where q is not positive.
+    double time(std::size_t k) const;
+
+  private:
+    Form make_form(std::size_t k) const;
+
+    std::vector<double> h_;
+    std::vector<Form> form_;
+    std::vector<double> control_;
+};
+
+}  // namespace curvecore::ref
