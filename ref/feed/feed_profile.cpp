@@ -23,9 +23,10 @@ constexpr double kJointShare = 0.99;     // the same at joints
 // of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr double kCarried = 1.1;  // of a share: what rounding to ticks may add to an optimum
-constexpr double kWorth = 0.01;   // of the time: what an optimum must be able to gain
-constexpr int kRounds = 50;       // of planning; some five are seen
+constexpr double kCarried = 1.09;        // of a share: what rounding to ticks may add to an optimum
+constexpr double kSpeedCarried = 1.001;  // the same of velocities
+constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
+constexpr int kRounds = 50;              // of planning; some five are seen
 
 class FeedPlanner {
   public:
@@ -149,9 +150,9 @@ class FeedPlanner {
             least += move.length / move.velocity;
         }
         if (duration(stretch.phases) * (1 - kWorth) < least) return;
-        stretch.phases =
-            optimal_run(stretch.phases, moves, geometry_, machine_, places_,
-                        [&](const std::vector<Phase>& run) { return word_loads(stretch, run); });
+        stretch.phases = optimal_run(
+            stretch.phases, moves, geometry_, machine_, places_,
+            [&](const std::vector<Phase>& run) { return word_loads(stretch, moves, run); });
     }
 
     /// From rest to rest on a straight line the rules are the optimum.
@@ -167,7 +168,8 @@ class FeedPlanner {
     }
 
     /// Rounding to ticks may ask too much, as at joints within a few of them.
-    std::vector<RunLoad> word_loads(const Stretch& stretch, const std::vector<Phase>& phases) {
+    std::vector<RunLoad> word_loads(const Stretch& stretch, const std::vector<RunMove>& moves,
+                                    const std::vector<Phase>& phases) {
         Plan run;
         run.unit_mm = plan_.unit_mm;
         run.tick_s = plan_.tick_s;
@@ -184,7 +186,15 @@ class FeedPlanner {
             keep_loads(part, stretch.first + part.move_index, run, grid_, machine_, places_, worst);
             const double load =
                 std::max(worst.acceleration / kAccelerationShare, worst.jerk / kJerkShare);
-            if (load > kCarried) loads.push_back({begin + part.s * grid_.quantum, load});
+            const RunMove& on = moves[part.move_index];
+            double speed = top_of(part, run) / on.velocity;
+            if (part.ends_move && part.move_index + 1 < moves.size()) {
+                speed = std::max(speed, motion(part, 1, run).v / on.end_velocity);
+            }
+            if (load > kCarried || speed > kSpeedCarried) {
+                loads.push_back(
+                    {begin + part.s * grid_.quantum, std::max(1.0, load), std::max(1.0, speed)});
+            }
             if (part.ends_move) begin += static_cast<double>(part.move->length) * grid_.quantum;
         });
         return loads;

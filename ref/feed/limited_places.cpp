@@ -51,6 +51,13 @@ double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, st
     return share * std::sqrt(worst);
 }
 
+double speed_load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k) {
+    const PathInterval& on = path[k];
+    const double q = std::max(spline.knot(k).q, spline.knot(k + 1).q);
+    const double middle = spline.rests(k) ? 0 : farther(spline.motion(k), on.length / 2)[0];
+    return std::sqrt(std::max(q, middle)) / std::min(on.velocity, on.end_velocity);
+}
+
 void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k) {
     if (spline.rests(k)) return;
     PathInterval& interval = path[k];

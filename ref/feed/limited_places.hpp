@@ -17,10 +17,10 @@ void each_limit_at(const std::vector<PathInterval>& path, std::size_t k, Velocit
     const PathInterval& on = path[k];
     const bool rests = k == 0 || k + 1 == path.size();
     if (k + 1 < path.size()) {
-        velocity(rests ? 0 : on.length,
-                 std::min({on.velocity, on.end_velocity, path[k + 1].velocity}));
+        velocity(rests ? 0 : on.length, std::min(on.speed * std::min(on.velocity, on.end_velocity),
+                                                 path[k + 1].speed * path[k + 1].velocity));
     }
-    if (!rests) velocity(on.length / 2, on.velocity);
+    if (!rests) velocity(on.length / 2, on.speed * on.velocity);
     for (const LimitedPlace& place : on.places) {
         const double x = rests ? 0 : place.x;
         const PlaceLimit& limit = place.limit;
@@ -35,6 +35,9 @@ double slower(const std::vector<PathInterval>& path, const SpeedSpline& spline, 
 
 /// Of the whole limits of acceleration and jerk, the most that interval k takes.
 double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);
+
+/// Of its velocities, the most that interval k takes.
+double speed_load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);
 
 /// LimitedPlace::mean of interval k, unless a limit would not be kept then.
 void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);

@@ -9,7 +9,16 @@ namespace {
 
 constexpr double kJump = 0.3;   // of jerk * JointTime: of acceleration, between phases
 constexpr double kKept = 1.04;  // of a limit's share, before words are rounded
-constexpr int kPlaces = 4;      // for each phase of the run
+constexpr double kSpeedKept = 1.001;
+constexpr double kStill = 1e-9;  // mm/s: rounding of a rest
+constexpr int kPlaces = 4;       // for each phase of the run
+
+/// mm/s; s(t) never goes back.
+double least_speed(const Phase& phase) {
+    const double bend = phase.j != 0 ? -phase.a / phase.j : -1;
+    const double inside = bend > 0 && bend < phase.duration ? phase.speed(bend) : phase.v;
+    return std::min({phase.v, inside, phase.speed(phase.duration)});
+}
 
 class Merger {
   public:
@@ -58,8 +67,9 @@ class Merger {
         const Phase& back = run_[end - 1];
         const double off = phase.acceleration(phase.duration) - back.acceleration(back.duration);
         if (std::abs(phase.a - run_[first].a) > jump_ || std::abs(off) > jump_) return false;
+        if (least_speed(phase) < -kStill) return false;
         const int places = kPlaces * static_cast<int>(end - first);
-        return path_.speed_load(phase, places) <= kKept &&
+        return path_.speed_load(phase, places) <= kSpeedKept &&
                path_.load(phase, {first == 0, end == run_.size(), places}) <= kKept;
     }
 

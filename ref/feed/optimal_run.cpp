@@ -32,7 +32,10 @@ constexpr int kMostRounds = 8;
 constexpr std::size_t kNear = 2;
 constexpr std::size_t kAround = 60;
 constexpr int kMends = 10;
-constexpr double kCarried = 1.2;  // of a share, by a few words after so many mends
+constexpr double kMendMore = 0.05;
+// Of a share and of a velocity, what a few words may take after so many mends.
+constexpr double kCarried = 1.2;
+constexpr double kSpeedCarried = 1.002;
 
 /// Time to full acceleration, of the quickest limit.
 double ramp_time(const Machine& machine) {
@@ -59,13 +62,15 @@ class OptimalRun {
             const bool whole = first + kWindow + kCommitted / 2 >= end_;
             const std::size_t last = whole ? end_ : first + kWindow;
             optimum_.improve(first, last, kFirstGap, kGap);
-            settle(first, last, whole ? end_ : first + kCommitted + kBeyond, {});
+            settle(first, last, whole ? end_ : first + kCommitted + kBeyond, {}, kBackGap);
             if (whole) return;
         }
     }
 
-    /// Takes less where the words take too much.
-    void mend(const std::vector<RunLoad>& loads) {
+    /// Takes less where the words take too much, and less still from round to round.
+    void mend(const std::vector<RunLoad>& loads, int round) {
+        const double less = 1 - kMendMore * round;
+        const double back = std::min(kFirstGap, std::ldexp(kBackGap, round));
         for (auto load = loads.begin(); load != loads.end();) {
             const std::size_t at = std::clamp<std::size_t>(interval_at(load->s), 1, end_ - 1);
             const std::size_t first = at > kAround ? at - kAround : 1;
@@ -76,11 +81,12 @@ class OptimalRun {
                 if (k + kNear >= last && last < end_) break;
                 for (std::size_t i = std::max(k, first + kNear) - kNear;
                      i <= std::min(k + kNear, last - 1); ++i) {
-                    eased.emplace_back(i, optimum_.load(i) / load->load);
+                    eased.push_back({i, less * optimum_.load(i) / load->load,
+                                     optimum_.speed_load(i) / load->speed});
                     apart_[i] = true;
                 }
             }
-            settle(first, last, last, std::move(eased));
+            settle(first, last, last, std::move(eased), back);
         }
     }
 
@@ -89,7 +95,11 @@ class OptimalRun {
     const std::vector<bool>& apart() const { return apart_; }
 
   private:
-    using Eased = std::vector<std::pair<std::size_t, double>>;  // intervals, shares
+    struct Ease {
+        std::size_t interval;
+        double share, speed;
+    };
+    using Eased = std::vector<Ease>;
 
     std::size_t interval_at(double s) const {
         const auto after =
@@ -112,8 +122,7 @@ class OptimalRun {
     }
 
     /// Where the true path asks for more than its interval's limits did, they are eased.
-    void settle(std::size_t first, std::size_t last, std::size_t kept, Eased eased) {
-        double back = kBackGap;
+    void settle(std::size_t first, std::size_t last, std::size_t kept, Eased eased, double back) {
         for (int round = 0;; ++round) {
             if (!eased.empty()) {
                 optimum_.improve(first, last, back, back);
@@ -128,18 +137,36 @@ class OptimalRun {
                 const double load = path_.load(found_[k], {k == 0, k == end_, kPlaces});
                 worst = std::max(worst, load);
                 if (load <= kKept) continue;
-                eased.emplace_back(k, (1 - kMore * round) * optimum_.load(k) / load);
+                eased.push_back({k, (1 - kMore * round) * optimum_.load(k) / load, 1});
             }
             if (worst <= (round < kRounds ? kKept : kTolerated) || round == kMostRounds) return;
         }
     }
 
     void ease(std::size_t first, std::size_t last, const Eased& eased) {
-        for (const auto& [k, share] : eased) optimum_.ease(k, share);
+        const auto all = [&](double load) {  // of what is taken now
+            for (const Ease& e : eased) {
+                const PathInterval& now = optimum_.interval(e.interval);
+                optimum_.ease(
+                    e.interval,
+                    std::min(now.share, std::max(e.share, load * optimum_.load(e.interval))),
+                    std::min(now.speed, std::max(e.speed, load * optimum_.speed_load(e.interval))));
+            }
+        };
+        const Eased before = shares(eased);
+        all(0);
         if (optimum_.slow_down(first, last)) return;
-        for (const auto& [k, share] : eased) {  // by and by, then
-            optimum_.ease(k, std::max(share, optimum_.load(k) / kInside));
+        for (const Ease& e : before) optimum_.ease(e.interval, e.share, e.speed);
+        all(1 / kInside);  // by and by, then
+    }
+
+    Eased shares(const Eased& of) const {
+        Eased now;
+        for (const Ease& e : of) {
+            const PathInterval& interval = optimum_.interval(e.interval);
+            now.push_back({e.interval, interval.share, interval.speed});
         }
+        return now;
     }
 
     Phase phase(std::size_t k) const {
@@ -177,9 +204,11 @@ std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vect
         std::vector<Phase> found = merged_phases(run.phases(), run.apart(), path, machine);
         const std::vector<RunLoad> loads = word_loads(found);
         double worst = 0;
-        for (const RunLoad& load : loads) worst = std::max(worst, load.load);
+        for (const RunLoad& load : loads) {
+            worst = std::max({worst, load.load, kCarried * load.speed / kSpeedCarried});
+        }
         if (loads.empty() || (round == kMends && worst <= kCarried)) return found;
-        run.mend(loads);
+        run.mend(loads, round);
     }
     return phases;
 }

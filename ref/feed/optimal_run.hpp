@@ -10,12 +10,13 @@
 
 namespace curvecore::ref {
 
-/// A place of the run and what a motion takes there of what it may.
+/// What a motion takes at a place of the run, as shares of what it may.
 struct RunLoad {
-    double s = 0;  // mm
-    double load = 0;
+    double s = 0;      // mm
+    double load = 0;   // acceleration and jerk
+    double speed = 0;  // velocity
 };
-/// Where the words of a motion take too much.
+/// Where the words of a motion take more than they may at most.
 using WordLoads = std::function<std::vector<RunLoad>(const std::vector<Phase>&)>;
 
 /// Knots on the motion that `phases` describe, TimeOptimum on them in windows, and the motion found

@@ -22,6 +22,7 @@ struct PathInterval {
     double length = 0;        // mm
     double velocity = 0;      // mm/s, on it
     double end_velocity = 0;  // at its end, besides
+    double speed = 1;         // share of both
     double share = 1;         // of the limits below
     std::vector<LimitedPlace> places;
 };

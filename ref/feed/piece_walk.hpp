@@ -71,9 +71,12 @@ void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& gr
             left -= part;
             const double to =
                 done == piece.ds ? piece.ticks : ticks_at(piece, static_cast<double>(done));
-            const bool at_end = from == 0 || done == piece.ds;
-            const bool overhang =
-                at_end && part < piece.ds && to - from < static_cast<double>(grid.shortest);
+            const bool starts = from == 0 && part < piece.ds;
+            const bool ends = done == piece.ds && part < piece.ds;
+            const bool joins = (starts && move + 1 < geometry.moves.size() &&
+                                geometry.moves[move + 1].move != geometry.moves[move].move) ||
+                               (ends && geometry.moves[move - 1].move != geometry.moves[move].move);
+            const bool overhang = joins && to - from < static_cast<double>(grid.shortest);
             visit(PieceStretch{&piece, &geometry.moves[move], move, from, to, s, left == 0,
                                overhang});
             from = to;

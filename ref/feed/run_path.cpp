@@ -70,11 +70,10 @@ PathInterval RunPath::interval(const std::vector<RunKnot>& knots, std::size_t k)
     places.push_back(to - inside);
     const bool starts = k == 0;
     const bool ends = k + 2 == knots.size();
-    if (starts) places = {to - inside};
-    if (ends) places = {from + inside};
+    if (starts || ends) return resting(std::move(interval), starts ? from : to, starts ? to : from);
 
     std::vector<std::vector<PlaceLimit>> all;
-    bool changes = starts || ends;
+    bool changes = false;
     for (const long double s : places) {
         all.push_back(limits(s));
         changes = changes || differ(all.back(), all.front());
@@ -85,6 +84,23 @@ PathInterval RunPath::interval(const std::vector<RunKnot>& knots, std::size_t k)
         for (const PlaceLimit& limit : all[i]) {
             interval.places.push_back(
                 {static_cast<double>(places[i] - from), changes || end, changes || !end, limit, 1});
+        }
+    }
+    return interval;
+}
+
+/// Between rest and a place h farther on the jerk is constant, so x h from rest q = q(h) x^(4/3):
+/// what bends there counts as at the place, but r'' x times and r''' x^2 times.
+PathInterval RunPath::resting(PathInterval interval, long double rest, long double moving) {
+    for (const double time : {1., 0.75, 0.5, 0.25}) {
+        const double x = std::min(time * time * time, 1 - kInside);
+        for (PlaceLimit limit : limits(rest + x * (moving - rest))) {
+            limit.d12 *= x;
+            limit.d13 *= x * x;
+            limit.d22 *= x * x;
+            limit.d23 *= x * x * x;
+            limit.d33 *= x * x * x * x;
+            interval.places.push_back({0, time == 1, true, limit, 1});
         }
     }
     return interval;
@@ -108,9 +124,21 @@ double RunPath::load(const Phase& phase, const Part& part) {
 
 double RunPath::speed_load(const Phase& phase, int places) const {
     double worst = 0;
+    long double from = phase.s;
+    std::size_t on = move_at(from);
     for (int i = 0; i <= places; ++i) {
-        const double t = phase.duration * std::clamp(1. * i / places, kInside, 1 - kInside);
-        worst = std::max(worst, phase.speed(t) / moves_[move_at(phase.place(t))].velocity);
+        const double t = phase.duration * i / places;
+        const long double s = phase.place(t);
+        const double v = phase.speed(t);
+        const std::size_t move = move_at(s - (s - from) * kInside);
+        worst = std::max(worst, v / moves_[move].velocity);
+        // Joints since the last place, as if the speed were constant between both.
+        for (; on < move; ++on) {
+            const double part = static_cast<double>((begin_[on + 1] - from) / (s - from));
+            const double joint = phase.speed(t - (1 - part) * phase.duration / places);
+            worst = std::max(worst, joint / moves_[on].end_velocity);
+        }
+        from = s;
     }
     return worst;
 }

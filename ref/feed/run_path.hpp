@@ -15,7 +15,7 @@ class RunPath {
     RunPath(const std::vector<RunMove>& moves, const Geometry& geometry, const Machine& machine,
             PathPlaces& places);
 
-    /// From one knot to the next; a curve may stand still at an end of the run, so nothing is asked
+    /// From one knot to the next. A curve may stand still at an end of the run: nothing is asked
     /// there.
     PathInterval interval(const std::vector<RunKnot>& knots, std::size_t k);
 
@@ -26,12 +26,13 @@ class RunPath {
     };
     /// Of acceleration and jerk, the most that a phase takes of the limits' shares.
     double load(const Phase& phase, const Part& part);
-    /// Of the velocity.
+    /// Of the velocity, on moves and where they join.
     double speed_load(const Phase& phase, int places) const;
 
   private:
     std::size_t move_at(long double s) const;
     std::vector<PlaceLimit> limits(long double s);
+    PathInterval resting(PathInterval interval, long double rest, long double moving);
 
     const std::vector<RunMove>& moves_;
     const Geometry& geometry_;

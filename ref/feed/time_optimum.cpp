@@ -62,7 +62,10 @@ void centre(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, 
 TimeOptimum::TimeOptimum(std::vector<PathInterval> path, const std::vector<KnotMotion>& start)
     : path_(std::move(path)), spline_(lengths(path_), start) {}
 
-void TimeOptimum::ease(std::size_t k, double share) { path_[k].share = share; }
+void TimeOptimum::ease(std::size_t k, double share, double speed) {
+    path_[k].share = share;
+    path_[k].speed = speed;
+}
 
 bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
     const std::size_t count = last - first;

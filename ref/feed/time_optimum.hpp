@@ -27,8 +27,11 @@ class TimeOptimum {
     /// What interval k takes of its limits of acceleration and jerk.
     double load(std::size_t k) const { return ref::load(path_, spline_, k); }
 
-    /// Interval k gets this share of these limits.
-    void ease(std::size_t k, double share);
+    /// And of its velocities.
+    double speed_load(std::size_t k) const { return ref::speed_load(path_, spline_, k); }
+
+    /// Interval k gets these shares of them.
+    void ease(std::size_t k, double share, double speed);
 
     /// Slows the motion around every place where it breaks a limit, by no more than it takes there.
     /// Whether all limits are kept then: surely so if all of the path is free.

@@ -137,8 +137,11 @@ TEST(FeedProfile, ContinuityAndSumSeeSmallFaults) {
     EXPECT_NE(path(plan), length(plan));
 }
 
-TEST(FeedProfile, LimitsHoldOnRandomPrograms) {
-    for (unsigned seed = 20; seed < 40; ++seed) {
+class FeedEffort : public testing::TestWithParam<ref::Effort> {};
+
+TEST_P(FeedEffort, LimitsHoldOnRandomPrograms) {
+    const unsigned end = GetParam() == ref::Effort::kRules ? 40 : 26;
+    for (unsigned seed = 20; seed < end; ++seed) {
         std::mt19937 random(seed);
         const auto factor = [&] { return 0.3 + random() % 1000 * 1e-3; };
         Machine machine;
@@ -148,6 +151,7 @@ TEST(FeedProfile, LimitsHoldOnRandomPrograms) {
             axis.jerk *= factor();
         }
         PlanOptions options;
+        options.effort = GetParam();
         options.unit_mm = seed % 2 ? 1e-6 : 1e-5;
         options.sample_period_s = seed % 3 ? 1e-4 : 2e-5;
         options.samples_per_tick = seed % 5 ? 1 : 4;
@@ -173,6 +177,8 @@ TEST(FeedProfile, LimitsHoldOnRandomPrograms) {
         EXPECT_GT(over.inside.jerk, 1) << seed;
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(, FeedEffort, testing::Values(ref::Effort::kRules, ref::Effort::kOptimum));
 
 TEST(FeedProfile, LineIsAsFastAsItsLimitsAllow) {
     const Machine machine;

@@ -187,6 +187,7 @@ TEST(OptimalPlan, RandomJointsKeepTheLimits) {
     for (unsigned seed = 0; seed < 30; ++seed) {
         const JointCase random = RandomJoints(seed).make();
         PlanOptions options = random.options;
+        options.effort = Effort::kRules;
         const Plan rules = make_plan(random.program, random.machine, options);
         options.effort = Effort::kOptimum;
         const Plan plan = make_plan(random.program, random.machine, options);
@@ -201,7 +202,7 @@ TEST(OptimalPlan, RandomJointsKeepTheLimits) {
 }
 
 /// On the true path, as the words have it. Some of these were beyond the limit before pieces that
-/// ticks round too coarsely were left to the rules.
+/// ticks round too coarsely were mended.
 TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
     for (const unsigned seed : {7U, 8U}) {
         std::mt19937 random(seed);
@@ -219,9 +220,17 @@ TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
         const Plan plan = make_plan(program, machine, options);
         const ref::LimitReport report = limit_report(program, machine, plan);
         EXPECT_LE(report.inside.velocity, 1) << seed;
-        EXPECT_LE(report.inside.acceleration, 1.1 * ref::kAccelerationShare) << seed;
-        EXPECT_LE(report.inside.jerk, 1.1 * ref::kJerkShare) << seed;
+        // Rounding to ticks adds up to 9 %, at a few places, where it cannot be mended, 20 %.
+        EXPECT_LE(report.inside.acceleration, 1.2 * ref::kAccelerationShare) << seed;
+        EXPECT_LE(report.inside.jerk, 1.2 * ref::kJerkShare) << seed;
         EXPECT_GE(report.inside.jerk, 0.9 * ref::kJerkShare) << seed;
+        EXPECT_LE(report.joints.acceleration, 1) << seed;
+        EXPECT_LE(report.joints.jerk, 1) << seed;
+        for (const ref::ProfilePiece& piece : plan.pieces) {
+            for (std::uint32_t tick = 0; tick <= piece.ticks; ++tick) {
+                EXPECT_GE(piece_state(piece, tick).v, -1) << "quanta a tick: " << seed;
+            }
+        }
     }
 }
 

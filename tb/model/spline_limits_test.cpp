@@ -69,6 +69,7 @@ TEST(SplineLimits, LimitsHoldAlongTheExactCurve) {
             axis.jerk *= factor();
         }
         PlanOptions options;
+        options.effort = ref::Effort::kRules;
         options.unit_mm = seed % 2 ? 1e-6 : 1e-5;
         options.sample_period_s = seed % 3 ? 1e-4 : 2e-5;
         const Program program = random_splines(seed, 30);

@@ -180,7 +180,7 @@ TEST(TimeOptimum, InWindowsIsNearlyTheWhole) {
 TEST(TimeOptimum, TakesTheShareOfAnInterval) {
     const Path line = path_of(20, 0);
     TimeOptimum optimum(line.path, line.start);
-    for (std::size_t k = 190; k < 210; ++k) optimum.ease(k, 0.5);
+    for (std::size_t k = 190; k < 210; ++k) optimum.ease(k, 0.5, 1);
     ASSERT_TRUE(optimum.slow_down(1, line.path.size() - 1));
     optimum.improve(1, line.path.size() - 1, 0.5, 0.002);
     for (std::size_t k = 1; k + 1 < line.path.size(); ++k) {

@@ -20,9 +20,10 @@ using ref::Plan;
 using ref::PlanOptions;
 using ref::Program;
 
-/// The rule alone is looked at: not what queues cover.
+/// The rule alone is looked at: not what queues cover, nor how much faster a smooth path may be.
 PlanOptions endless_queues() {
     PlanOptions options;
+    options.effort = ref::Effort::kRules;
     options.segment_queue_words = INT_MAX;
     options.profile_queue_words = INT_MAX;
     return options;
