@@ -112,7 +112,9 @@ TEST_F(SplineCommands, RunFasterWithMoreEffort) {
                    "G5 X20 Y10 I5 J0 P0 Q-5\n"
                    "G3 X10 Y20 I-10 J0\n"
                    "M2\n");
-    ASSERT_EQ(program_.run({"run", "fast.ngc", "-q", "-o", "rules"}).status, 0);
+    const ProgramResult by_rules =
+        program_.run({"run", "fast.ngc", "-q", "-o", "rules", "--effort", "rules"});
+    ASSERT_EQ(by_rules.status, 0) << by_rules.err;
     const ProgramResult result =
         program_.run({"run", "fast.ngc", "-q", "-o", "optimum", "--effort", "optimum"});
     ASSERT_EQ(result.status, 0) << result.err;
