@@ -66,7 +66,7 @@ struct PlanOptions {
     int profile_queue_words = kProfileQueueWords;
     int max_pieces = 1 << 16;
     bool advise = true;
-    Effort effort = Effort::kRules;
+    Effort effort = Effort::kOptimum;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };

@@ -24,7 +24,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
-    ref::Effort effort = ref::Effort::kRules;
+    ref::Effort effort = ref::Effort::kOptimum;
     bool exact_path = false;              // G64's tolerance is not used
     std::optional<double> arc_tolerance;  // mm, of --fit arcs
     double unit_mm = 1e-6;
@@ -61,7 +61,7 @@ struct RawOptions {
     std::string fit = "bessel";
     std::string tolerance;
     std::string ends = "natural";
-    std::string effort = "rules";
+    std::string effort = "optimum";
     std::string path = "program";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
