@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/profile_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/feed/spline_shape.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kCell = 0.4e-3;   // s: a curve turns by some degrees at most
+constexpr double kWithin = 1e-6;   // of a stretch: at its very ends a curve may stand still
+constexpr double kNoLimit = 1e15;  // of acceleration and jerk
+
+}  // namespace
+
+ProfileCourse::ProfileCourse(const Program& program, const Machine& machine,
+                             const Geometry& geometry, const Plan& plan, double share)
+    : machine_(machine), plan_(plan), share_(share), quantum_(plan.unit_mm / 65536) {
+    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
+    PathPlaces places(program, geometry, plan.unit_mm);
+    std::vector<double> starts;
+    double ticks = 0;
+    for (const ProfilePiece& piece : plan.pieces) {
+        starts.push_back(ticks);
+        ticks += piece.ticks;
+    }
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
+        const double start = starts[static_cast<std::size_t>(stretch.piece - plan.pieces.data())];
+        const double seconds = (stretch.to - stretch.from) * plan.tick_s;
+        const int parts = std::max(1, static_cast<int>(std::ceil(seconds / kCell)));
+        std::vector<PlaceLimit> begin = limits(stretch, 0, places);
+        for (int i = 0; i < parts; ++i) {
+            const auto at = [&](int part) {
+                return start + stretch.from + (stretch.to - stretch.from) * part / parts;
+            };
+            std::vector<PlaceLimit> end = limits(stretch, (i + 1.) / parts, places);
+            cells_.push_back({at(i), at(i + 1), stretch.piece, start, std::move(begin), end});
+            begin = std::move(end);
+        }
+    });
+}
+
+std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, double part,
+                                              PathPlaces& places) {
+    part = std::clamp(part, kWithin, 1 - kWithin);
+    const double t = stretch.from + (stretch.to - stretch.from) * part;
+    const double s = (stretch.s + piece_state(*stretch.piece, t).s -
+                      piece_state(*stretch.piece, stretch.from).s) *
+                     quantum_;
+    const PlannedMove& move = *stretch.move;
+    const PieceMotion m = ref::motion(stretch, part, plan_);
+    std::vector<PlaceLimit> all =
+        place_limits(places.at(stretch.move_index, s), move.shape, machine_);
+    const double left = static_cast<double>(move.length) * quantum_ - s;
+    const bool tip = (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
+    for (PlaceLimit& limit : all) {
+        if (tip) {
+            limit = PlaceLimit();
+            limit.acceleration = limit.jerk = kNoLimit;
+            continue;
+        }
+        limit.acceleration =
+            std::max(share_ * limit.acceleration, acceleration_of(limit, m.v, m.a));
+        limit.jerk = std::max(share_ * limit.jerk, jerk_of(limit, m.v, m.a, m.j));
+    }
+    return all;
+}
+
+PieceMotion ProfileCourse::motion(const CourseCell& cell, double tick) const {
+    const PieceState state = piece_state(*cell.piece, tick - cell.piece_start);
+    const double v = quantum_ / plan_.tick_s;
+    const double a = v / plan_.tick_s;
+    return {std::max(0.0, state.v * v), state.a * a, state.j * a / plan_.tick_s};
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// A stop branch carried out: as the hardware's words draw it, and in real numbers.
+#pragma once
+
+#include "ref/feed/stop_branch.hpp"
+#include "tb/support/drawn_limits.hpp"
+
+namespace curvecore::tb {
+
+/// Calls tick(rate, 2^-32) for every tick of a branch; returns whether it ends at rest.
+template <class Tick>
+bool each_rate(const ref::StopBranch& branch, Tick tick) {
+    std::int64_t rate = std::int64_t{1} << 32;
+    std::int64_t slope = 0;
+    for (const ref::StopStep& step : branch.steps) {
+        for (std::uint32_t i = 0; i < step.ticks; ++i) {
+            slope += step.change;
+            rate += slope;
+            tick(rate);
+        }
+    }
+    return rate == 0 && slope == 0;
+}
+
+/// The whole plan up to the branch and the stop, by the kernel, measured over windows; `late`: the
+/// branch begins so much of a tick later, 2^-16, as after a hold.
+inline sysc::LimitLoads stopped_limits(const ref::Plan& plan, const ref::Machine& machine,
+                                       const ref::StopBranch& branch, std::int32_t late = 0) {
+    hls::PathKernel kernel;
+    sysc::PathCursor cursor(plan);
+    ref::CurveFollower curve;
+    sysc::LimitMeter meter(machine, plan.unit_mm, plan.tick_s, 1, 3 + plan.aux_axes, 0,
+                           kManyWindows);
+    std::size_t next = 0;
+    const auto feed = [&](hls::ProfileWords& words) {
+        if (next == plan.pieces.size()) return false;
+        words = hls::to_words(plan.pieces[next++]);
+        return true;
+    };
+    const auto take = [&] {
+        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
+        meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
+    };
+    const auto tick = [&](std::int32_t rate) {
+        cursor.advance(static_cast<std::uint64_t>(hls::to_int(kernel.tick(rate, feed))));
+        take();
+    };
+    take();
+    if (late > 0) tick(late);
+    for (std::uint64_t k = 0; k < branch.tick; ++k) tick(1 << 16);
+    each_rate(branch, [&](std::int64_t rate) { tick(static_cast<std::int32_t>(rate >> 16)); });
+    for (int k = 0; k < 400; ++k) tick(0);
+    return meter.finish();
+}
+
+/// Worst acceleration and jerk of X Y Z during the stop over the machine's, from differences of
+/// places `step` ticks apart: means over 2 and 3 of them, without the room that joints are given.
+struct Differences {
+    double acceleration = 0;
+    double jerk = 0;
+};
+inline Differences stopped_differences(const ref::Plan& plan, const ref::Machine& machine,
+                                       const ref::StopBranch& branch, std::size_t step) {
+    ref::CurveFollower curve;
+    std::vector<ref::Vec3> places;
+    auto segment = plan.segments.begin();
+    std::size_t piece = 0;
+    double start = 0;  // of the piece, ticks
+    std::uint64_t done = 0;
+    double time = 0;
+    const auto place = [&] {
+        while (piece < plan.pieces.size() && time >= start + plan.pieces[piece].ticks) {
+            start += plan.pieces[piece].ticks;
+            done += plan.pieces[piece++].ds;
+        }
+        double s = static_cast<double>(done);
+        if (piece < plan.pieces.size()) s += piece_state(plan.pieces[piece], time - start).s;
+        while (segment + 1 != plan.segments.end() &&
+               s > static_cast<double>(segment->s_start + segment->length)) {
+            ++segment;
+        }
+        const double local = std::ldexp(s - static_cast<double>(segment->s_start), -16);
+        places.push_back(curve.position(*segment, local) * plan.unit_mm);
+    };
+    place();
+    for (std::uint64_t k = 0; k < branch.tick; ++k, time += 1, place()) {
+    }
+    each_rate(branch, [&](std::int64_t rate) {
+        time += std::ldexp(static_cast<double>(rate), -32);
+        place();
+    });
+    Differences worst;
+    const double h = static_cast<double>(step) * plan.tick_s;
+    const std::size_t first = branch.tick > 3 * step ? branch.tick - 3 * step : 0;
+    for (std::size_t i = first; i + 3 * step < places.size(); ++i) {
+        const ref::Vec3& a = places[i];
+        const ref::Vec3& b = places[i + step];
+        const ref::Vec3& c = places[i + 2 * step];
+        const ref::Vec3& d = places[i + 3 * step];
+        worst.acceleration =
+            std::max(worst.acceleration, (c - 2 * b + a).norm() / (h * h * machine.acceleration));
+        worst.jerk =
+            std::max(worst.jerk, (d - 3 * c + 3 * b - a).norm() / (h * h * h * machine.jerk));
+    }
+    return worst;
+}
+
+}  // namespace curvecore::tb
