@@ -17,33 +17,33 @@ constexpr double kNoLimit = 1e15;  // of acceleration and jerk
 
 ProfileCourse::ProfileCourse(const Program& program, const Machine& machine,
                              const Geometry& geometry, const Plan& plan, double share)
-    : machine_(machine), plan_(plan), share_(share), quantum_(plan.unit_mm / 65536) {
-    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
-    PathPlaces places(program, geometry, plan.unit_mm);
-    std::vector<double> starts;
-    double ticks = 0;
-    for (const ProfilePiece& piece : plan.pieces) {
-        starts.push_back(ticks);
-        ticks += piece.ticks;
+    : machine_(machine),
+      plan_(plan),
+      share_(share),
+      quantum_(plan.unit_mm / 65536),
+      places_(program, geometry, plan.unit_mm),
+      piece_(plan.pieces.data()) {}
+
+void ProfileCourse::add(const PieceStretch& stretch) {
+    for (; piece_ != stretch.piece; ++piece_) piece_start_ += piece_->ticks;
+    const double seconds = (stretch.to - stretch.from) * plan_.tick_s;
+    const int parts = std::max(1, static_cast<int>(std::ceil(seconds / kCell)));
+    std::vector<PlaceLimit> begin = limits(stretch, 0);
+    for (int i = 0; i < parts; ++i) {
+        const auto at = [&](int part) {
+            return piece_start_ + stretch.from + (stretch.to - stretch.from) * part / parts;
+        };
+        std::vector<PlaceLimit> end = limits(stretch, (i + 1.) / parts);
+        cells_.push_back({at(i), at(i + 1), piece_, piece_start_, std::move(begin), end});
+        begin = std::move(end);
     }
-    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
-        const double start = starts[static_cast<std::size_t>(stretch.piece - plan.pieces.data())];
-        const double seconds = (stretch.to - stretch.from) * plan.tick_s;
-        const int parts = std::max(1, static_cast<int>(std::ceil(seconds / kCell)));
-        std::vector<PlaceLimit> begin = limits(stretch, 0, places);
-        for (int i = 0; i < parts; ++i) {
-            const auto at = [&](int part) {
-                return start + stretch.from + (stretch.to - stretch.from) * part / parts;
-            };
-            std::vector<PlaceLimit> end = limits(stretch, (i + 1.) / parts, places);
-            cells_.push_back({at(i), at(i + 1), stretch.piece, start, std::move(begin), end});
-            begin = std::move(end);
-        }
-    });
 }
 
-std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, double part,
-                                              PathPlaces& places) {
+void ProfileCourse::forget_before(double tick) {
+    while (!cells_.empty() && cells_.front().to <= tick) cells_.pop_front();
+}
+
+std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, double part) {
     part = std::clamp(part, kWithin, 1 - kWithin);
     const double t = stretch.from + (stretch.to - stretch.from) * part;
     const double s = (stretch.s + piece_state(*stretch.piece, t).s -
@@ -52,7 +52,7 @@ std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, doubl
     const PlannedMove& move = *stretch.move;
     const PieceMotion m = ref::motion(stretch, part, plan_);
     std::vector<PlaceLimit> all =
-        place_limits(places.at(stretch.move_index, s), move.shape, machine_);
+        place_limits(places_.at(stretch.move_index, s), move.shape, machine_);
     const double left = static_cast<double>(move.length) * quantum_ - s;
     const bool tip = (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
     for (PlaceLimit& limit : all) {

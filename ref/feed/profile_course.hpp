@@ -2,6 +2,7 @@
 // A planned profile by its own time: its motion at any tick, and what the machine allows there.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "ref/feed/path_places.hpp"
@@ -17,27 +18,34 @@ struct CourseCell {
     std::vector<PlaceLimit> begin, end;
 };
 
-/// Units: mm, s; times in ticks. A rest has no cells.
+/// A part of a plan, made stretch by stretch. Units: mm, s; times in ticks. A rest has no cells.
 class ProfileCourse {
   public:
     /// Limits are `share` of the machine's, but never less than what the plan asks there by itself:
-    /// where words round, that may be more. Machine and plan must outlive the course.
+    /// where words round, that may be more. All must outlive the course.
     ProfileCourse(const Program& program, const Machine& machine, const Geometry& geometry,
                   const Plan& plan, double share);
 
-    const std::vector<CourseCell>& cells() const { return cells_; }
+    /// The plan's next stretch (walk_pieces).
+    void add(const PieceStretch& stretch);
+    void forget_before(double tick);
+
+    const std::deque<CourseCell>& cells() const { return cells_; }
     const Machine& machine() const { return machine_; }
     double tick_s() const { return plan_.tick_s; }
     PieceMotion motion(const CourseCell& cell, double tick) const;
 
   private:
-    std::vector<PlaceLimit> limits(const PieceStretch& stretch, double part, PathPlaces& places);
+    std::vector<PlaceLimit> limits(const PieceStretch& stretch, double part);
 
     const Machine& machine_;
     const Plan& plan_;
     double share_;
     double quantum_;
-    std::vector<CourseCell> cells_;
+    PathPlaces places_;
+    const ProfilePiece* piece_;  // of the last stretch
+    double piece_start_ = 0;
+    std::deque<CourseCell> cells_;
 };
 
 }  // namespace curvecore::ref

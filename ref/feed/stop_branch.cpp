@@ -38,22 +38,26 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
     return room.low <= room.high;
 }
 
-double step_time(const Machine& machine) {
+std::int64_t step_ticks(const Machine& machine, double tick_s) {
     double ramp = machine.acceleration / machine.jerk;
     double brake = machine.velocity / machine.acceleration;
     for (const AxisLimits& axis : machine.axis) {
         ramp = std::min(ramp, axis.acceleration / axis.jerk);
         brake = std::min(brake, axis.velocity / axis.acceleration);
     }
-    return std::max(ramp / kRampSteps, brake / kBrakeSteps);
+    const double time = std::max(ramp / kRampSteps, brake / kBrakeSteps);
+    std::int64_t ticks = 1;
+    while (static_cast<double>(2 * ticks) * tick_s <= time) ticks *= 2;
+    return ticks;
 }
 
 class StopLaw {
   public:
     explicit StopLaw(const ProfileCourse& course)
-        : course_(course), cells_(course.cells()), tick_s_(course.tick_s()) {
-        const double step = step_time(course.machine());
-        while (static_cast<double>(2 * longest_) * tick_s_ <= step) longest_ *= 2;
+        : course_(course),
+          cells_(course.cells()),
+          tick_s_(course.tick_s()),
+          longest_(step_ticks(course.machine(), tick_s_)) {
         most_ = std::min<double>(0x1p31 - 1, std::ldexp(1.0, 32) / longest_ / longest_);
     }
 
@@ -62,7 +66,9 @@ class StopLaw {
         branch.tick = tick;
         at_.tick = static_cast<double>(tick);
         find_cell(at_);
-        for (ticks_ = longest_; at_.rate != 0 || at_.slope != 0;) {
+        ticks_ = longest_;
+        for (std::size_t count = 0; at_.rate != 0 || at_.slope != 0; ++count) {
+            if (count == kMostStopSteps) return {};
             while (at_.slope == 0 && at_.rate < ticks_ * ticks_) ticks_ /= 2;
             const std::int64_t change = choose();
             const auto ticks = static_cast<std::uint32_t>(ticks_);
@@ -74,8 +80,6 @@ class StopLaw {
             } else {
                 branch.steps.push_back({ticks, static_cast<std::int32_t>(change)});
             }
-            const bool late = branch.tick > tick + kMostStopSteps * longest_;
-            if (late || branch.steps.size() > kMostStopSteps) return {};
         }
         return branch;
     }
@@ -248,10 +252,10 @@ class StopLaw {
     }
 
     const ProfileCourse& course_;
-    const std::vector<CourseCell>& cells_;
+    const std::deque<CourseCell>& cells_;
     double tick_s_;
-    std::int64_t longest_ = 1;  // ticks of a step
-    double most_;               // of a change
+    std::int64_t longest_;  // ticks of a step
+    double most_;           // of a change
     Scaled at_;
     std::int64_t ticks_ = 1;
     bool ending_ = false;
@@ -267,6 +271,33 @@ std::uint64_t StopBranch::ticks() const {
 
 StopBranch stop_branch(const ProfileCourse& course, std::uint64_t tick) {
     return StopLaw(course).run(tick);
+}
+
+std::uint64_t stop_reach(const Machine& machine, double tick_s) {
+    return 2 * kMostStopSteps * static_cast<std::uint64_t>(step_ticks(machine, tick_s));
+}
+
+std::vector<StopBranch> stop_branches(const Program& program, const Machine& machine,
+                                      const Geometry& geometry, const Plan& plan,
+                                      std::uint64_t every) {
+    std::vector<StopBranch> branches;
+    ProfileCourse course(program, machine, geometry, plan, kStopShare);
+    const double reach = static_cast<double>(stop_reach(machine, plan.tick_s));
+    std::uint64_t next = 0;
+    const auto add_until = [&](double end) {
+        for (; static_cast<double>(next) < end; next += every) {
+            course.forget_before(static_cast<double>(next));
+            StopBranch branch = stop_branch(course, next);
+            if (!branch.steps.empty()) branches.push_back(std::move(branch));
+        }
+    };
+    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
+        course.add(stretch);
+        add_until(course.cells().back().from - reach);
+    });
+    if (!course.cells().empty()) add_until(course.cells().back().to);
+    return branches;
 }
 
 }  // namespace curvecore::ref

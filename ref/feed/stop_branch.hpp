@@ -25,7 +25,7 @@ struct StopBranch {
     std::uint64_t ticks() const;
 };
 
-constexpr std::size_t kMostStopSteps = 512;
+constexpr std::size_t kMostStopSteps = 512;  // before equal neighbours are one
 
 /// The stop that begins at `tick` or, where the limits leave nothing to subtract, as at full jerk
 /// across the path, as soon as they do.
@@ -38,6 +38,18 @@ constexpr std::size_t kMostStopSteps = 512;
 ///
 /// Steps are of 2^n ticks, a small part of the time to full acceleration or from full speed; the
 /// last ones are shorter, so that whole words end at 0.
+///
+/// The course must reach stop_reach() ticks beyond `tick`, or to the program's end.
 StopBranch stop_branch(const ProfileCourse& course, std::uint64_t tick);
+std::uint64_t stop_reach(const Machine& machine, double tick_s);
+
+/// Share of the machine's limits that a stop takes: what its steps miss of a curve is less.
+constexpr double kStopShare = 0.995;
+
+/// A branch every so many ticks of the plan from its start on, where there is one. Memory for the
+/// course of one stop.
+std::vector<StopBranch> stop_branches(const Program& program, const Machine& machine,
+                                      const Geometry& geometry, const Plan& plan,
+                                      std::uint64_t every);
 
 }  // namespace curvecore::ref

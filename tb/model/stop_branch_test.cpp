@@ -19,8 +19,7 @@ using ref::PlanOptions;
 using ref::Program;
 using ref::StopBranch;
 
-constexpr double kPlanned = 0.95;   // of acceleration and jerk, in the plan
-constexpr double kStopped = 0.995;  // and in a stop
+constexpr double kPlanned = 0.95;  // of acceleration and jerk, in the plan
 
 /// The planner's shares of it are kPlanned of `machine`.
 Machine planned_for(Machine machine) {
@@ -45,13 +44,18 @@ struct Stops {
     ref::ProfileCourse course;
 
     explicit Stops(const Program& of, const Machine& on = Machine(), PlanOptions with = {},
-                   double share = kStopped)
+                   double share = ref::kStopShare)
         : program(of),
           machine(on),
           options(optimum(with)),
           geometry(make_geometry(program, planned_for(machine), options)),
           plan(make_plan(program, planned_for(machine), options)),
-          course(program, machine, geometry, plan, share) {}
+          course(program, machine, geometry, plan, share) {
+        const ref::PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
+        walk_pieces(plan, geometry, grid,
+                    [this](const ref::PieceStretch& stretch) { course.add(stretch); });
+    }
+    Stops(const Stops&) = delete;
 
     static PlanOptions optimum(PlanOptions options) {
         options.effort = ref::Effort::kOptimum;
@@ -227,6 +231,33 @@ TEST(StopBranch, OfRandomSplinesWithLimitsOfAxesKeepsTheLimits) {
         }
         const Stops stops(random_splines(seed, 8), machine);
         expect_within(stops, stops.ticks() / 15 + 1, "seed " + std::to_string(seed));
+    }
+}
+
+bool equal(const StopBranch& a, const StopBranch& b) {
+    const auto same = [](const ref::StopStep& x, const ref::StopStep& y) {
+        return x.ticks == y.ticks && x.change == y.change;
+    };
+    return a.tick == b.tick &&
+           std::equal(a.steps.begin(), a.steps.end(), b.steps.begin(), b.steps.end(), same);
+}
+
+TEST(StopBranch, OfAPlanInOrderAreTheSame) {
+    ProgramBuilder builder;
+    for (int i = 1; i <= 12; ++i) {
+        builder.line({40. * i, 0, 0}, 400).dwell = i % 3 == 0 ? 0.2 : 0;
+        builder.line({40. * i, 10, 0}, 30).exact_stop = true;
+        builder.line({40. * i, 0, 0}, 30).exact_stop = true;
+    }
+    const Stops stops(builder.program());
+    constexpr std::uint64_t kEvery = 300;
+    const std::uint64_t reach = ref::stop_reach(stops.machine, stops.plan.tick_s);
+    ASSERT_GT(stops.ticks(), 4 * reach) << "the course is forgotten as it goes";
+    const std::vector<StopBranch> branches =
+        stop_branches(stops.program, stops.machine, stops.geometry, stops.plan, kEvery);
+    ASSERT_GE(branches.size(), stops.ticks() / kEvery - 1);
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+        EXPECT_TRUE(equal(branches[i], stop_branch(stops.course, kEvery * i))) << i;
     }
 }
 
