@@ -113,7 +113,7 @@ TEST(StopBranch, OnLinesCirclesAndHelicesNearTheShortest) {
             const double time = static_cast<double>(branch.tick - tick + branch.ticks()) * tick_s;
             const double behind = time - shortest.time(m.v, m.a);
             // Steps of 1.6 ms are long where a stop takes only some of them.
-            EXPECT_LE(behind, time < 0.065 ? 0.035 : 0.017) << even.name << " " << tick;
+            EXPECT_LE(behind, time < 0.065 ? 0.035 : 0.02) << even.name << " " << tick;
             EXPECT_GE(behind, -1e-3) << even.name << " " << tick;
             EXPECT_LE(time, 0.21) << even.name << " " << tick;
         }
@@ -169,6 +169,17 @@ TEST(StopBranch, KeepsTheLimitsOverWindows) {
     }
 }
 
+/// Largest between pieces, mm/s^2.
+double acceleration_jump(const Plan& plan) {
+    double most = 0;
+    double a = 0;
+    for (const ref::ProfilePiece& piece : plan.pieces) {
+        most = std::max(most, std::abs(piece_state(piece, 0).a - a));
+        a = piece_state(piece, piece.ticks).a;
+    }
+    return most * plan.unit_mm / 65536 / (plan.tick_s * plan.tick_s);
+}
+
 // Differences know nothing of plan and law, and leave no room. Between pieces the plan's own
 // acceleration jumps a little.
 TEST(StopBranch, KeepsTheLimitsByDifferences) {
@@ -188,9 +199,10 @@ TEST(StopBranch, KeepsTheLimitsByDifferences) {
             worst(rash, control);
         }
         EXPECT_LE(most.acceleration, 1) << curve.name;
-        EXPECT_LE(most.jerk, 1.06) << curve.name;
+        const double jump = acceleration_jump(stops.plan) / (8 * stops.plan.tick_s);
+        EXPECT_LE(most.jerk, 1.01 + jump / stops.machine.jerk) << curve.name;
         EXPECT_GT(most.jerk, 0.95) << curve.name;
-        EXPECT_GT(control.jerk, 1.1) << curve.name;
+        EXPECT_GT(control.jerk, most.jerk + 0.05) << curve.name;
     }
 }
 
