@@ -128,7 +128,7 @@ double TimeBarrier::value(const SpeedSpline& spline, double weight) const {
 }
 
 void TimeBarrier::differentiate(const SpeedSpline& spline, double weight,
-                                std::vector<double>& gradient, Banded& hessian) const {
+                                std::vector<double>& gradient, BandMatrix<2>& hessian) const {
     const std::size_t count = last_ - first_;
     gradient.assign(count, 0);
     hessian.clear();

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "ref/feed/banded.hpp"
+#include "ref/curve/band_matrix.hpp"
 #include "ref/feed/speed_spline.hpp"
 
 namespace curvecore::ref {
@@ -33,7 +33,7 @@ class TimeBarrier {
     /// Gradient and Hessian by the free control points. Of what is not concave, 1 / sqrt(q), the
     /// tangent lies below it and stands for it: what it allows is allowed.
     void differentiate(const SpeedSpline& spline, double weight, std::vector<double>& gradient,
-                       Banded& hessian) const;
+                       BandMatrix<2>& hessian) const;
 
     double time(const SpeedSpline& spline) const;
     std::size_t rooms() const { return rooms_.size(); }

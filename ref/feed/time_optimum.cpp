@@ -29,7 +29,7 @@ std::vector<double> lengths(const std::vector<PathInterval>& path) {
 void centre(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, std::size_t last,
             double weight) {
     const std::size_t count = last - first;
-    Banded hessian(count);
+    BandMatrix<2> hessian(count);
     std::vector<double> gradient;
     std::vector<double> direction;
     std::vector<double> from(count);
@@ -37,6 +37,7 @@ void centre(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, 
     for (int step = 0; step < kMostSteps; ++step) {
         barrier.differentiate(spline, weight, gradient, hessian);
         direction = gradient;
+        hessian.decompose();
         hessian.solve(direction);
         double decrement = 0;
         for (std::size_t i = 0; i < count; ++i) decrement += gradient[i] * direction[i];

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/path/band_matrix.hpp"
+#include "ref/curve/band_matrix.hpp"
 
 namespace curvecore::ref {
 namespace {

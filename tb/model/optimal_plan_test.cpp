@@ -12,6 +12,7 @@
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_joints.hpp"
 #include "tb/support/random_splines.hpp"
+#include "tb/support/tick_run.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -38,31 +39,14 @@ const Curve kCurves[] = {
 
 /// With a hold of so many ticks from tick `at` on.
 sysc::LimitLoads held_limits(const Plan& plan, const Machine& machine, int at, int ticks) {
-    hls::PathKernel kernel;
     hls::TimeScaler scaler(plan.hold_acceleration,
                            std::int64_t{plan.hold_acceleration} * plan.hold_slope_steps);
-    sysc::PathCursor cursor(plan);
-    ref::CurveFollower curve;
-    sysc::LimitMeter meter(machine, plan.unit_mm, plan.tick_s, 1, 3 + plan.aux_axes, 0,
-                           kManyWindows);
-    std::size_t next = 0;
-    const auto feed = [&](hls::ProfileWords& words) {
-        if (next == plan.pieces.size()) return false;
-        words = hls::to_words(plan.pieces[next++]);
-        return true;
-    };
-    const auto take = [&] {
-        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
-        meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
-    };
-    take();
-    for (int tick = 0; next == 0 || kernel.active(); ++tick) {
+    TickRun run(plan, machine);
+    for (int tick = 0; run.active(); ++tick) {
         const bool hold = tick >= at && tick < at + ticks;
-        const std::int32_t rate = scaler.tick(hold ? 0 : 1 << 16);
-        cursor.advance(static_cast<std::uint64_t>(hls::to_int(kernel.tick(rate, feed, hold))));
-        take();
+        run.tick(scaler.tick(hold ? 0 : 1 << 16), hold);
     }
-    return meter.finish();
+    return run.finish();
 }
 
 TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {

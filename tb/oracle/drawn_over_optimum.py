@@ -7,7 +7,6 @@
                                                               slower than it should be, or off
 """
 
-import argparse
 import json
 import subprocess
 import sys
@@ -17,7 +16,7 @@ from pathlib import Path
 from drawn_path import stretches
 from programs import FEED, PROGRAMS
 from time_oracle import Limits
-from time_over_optimum import best, shares
+from time_over_optimum import arguments, best, printed, shares
 
 CHECKED = ("circle, chords of 0.1 mm", "turn, chords of 0.1 mm", "stadium, R 10")
 SLOWER = 1.02  # than the oracle along the same path under the same shares
@@ -67,20 +66,12 @@ def check(program, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", required=True, metavar="CURVECORE")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("-o", dest="output", metavar="FILE.json")
-    given = parser.parse_args()
+    given = arguments(__doc__)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if given.check:
             return check(given.program, folder)
-        rows = []
-        for name in PROGRAMS:
-            rows.append(row(given.program, name, folder))
-            print(", ".join(f"{key} {value}" for key, value in rows[-1].items()), flush=True)
+        rows = printed(row(given.program, program, folder) for program in PROGRAMS)
     if given.output:
         Path(given.output).write_text(json.dumps({"rows": rows}, indent=2) + "\n")
     return 0

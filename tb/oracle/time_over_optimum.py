@@ -109,23 +109,33 @@ def check(program, folder):
     return int(status)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__,
+def arguments(text):
+    """The command line that both programs have."""
+    parser = argparse.ArgumentParser(description=text,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, metavar="CURVECORE")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("-o", dest="output", metavar="FILE.json")
-    given = parser.parse_args()
+    return parser.parse_args()
+
+
+def printed(rows):
+    """The same rows, printed as they come."""
+    found = []
+    for row in rows:
+        print(", ".join(f"{name} {value}" for name, value in row.items()), flush=True)
+        found.append(row)
+    return found
+
+
+def main():
+    given = arguments(__doc__)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if given.check:
             return check(given.program, folder)
-        rows = []
-        for feed in FEEDS:
-            for path in PATHS:
-                found = row(given.program, path, feed, GRID, folder)
-                rows.append(found)
-                print(", ".join(f"{name} {value}" for name, value in found.items()), flush=True)
+        rows = printed(row(given.program, path, feed, GRID, folder)
+                       for feed in FEEDS for path in PATHS)
         result = {"rows": rows, "off_on_lines": off_on_lines(Limits(), GRID)}
     if given.output:
         Path(given.output).write_text(json.dumps(result, indent=2) + "\n")

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ref/feed/stop_branch.hpp"
-#include "tb/support/drawn_limits.hpp"
+#include "tb/support/tick_run.hpp"
 
 namespace curvecore::tb {
 
@@ -26,31 +26,12 @@ bool each_rate(const ref::StopBranch& branch, Tick tick) {
 /// branch begins so much of a tick later, 2^-16, as after a hold.
 inline sysc::LimitLoads stopped_limits(const ref::Plan& plan, const ref::Machine& machine,
                                        const ref::StopBranch& branch, std::int32_t late = 0) {
-    hls::PathKernel kernel;
-    sysc::PathCursor cursor(plan);
-    ref::CurveFollower curve;
-    sysc::LimitMeter meter(machine, plan.unit_mm, plan.tick_s, 1, 3 + plan.aux_axes, 0,
-                           kManyWindows);
-    std::size_t next = 0;
-    const auto feed = [&](hls::ProfileWords& words) {
-        if (next == plan.pieces.size()) return false;
-        words = hls::to_words(plan.pieces[next++]);
-        return true;
-    };
-    const auto take = [&] {
-        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
-        meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
-    };
-    const auto tick = [&](std::int32_t rate) {
-        cursor.advance(static_cast<std::uint64_t>(hls::to_int(kernel.tick(rate, feed))));
-        take();
-    };
-    take();
-    if (late > 0) tick(late);
-    for (std::uint64_t k = 0; k < branch.tick; ++k) tick(1 << 16);
-    each_rate(branch, [&](std::int64_t rate) { tick(static_cast<std::int32_t>(rate >> 16)); });
-    for (int k = 0; k < 400; ++k) tick(0);
-    return meter.finish();
+    TickRun run(plan, machine);
+    if (late > 0) run.tick(late);
+    for (std::uint64_t k = 0; k < branch.tick; ++k) run.tick(1 << 16);
+    each_rate(branch, [&](std::int64_t rate) { run.tick(static_cast<std::int32_t>(rate >> 16)); });
+    for (int k = 0; k < 400; ++k) run.tick(0);
+    return run.finish();
 }
 
 /// Worst acceleration and jerk of X Y Z during the stop over the machine's, from differences of
