@@ -81,8 +81,8 @@ def drawn():
     head = ["program", "off / P", "moves", "words / exact", "exact path, s", "drawn, s",
             "oracle, the same shares", "drawn / oracle", "oracle, whole limits",
             "drawn / oracle"]
-    text = ("Along the path that is drawn, at 500 mm/s; below 1 the oracle found a local optimum that "
-            "is worse:")
+    text = ("Along the path that is drawn, at 500 mm/s; below 1 the oracle found a local optimum "
+            "that is worse:")
     return f"{text}\n\n{table(head, rows)}"
 
 
