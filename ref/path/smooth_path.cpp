@@ -163,7 +163,8 @@ class Drawing {
 };
 
 bool smoothable(const Move& move) {
-    return move.tolerance > 0 && move.kind != Move::Kind::kCubic && move.start != move.end &&
+    const bool moves = move.kind == Move::Kind::kArc || move.start != move.end;  // X Y Z
+    return move.tolerance > 0 && move.kind != Move::Kind::kCubic && moves &&
            move.aux_start == move.aux_end;
 }
 

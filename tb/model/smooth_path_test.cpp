@@ -157,6 +157,19 @@ TEST(SmoothPath, OfALineAndATangentArcLeavesNoStepOfCurvature) {
     EXPECT_LT(worst.bend, 1e-6);
 }
 
+TEST(SmoothPath, OfAFullCircleIsEnteredAndLeftSmoothly) {
+    ProgramBuilder builder;
+    builder.line({50, 0, 0}, 500);
+    builder.arc({50, 10, 0}, {0, 0, 1}, 2 * M_PI, 0, 500);
+    builder.line({100, 0, 0}, 500);
+    builder.program().moves[1].end = builder.program().moves[1].start;
+    Program program = with_tolerance(builder.program(), 0.005);
+    Smoothed smoothed;
+    EXPECT_LE(smooth_and_search(program, smoothed), 1.002);
+    EXPECT_EQ(smoothed.curves, 2);
+    EXPECT_LT(jumps(program).bend, 1e-6);
+}
+
 TEST(SmoothPath, IsAsProgrammedWhereTheFeedPassesJoints) {
     Program program = stadium(10);
     const Smoothed smoothed = ref::smooth_path(program, ref::Machine());

@@ -49,7 +49,7 @@ TEST(SmoothPlan, OfChoppedCurvesKeepsTheLimits) {
 }
 
 class SmoothPlans : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0U, 16U));
+INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0U, 10U));
 
 TEST_P(SmoothPlans, KeepTheLimits) {
     for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
