@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSpanTime = 4.5e-3;  // s: how long a cubic lasts, r''' being constant
+constexpr double kSpanTime = 3.5e-3;  // s: how long a cubic lasts, r''' being constant
 constexpr double kSpanTurn = 0.5;     // rad
 constexpr double kSlope = 0.6;        // of the width of spans by s
 constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span beside a corner
@@ -68,11 +68,11 @@ double Pace::at(double most, double bend, double swerve) const {
     return swerve > 0 ? std::min(most, std::cbrt(jerk / swerve)) : most;
 }
 
-void sweep(const std::vector<double>& s, double acceleration, std::vector<double>& speeds) {
+void Pace::sweep(const std::vector<double>& s, std::vector<double>& speeds) const {
     const auto join = [&](std::size_t from, std::size_t to) {
         const double way = std::abs(s[to] - s[from]);
-        speeds[to] =
-            std::min(speeds[to], std::sqrt(speeds[from] * speeds[from] + 2 * acceleration * way));
+        const double gain = std::min(acceleration, std::sqrt(jerk * speeds[from]));
+        speeds[to] = std::min(speeds[to], std::sqrt(speeds[from] * speeds[from] + 2 * gain * way));
     };
     for (std::size_t i = 1; i < s.size(); ++i) join(i - 1, i);
     for (std::size_t i = s.size(); i-- > 1;) join(i, i - 1);
@@ -102,7 +102,7 @@ std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to,
         sites.push_back({s, turn, 0, 0});
         speeds.push_back(pace.at(pace.speed, bends.back(), 0));
     }
-    sweep(places, pace.acceleration, speeds);
+    pace.sweep(places, speeds);
     for (std::size_t i = 0; i < sites.size(); ++i) {
         Site& site = sites[i];
         site.speed = speeds[i];

@@ -17,10 +17,10 @@ struct Pace {
 
     /// Speed that a curvature and |r'''| allow of a speed.
     double at(double most, double bend, double swerve) const;
+    /// Speeds at places s, lowered until the acceleration that a ramp from the slower one reaches
+    /// joins them.
+    void sweep(const std::vector<double>& s, std::vector<double>& speeds) const;
 };
-
-/// Speeds at places s, lowered until acceleration joins them.
-void sweep(const std::vector<double>& s, double acceleration, std::vector<double>& speeds);
 
 /// A place of the path as a tube of this tolerance sees it: turns are those of chords so long that
 /// noise within the tube does not show.

@@ -76,7 +76,7 @@ std::vector<double> speeds_of(const CubicSpline& spline, const Pace& pace) {
             std::max(cubic.acceleration(0).norm(), cubic.acceleration(1).norm()) / (h * h);
         speeds.push_back(pace.at(pace.speed, bend, cubic.jerk().norm() / (h * h * h)));
     }
-    sweep(middles, pace.acceleration, speeds);
+    pace.sweep(middles, speeds);
     std::vector<double> smooth = speeds;
     for (std::size_t i = 1; i + 1 < speeds.size(); ++i) {
         smooth[i] = (speeds[i - 1] + 2 * speeds[i] + speeds[i + 1]) / 4;
