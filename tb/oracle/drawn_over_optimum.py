@@ -36,7 +36,7 @@ def row(program, name, folder):
     limits = Limits()
     sums = {"oracle_shares_s": 0, "oracle_s": 0}
     for curves in stretches(folder / "out/segments.json"):
-        grid = max(1200, 30 * len(curves))
+        grid = max(1200, 10 * len(curves))
         sums["oracle_shares_s"] += best(curves, limits.shares(*shares()), FEED, grid)
         sums["oracle_s"] += best(curves, limits, FEED, grid)
     return {
