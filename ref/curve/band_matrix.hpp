@@ -13,7 +13,7 @@ namespace curvecore::ref {
 template <std::size_t kBands>
 class BandMatrix {
   public:
-    explicit BandMatrix(std::size_t n) : row_(n) { clear(); }
+    explicit BandMatrix(std::size_t n) : row_(n) {}
 
     void clear() { std::fill(row_.begin(), row_.end(), std::array<double, kBands + 1>{}); }
     /// Adds to element (i, j); what lies above the diagonal is left to its mirror.

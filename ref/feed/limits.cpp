@@ -167,4 +167,12 @@ LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const 
     return worst;
 }
 
+double ramp_time(const Machine& machine) {
+    double time = machine.acceleration / machine.jerk;
+    for (const AxisLimits& axis : machine.axis) {
+        time = std::min(time, axis.acceleration / axis.jerk);
+    }
+    return time;
+}
+
 }  // namespace curvecore::ref

@@ -33,6 +33,9 @@ double highest_speed(const PathShape& shape, const Machine& machine);
 /// What a speed of at most v leaves along the path.
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v);
 
+/// Time to full acceleration, s, of the quickest limit.
+double ramp_time(const Machine& machine);
+
 /// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: at most how
 /// much of a motion along the path, and of one across it, the limit sees.
 void each_limit(const PathShape& shape, const Machine& machine,

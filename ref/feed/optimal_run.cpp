@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "ref/feed/limits.hpp"
 #include "ref/feed/merged_phases.hpp"
 #include "ref/feed/time_optimum.hpp"
 
@@ -36,15 +37,6 @@ constexpr double kMendMore = 0.05;
 // Of a share and of a velocity, what a few words may take after so many mends.
 constexpr double kCarried = 1.2;
 constexpr double kSpeedCarried = 1.002;
-
-/// Time to full acceleration, of the quickest limit.
-double ramp_time(const Machine& machine) {
-    double time = machine.acceleration / machine.jerk;
-    for (const AxisLimits& axis : machine.axis) {
-        time = std::min(time, axis.acceleration / axis.jerk);
-    }
-    return time;
-}
 
 class OptimalRun {
   public:

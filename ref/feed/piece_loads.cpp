@@ -11,13 +11,12 @@ namespace {
 constexpr int kParts = 4;         // within a stretch all loads are smooth
 constexpr double kWithin = 1e-6;  // at its ends a curve may stand still
 
-/// From rest the loads vanish, but rounded words leave a speed where the curvature has no end.
+}  // namespace
+
 bool near_standstill(const PlannedMove& move, double s, double quantum) {
     const double left = static_cast<double>(move.length) * quantum - s;
     return (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
 }
-
-}  // namespace
 
 void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
                 const PieceGrid& grid, const Machine& machine, PathPlaces& places,
@@ -25,10 +24,9 @@ void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& pl
     for (int i = 0; i <= kParts && !stretch.overhang; ++i) {
         const double part = std::clamp(static_cast<double>(i) / kParts, kWithin, 1 - kWithin);
         const double t = stretch.from + (stretch.to - stretch.from) * part;
-        const double s = stretch.s + piece_state(*stretch.piece, t).s -
-                         piece_state(*stretch.piece, stretch.from).s;
-        if (near_standstill(*stretch.move, s * grid.quantum, grid.quantum)) continue;
-        const PathPlace at = places.at(planned, s * grid.quantum);
+        const double s = place_of(stretch, t) * grid.quantum;
+        if (near_standstill(*stretch.move, s, grid.quantum)) continue;
+        const PathPlace at = places.at(planned, s);
         const PieceMotion m = motion(stretch, part, plan);
         for (const PlaceLimit& limit : place_limits(at, stretch.move->shape, machine)) {
             worst.acceleration =

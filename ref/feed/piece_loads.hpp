@@ -8,6 +8,10 @@
 
 namespace curvecore::ref {
 
+/// Whether s mm from a move's start a curve all but stands still. From rest the loads vanish, but
+/// rounded words leave a speed where the curvature has no end.
+bool near_standstill(const PlannedMove& move, double s, double quantum);
+
 /// Raises `worst` to the ratios to the limits inside one stretch; one that reaches into a
 /// neighbouring move counts with its speed alone.
 /// @param planned index of the stretch's move for `places`

@@ -38,6 +38,12 @@ inline double ticks_at(const ProfilePiece& piece, double ds) {
     return low;
 }
 
+/// Path from the start of a stretch's move at a tick of the piece, quanta.
+inline double place_of(const PieceStretch& stretch, double tick) {
+    return stretch.s + piece_state(*stretch.piece, tick).s -
+           piece_state(*stretch.piece, stretch.from).s;
+}
+
 /// Motion at a part (0..1) of a stretch.
 inline PieceMotion motion(const PieceStretch& stretch, double part, const Plan& plan) {
     const double t = stretch.from + (stretch.to - stretch.from) * part;

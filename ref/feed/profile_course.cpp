@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/spline_shape.hpp"
+#include "ref/feed/piece_loads.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -46,15 +46,12 @@ void ProfileCourse::forget_before(double tick) {
 std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, double part) {
     part = std::clamp(part, kWithin, 1 - kWithin);
     const double t = stretch.from + (stretch.to - stretch.from) * part;
-    const double s = (stretch.s + piece_state(*stretch.piece, t).s -
-                      piece_state(*stretch.piece, stretch.from).s) *
-                     quantum_;
+    const double s = place_of(stretch, t) * quantum_;
     const PlannedMove& move = *stretch.move;
     const PieceMotion m = ref::motion(stretch, part, plan_);
     std::vector<PlaceLimit> all =
         place_limits(places_.at(stretch.move_index, s), move.shape, machine_);
-    const double left = static_cast<double>(move.length) * quantum_ - s;
-    const bool tip = (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
+    const bool tip = near_standstill(move, s, quantum_);
     for (PlaceLimit& limit : all) {
         if (tip) {
             limit = PlaceLimit();

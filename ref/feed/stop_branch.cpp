@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/feed/limits.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -39,13 +41,11 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
 }
 
 std::int64_t step_ticks(const Machine& machine, double tick_s) {
-    double ramp = machine.acceleration / machine.jerk;
     double brake = machine.velocity / machine.acceleration;
     for (const AxisLimits& axis : machine.axis) {
-        ramp = std::min(ramp, axis.acceleration / axis.jerk);
         brake = std::min(brake, axis.velocity / axis.acceleration);
     }
-    const double time = std::max(ramp / kRampSteps, brake / kBrakeSteps);
+    const double time = std::max(ramp_time(machine) / kRampSteps, brake / kBrakeSteps);
     std::int64_t ticks = 1;
     while (static_cast<double>(2 * ticks) * tick_s <= time) ticks *= 2;
     return ticks;

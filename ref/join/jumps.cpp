@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/curve/angle_between.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -13,10 +15,6 @@ JoinJumps jumps_of(const std::string& name, const IdleMove& move, SpeedLaw law, 
     const SpeedCourse course{law, move.start.feed, move.end.feed, length};
     return {name, length, jump(move.start, first, course.acceleration(0)),
             jump(move.end, last, course.acceleration(length))};
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 /// Of a jump in rad or 1/mm: what is less is the rounding of points and derivatives.
@@ -74,11 +72,11 @@ std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law) {
     const Vec3 along = chord / length;
     const auto mirrored = [&along](const Vec3& v) { return Vec3(v - 2 * along * along.dot(v)); };
 
-    const Joint line{move.start.position, along, Vec3::Zero(), 0};
+    const Joint line{{move.start.position, along, Vec3::Zero()}, 0};
     Joint first = move.start;  // of the arc: curvature 2 sin(angle) / chord, towards the chord
     const Vec3 across = chord - first.tangent * first.tangent.dot(chord);
     first.curvature = 2 * across / chord.squaredNorm();
-    const Joint last{move.end.position, -mirrored(first.tangent), mirrored(first.curvature), 0};
+    const Joint last{{move.end.position, -mirrored(first.tangent), mirrored(first.curvature)}, 0};
     const double angle = angle_between(first.tangent, along);
     // Straight on, or straight back: no arc.
     const double arc = std::sin(angle) > 1e-9 ? length * angle / std::sin(angle) : length;

@@ -58,7 +58,7 @@ Joint PathTable::at(double s) const { return at(place(s)); }
 
 Joint PathTable::at(const Place& place) const {
     const BezierPiece::Point point = pieces_[place.piece].at(place.u);
-    Joint joint{point.r, Vec3::Zero(), Vec3::Zero(), 0};
+    Joint joint{{point.r, Vec3::Zero(), Vec3::Zero()}, 0};
     const double square = point.d1.squaredNorm();
     if (square > 0) {
         joint.tangent = point.d1 / std::sqrt(square);

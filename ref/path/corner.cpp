@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/curve/angle_between.hpp"
 #include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
@@ -92,8 +93,7 @@ std::optional<Corner> longest_corner(const Move& before, const Move& after, doub
     constexpr double kFull = 0.98;
     const Vec3 in = place_on(before, before.length()).tangent;
     const Vec3 out = place_on(after, 0).tangent;
-    const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
-    double reach = std::min(most, corner_reach(turn, tolerance));
+    double reach = std::min(most, corner_reach(angle_between(in, out), tolerance));
     std::optional<Corner> best;
     for (int i = 0; i < kTries; ++i) {
         const std::optional<Corner> corner = corner_of(before, after, reach);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/curve/angle_between.hpp"
 #include "ref/path/corner.hpp"
 #include "ref/program/move_part.hpp"
 
@@ -32,10 +33,6 @@ bool one_line(const Move& a, const Move& b) {
 }
 
 }  // namespace
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 PathJoints::PathJoints(const Move* moves, std::size_t count, double tolerance, Rest rest,
                        const Pace& pace)
@@ -71,15 +68,6 @@ bool PathJoints::joined(std::size_t move) const {
     return length(move) <= kMiddle * (joints_[move].reach + joints_[move + 1].reach);
 }
 
-/// Turn between chords that noise within the tolerance does not bend.
-double PathJoints::seen_turn(std::size_t joint) const {
-    const double s = joints_[joint].s;
-    const double reach = 3 * tolerance_;
-    const Vec3& here = moves_[joint].start;
-    return angle_between(here - path_.position(std::max(0.0, s - reach)),
-                         path_.position(std::min(path_.length(), s + reach)) - here);
-}
-
 /// Whether both moves last so long that they are no parts of one curve.
 bool PathJoints::is_long(std::size_t joint) const {
     return std::min(length(joint - 1) / feed(joint - 1), length(joint) / feed(joint)) > kLongMove;
@@ -100,7 +88,7 @@ void PathJoints::look_at(std::size_t i) {
     const double step = (after.curvature - before.curvature).norm();
     if (turn < kNoTurn && step < kNoStep) return;
     if (is_long(i) && passed(i, turn, step)) return;
-    const double seen = seen_turn(i);
+    const double seen = seen_turn(path_, joint.s, tolerance_);
     if (turn > kReversal && seen > kReversal) {
         joint.kind = PathJoint::Kind::kStop;
         return;

@@ -54,7 +54,6 @@ class PathJoints {
     bool is_long(std::size_t joint) const;
     bool passed(std::size_t joint, double turn, double step) const;
     double curve_reach(std::size_t joint, double turn, double step) const;
-    double seen_turn(std::size_t joint) const;
 
     double tolerance_;
     const Pace& pace_;
@@ -62,8 +61,5 @@ class PathJoints {
     ProgrammedPath path_;
     std::vector<PathJoint> joints_;
 };
-
-/// Angle between two directions, rad.
-double angle_between(const Vec3& a, const Vec3& b);
 
 }  // namespace curvecore::ref

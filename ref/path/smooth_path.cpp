@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ref/curve/angle_between.hpp"
 #include "ref/feed/limits.hpp"
 #include "ref/path/corner.hpp"
 #include "ref/path/path_joints.hpp"
@@ -58,8 +59,7 @@ class Drawing {
     TubeEnd end_at(double s, std::size_t move, bool stop) const {
         const double local = std::clamp(s - joints_[move].s, 0.0, joints_.length(move));
         const MovePlace place = place_on(joints_.move(move), local);
-        return {stop ? TubeEnd::Given::kPosition : TubeEnd::Given::kBend, place.position,
-                place.tangent, place.curvature};
+        return {stop, place.position, place.tangent, place.curvature};
     }
 
     /// The curve goes on over short moves; where it would end, joints that are straight are none.

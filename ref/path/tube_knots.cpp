@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/path/tube_knots.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "ref/curve/angle_between.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -15,13 +16,11 @@ constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span b
 constexpr double kReach = 3;          // tolerances: chords that turns are seen by
 constexpr double kLeastSpans = 6;     // three points are given at each end
 
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
-
 double turn_at(const ProgrammedPath& path, double s, double reach) {
     const Vec3 here = path.position(s);
     const Vec3 in = here - path.position(std::max(0.0, s - reach));
     const Vec3 out = path.position(std::min(path.length(), s + reach)) - here;
-    return in.isZero() || out.isZero() ? 0 : angle(in, out);
+    return angle_between(in, out);
 }
 
 /// Least of what chords of several lengths see: a joint of the path is no curvature.
@@ -61,6 +60,10 @@ Tent tent(const std::vector<Site>& sites, std::size_t i) {
 
 }  // namespace
 
+double seen_turn(const ProgrammedPath& path, double s, double tolerance) {
+    return turn_at(path, s, kReach * tolerance);
+}
+
 double Pace::at(double most, double bend, double swerve) const {
     if (bend > 0) {
         most = std::min({most, std::sqrt(acceleration / bend), std::cbrt(jerk / (bend * bend))});
@@ -97,7 +100,7 @@ std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to,
     std::vector<Site> sites;
     std::vector<double> bends;
     for (const double s : places) {
-        const double turn = turn_at(path, s, kReach * tolerance);
+        const double turn = seen_turn(path, s, tolerance);
         bends.push_back(bend_at(path, s, tolerance, turn));
         sites.push_back({s, turn, 0, 0});
         speeds.push_back(pace.at(pace.speed, bends.back(), 0));

@@ -22,11 +22,13 @@ struct Pace {
     void sweep(const std::vector<double>& s, std::vector<double>& speeds) const;
 };
 
-/// A place of the path as a tube of this tolerance sees it: turns are those of chords so long that
-/// noise within the tube does not show.
+/// Turn at s, rad, between chords that noise within the tolerance does not bend.
+double seen_turn(const ProgrammedPath& path, double s, double tolerance);
+
+/// A place of the path as a tube of this tolerance sees it.
 struct Site {
     double s;
-    double turn;   // rad, of chords of 3 tolerances
+    double turn;   // rad, as it is seen
     double speed;  // mm/s
     double width;  // mm, of a span here
 };

@@ -144,12 +144,16 @@ void TubeSpline::least_squares(const std::vector<double>& weights) {
     }
 }
 
+Vec3 TubeSpline::third_difference(std::size_t span) const {
+    Vec3 d3 = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) d3 += third_[span][i] * spline_.points[span + i];
+    return d3;
+}
+
 double TubeSpline::energy() const {
     double sum = 0;
     for (std::size_t span = 0; span < third_.size(); ++span) {
-        Vec3 d3 = Vec3::Zero();
-        for (std::size_t i = 0; i < 4; ++i) d3 += third_[span][i] * spline_.points[span + i];
-        sum += jerk_weight_[span] * d3.squaredNorm();
+        sum += jerk_weight_[span] * third_difference(span).squaredNorm();
     }
     return sum / 2;
 }
@@ -192,9 +196,7 @@ struct TubeSpline::Local {
 
 TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
     Local sum;
-    Vec3 d3 = Vec3::Zero();
-    for (std::size_t i = 0; i < 4; ++i) d3 += third_[span][i] * spline_.points[span + i];
-    sum.add(third_[span], jerk_weight_[span] * d3,
+    sum.add(third_[span], jerk_weight_[span] * third_difference(span),
             jerk_weight_[span] * Eigen::Matrix3d::Identity());
     for (std::size_t k = row_of_span_[span]; k < row_of_span_[span + 1]; ++k) {
         if (!rows_[k].free) continue;

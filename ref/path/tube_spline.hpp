@@ -22,17 +22,14 @@
 
 namespace curvecore::ref {
 
-/// What is given at an end: nothing, the position, or also r' and r'' by s.
+/// What is given at an end: the position alone, or r' and r'' by s as well.
 struct TubeEnd {
-    enum class Given { kNothing, kPosition, kBend };
-    Given given = Given::kNothing;
+    bool at_rest = false;  // the position alone
     Vec3 position = Vec3::Zero();
     Vec3 slope = Vec3::Zero();
     Vec3 bend = Vec3::Zero();
 
-    std::size_t points() const {
-        return given == Given::kBend ? 3 : given == Given::kPosition ? 1 : 0;
-    }
+    std::size_t points() const { return at_rest ? 1 : 3; }
 };
 
 class TubeSpline {
@@ -63,6 +60,7 @@ class TubeSpline {
     bool is_free(std::size_t point) const { return point >= first_ && point < last_; }
     double worst() const;
     void least_squares(const std::vector<double>& weights);
+    Vec3 third_difference(std::size_t span) const;
     double energy() const;
     double barrier(double mu) const;
     struct Local;

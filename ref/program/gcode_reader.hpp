@@ -4,8 +4,7 @@
 // G0 G1 G2 G3 G2.4 G3.4 (by way of a point, next block: end point) G4 G5 G5.1 G5.2 G5.3 (splines in
 // G17) G10 L2 G17 G18 G19 G20 G21 G40 G43 G49 G53 G54..G59.3 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1
 // G92..G92.3 G93 G94, stops, program ends and '%' frames. Everything else is refused with its file,
-// line and reason. The path is exact whatever G61 and G64 say; G61.1 stops at the end of every
-// move.
+// line and reason. G61.1 stops at the end of every move; G64 gives moves their tolerance.
 #pragma once
 
 #include <string>

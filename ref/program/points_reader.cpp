@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/curve/angle_between.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/program/coordinates.hpp"
 #include "ref/program/points_table.hpp"
@@ -128,9 +129,8 @@ void warn_of_corners(Program& program, const std::vector<std::vector<Cubic>>& ch
     std::size_t at = 0;
     int count = 0;
     for (std::size_t i = 1; i < chains.size(); ++i) {
-        const Vec3 in = chains[i - 1].back().velocity(1);
-        const Vec3 out = chains[i].front().velocity(0);
-        const double angle = std::atan2(in.cross(out).norm(), in.dot(out));
+        const double angle =
+            angle_between(chains[i - 1].back().velocity(1), chains[i].front().velocity(0));
         count += angle > kNoCorner ? 1 : 0;
         if (angle <= worst) continue;
         worst = angle;

@@ -16,9 +16,9 @@ using TakeSample = std::function<void(std::size_t segment, const std::int64_t* p
 
 class SamplesWriter {
   public:
-    /// @throws std::runtime_error when the file cannot be written
     /// Of `samples` samples the first, the last and every n-th get a row, so that there are not
     /// more rows than the job's options ask for. `also`: takes all of them.
+    /// @throws std::runtime_error when the file cannot be written
     SamplesWriter(const std::string& file, const Job& job, std::uint64_t samples,
                   TakeSample also = {});
 

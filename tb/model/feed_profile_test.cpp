@@ -142,14 +142,7 @@ class FeedEffort : public testing::TestWithParam<ref::Effort> {};
 TEST_P(FeedEffort, LimitsHoldOnRandomPrograms) {
     const unsigned end = GetParam() == ref::Effort::kRules ? 40 : 26;
     for (unsigned seed = 20; seed < end; ++seed) {
-        std::mt19937 random(seed);
-        const auto factor = [&] { return 0.3 + random() % 1000 * 1e-3; };
-        Machine machine;
-        for (ref::AxisLimits& axis : machine.axis) {
-            axis.velocity *= factor();
-            axis.acceleration *= factor();
-            axis.jerk *= factor();
-        }
+        const Machine machine = unequal_machine(seed);
         PlanOptions options;
         options.effort = GetParam();
         options.unit_mm = seed % 2 ? 1e-6 : 1e-5;

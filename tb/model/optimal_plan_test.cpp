@@ -189,14 +189,7 @@ TEST(OptimalPlan, RandomJointsKeepTheLimits) {
 /// ticks round too coarsely were mended.
 TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
     for (const unsigned seed : {7U, 8U}) {
-        std::mt19937 random(seed);
-        const auto factor = [&] { return 0.3 + static_cast<double>(random() % 1000) * 1e-3; };
-        Machine machine;
-        for (ref::AxisLimits& axis : machine.axis) {
-            axis.velocity *= factor();
-            axis.acceleration *= factor();
-            axis.jerk *= factor();
-        }
+        const Machine machine = unequal_machine(seed);
         PlanOptions options = options_of(Effort::kOptimum);
         options.unit_mm = seed % 2 ? 1e-6 : 1e-5;
         options.sample_period_s = seed % 3 ? 1e-4 : 2e-5;

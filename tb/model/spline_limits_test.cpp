@@ -60,14 +60,7 @@ TEST(SplineLimits, LimitsHoldAlongTheExactCurve) {
     double jerk = 0;
     double acceleration = 0;
     for (unsigned seed = 20; seed < 25; ++seed) {
-        std::mt19937 random(seed);
-        const auto factor = [&] { return 0.3 + random() % 1000 * 1e-3; };
-        Machine machine;
-        for (ref::AxisLimits& axis : machine.axis) {
-            axis.velocity *= factor();
-            axis.acceleration *= factor();
-            axis.jerk *= factor();
-        }
+        const Machine machine = unequal_machine(seed);
         PlanOptions options;
         options.effort = ref::Effort::kRules;
         options.unit_mm = seed % 2 ? 1e-6 : 1e-5;

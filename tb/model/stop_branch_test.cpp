@@ -233,14 +233,7 @@ TEST(StopBranch, OfRandomProgramsKeepsTheLimits) {
 
 TEST(StopBranch, OfRandomSplinesWithLimitsOfAxesKeepsTheLimits) {
     for (const unsigned seed : {1U, 4U, 5U, 6U}) {
-        std::mt19937 random(seed);
-        const auto factor = [&] { return 0.3 + static_cast<double>(random() % 1000) * 1e-3; };
-        Machine machine;
-        for (ref::AxisLimits& axis : machine.axis) {
-            axis.velocity *= factor();
-            axis.acceleration *= factor();
-            axis.jerk *= factor();
-        }
+        const Machine machine = unequal_machine(seed);
         const Stops stops(random_splines(seed, 8), machine);
         expect_within(stops, stops.ticks() / 15 + 1, "seed " + std::to_string(seed));
     }

@@ -8,7 +8,6 @@
 """
 
 import json
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -16,22 +15,14 @@ from pathlib import Path
 from drawn_path import stretches
 from programs import FEED, PROGRAMS
 from time_oracle import Limits
-from time_over_optimum import arguments, best, printed, shares
+from time_over_optimum import arguments, best, plan, printed, shares
 
 CHECKED = ("circle, chords of 0.1 mm", "turn, chords of 0.1 mm", "stadium, R 10")
 SLOWER = 1.02  # than the oracle along the same path under the same shares
 
 
-def plan(program, text, folder):
-    file = folder / "part.ngc"
-    file.write_text(text)
-    subprocess.run([program, "plan", file, "--effort", "optimum", "-q", "-o", folder / "out"],
-                   check=True)
-    return json.loads((folder / "out/report.json").read_text())
-
-
 def row(program, name, folder):
-    report = plan(program, PROGRAMS[name], folder)
+    report = plan(program, PROGRAMS[name], "optimum", folder)
     exact = report["deviation"]["exact"]
     limits = Limits()
     sums = {"oracle_shares_s": 0, "oracle_s": 0}

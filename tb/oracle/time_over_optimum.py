@@ -36,12 +36,17 @@ def shares():
             for name in ("kAccelerationShare", "kJerkShare")]
 
 
-def planned(program, curves, feed, effort, folder):
+def plan(program, text, effort, folder):
+    """The report of a program's text; everything else is in folder / "out"."""
     file = folder / "path.ngc"
-    file.write_text(code(curves, feed * 60))
+    file.write_text(text)
     subprocess.run([program, "plan", file, "--effort", effort, "-q", "-o", folder / "out"],
                    check=True)
-    return json.loads((folder / "out/report.json").read_text())["duration_s"]
+    return json.loads((folder / "out/report.json").read_text())
+
+
+def planned(program, curves, feed, effort, folder):
+    return plan(program, code(curves, feed * 60), effort, folder)["duration_s"]
 
 
 def best(curves, limits, feed, grid):

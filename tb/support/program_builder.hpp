@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "ref/machine/machine.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::tb {
@@ -80,6 +81,19 @@ inline ref::Vec3 end_tangent(const ref::Move& move) {
     const ref::Vec3 arm =
         move.end - move.centre - move.normal * move.normal.dot(move.end - move.centre);
     return (move.normal.cross(arm) * move.angle + move.normal * move.advance).normalized();
+}
+
+/// The built-in machine with limits that differ from axis to axis, 0.3 to 1.3 of its own.
+inline ref::Machine unequal_machine(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto factor = [&] { return 0.3 + static_cast<double>(random() % 1000) * 1e-3; };
+    ref::Machine machine;
+    for (ref::AxisLimits& axis : machine.axis) {
+        axis.velocity *= factor();
+        axis.acceleration *= factor();
+        axis.jerk *= factor();
+    }
+    return machine;
 }
 
 /// A random walk of lines, arcs in any plane and helices, tangent or not, of every size.
