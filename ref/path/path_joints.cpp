@@ -34,16 +34,16 @@ bool one_line(const Move& a, const Move& b) {
 
 }  // namespace
 
-PathJoints::PathJoints(const Move* moves, std::size_t count, double tolerance, Rest rest,
-                       const Pace& pace)
+PathJoints::PathJoints(const std::vector<Move>& moves, double tolerance, Rest rest,
+                       const std::optional<PathJoint>& first, const Pace& pace)
     : tolerance_(tolerance), pace_(pace) {
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!moves_.empty() && one_line(moves_.back(), moves[i])) {
-            moves_.back().end = moves[i].end;
-            moves_.back().exact_stop = moves[i].exact_stop;
-            moves_.back().dwell = moves[i].dwell;
+    for (const Move& move : moves) {
+        if (!moves_.empty() && one_line(moves_.back(), move)) {
+            moves_.back().end = move.end;
+            moves_.back().exact_stop = move.exact_stop;
+            moves_.back().dwell = move.dwell;
         } else {
-            moves_.push_back(moves[i]);
+            moves_.push_back(move);
         }
     }
     joints_.resize(moves_.size() + 1);
@@ -53,6 +53,10 @@ PathJoints::PathJoints(const Move* moves, std::size_t count, double tolerance, R
     }
     if (rest.before) joints_.front().kind = PathJoint::Kind::kStop;
     if (rest.after) joints_.back().kind = PathJoint::Kind::kStop;
+    if (first) {
+        joints_.front() = *first;
+        joints_.front().s = 0;
+    }
     for (std::size_t i = 1; i < moves_.size(); ++i) look_at(i);
 }
 

@@ -2,6 +2,7 @@
 // Where the programmed path is not smooth, and how much of its moves a smooth one may take.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "ref/path/programmed_path.hpp"
@@ -34,7 +35,9 @@ struct Rest {
 /// stop. Lines in one direction are one move here.
 class PathJoints {
   public:
-    PathJoints(const Move* moves, std::size_t count, double tolerance, Rest rest, const Pace& pace);
+    /// @param first where the group was cut before: the joint at its start as it was seen there
+    PathJoints(const std::vector<Move>& moves, double tolerance, Rest rest,
+               const std::optional<PathJoint>& first, const Pace& pace);
 
     std::size_t count() const { return moves_.size(); }  // of moves; one joint more
     const Move& move(std::size_t i) const { return moves_[i]; }

@@ -2,7 +2,9 @@
 #include "ref/path/tube_knots.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "ref/curve/angle_between.hpp"
 
@@ -14,7 +16,8 @@ constexpr double kSpanTurn = 0.5;     // rad
 constexpr double kSlope = 0.6;        // of the width of spans by s
 constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span beside a corner
 constexpr double kReach = 3;          // tolerances: chords that turns are seen by
-constexpr double kLeastSpans = 6;     // three points are given at each end
+constexpr std::array<double, 3> kChords{12, 48, 200};  // tolerances: those that bends are seen by
+constexpr double kLeastSpans = 6;                      // three points are given at each end
 
 double turn_at(const ProgrammedPath& path, double s, double reach) {
     const Vec3 here = path.position(s);
@@ -26,7 +29,7 @@ double turn_at(const ProgrammedPath& path, double s, double reach) {
 /// Least of what chords of several lengths see: a joint of the path is no curvature.
 double bend_at(const ProgrammedPath& path, double s, double tolerance, double turn) {
     double least = turn / (kReach * tolerance);
-    for (const double reach : {12.0, 48.0, 200.0}) {
+    for (const double reach : kChords) {
         least = std::min(least, turn_at(path, s, reach * tolerance) / (reach * tolerance));
     }
     return least;
@@ -59,6 +62,26 @@ Tent tent(const std::vector<Site>& sites, std::size_t i) {
 }
 
 }  // namespace
+
+SeenBend seen_bend(const ProgrammedPath& path, double s, double tolerance) {
+    SeenBend seen;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double reach : kChords) {
+        const double chord = reach * tolerance;
+        const Vec3 here = path.position(s);
+        const Vec3 in = (here - path.position(std::max(0.0, s - chord))).normalized();
+        const Vec3 out = (path.position(std::min(path.length(), s + chord)) - here).normalized();
+        if (reach == kChords.front()) {
+            seen.direction = (in + out).normalized();
+            seen.turn = angle_between(in, out);
+        }
+        const Vec3 bend = (out - in) / chord;
+        if (bend.norm() >= least) continue;
+        least = bend.norm();
+        seen.bend = bend - bend.dot(seen.direction) * seen.direction;
+    }
+    return seen;
+}
 
 double seen_turn(const ProgrammedPath& path, double s, double tolerance) {
     return turn_at(path, s, kReach * tolerance);

@@ -25,6 +25,15 @@ struct Pace {
 /// Turn at s, rad, between chords that noise within the tolerance does not bend.
 double seen_turn(const ProgrammedPath& path, double s, double tolerance);
 
+/// How the path runs at s as chords see it: the shortest, and those of several lengths that bend
+/// least.
+struct SeenBend {
+    Vec3 direction = Vec3::Zero();
+    double turn = 0;           // rad
+    Vec3 bend = Vec3::Zero();  // 1/mm
+};
+SeenBend seen_bend(const ProgrammedPath& path, double s, double tolerance);
+
 /// A place of the path as a tube of this tolerance sees it.
 struct Site {
     double s;

@@ -9,10 +9,11 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kRefinements = 24;
-constexpr double kUneven = 4;        // neighbouring spans
-constexpr double kStrongTurn = 0.3;  // rad: spans are cut there
-constexpr double kFull = 0.97;       // of the tolerance
-constexpr int kWeightings = 3;       // of the jerk, by the speeds of the last curve
+constexpr std::size_t kMostKnots = 50;  // times those at first
+constexpr double kUneven = 4;           // neighbouring spans
+constexpr double kStrongTurn = 0.3;     // rad: spans are cut there
+constexpr double kFull = 0.97;          // of the tolerance
+constexpr int kWeightings = 3;          // of the jerk, by the speeds of the last curve
 
 /// A span's middle, or its sharpest joint.
 double cut_of(double a, double b, const std::vector<Site>& sites) {
@@ -92,7 +93,8 @@ std::vector<TubePiece> tube_run(const ProgrammedPath& path, const TubeTask& task
     std::vector<double> knots = tube_knots(sites, task.knots);
     std::optional<TubeSpline> tube;
     bool found = false;
-    for (int round = 0; !found && round < kRefinements; ++round) {
+    const std::size_t most = kMostKnots * knots.size();
+    for (int round = 0; !found && round < kRefinements && knots.size() < most; ++round) {
         if (round > 0) knots = refined(*tube, task.tolerance, sites);
         tube.emplace(path, task.tolerance, knots, task.start, task.end);
         found = tube->fit();

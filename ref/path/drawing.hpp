@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is drawn in the place of a group of programmed moves, or of its first part.
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "ref/path/path_joints.hpp"
+#include "ref/path/smooth_path.hpp"
+#include "ref/path/tube_run.hpp"
+
+namespace curvecore::ref {
+
+/// Where a group is cut: after `s` mm of its path, in front of a joint or within the move that
+/// begins there; `curve`: within a curve, that passes the joint like this.
+struct PathCut {
+    std::size_t joint = 0;
+    double s = 0;
+    std::optional<TubeEnd> curve;
+};
+
+class Drawing {
+  public:
+    /// @param begun in the path of these joints, of which the first is the one of that cut
+    Drawing(const PathJoints& joints, const Pace& pace, const std::optional<PathCut>& begun,
+            Smoothed& report);
+
+    /// Where a group of which more is to come is best cut, in its second half; none: nowhere.
+    std::optional<PathCut> best_cut() const;
+
+    /// Up to a cut, or all of it.
+    std::vector<Move> run(const std::optional<PathCut>& cut);
+
+  private:
+    bool free(std::size_t move) const;
+    bool inside_curve(std::size_t joint) const;
+    std::size_t last_of_curve(std::size_t first) const;
+    std::size_t draw_curve(std::size_t first);
+    TubeTask task_of(std::size_t first, std::size_t last) const;
+    void begin(TubeTask& task, std::size_t first) const;
+    void end(TubeTask& task, std::size_t last) const;
+    TubeEnd end_at(double s, std::size_t move, bool stop) const;
+    void round_corner(std::size_t joint);
+    void copy_to(double s);
+    void append(const Move& programmed, Bezier points, double deviation);
+
+    const PathJoints& joints_;
+    const Pace& pace_;
+    std::optional<PathCut> begun_;
+    Smoothed& report_;
+    std::optional<PathCut> cut_;
+    std::vector<Move> drawn_;
+    double reached_ = 0;      // of the path
+    std::size_t copied_ = 0;  // moves that are drawn
+};
+
+}  // namespace curvecore::ref
