@@ -31,6 +31,7 @@ struct Segment {
 
     Kind kind = Kind::kArc;
     std::size_t move = 0;       // index into Program::moves
+    int line = 0;               // of the program's file
     std::uint64_t s_start = 0;  // path quanta (2^-16 unit), program-wide
     std::uint64_t length = 0;   // path quanta
     Vec3 start = Vec3::Zero();  // exact, not rounded

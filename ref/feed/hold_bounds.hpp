@@ -17,6 +17,11 @@ namespace curvecore::ref {
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan);
 
+/// The same for whatever may be asked of the machine with speeds up to `fastest`, mm/s, before any
+/// of it is planned.
+void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
+                     Plan& plan);
+
 /// Ticks of the profile that run at most while time stops, from any state of the scaler: with the
 /// bounds a (second difference) and n a (slope), in rates of 1,
 ///
@@ -26,7 +31,7 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
 /// and two ticks more for each part that is rounded to whole ticks.
 std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps);
 
-/// Segment::ticks, last, feed_start, feed_end (mm/s along the path) from the pieces.
+/// Segment::ticks, feed_start, feed_end (mm/s along the path) from the pieces; both begin at s = 0.
 /// @throws InputError: a segment and the rests in it take 2^31 ticks or more
 void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan);
 

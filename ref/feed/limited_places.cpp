@@ -16,7 +16,7 @@ double slower(const std::vector<PathInterval>& path, const SpeedSpline& spline, 
     const PathMotion start = spline.motion(k);
     double slower = 1e9;
     each_limit_at(
-        path, k,
+        path, spline, k,
         [&](double x, double v) {
             slower = std::min(slower, share * v * v / farther(start, x)[0]);
         },
@@ -39,7 +39,7 @@ double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, st
     const double share = path[k].share;
     double worst = 0;  // square
     each_limit_at(
-        path, k, [](double /*x*/, double /*v*/) {},
+        path, spline, k, [](double /*x*/, double /*v*/) {},
         [&](double x, const PlaceLimit& limit, double most) {
             const PathMotion m = farther(start, x);
             worst = std::max(worst, acceleration_square(limit, m[0], m[1]) / (most * most));

@@ -12,10 +12,10 @@ namespace curvecore::ref {
 /// Calls velocity(x, v), acceleration(x, limit, most) and jerk(x, square, most) for every place of
 /// interval k, x mm after that of SpeedSpline::motion(k).
 template <class Velocity, class Acceleration, class Jerk>
-void each_limit_at(const std::vector<PathInterval>& path, std::size_t k, Velocity velocity,
-                   Acceleration acceleration, Jerk jerk) {
+void each_limit_at(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k,
+                   Velocity velocity, Acceleration acceleration, Jerk jerk) {
     const PathInterval& on = path[k];
-    const bool rests = k == 0 || k + 1 == path.size();
+    const bool rests = spline.rests(k);
     if (k + 1 < path.size()) {
         velocity(rests ? 0 : on.length, std::min(on.speed * std::min(on.velocity, on.end_velocity),
                                                  path[k + 1].speed * path[k + 1].velocity));

@@ -53,7 +53,7 @@ class Merger {
     Phase one(std::size_t first, std::size_t end) const {
         const Phase& back = run_[end - 1];
         const long double to = back.place(back.duration);
-        const double v = end == run_.size() ? 0 : run_[end].v;
+        const double v = end == run_.size() ? end_speed(run_) : run_[end].v;
         return phase_between(run_[first].s, static_cast<double>(to - run_[first].s), run_[first].v,
                              v, time_[end] - time_[first]);
     }

@@ -48,14 +48,15 @@ class OptimalRun {
           found_(knots_.size() - 1),
           apart_(knots_.size() - 1, false) {}
 
-    void solve() {
-        optimum_.slow_down(1, end_);
+    /// False: the ends, where they are in motion, leave no way to keep the limits.
+    bool solve() {
+        if (!optimum_.slow_down(1, end_)) return false;
         for (std::size_t first = 1;; first += kCommitted) {
             const bool whole = first + kWindow + kCommitted / 2 >= end_;
             const std::size_t last = whole ? end_ : first + kWindow;
             optimum_.improve(first, last, kFirstGap, kGap);
             settle(first, last, whole ? end_ : first + kCommitted + kBeyond, {}, kBackGap);
-            if (whole) return;
+            if (whole) return true;
         }
     }
 
@@ -190,7 +191,7 @@ std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vect
     RunPath path(moves, geometry, machine, places);
     const double step = std::max(ramp_time(machine) / kKnots, machine.joint_time);
     OptimalRun run(run_knots(phases, moves, step), path);
-    run.solve();
+    if (!run.solve()) return phases;
     for (int round = 0; round <= kMends; ++round) {
         if (!(duration(run.phases()) < duration(phases))) break;
         std::vector<Phase> found = merged_phases(run.phases(), run.apart(), path, machine);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motion from rest to rest made the fastest that the machine's limits allow on the true path.
+// A motion, the same at its ends, made the fastest that the machine's limits allow on the true
+// path.
 #pragma once
 
 #include <functional>

@@ -33,12 +33,12 @@ class Run {
 
     std::vector<Knot> knots() const {
         const std::uint64_t gap = grid_.shortest;
-        std::vector<Knot> knots{{0, 0, 0}};
+        std::vector<Knot> knots{{0, 0, per_tick(phases_.front().v)}};
         for (std::size_t i = 1; i < phases_.size(); ++i) {
             const auto tick = static_cast<std::uint64_t>(std::llround(start_[i] / tick_));
             if (tick >= knots.back().tick + gap && tick + gap <= ticks_) knots.push_back(at(tick));
         }
-        knots.push_back({ticks_, length_, 0});
+        knots.push_back({ticks_, length_, per_tick(end_speed(phases_))});
         for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
             knots[i].s = std::clamp(knots[i].s, knots[i - 1].s, length_);
         }
@@ -59,6 +59,8 @@ class Run {
     }
 
   private:
+    long double per_tick(long double v) const { return v * grid_.tick / grid_.quantum; }
+
     const std::vector<Phase>& phases_;
     std::uint64_t length_;
     PieceGrid grid_;
@@ -157,6 +159,12 @@ void append_rest(double seconds, const PieceGrid& grid, std::vector<ProfilePiece
         ticks -= piece.ticks;
         pieces.push_back(piece);
     }
+}
+
+double ticks_of(const std::vector<ProfilePiece>& pieces) {
+    double ticks = 0;
+    for (const ProfilePiece& piece : pieces) ticks += piece.ticks;
+    return ticks;
 }
 
 double fastest_word(const PieceGrid& grid) {

@@ -27,9 +27,10 @@ struct PieceGrid {
     PieceGrid(const Machine& machine, double unit_mm, double tick_s);
 };
 
-/// Appends the pieces of one run of `length` quanta, at rest at both ends.
+/// Appends the pieces of one run of `length` quanta.
 ///
-/// The run is stretched in time to whole ticks; speed, acceleration and jerk only shrink. The
+/// The run is stretched in time to whole ticks; speed, acceleration and jerk only shrink. At its
+/// ends it keeps its speeds, so that what joins it there goes on. The
 /// boundaries of the phases move to the nearest tick, and a cubic joins path and speed of the
 /// motion at both ends of each piece. Its jerk is a mean of the motion's jerk over the piece (with
 /// the weight 6 tau (1 - tau)), so the limit holds; path is exact and speed continuous.
@@ -38,6 +39,8 @@ void append_run(const std::vector<Phase>& phases, std::uint64_t length, const Pi
 
 /// Appends at least `seconds` of rest.
 void append_rest(double seconds, const PieceGrid& grid, std::vector<ProfilePiece>& pieces);
+
+double ticks_of(const std::vector<ProfilePiece>& pieces);
 
 /// Highest speed whose pieces fit their words, mm/s.
 double fastest_word(const PieceGrid& grid);

@@ -32,7 +32,7 @@ class Knots {
             if (&move != &moves_.back()) joints.push_back(time_of(s));
         }
         joints.push_back(total);
-        std::vector<RunKnot> knots{{0, 0, 0}};
+        std::vector<RunKnot> knots{at(0)};
         double t = 0;
         for (std::size_t i = 0; i < joints.size(); ++i) {
             const double joint = joints[i];
@@ -43,7 +43,7 @@ class Knots {
             const bool apart = joint - t >= kSliver * step && total - joint >= kSliver * step;
             if (apart) knots.push_back(at(t = joint));
         }
-        knots.push_back({s, 0, 0});
+        knots.push_back({s, end_speed(phases_), 0});
         return knots;
     }
 

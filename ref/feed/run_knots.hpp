@@ -25,8 +25,9 @@ struct RunKnot {
     double a = 0;
 };
 
-/// In order: at rest, joints of moves, and between them `step` seconds of the motion apart, farther
-/// where its speed is constant; none so near to the one before that it would be a sliver; at rest.
+/// In order: the start, joints of moves, and between them `step` seconds of the motion apart,
+/// farther where its speed is constant; none so near to the one before that it would be a sliver;
+/// the end.
 std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                double step);
 

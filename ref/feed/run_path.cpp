@@ -68,8 +68,8 @@ PathInterval RunPath::interval(const std::vector<RunKnot>& knots, std::size_t k)
     if (begin_[last + 1] < to + inside) interval.end_velocity = moves_[last].end_velocity;
     places.push_back((from + to) / 2);
     places.push_back(to - inside);
-    const bool starts = k == 0;
-    const bool ends = k + 2 == knots.size();
+    const bool starts = k == 0 && knots[k].v == 0;
+    const bool ends = k + 2 == knots.size() && knots[k + 1].v == 0;
     if (starts || ends) return resting(std::move(interval), starts ? from : to, starts ? to : from);
 
     std::vector<std::vector<PlaceLimit>> all;

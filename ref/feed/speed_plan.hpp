@@ -2,7 +2,7 @@
 // Look-ahead: from speed limits along a path to a jerk-limited motion in real numbers.
 #pragma once
 
-#include <vector>
+#include "ref/feed/phase.hpp"
 
 namespace curvecore::ref {
 
@@ -13,26 +13,6 @@ struct Zone {
     double acceleration = 0;  // along the path
     double jerk = 0;
 };
-
-/// Constant jerk for a time; starts at path length s. The last phase of a run ends at rest.
-struct Phase {
-    double duration = 0;
-    long double s = 0;
-    double v = 0;
-    double a = 0;
-    double j = 0;
-
-    /// After t seconds of it.
-    long double place(double t) const { return s + ((j / 6 * t + a / 2) * t + v) * t; }
-    double speed(double t) const { return (j / 2 * t + a) * t + v; }
-    double acceleration(double t) const { return a + j * t; }
-};
-
-inline double duration(const std::vector<Phase>& phases) {
-    double time = 0;
-    for (const Phase& phase : phases) time += phase.duration;
-    return time;
-}
 
 /// Motion from rest to rest over all zones.
 ///

@@ -13,10 +13,15 @@ constexpr double kSlowest = 1e-6;  // mm^2/s^2
 }  // namespace
 
 SpeedSpline::SpeedSpline(std::vector<double> lengths, const std::vector<KnotMotion>& knots)
-    : h_(std::move(lengths)), control_(h_.size(), 0) {
+    : h_(std::move(lengths)),
+      starts_at_rest_(knots.front().q == 0),
+      ends_at_rest_(knots.back().q == 0),
+      control_(h_.size(), 0) {
+    control_.front() = knots.front().q;
+    control_.back() = knots.back().q;
     for (std::size_t k = 0; k < h_.size(); ++k) {
         form_.push_back(make_form(k));
-        if (rests(k)) continue;
+        if (k == 0 || k + 1 == h_.size()) continue;
         // The control point of a piece of parabola, from both of its ends.
         const KnotMotion& from = knots[k];
         const KnotMotion& to = knots[k + 1];
@@ -44,24 +49,31 @@ SpeedSpline::Form SpeedSpline::make_form(std::size_t k) const {
         form = k == 0 ? knot(0, 1) : knot(k - 1, 0);
         form.row(2) = form.row(0) * (2 / (9 * h_[k] * h_[k]));
     } else {
-        form = knot(k - 1, 0);
-        form.row(2) = (knot(k, 1).row(1) - form.row(1)) / h_[k];
+        if (k == 0) {
+            form(0, 1) = 1;
+        } else {
+            form = knot(k - 1, 0);
+        }
+        const Eigen::RowVector3d end =
+            k + 1 == n ? Eigen::RowVector3d::Zero() : Eigen::RowVector3d(knot(k, 1).row(1));
+        form.row(2) = (end - form.row(1)) / h_[k];
     }
     const auto tie = [&](int tied, int to, double factor) {
         form.col(to) += factor * form.col(tied);
         form.col(tied).setZero();
     };
-    if (k == 0) tie(1, 2, first);
-    if (k == 1) tie(0, 1, first);
-    if (k + 2 == n) tie(2, 1, last);
-    if (k + 1 == n) tie(1, 0, last);
+    if (starts_at_rest_ && k == 0) tie(1, 2, first);
+    if (starts_at_rest_ && k == 1) tie(0, 1, first);
+    if (ends_at_rest_ && k + 2 == n) tie(2, 1, last);
+    if (ends_at_rest_ && k + 1 == n) tie(1, 0, last);
     return form;
 }
 
 KnotMotion SpeedSpline::knot(std::size_t k) const {
-    if (k == 0 || k == h_.size()) return {0, 0};
-    const PathMotion m = k == 1 ? motion(0) : motion(k - 1);
-    const PathMotion at = k == 1 ? m : farther(m, h_[k - 1]);
+    if (k == 0) return {starts_at_rest_ ? 0 : control_.front(), 0};
+    if (k == h_.size()) return {ends_at_rest_ ? 0 : control_.back(), 0};
+    const PathMotion m = motion(k - 1);
+    const PathMotion at = rests(k - 1) ? m : farther(m, h_[k - 1]);
     return {at[0], at[1]};
 }
 

@@ -18,26 +18,29 @@ inline PathMotion farther(const PathMotion& m, double x) {
     return {m[0] + (2 * m[1] + m[2] * x) * x, m[1] + m[2] * x, m[2]};
 }
 
-/// q(s) >= 0 with a continuous first derivative, 0 at both ends of the path, from n control points:
-/// c_k belongs to interval k, and at the knot between intervals k - 1 and k
+/// q(s) >= 0 with a continuous first derivative from n control points: c_k belongs to interval k,
+/// and at the knot between intervals k - 1 and k
 ///
 ///     q = (h_k c_{k-1} + h_{k-1} c_k) / (h_{k-1} + h_k)     a = (c_k - c_{k-1}) / (h_{k-1} + h_k)
 ///
-/// Within the first and the last interval the jerk is constant, so q goes with s^(4/3) from rest
-/// and a = 2/3 q / s at the other end: this ties c_0 to c_1 and c_{n-1} to c_{n-2}.
+/// At an end of the path that is at rest the jerk is constant within the interval there, so q goes
+/// with s^(4/3) from rest and a = 2/3 q / s at the other end: this ties c_0 to c_1 or c_{n-1} to
+/// c_{n-2}. At an end that is not, q is c_0 or c_{n-1}, given, and a = 0.
 class SpeedSpline {
   public:
     /// Rows q, a, a' of a motion by columns of c_{k-1}, c_k, c_{k+1}; tied ones are 0.
     using Form = Eigen::Matrix3d;
 
     /// @param lengths at least 4
-    /// @param knots a motion that is nearly met
+    /// @param knots a motion that is nearly met; at ends exactly, if a = 0 there
     SpeedSpline(std::vector<double> lengths, const std::vector<KnotMotion>& knots);
 
     std::size_t intervals() const { return h_.size(); }
     double length(std::size_t k) const { return h_[k]; }
-    /// The first or the last one: motions of these are of the end that is not at rest.
-    bool rests(std::size_t k) const { return k == 0 || k + 1 == h_.size(); }
+    /// Begins or ends at rest: motions of such an interval are of its other end.
+    bool rests(std::size_t k) const {
+        return (k == 0 && starts_at_rest_) || (k + 1 == h_.size() && ends_at_rest_);
+    }
 
     /// Free are 1 .. intervals() - 2.
     double& control(std::size_t k) { return control_[k]; }
@@ -64,6 +67,7 @@ class SpeedSpline {
     Form make_form(std::size_t k) const;
 
     std::vector<double> h_;
+    bool starts_at_rest_, ends_at_rest_;
     std::vector<Form> form_;
     std::vector<double> control_;
 };

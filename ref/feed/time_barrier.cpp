@@ -72,7 +72,7 @@ void TimeBarrier::add_interval(const std::vector<PathInterval>& path, const Spee
         return Square{f(0, 0), f(1, 0), f(1, 1), f(2, 0), f(2, 1), f(2, 2)};
     };
     each_limit_at(
-        path, k,
+        path, spline, k,
         [&](double x, double v) {
             Three r = row(x);
             for (double& factor : r) factor /= v * v;

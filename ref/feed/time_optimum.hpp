@@ -17,7 +17,7 @@ namespace curvecore::ref {
 class TimeOptimum {
   public:
     /// @param path at least 4 intervals
-    /// @param start a motion at every knot, at rest at both ends
+    /// @param start a motion at every knot, without acceleration at both ends: they stay
     TimeOptimum(std::vector<PathInterval> path, const std::vector<KnotMotion>& start);
 
     std::size_t intervals() const { return path_.size(); }

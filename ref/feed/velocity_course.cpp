@@ -13,24 +13,6 @@ double position(const Phase& phase, double t) { return static_cast<double>(phase
 
 double speed(const Phase& phase, double t) { return std::max(0.0, phase.speed(t)); }
 
-/// Time within the phase, not before `from`, at which the path is s.
-double time_at(const Phase& phase, double from, double s) {
-    const double exact = 1e-13 + 1e-15 * phase.duration;
-    double low = from;
-    double high = phase.duration;
-    double t = low;
-    while (high - low > exact) {
-        const double miss = position(phase, t) - s;
-        (miss < 0 ? low : high) = t;
-        const double v = speed(phase, t);
-        const double newton = v > 0 ? t - miss / v : high;
-        const double next = newton > low && newton < high ? newton : low + (high - low) / 2;
-        if (std::abs(next - t) < exact) break;
-        t = next;
-    }
-    return t;
-}
-
 bool is_line(const Segment& segment) {
     return segment.kind == Segment::Kind::kArc && segment.radius == 0;
 }
@@ -74,7 +56,7 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
         const AxisVector now = velocity(segment, local, v);
         knots_.push_back({t, v, now, now, 0, false});
     };
-    place(time_, 0, 0);
+    place(time_, 0, speed(phases.front(), 0));
     for (const Phase& phase : phases) {
         const double end = position(phase, phase.duration);
         bool leaves = true;  // the segment, within this phase

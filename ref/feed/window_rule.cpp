@@ -60,7 +60,8 @@ std::vector<JointCap> WindowRule::caps() {
     std::vector<JointCap> caps;
     for (std::size_t i = 0; i < speed.size(); ++i) {
         if (speed[i] == 0) continue;
-        caps.push_back({course_.knots()[course_.joints()[i]].s, speed[i], linked[i]});
+        const Knot& knot = course_.knots()[course_.joints()[i]];
+        caps.push_back({knot.s, knot.t, speed[i], linked[i]});
     }
     return caps;
 }

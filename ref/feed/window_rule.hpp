@@ -14,6 +14,7 @@ namespace curvecore::ref {
 /// joint before it.
 struct JointCap {
     std::uint64_t s = 0;  // quanta
+    double t = 0;         // s, of the course
     double velocity = 0;  // mm/s
     bool linked = false;
 };

@@ -207,6 +207,7 @@ class Cutter {
         const double unit = options_.unit_mm;
         Segment segment = prototype(move, shape, cut.pieces, unit);
         segment.move = index;
+        segment.line = move.line;
         segment.step_exponent = cut.step_exponent;
         segment.bound = cut.bound;
         segment.s_start = static_cast<std::uint64_t>(std::llround(path_ * kQuanta));

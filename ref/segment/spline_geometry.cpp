@@ -67,6 +67,7 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
                                              options.max_pieces)) {
             if (segment.length == 0) continue;
             segment.move = index;
+            segment.line = move.line;
             segments.push_back(segment);
         }
     }

@@ -54,7 +54,7 @@ std::string segments_hex(const Job& job) {
     }
     for (std::size_t i = 0; i < plan.segments.size(); ++i) {
         const ref::Segment& segment = plan.segments[i];
-        text += fmt::format("// segment {}, line {}\n", i, job.program.moves[segment.move].line);
+        text += fmt::format("// segment {}, line {}\n", i, segment.line);
         for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {
             text += fmt::format("{:012x}\n", word);
         }

@@ -11,7 +11,7 @@ namespace curvecore::sysc {
 namespace {
 
 int line_of(const Job& job, const LimitLoads::Worst& worst) {
-    return job.program.moves[job.plan.segments[worst.segment].move].line;
+    return job.plan.segments[worst.segment].line;
 }
 
 std::string limited_name(const Job& job, std::size_t of) {

@@ -71,8 +71,7 @@ std::string segments_json(const Job& job) {
     for (std::size_t i = 0; i < job.plan.segments.size(); ++i) {
         const ref::Segment& segment = job.plan.segments[i];
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
-                       i == 0 ? "" : ",", i, segment.move, job.program.moves[segment.move].line,
-                       ref::kind_name(segment));
+                       i == 0 ? "" : ",", i, segment.move, segment.line, ref::kind_name(segment));
         point(text, "start_mm", job, segment.start, segment.aux_start, segment.aux_turned);
         point(text, "end_mm", job, segment.end, segment.aux_end, segment.aux_turned);
         if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);

@@ -17,7 +17,7 @@ void check_words(const Job& job) {
     const RunTimeFormat format(core, core.axes(), &ranges);
     for (const ref::Segment& segment : job.plan.segments) {
         const auto refuse = [&](const std::string& reason) {
-            throw ref::InputError(job.program.file, job.program.moves[segment.move].line, reason);
+            throw ref::InputError(job.program.file, segment.line, reason);
         };
         try {
             const RunSegment words = hls::to_words(segment, format);

@@ -39,7 +39,7 @@ TEST(WordCheck, RefusesAnOverflowAtItsLine) {
     const ref::Cubic& cubic = whole.program.moves[1].cubic;
     ref::Segment segment =
         ref::spline_segment({1e6 * cubic.a, 1e6 * cubic.b, 1e6 * cubic.c, 1e6 * cubic.d}, {});
-    segment.move = 1;
+    segment.line = 2;
     segment.step_exponent = segment.lambda - 5;
     whole.plan.segments = {segment};
     EXPECT_EQ(refusal(whole),

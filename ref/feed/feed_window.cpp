@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/feed_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/feed/limits.hpp"
+#include "ref/feed/window_rule.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr int kRounds = 50;    // of planning; some five are seen
+constexpr int kCutRounds = 5;  // of making a cut
+// By which the speed at a cut is lowered: off its limits; four times more if that was not enough.
+constexpr double kSlower = 0.01;
+constexpr double kSame = 1 + 1e-9;  // of a speed
+// Windows reach so many of the longest to both sides of a place that they see. Those that see what
+// is not given must be kept; what others see of what is given was looked at before.
+constexpr double kSeen = 4;
+
+}  // namespace
+
+FeedWindow::FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut)
+    : task_(task), cut_(cut), planner_(task), stretches_(planner_.cut_at_stops(given)) {
+    for (const GivenRun& run : given) open_ += run.moves;
+    for (std::size_t i = 0; i < open_; ++i) given_end_ += task.geometry.moves[i].length;
+}
+
+bool FeedWindow::plan() {
+    for (Stretch& stretch : stretches_) {
+        if (!plan_one(stretch)) return false;
+    }
+    return keep_windows();
+}
+
+bool FeedWindow::plan_one(Stretch& stretch) {
+    if (!planner_.plan(stretch) || !pass_cut(stretch)) return false;
+    if (task_.options.effort == Effort::kOptimum) {
+        planner_.improve(stretch, cut_ > 0 ? cut_ : task_.geometry.moves.size());
+    }
+    return true;
+}
+
+/// Where a joint's own limit is met there is no acceleration.
+bool FeedWindow::pass_cut(Stretch& stretch) {
+    if (cut_ <= stretch.open() || cut_ > stretch.last) return true;
+    const long double place = place_of(task_.geometry, stretch, cut_, planner_.grid());
+    const std::size_t joint = stretch.joint_before(cut_);
+    double slower = kSlower;
+    for (int round = 0; round < kCutRounds; ++round, slower *= 4) {
+        const Phase after = part_of(stretch.phases, place, kEnd).front();
+        if (after.a == 0 && after.v <= stretch.caps[joint] * kSame) return true;
+        stretch.cap(joint, std::max(1 - slower, kSlower) * after.v);
+        if (!planner_.plan(stretch)) return false;
+    }
+    return false;
+}
+
+/// Plans again, slower, where the limits over windows are broken.
+bool FeedWindow::keep_windows() {
+    const std::vector<Segment>& segments = task_.segments;
+    double given = 0;  // s
+    for (const Stretch& stretch : stretches_) {
+        if (stretch.given.moves > 0) given += stretch.dwell + duration(stretch.given.phases);
+    }
+    const double seen = given - kSeen * longest_window(task_.machine);
+    for (int round = 0; round < kRounds; ++round) {
+        look_near_changes();
+        VelocityCourse course(segments, task_.options.unit_mm, 3 + task_.program.aux_axes,
+                              task_.machine);
+        std::size_t segment = 0;
+        for (const Stretch& stretch : stretches_) {
+            const std::size_t first = segment;
+            while (segment < segments.size() && segments[segment].s_start < stretch.end) ++segment;
+            course.rest(stretch.dwell);
+            if (stretch.looked_at) {
+                course.run(stretch.phases, first, segment - 1);
+            } else {
+                course.rest(duration(stretch.phases));
+            }
+        }
+        const std::vector<JointCap> caps = WindowRule(task_.machine, course).caps();
+        auto cap = caps.begin();
+        for (; cap != caps.end() && open_ > 0 && cap->s <= given_end_; ++cap) {
+            if (cap->t > seen) return false;
+        }
+        if (cap == caps.end()) return true;
+        for (Stretch& stretch : stretches_) {
+            const auto first = cap;
+            while (cap != caps.end() && cap->s < stretch.end) ++cap;
+            stretch.changed = first != cap;
+            if (!stretch.changed) continue;
+            lower(stretch, first, cap);
+            if (!plan_one(stretch)) return false;
+        }
+    }
+    return true;
+}
+
+/// Stretches that a window with a part of a changed one may meet.
+void FeedWindow::look_near_changes() {
+    const double reach = 2 * longest_window(task_.machine);
+    const auto look = [&](auto begin, auto end) {
+        double time = 2 * reach;  // since the last change
+        for (auto stretch = begin; stretch != end; ++stretch) {
+            if (stretch->changed) time = 0;
+            stretch->looked_at = stretch->looked_at || time <= reach;
+            if (!stretch->changed) time += duration(stretch->phases);
+        }
+    };
+    for (Stretch& stretch : stretches_) stretch.looked_at = false;
+    look(stretches_.begin(), stretches_.end());
+    look(stretches_.rbegin(), stretches_.rend());
+}
+
+template <class Cap>
+void FeedWindow::lower(Stretch& stretch, Cap cap, Cap end) const {
+    std::uint64_t s = stretch.start;
+    std::size_t after = 0;  // the last cap's joint
+    for (std::size_t i = stretch.first; i < stretch.last && cap != end; ++i) {
+        s += task_.geometry.moves[i].length;
+        if (s != cap->s) continue;
+        const std::size_t joint = stretch.joint_before(i + 1);
+        stretch.cap(joint, cap->velocity);
+        for (std::size_t zone = after; cap->linked && zone != 0 && zone < joint; ++zone) {
+            stretch.cap(zone, std::max(cap->velocity, stretch.zones[after].velocity));
+        }
+        after = joint;
+        ++cap;
+    }
+}
+
+WindowMotion FeedWindow::take() && {
+    return {std::move(stretches_), task_.geometry, planner_.grid(), planner_.last_dwell()};
+}
+
+}  // namespace curvecore::ref

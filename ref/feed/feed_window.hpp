@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motion of a program, or of as much of it as is looked at: what was planned before is given,
+// and where more is to come the motion can be cut.
+#pragma once
+
+#include "ref/feed/window_motion.hpp"
+
+namespace curvecore::ref {
+
+class FeedWindow {
+  public:
+    /// @param given the motion of the first planned moves
+    /// @param cut planned move before which there is no acceleration; 0: none
+    FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut);
+
+    /// By options.effort. False: what is given cannot be gone on with.
+    bool plan();
+
+    WindowMotion take() &&;
+
+  private:
+    bool plan_one(Stretch& stretch);
+    bool pass_cut(Stretch& stretch);
+    bool keep_windows();
+    void look_near_changes();
+    template <class Cap>
+    void lower(Stretch& stretch, Cap cap, Cap end) const;
+
+    FeedTask task_;
+    std::size_t cut_;
+    StretchPlanner planner_;
+    std::vector<Stretch> stretches_;
+    std::size_t open_ = 0;         // the first planned move that is not given
+    std::uint64_t given_end_ = 0;  // quanta
+};
+
+}  // namespace curvecore::ref

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/plan_stream.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "ref/feed/feed_profile.hpp"
+#include "ref/feed/hold_bounds.hpp"
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
+
+}  // namespace
+
+/// A window's moves with their motion, from what is given to a rest.
+struct PlanStream::Window {
+    Geometry geometry;
+    Plan plan;
+    std::optional<PlannedWindow> planned;
+    std::size_t open = 0;   // planned moves that are given
+    std::size_t first = 0;  // move of the program, from its start
+    std::size_t end = 0;
+};
+
+PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
+                       const PlanOptions& options, std::size_t window)
+    : source_(std::move(source)),
+      machine_(std::move(machine)),
+      options_(options),
+      fastest_(frame.fastest),
+      size_(window) {
+    program_.file = std::move(frame.file);
+    program_.aux_axes = frame_.aux_axes = frame.aux_axes;
+    frame_.unit_mm = options_.unit_mm;
+    frame_.tick_s = options_.tick_s();
+}
+
+PlanStream::~PlanStream() = default;
+
+std::optional<Plan> PlanStream::next() {
+    for (std::size_t size = size_; !ended_; size *= 2) {
+        read(size);
+        std::unique_ptr<Window> window = look();
+        if (window->geometry.moves.empty()) break;
+        if (!begun_ && !more_) {
+            plan_feed(program_, machine_, options_, window->geometry, window->plan);
+            begun_ = ended_ = true;
+            return std::move(window->plan);
+        }
+        if (!begun_) {
+            set_hold_bounds(machine_, options_, fastest_, frame_);
+            begun_ = true;
+        }
+        if (!plan(*window)) return stop_where_planned();
+        if (more_ && window->planned->cut == 0 && size < kLargest * size_) continue;
+        return give_out(std::move(window));
+    }
+    ended_ = true;
+    const bool nothing = !std::exchange(begun_, true);
+    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+    if (nothing) throw InputError(program_.file, 0, "the program moves nothing");
+    return {};
+}
+
+void PlanStream::fail() {
+    error_ = std::current_exception();
+    more_ = false;
+}
+
+void PlanStream::read(std::size_t size) {
+    const double quantum = options_.unit_mm / 65536;
+    const auto take_next = [this] {
+        program_.moves.insert(program_.moves.end(), next_.begin(), next_.end());
+        next_.clear();
+    };
+    try {
+        while (more_ && program_.moves.size() + next_.size() <= size) {
+            take_next();
+            more_ = false;
+            for (Move move; !more_ && source_(move);) {
+                next_.push_back(move);
+                more_ = move.length() >= quantum;
+            }
+            if (!more_) take_next();
+        }
+    } catch (const InputError&) {
+        fail();
+    }
+    check_next();
+}
+
+/// What ends at rest because more follows must not be the last.
+void PlanStream::check_next() {
+    if (!more_) return;
+    Program one = program_;
+    one.moves.assign(1, next_.back());
+    try {
+        make_geometry(one, machine_, options_);
+    } catch (const InputError&) {
+        fail();
+    }
+}
+
+std::unique_ptr<PlanStream::Window> PlanStream::look() {
+    auto window = std::make_unique<Window>();
+    try {
+        window->geometry = make_geometry(program_, machine_, options_);
+    } catch (const InputError&) {
+        leave_out_what_fails();
+        window->geometry = make_geometry(program_, machine_, options_);
+    }
+    for (const GivenRun& run : given_) window->open += run.moves;
+    window->first = dropped_;
+    window->end = dropped_ + program_.moves.size();
+    window->plan = frame_;
+    window->plan.segments = std::move(window->geometry.segments);
+    return window;
+}
+
+/// And all that follows it.
+void PlanStream::leave_out_what_fails() {
+    Program one = program_;
+    for (std::size_t i = 0; i < program_.moves.size(); ++i) {
+        one.moves.assign(1, program_.moves[i]);
+        try {
+            make_geometry(one, machine_, options_);
+        } catch (const InputError&) {
+            fail();
+            program_.moves.resize(i);
+            return;
+        }
+    }
+}
+
+/// False: it cannot go on.
+bool PlanStream::plan(Window& window) {
+    try {
+        window.plan.hold_acceleration = frame_.hold_acceleration;
+        window.plan.hold_slope_steps = frame_.hold_slope_steps;
+        window.plan.stop_ticks = frame_.stop_ticks;
+        window.planned =
+            plan_window(program_, machine_, options_, window.geometry, given_, more_, window.plan);
+    } catch (const InputError&) {
+        if (!before_) {
+            ended_ = true;
+            throw;
+        }
+        fail();
+        program_.moves.resize(before_->end - dropped_);
+    }
+    return window.planned.has_value();
+}
+
+/// Up to the window's cut, or to its rest.
+Plan PlanStream::give_out(std::unique_ptr<Window> window) {
+    const std::vector<PlannedMove>& moves = window->geometry.moves;
+    const std::size_t cut = window->planned->cut;
+    Plan plan = part(*window, window->open, cut > 0 ? cut : moves.size());
+    if (cut == 0) {
+        drop(program_.moves.size());
+        return plan;
+    }
+    const std::size_t first = given_from(window->planned->motion, cut, machine_);
+    drop(moves[first].move);
+    given_ = window->planned->motion.given(first, cut);
+    before_ = std::move(window);
+    return plan;
+}
+
+Plan PlanStream::stop_where_planned() {
+    ++forced_stops_;
+    const std::unique_ptr<Window> window = std::move(before_);
+    Plan plan = part(*window, window->planned->cut, window->geometry.moves.size());
+    drop(window->end - dropped_);
+    return plan;
+}
+
+/// The next window begins with this move, at rest unless something is given.
+void PlanStream::drop(std::size_t first) {
+    program_.moves.erase(program_.moves.begin(),
+                         program_.moves.begin() + static_cast<std::ptrdiff_t>(first));
+    dropped_ += first;
+    given_.clear();
+    before_.reset();
+}
+
+/// Planned moves from `first` up to `end` (not included).
+Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) {
+    const std::vector<PlannedMove>& moves = window.geometry.moves;
+    const auto length = [&](std::size_t from, std::size_t to) {
+        std::uint64_t sum = 0;
+        for (std::size_t i = from; i < to; ++i) sum += moves[i].length;
+        return sum;
+    };
+    const std::uint64_t from = length(0, first);
+    const std::uint64_t to = from + length(first, end);
+    Plan plan = frame_;
+    plan.slowed_moves = window.plan.slowed_moves;
+    for (const Segment& segment : window.plan.segments) {
+        if (segment.s_start < from || segment.s_start >= to) continue;
+        plan.segments.push_back(segment);
+        plan.segments.back().s_start -= from;
+    }
+    window.planned->motion.append(first, end, plan.pieces);
+    if (end == moves.size()) window.planned->motion.append_last_dwell(plan.pieces);
+    plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
+    set_segment_feeds(program_, options_, plan);
+    for (Segment& segment : plan.segments) {
+        segment.s_start += path_;
+        segment.move += window.first;
+    }
+    path_ += to - from;
+    ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
+    plan.segments.back().last = plan.pieces.back().final = ended_;
+    return plan;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program of any length planned while it is read, in bounded memory.
+//
+// A window of moves is planned up to a rest at its end, as if the program ended there. Of this
+// motion the first part, up to a cut, is given out, and it stays. The next window begins with as
+// much of it as the rule of windows sees, goes on from the cut in the same speed, and reads more
+// moves. Where it cannot go on, what was planned behind the cut is given out after all, to its
+// rest.
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+
+#include "ref/feed/stretch.hpp"
+#include "ref/program/move_source.hpp"
+
+namespace curvecore::ref {
+
+/// Moves that are looked at, two at least.
+constexpr std::size_t kWindowMoves = 2000;
+
+/// What must be known of a program before its first part.
+///
+/// | field    | unit | remark                                            |
+/// |----------|------|---------------------------------------------------|
+/// | file     |      | name for errors                                   |
+/// | aux_axes | 1    | in use                                            |
+/// | fastest  | mm/s | no motion of any axis is faster; the machine's own |
+/// |          |      | limits count besides                              |
+struct StreamFrame {
+    std::string file;
+    int aux_axes = 0;
+    double fastest = 1e9;
+};
+
+class PlanStream {
+  public:
+    PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options,
+               std::size_t window = kWindowMoves);
+    ~PlanStream();
+
+    /// The plan of the next part of the program: segments and pieces follow those of the part
+    /// before, path and moves are counted from the program's start, and the bounds of holds are the
+    /// same. A program of one window has the plan that make_plan gives it.
+    ///
+    /// @throws InputError once, in the place of a part that cannot be had: what was given out ends
+    ///         at rest before it
+    std::optional<Plan> next();
+
+    /// Windows that could not go on.
+    std::size_t forced_stops() const { return forced_stops_; }
+
+  private:
+    struct Window;
+
+    void read(std::size_t size);
+    void check_next();
+    std::unique_ptr<Window> look();
+    void leave_out_what_fails();
+    bool plan(Window& window);
+    Plan give_out(std::unique_ptr<Window> window);
+    Plan stop_where_planned();
+    Plan part(const Window& window, std::size_t first, std::size_t end);
+    void drop(std::size_t first);
+    void fail();
+
+    MoveSource source_;
+    const Machine machine_;
+    const PlanOptions options_;
+    const double fastest_;
+    const std::size_t size_;
+    Program program_;          // the window's
+    std::size_t dropped_ = 0;  // moves of the program before it
+    std::vector<Move> next_;   // those that follow it, up to one that has a length
+    bool more_ = true;         // there is such a one
+    std::vector<GivenRun> given_;
+    std::unique_ptr<Window> before_;  // with what lies behind its cut
+    bool begun_ = false;
+    bool ended_ = false;
+    std::exception_ptr error_;
+    Plan frame_;              // what all parts have
+    std::uint64_t path_ = 0;  // quanta, given out
+    std::size_t forced_stops_ = 0;
+};
+
+}  // namespace curvecore::ref

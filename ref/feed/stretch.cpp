@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/stretch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/feed/limits.hpp"
+#include "ref/feed/piece_loads.hpp"
+#include "ref/feed/ramp.hpp"
+#include "ref/feed/step_speed.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kMachineShare = 0.998;  // of velocities: rounding to the grid stays inside
+constexpr double kJointShare = 0.99;     // the same at joints
+// The shortest piece must resolve a ramp: so many of them up to full acceleration, and so little
+// of the speed gained within one.
+constexpr double kRampPieces = 4;
+constexpr double kSpeedPieces = 100;
+constexpr double kCarried = 1.09;        // of a share: what rounding to ticks may add to an optimum
+constexpr double kSpeedCarried = 1.001;  // the same of velocities
+constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
+constexpr double kAny = 1e300;           // a limit that is none
+constexpr double kSameSpeed = 1e-9;      // relative
+
+/// How many times as far apart as elsewhere knots may be while the speed is constant.
+double knots_apart(const Move& move) {
+    if (move.kind == Move::Kind::kCubic) return 2;
+    return move.kind == Move::Kind::kArc ? 4 : 1e9;
+}
+
+/// Zones that no motion from the speed given can pass are passed by a jump.
+bool is_smooth(const std::vector<Phase>& phases) {
+    for (std::size_t i = 0; i + 1 < phases.size(); ++i) {
+        const double v = phases[i].speed(phases[i].duration);
+        if (std::abs(phases[i + 1].v - v) > kAtRest + kSameSpeed * v) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+long double place_of(const Geometry& geometry, const Stretch& stretch, std::size_t move,
+                     const PieceGrid& grid) {
+    if (move > stretch.last) return kEnd;
+    long double place = 0;
+    for (std::size_t i = stretch.first; i < move; ++i) place += length_of(geometry.moves[i], grid);
+    return place;
+}
+
+StretchPlanner::StretchPlanner(const FeedTask& task)
+    : program_(task.program),
+      machine_(task.machine),
+      geometry_(task.geometry),
+      unit_mm_(task.options.unit_mm),
+      places_(task.program, task.geometry, task.options.unit_mm),
+      grid_(task.machine, task.options.unit_mm, task.options.tick_s()),
+      step_speed_(step_speeds(task.segments, task.geometry.moves, task.options)),
+      most_(task.most),
+      pace_(task.pace) {}
+
+/// What the moves from `first` up to `last` (not included) ask for at their ends.
+StretchPlanner::Rest StretchPlanner::rest(std::size_t first, std::size_t last) const {
+    Rest all;
+    for (std::size_t i = first; i < last; ++i) {
+        const Move& move = program_.moves[i];
+        all.stop = all.stop || move.exact_stop || move.dwell > 0;
+        all.dwell += std::max(0.0, move.dwell);
+    }
+    return all;
+}
+
+std::vector<Stretch> StretchPlanner::cut_at_stops(const std::vector<GivenRun>& given) {
+    std::vector<Stretch> stretches;
+    std::size_t next = 0;  // move of the program
+    std::uint64_t s = 0;
+    for (std::size_t i = 0; i < geometry_.moves.size(); ++i) {
+        const PlannedMove& planned = geometry_.moves[i];
+        const Rest before = rest(next, planned.move);
+        joint_speed_.push_back(0);
+        if (i > 0) {
+            const PlannedMove& last = geometry_.moves[i - 1];
+            const bool stop = before.stop || last.stop_after || planned.stop_before;
+            if (!stop) joint_speed_[i] = joint_velocity(last.shape, planned.shape, machine_);
+        }
+        if (joint_speed_[i] == 0) {
+            Stretch stretch;
+            stretch.dwell = before.dwell;
+            stretch.first = i;
+            stretch.start = s;
+            stretches.push_back(stretch);
+        }
+        s += planned.length;
+        stretches.back().last = i;
+        stretches.back().end = s;
+        next = planned.move;
+    }
+    last_dwell_ = rest(next, program_.moves.size()).dwell;
+    for (std::size_t i = 0; i < given.size(); ++i) stretches[i].given = given[i];
+    if (!given.empty()) stretches.front().dwell = 0;
+    for (Stretch& stretch : stretches) set_zones(stretch);
+    return stretches;
+}
+
+void StretchPlanner::set_zones(Stretch& stretch) const {
+    for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+        if (i > stretch.first) {
+            stretch.zones.push_back({0, kJointShare * joint_speed_[i], kAny, kAny});
+        }
+        stretch.zones.push_back(zone(i));
+    }
+    if (!one_line(stretch)) {
+        for (Zone& zone : stretch.zones) {
+            zone.velocity *= pace_;
+            zone.acceleration *= pace_ * pace_;
+            zone.jerk *= pace_ * pace_ * pace_;
+        }
+    }
+    stretch.caps.assign(stretch.zones.size(), 1e9);
+    if (stretch.given.moves == 0 || stretch.is_given()) return;
+    // A motion from rest has the speed in which what is given ends before that begins.
+    const double v = end_speed(stretch.given.phases);
+    double acceleration = kAny;
+    double jerk = kAny;
+    for (const Zone& zone : stretch.zones) {
+        acceleration = std::min(acceleration, zone.acceleration);
+        jerk = std::min(jerk, zone.jerk);
+    }
+    stretch.lead = 2 * Ramp(0, v, acceleration, jerk).length();
+    for (std::size_t k = 0; k < stretch.joint_before(stretch.open()); ++k) {
+        stretch.zones[k] = {stretch.zones[k].length, v, kAny, kAny};
+    }
+    stretch.zones.front().length += stretch.lead;
+}
+
+bool StretchPlanner::plan(Stretch& stretch) const {
+    if (stretch.is_given()) {
+        stretch.phases = stretch.given.phases;
+        return true;
+    }
+    stretch.phases = plan_speed(stretch.zones);
+    if (stretch.given.moves == 0) return true;
+    const long double begin = place_of(geometry_, stretch, stretch.open(), grid_);
+    const std::vector<Phase> own = part_of(stretch.phases, stretch.lead + begin, kEnd);
+    const double v = end_speed(stretch.given.phases);
+    stretch.phases = stretch.given.phases;
+    append_motion(stretch.phases, own, begin);
+    return own.front().a == 0 && std::abs(own.front().v - v) <= kSameSpeed * v && is_smooth(own);
+}
+
+std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size_t first,
+                                               std::size_t end) const {
+    std::vector<RunMove> moves;
+    for (std::size_t i = first; i < end; ++i) {
+        const std::size_t zone = stretch.zone_of(i);
+        const double highest = highest_speed(geometry_.moves[i].shape, machine_);
+        RunMove move;
+        move.planned = i;
+        move.length = length_of(geometry_.moves[i], grid_);
+        move.velocity = std::min(asked_speed(i, highest), stretch.caps[zone]);
+        move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
+        move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
+        if (i < stretch.last) {
+            move.end_velocity = std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
+        }
+        moves.push_back(move);
+    }
+    return moves;
+}
+
+void StretchPlanner::improve(Stretch& stretch, std::size_t end) {
+    const std::size_t first = stretch.open();
+    end = std::min(end, stretch.last + 1);
+    if (first >= end || one_line(stretch)) return;
+    const std::vector<RunMove> moves = run_moves(stretch, first, end);
+    double least = 0;  // s, without ramps
+    for (const RunMove& move : moves) least += move.length / move.velocity;
+    const long double from = place_of(geometry_, stretch, first, grid_);
+    const long double to = place_of(geometry_, stretch, end, grid_);
+    const std::vector<Phase> rules = part_of(stretch.phases, from, to);
+    if (duration(rules) * (1 - kWorth) < least) return;
+    std::vector<Phase> phases = stretch.given.phases;
+    append_motion(phases,
+                  optimal_run(rules, moves, geometry_, machine_, places_,
+                              [&](const auto& run) { return word_loads(moves, run); }),
+                  from);
+    append_motion(phases, part_of(stretch.phases, to, kEnd), to);
+    stretch.phases = std::move(phases);
+}
+
+/// From rest to rest on a straight line the rules are the optimum.
+bool StretchPlanner::one_line(const Stretch& stretch) const {
+    const Move& move = program_.moves[geometry_.moves[stretch.first].move];
+    return stretch.first == stretch.last && move.kind == Move::Kind::kLine;
+}
+
+/// Rounding to ticks may ask too much, as at joints within a few of them.
+std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& moves,
+                                                const std::vector<Phase>& phases) {
+    Geometry own;
+    std::uint64_t length = 0;
+    for (const RunMove& move : moves) {
+        own.moves.push_back(geometry_.moves[move.planned]);
+        length += own.moves.back().length;
+    }
+    Plan run;
+    run.unit_mm = unit_mm_;
+    run.tick_s = grid_.tick;
+    append_run(phases, length, grid_, run.pieces);
+    std::vector<RunLoad> loads;
+    double begin = 0;  // of the move, mm
+    walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
+        LimitRatios worst;
+        const RunMove& on = moves[part.move_index];
+        keep_loads(part, on.planned, run, grid_, machine_, places_, worst);
+        const double load =
+            std::max(worst.acceleration / kAccelerationShare, worst.jerk / kJerkShare);
+        double speed = top_of(part, run) / on.velocity;
+        if (part.ends_move && part.move_index + 1 < moves.size()) {
+            speed = std::max(speed, motion(part, 1, run).v / on.end_velocity);
+        }
+        if (load > kCarried || speed > kSpeedCarried) {
+            loads.push_back(
+                {begin + part.s * grid_.quantum, std::max(1.0, load), std::max(1.0, speed)});
+        }
+        if (part.ends_move) begin += length_of(*part.move, grid_);
+    });
+    return loads;
+}
+
+/// What feed, core and words allow of a speed that the machine does.
+double StretchPlanner::asked_speed(std::size_t i, double machine) const {
+    const PlannedMove& planned = geometry_.moves[i];
+    const Move& move = program_.moves[planned.move];
+    const double v = std::min(
+        {machine * kMachineShare, step_speed_[i] * kMachineShare, most_[i], fastest_word(grid_)});
+    return !move.rapid && move.feed > 0 ? std::min(v, move.feed / planned.shape.rate) : v;
+}
+
+double StretchPlanner::carried_jerk(double v, double acceleration) const {
+    const double time = static_cast<double>(grid_.shortest) * grid_.tick;
+    return std::min(acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time));
+}
+
+Zone StretchPlanner::zone(std::size_t i) const {
+    const PlannedMove& planned = geometry_.moves[i];
+    const double v = asked_speed(i, top_speed(planned.shape, machine_));
+    const PathLimits limits = along_path(planned.shape, machine_, v);
+    const double acceleration = kAccelerationShare * limits.acceleration;
+    const double jerk = std::min(kJerkShare * limits.jerk, carried_jerk(v, acceleration));
+    return {length_of(planned, grid_), limits.velocity, acceleration, jerk};
+}
+
+}  // namespace curvecore::ref

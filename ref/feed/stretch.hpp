@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path from one stop to the next, and its motion.
+#pragma once
+
+#include <vector>
+
+#include "ref/feed/optimal_run.hpp"
+#include "ref/feed/profile_words.hpp"
+
+namespace curvecore::ref {
+
+/// What was planned before and stays: the first moves of a stretch with their motion.
+struct GivenRun {
+    std::size_t moves = 0;  // planned ones
+    std::vector<Phase> phases;
+};
+
+/// | field       | unit   | remark                                                   |
+/// |-------------|--------|----------------------------------------------------------|
+/// | dwell       | s      | before it                                                |
+/// | first, last |        | planned moves                                            |
+/// | start, end  | quanta | of the program's path                                    |
+/// | given       |        | it begins with this motion; none: at rest                |
+/// | lead        | mm     | what stands before it in the zones: a straight run to its speed |
+/// | zones       |        | moves and, between them, joints                          |
+/// | caps        | mm/s   | of zones, by the rule of windows                         |
+/// | phases      |        | the motion; places from the stretch's start, mm          |
+/// | changed     |        | since its windows were looked at                         |
+struct Stretch {
+    double dwell = 0;
+    std::size_t first = 0, last = 0;
+    std::uint64_t start = 0, end = 0;
+    GivenRun given = {};
+    double lead = 0;
+    std::vector<Zone> zones = {};
+    std::vector<double> caps = {};
+    std::vector<Phase> phases = {};
+    bool changed = true;
+    bool looked_at = true;
+
+    bool is_given() const { return first + given.moves > last; }
+    std::size_t open() const { return first + given.moves; }  // the first move that is not given
+    std::size_t zone_of(std::size_t move) const { return 2 * (move - first); }
+    std::size_t joint_before(std::size_t move) const { return zone_of(move) - 1; }
+
+    void cap(std::size_t zone, double velocity) {
+        caps[zone] = std::min(caps[zone], velocity);
+        zones[zone].velocity = std::min(zones[zone].velocity, velocity);
+    }
+};
+
+/// mm
+inline double length_of(const PlannedMove& move, const PieceGrid& grid) {
+    return static_cast<double>(move.length) * grid.quantum;
+}
+
+/// Where a planned move begins, mm from the stretch's start; kEnd beyond the last one.
+long double place_of(const Geometry& geometry, const Stretch& stretch, std::size_t move,
+                     const PieceGrid& grid);
+
+/// | field    | remark                                    |
+/// |----------|-------------------------------------------|
+/// | segments | of all planned moves; their path is from 0 |
+/// | most     | mm/s, of each planned move                |
+/// | pace     | of the speeds that the rules take          |
+struct FeedTask {
+    const Program& program;
+    const Machine& machine;
+    const PlanOptions& options;
+    const Geometry& geometry;
+    const std::vector<Segment>& segments;
+    const std::vector<double>& most;
+    double pace = 1;
+};
+
+/// Cuts a path at its stops and plans what lies between, with limits of the machine, of the program
+/// and of the core.
+class StretchPlanner {
+  public:
+    explicit StretchPlanner(const FeedTask& task);
+
+    /// All of the path, ready to be planned. `given`: of the first stretches.
+    std::vector<Stretch> cut_at_stops(const std::vector<GivenRun>& given);
+
+    /// By rules. False: what is given cannot be gone on with.
+    bool plan(Stretch& stretch) const;
+
+    /// The optimum, after the rules' plan, from what is given up to planned move `end`, whose speed
+    /// at its start stays.
+    void improve(Stretch& stretch, std::size_t end);
+
+    const PieceGrid& grid() const { return grid_; }
+    /// After the last stretch, s.
+    double last_dwell() const { return last_dwell_; }
+
+  private:
+    struct Rest {
+        bool stop = false;
+        double dwell = 0;
+    };
+
+    Rest rest(std::size_t first, std::size_t last) const;
+    void set_zones(Stretch& stretch) const;
+    bool one_line(const Stretch& stretch) const;
+    double asked_speed(std::size_t i, double machine) const;
+    double carried_jerk(double v, double acceleration) const;
+    Zone zone(std::size_t i) const;
+    std::vector<RunMove> run_moves(const Stretch& stretch, std::size_t first,
+                                   std::size_t end) const;
+    std::vector<RunLoad> word_loads(const std::vector<RunMove>& moves,
+                                    const std::vector<Phase>& phases);
+
+    const Program& program_;
+    const Machine& machine_;
+    const Geometry& geometry_;
+    double unit_mm_;
+    PathPlaces places_;
+    PieceGrid grid_;
+    std::vector<double> step_speed_;
+    const std::vector<double>& most_;
+    double pace_;
+    std::vector<double> joint_speed_;  // before each planned move; 0: stop
+    double last_dwell_ = 0;
+};
+
+}  // namespace curvecore::ref

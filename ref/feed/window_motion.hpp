@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motion that was planned for a program, or for a window of it, and its parts.
+#pragma once
+
+#include "ref/feed/stretch.hpp"
+
+namespace curvecore::ref {
+
+class WindowMotion {
+  public:
+    /// @param geometry outlives the motion
+    WindowMotion(std::vector<Stretch> stretches, const Geometry& geometry, const PieceGrid& grid,
+                 double last_dwell);
+
+    /// When each planned move begins, and the end; s.
+    const std::vector<double>& times() const { return times_; }
+
+    /// Speed in which a planned move begins, mm/s.
+    double speed_before(std::size_t move) const;
+
+    /// Whether a planned move is the first of a move of the program.
+    bool begins_move(std::size_t move) const;
+
+    /// Appends the pieces of the planned moves from `first` up to `end` (not included).
+    void append(std::size_t first, std::size_t end, std::vector<ProfilePiece>& pieces) const;
+    void append_last_dwell(std::vector<ProfilePiece>& pieces) const;
+
+    /// The motion of these moves as a window that begins with them is given it.
+    std::vector<GivenRun> given(std::size_t first, std::size_t end) const;
+
+  private:
+    template <class Visit>
+    void each_part(std::size_t first, std::size_t end, Visit visit) const;
+
+    std::vector<Stretch> stretches_;
+    const Geometry* geometry_;
+    PieceGrid grid_;
+    double last_dwell_;
+    std::vector<double> times_;
+};
+
+}  // namespace curvecore::ref
