@@ -15,6 +15,11 @@ constexpr std::size_t kLargest = 8;  // times the size of a window that has no p
 
 }  // namespace
 
+double fastest_motion(const Move& move) {
+    const bool linear = move.aux_start == move.aux_end;  // else an axis may outrun the path
+    return linear && !move.rapid && move.feed > 0 ? move.feed : 1e9;
+}
+
 /// A window's moves with their motion, from what is given to a rest.
 struct PlanStream::Window {
     Geometry geometry;
@@ -26,12 +31,11 @@ struct PlanStream::Window {
 };
 
 PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
-                       const PlanOptions& options, std::size_t window)
+                       const PlanOptions& options)
     : source_(std::move(source)),
       machine_(std::move(machine)),
       options_(options),
-      fastest_(frame.fastest),
-      size_(window) {
+      fastest_(frame.fastest) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;
     frame_.unit_mm = options_.unit_mm;
@@ -41,7 +45,7 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
 PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
-    for (std::size_t size = size_; !ended_; size *= 2) {
+    for (std::size_t size = options_.window; !ended_; size *= 2) {
         read(size);
         std::unique_ptr<Window> window = look();
         if (window->geometry.moves.empty()) break;
@@ -55,7 +59,7 @@ std::optional<Plan> PlanStream::next() {
             begun_ = true;
         }
         if (!plan(*window)) return stop_where_planned();
-        if (more_ && window->planned->cut == 0 && size < kLargest * size_) continue;
+        if (more_ && window->planned->cut == 0 && size < kLargest * options_.window) continue;
         return give_out(std::move(window));
     }
     ended_ = true;
@@ -107,10 +111,10 @@ void PlanStream::check_next() {
 std::unique_ptr<PlanStream::Window> PlanStream::look() {
     auto window = std::make_unique<Window>();
     try {
-        window->geometry = make_geometry(program_, machine_, options_);
+        window->geometry = make_geometry(program_, machine_, options_, miss_);
     } catch (const InputError&) {
         leave_out_what_fails();
-        window->geometry = make_geometry(program_, machine_, options_);
+        window->geometry = make_geometry(program_, machine_, options_, miss_);
     }
     for (const GivenRun& run : given_) window->open += run.moves;
     window->first = dropped_;
@@ -165,6 +169,7 @@ Plan PlanStream::give_out(std::unique_ptr<Window> window) {
     }
     const std::size_t first = given_from(window->planned->motion, cut, machine_);
     drop(moves[first].move);
+    miss_ = moves[first].miss;
     given_ = window->planned->motion.given(first, cut);
     before_ = std::move(window);
     return plan;
@@ -183,6 +188,7 @@ void PlanStream::drop(std::size_t first) {
     program_.moves.erase(program_.moves.begin(),
                          program_.moves.begin() + static_cast<std::ptrdiff_t>(first));
     dropped_ += first;
+    miss_ = 0;
     given_.clear();
     before_.reset();
 }

@@ -17,32 +17,30 @@
 
 namespace curvecore::ref {
 
-/// Moves that are looked at, two at least.
-constexpr std::size_t kWindowMoves = 2000;
-
 /// What must be known of a program before its first part.
 ///
 /// | field    | unit | remark                                            |
 /// |----------|------|---------------------------------------------------|
 /// | file     |      | name for errors                                   |
 /// | aux_axes | 1    | in use                                            |
-/// | fastest  | mm/s | no motion of any axis is faster; the machine's own |
-/// |          |      | limits count besides                              |
+/// | fastest  | mm/s | of its moves, fastest_motion()                    |
 struct StreamFrame {
     std::string file;
     int aux_axes = 0;
     double fastest = 1e9;
 };
 
+/// No axis moves faster, but for the machine's limits: mm/s.
+double fastest_motion(const Move& move);
+
 class PlanStream {
   public:
-    PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options,
-               std::size_t window = kWindowMoves);
+    PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options);
     ~PlanStream();
 
     /// The plan of the next part of the program: segments and pieces follow those of the part
     /// before, path and moves are counted from the program's start, and the bounds of holds are the
-    /// same. A program of one window has the plan that make_plan gives it.
+    /// same.
     ///
     /// @throws InputError once, in the place of a part that cannot be had: what was given out ends
     ///         at rest before it
@@ -69,9 +67,9 @@ class PlanStream {
     const Machine machine_;
     const PlanOptions options_;
     const double fastest_;
-    const std::size_t size_;
     Program program_;          // the window's
     std::size_t dropped_ = 0;  // moves of the program before it
+    double miss_ = 0;          // quanta of path before it, PlannedMove::miss
     std::vector<Move> next_;   // those that follow it, up to one that has a length
     bool more_ = true;         // there is such a one
     std::vector<GivenRun> given_;

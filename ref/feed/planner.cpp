@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/feed/planner.hpp"
 
-#include "ref/feed/feed_profile.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/segment/geometry.hpp"
+#include <algorithm>
+#include <iterator>
+
+#include "ref/feed/plan_stream.hpp"
 
 namespace curvecore::ref {
+namespace {
+
+double fastest_feed(const Program& program) {
+    double fastest = 0;
+    for (const Move& move : program.moves) fastest = std::max(fastest, fastest_motion(move));
+    return fastest;
+}
+
+}  // namespace
 
 Plan make_plan(const Program& program, const Machine& machine, const PlanOptions& options) {
-    Geometry geometry = make_geometry(program, machine, options);
-    if (geometry.segments.empty()) {
-        throw InputError(program.file, 0, "the program moves nothing");
+    const auto source = [&program, next = std::size_t(0)](Move& move) mutable {
+        if (next == program.moves.size()) return false;
+        move = program.moves[next++];
+        return true;
+    };
+    PlanStream stream(source, {program.file, program.aux_axes, fastest_feed(program)}, machine,
+                      options);
+    Plan plan = *stream.next();
+    while (std::optional<Plan> part = stream.next()) {
+        plan.duration_s += part->duration_s;
+        plan.slowed_moves += part->slowed_moves;
+        std::move(part->segments.begin(), part->segments.end(), std::back_inserter(plan.segments));
+        std::move(part->pieces.begin(), part->pieces.end(), std::back_inserter(plan.pieces));
     }
-    Plan plan;
-    plan.unit_mm = options.unit_mm;
-    plan.tick_s = options.tick_s();
-    plan.aux_axes = program.aux_axes;
-    plan.segments = std::move(geometry.segments);
-    plan_feed(program, machine, options, geometry, plan);
     return plan;
 }
 

@@ -53,6 +53,7 @@ constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
 /// | effort                 |        | how the feed is planned                                    |
+/// | window                 | 1      | moves that are planned at once, 2 at least                 |
 /// | advise                 |        | a refusal says which width would do: takes many plans      |
 struct PlanOptions {
     double unit_mm = 1e-6;
@@ -67,11 +68,12 @@ struct PlanOptions {
     int max_pieces = 1 << 16;
     bool advise = true;
     Effort effort = Effort::kOptimum;
+    std::size_t window = 3000;
 
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };
 
-/// Segments and feed profile of a whole program.
+/// Segments and feed profile of a whole program, planned in windows (ref/feed/plan_stream.hpp).
 ///
 /// Moves follow each other: moves[i].end is moves[i+1].start. A move without length makes no
 /// segment; its exact_stop and dwell count. Where a cubic stands still (a cusp, a doubled control

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "ref/program/input_error.hpp"
 #include "ref/program/text_file.hpp"
@@ -32,7 +33,8 @@ std::string upper(std::string_view text) {
 }  // namespace
 
 IniFile::IniFile(std::string_view text, const std::string& file) : file_(file) {
-    TextLines lines(text);
+    std::istringstream stream{std::string(text)};
+    TextLines lines(stream);
     bool continued = false;
     while (const std::optional<std::string_view> line = lines.next()) {
         for (const char c : *line) {

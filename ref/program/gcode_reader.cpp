@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/program/gcode_reader.hpp"
 
-#include "ref/program/interpreter.hpp"
-#include "ref/program/text_file.hpp"
+#include <sstream>
+
+#include "ref/program/gcode_stream.hpp"
 
 namespace curvecore::ref {
+namespace {
+
+Program read_all(std::istream& text, const std::string& file, double fit_tolerance) {
+    GcodeStream stream(text, file, fit_tolerance);
+    Program program;
+    program.file = file;
+    for (Move move; stream.next(move);) program.moves.push_back(move);
+    program.aux_axes = stream.aux_axes();
+    program.warnings = stream.warnings();
+    return program;
+}
+
+}  // namespace
 
 Program read_gcode(const std::string& file, double fit_tolerance) {
-    return read_gcode_text(read_text_file(file), file, fit_tolerance);
+    std::ifstream text = open_text_file(file);
+    return read_all(text, file, fit_tolerance);
 }
 
 Program read_gcode_text(std::string_view text, const std::string& file_name, double fit_tolerance) {
-    Interpreter interpreter(file_name, fit_tolerance);
-    TextLines lines(text);
-    bool framed = false;
-    bool begun = false;
-    while (const std::optional<std::string_view> line = lines.next()) {
-        const Place place{file_name, lines.number()};
-        const Block block(*line, place);
-        if (block.percent && begun) {
-            if (framed) {
-                break;
-            }
-            place.refuse("% ends a program that does not begin with %");
-        }
-        framed = framed || block.percent;
-        begun = begun || block.percent || !block.empty();
-        if (!block.percent && !interpreter.execute(block, place)) {
-            break;
-        }
-    }
-    return interpreter.finish();
+    std::istringstream stream{std::string(text)};
+    return read_all(stream, file_name, fit_tolerance);
 }
 
 }  // namespace curvecore::ref

@@ -50,6 +50,15 @@ bool Interpreter::execute(Block block, const Place& place) {
     return end != 2 && end != 30;
 }
 
+std::vector<Move> Interpreter::take(bool last) {
+    std::vector<Move> taken;
+    if (program_.moves.empty()) return taken;
+    const auto end = program_.moves.end() - (last ? 0 : 1);
+    taken.assign(program_.moves.begin(), end);
+    program_.moves.erase(program_.moves.begin(), end);
+    return taken;
+}
+
 Program Interpreter::finish() {
     if (middle_ || nurbs_) {
         check_nothing_waits({program_.file, middle_ ? middle_->line : nurbs_->line});

@@ -27,8 +27,11 @@ class Interpreter {
 
     /// Carries out a block; false when it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
-    /// The whole program. @throws InputError when it has no moves, an arc lacks its end point or
-    /// a NURBS its G5.3.
+    /// Moves in order, which leave the program: the `last` one as well, for which a stop or a dwell
+    /// may still come.
+    std::vector<Move> take(bool last);
+    /// What is left of the program, with all of its warnings.
+    /// @throws InputError when it has no moves, an arc lacks its end point or a NURBS its G5.3.
     Program finish();
 
   private:

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "ref/program/coordinates.hpp"
 #include "ref/program/csv_cells.hpp"
@@ -20,7 +21,8 @@ class Reader {
     explicit Reader(const std::string& file) : file_(file) {}
 
     PointTable read(std::string_view text) {
-        TextLines lines(text);
+        std::istringstream stream{std::string(text)};
+        TextLines lines(stream);
         while (const std::optional<std::string_view> line = lines.next()) {
             const std::string_view content = trim(line->substr(0, line->find('#')));
             if (content.empty()) continue;

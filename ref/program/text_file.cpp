@@ -15,7 +15,7 @@ constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
 
 }  // namespace
 
-std::string read_text_file(const std::string& file) {
+std::ifstream open_text_file(const std::string& file) {
     std::error_code error;
     if (std::filesystem::is_directory(file, error)) {
         throw InputError(file, 0, "is a directory, not a file");
@@ -26,13 +26,19 @@ std::string read_text_file(const std::string& file) {
     if (!std::filesystem::is_regular_file(file, error)) {
         throw InputError(file, 0, "is not a regular file");
     }
-    const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error || size > kLargestFile) {
-        throw InputError(file, 0, "is larger than 1 GiB");
-    }
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
         throw InputError(file, 0, std::string("cannot be read: ") + std::strerror(errno));
+    }
+    return stream;
+}
+
+std::string read_text_file(const std::string& file) {
+    std::ifstream stream = open_text_file(file);
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (error || size > kLargestFile) {
+        throw InputError(file, 0, "is larger than 1 GiB");
     }
     std::string text(size, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(size));
@@ -42,25 +48,27 @@ std::string read_text_file(const std::string& file) {
     return text;
 }
 
-TextLines::TextLines(std::string_view text) : rest_(text) {
-    if (rest_.substr(0, 3) == "\xEF\xBB\xBF") {
-        rest_.remove_prefix(3);
-    }
-}
+TextLines::TextLines(std::istream& text) : text_(*text.rdbuf()) {}
 
 std::optional<std::string_view> TextLines::next() {
-    if (rest_.empty()) {
+    constexpr int kEnd = std::char_traits<char>::eof();
+    int c = text_.sbumpc();
+    if (c == kEnd) {
         return std::nullopt;
     }
-    ++number_;
-    const std::size_t end = rest_.find_first_of("\r\n");
-    const std::string_view line = rest_.substr(0, end);
-    if (end == std::string_view::npos) {
-        rest_ = {};
-    } else {
-        rest_.remove_prefix(end + (rest_.substr(end, 2) == "\r\n" ? 2 : 1));
+    line_.clear();
+    for (; c != kEnd && c != '\n' && c != '\r'; c = text_.sbumpc()) {
+        line_.push_back(static_cast<char>(c));
     }
-    return line;
+    if (c == '\r' && text_.sgetc() == '\n') {
+        text_.sbumpc();
+    }
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    const bool marked = ++number_ == 1 && line_.compare(0, kMark.size(), kMark) == 0;
+    if (marked && line_.size() == kMark.size() && text_.sgetc() == kEnd) {
+        return std::nullopt;
+    }
+    return std::string_view(line_).substr(marked ? kMark.size() : 0);
 }
 
 }  // namespace curvecore::ref

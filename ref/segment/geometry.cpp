@@ -105,8 +105,8 @@ Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& for
 
 class Cutter {
   public:
-    Cutter(const Program& program, const Machine& machine, const PlanOptions& options)
-        : program_(program), machine_(machine), options_(options) {}
+    Cutter(const Program& program, const Machine& machine, const PlanOptions& options, double miss)
+        : program_(program), machine_(machine), options_(options), path_(miss / kQuanta) {}
 
     Geometry run() {
         if (program_.aux_axes > options_.aux_axes) {
@@ -114,7 +114,13 @@ class Cutter {
                              fmt::format("the program needs AuxAxes {} (now {})", program_.aux_axes,
                                          options_.aux_axes));
         }
-        for (std::size_t i = 0; i < program_.moves.size(); ++i) add(i);
+        for (std::size_t i = 0; i < program_.moves.size(); ++i) {
+            const std::size_t first = geometry_.moves.size();
+            const long double begin = path_ * kQuanta;
+            add(i);
+            if (first == geometry_.moves.size()) continue;
+            geometry_.moves[first].miss = static_cast<double>(begin - std::round(begin));
+        }
         return std::move(geometry_);
     }
 
@@ -296,13 +302,14 @@ class Cutter {
     const PlanOptions& options_;
     const RotaryTurns turns_{machine_, options_};
     Geometry geometry_;
-    long double path_ = 0;  // units
+    long double path_;  // units
 };
 
 }  // namespace
 
-Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options) {
-    return Cutter(program, machine, options).run();
+Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options,
+                       double miss) {
+    return Cutter(program, machine, options, miss).run();
 }
 
 }  // namespace curvecore::ref

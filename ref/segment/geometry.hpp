@@ -18,6 +18,7 @@ struct PlannedMove {
     bool spline = false;       // these are of the spline network
     bool stop_before = false;  // the curve stands still at the start
     bool stop_after = false;   // or at the end
+    double miss = 0;           // quanta of path before it that rounding has left out
 };
 
 struct Geometry {
@@ -32,6 +33,8 @@ struct Geometry {
 /// @throws InputError: beyond the machine's travel or the position words, more auxiliary axes than
 ///         the core has or faster along a spline than the words hold, an arc that misses its end
 ///         point, a bound that no cut can meet, a path beyond the program's words.
-Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options);
+/// @param miss PlannedMove::miss of the first move
+Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options,
+                       double miss = 0);
 
 }  // namespace curvecore::ref

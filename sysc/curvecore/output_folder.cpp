@@ -4,7 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "ref/program/input_error.hpp"
@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Every name that a command may write: an older run's files must not stay beside newer ones.
-constexpr std::array<const char*, 16> kOwnFiles{
+constexpr std::array<const char*, 17> kOwnFiles{
     "samples.csv",  "report.json", "report.html", "segments.json", "waves.fst",   "waves.gtkw",
     "segments.hex", "profile.hex", "words.json",  "compare.json",  "compare.csv", "choose.json",
-    "core.json",    "cam.ngc",     "cam.json",    "cam.html"};
+    "core.json",    "cam.ngc",     "cam.json",    "cam.html",      "INCOMPLETE"};
 
 }  // namespace
 
@@ -67,6 +67,14 @@ void OutputFolder::commit() {
         fs::rename(entry.path(), folder_ / entry.path().filename(), error);
         if (error) refuse(error.message());
     }
+}
+
+OutputFile::OutputFile(const OutputFolder& folder, const std::string& name)
+    : name_(name), stream_(folder.path(name), std::ios::binary) {}
+
+void OutputFile::close() {
+    stream_.close();
+    if (!stream_) throw std::runtime_error("cannot write " + name_ + ": is the disk full?");
 }
 
 }  // namespace curvecore::sysc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace curvecore::sysc {
@@ -29,6 +30,20 @@ class OutputFolder {
     std::string given_;  // as the user named it
     std::filesystem::path folder_;
     std::filesystem::path temporary_;
+};
+
+/// A file of the folder that grows.
+class OutputFile {
+  public:
+    OutputFile(const OutputFolder& folder, const std::string& name);
+
+    void write(const std::string& text) { stream_ << text; }
+    /// @throws std::runtime_error when not all of it could be written
+    void close();
+
+  private:
+    std::string name_;
+    std::ofstream stream_;
 };
 
 }  // namespace curvecore::sysc

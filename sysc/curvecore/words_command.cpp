@@ -5,13 +5,15 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "hls/words.hpp"
+#include "ref/program/input_error.hpp"
 #include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/curvecore/planned_job.hpp"
 #include "sysc/host/bus_words.hpp"
-#include "sysc/host/job.hpp"
-#include "sysc/host/path_source.hpp"
+#include "sysc/host/job_stream.hpp"
 #include "sysc/watch/report.hpp"
+#include "sysc/widths/word_check.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -24,20 +26,18 @@ std::string comment_safe(std::string text) {
     return text;
 }
 
-std::string head(const Job& job, const char* what, std::size_t words) {
+std::string head(const Job& job, const char* what) {
     return fmt::format(
-        "// curvecore {} of {}: {} words of 48 bits, one a line, for $readmemh; format {}.\n"
+        "// curvecore {} of {}: words of 48 bits, one a line, for $readmemh; format {}.\n"
         "// core: {}; unit {:g} mm\n",
-        what, comment_safe(std::filesystem::path(job.options.file).filename().string()), words,
+        what, comment_safe(std::filesystem::path(job.options.file).filename().string()),
         hls::kWordsVersion, ref::parameters_text(job.options.core), job.plan.unit_mm);
 }
 
-std::string segments_hex(const Job& job) {
-    const ref::Plan& plan = job.plan;
-    const int each = ref::segment_bus_words(job.options.core.aux_axes);
+std::string segments_head(const Job& job) {
     const int fine = job.options.core.position_bits + job.options.core.guard_bits;
     const int coef = job.options.core.coef_bits;
-    std::string text = head(job, "segments", plan.segments.size() * static_cast<std::size_t>(each));
+    std::string text = head(job, "segments");
     text += fmt::format(
         "// {} words a segment, each a tag [47:44] and 44 bits:\n"
         "//   1    length [43:0], path quanta (2^-16 unit)\n"
@@ -47,78 +47,131 @@ std::string segments_hex(const Job& job) {
         "// 3 .. 7 for X, Y and Z, then 3, 4 and 7 for each auxiliary axis; above the "
         "coefficients,\n"
         "// [43:36]: X sequence, lambda; Y and Z four bytes of ticks, the lowest first\n",
-        each, coef - 1, coef - 1, fine, job.options.core.guard_bits, coef, coef - 2);
+        ref::segment_bus_words(job.options.core.aux_axes), coef - 1, coef - 1, fine,
+        job.options.core.guard_bits, coef, coef - 2);
     if (job.options.core.splines != 0) {
         text +=
             "// of a spline, kind 1: 1/|c| for theta; a, b and c for tangent, normal, advance\n";
     }
-    for (std::size_t i = 0; i < plan.segments.size(); ++i) {
-        const ref::Segment& segment = plan.segments[i];
-        text += fmt::format("// segment {}, line {}\n", i, segment.line);
-        for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {
-            text += fmt::format("{:012x}\n", word);
-        }
-    }
     return text;
 }
 
-std::string profile_hex(const Job& job) {
-    std::string text = head(job, "feed profile", job.plan.pieces.size() * hls::kProfileBusWords);
-    text +=
-        "// 5 words a piece of constant jerk, each a tag [47:44] and 44 bits:\n"
-        "//   8       ticks [19:0], m [24:20], e [30:25], final [31], sequence [39:32]\n"
-        "//   9       ds [43:0], path quanta\n"
-        "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta:\n"
-        "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n";
-    for (std::size_t i = 0; i < job.plan.pieces.size(); ++i) {
-        for (const std::uint64_t word : profile_bus_words(job.plan.pieces[i], i)) {
-            text += fmt::format("{:012x}\n", word);
-        }
-    }
-    return text;
+std::string profile_head(const Job& job) {
+    return head(job, "feed profile") +
+           "// 5 words a piece of constant jerk, each a tag [47:44] and 44 bits:\n"
+           "//   8       ticks [19:0], m [24:20], e [30:25], final [31], sequence [39:32]\n"
+           "//   9       ds [43:0], path quanta\n"
+           "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta:\n"
+           "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n";
 }
 
-std::string words_json(const Job& job, std::uint64_t samples) {
-    nlohmann::ordered_json json;
-    json["words_version"] = hls::kWordsVersion;
-    json["input"] = job.options.file;
-    json["unit_mm"] = job.plan.unit_mm;
-    json["sample_period_s"] = job.options.sample_period_s;
-    json["core"] = job.core_name();
-    json["parameters"] = parameters_json(job.options.core);
-    json["segments"] = {{"file", "segments.hex"},
-                        {"count", job.plan.segments.size()},
-                        {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
-    json["profile"] = {{"file", "profile.hex"},
-                       {"count", job.plan.pieces.size()},
-                       {"words_each", hls::kProfileBusWords}};
-    // Ports of motion_interpolator
-    json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
-    json["hold_acceleration"] = job.plan.hold_acceleration;
-    json["hold_slope"] = std::uint64_t(job.plan.hold_acceleration) * job.plan.hold_slope_steps;
-    json["stop_ticks"] = job.plan.stop_ticks;
-    json["samples"] = samples;
-    json["path_quanta"] = job.path_length();
-    return json.dump(2) + "\n";
+/// The files, part by part.
+class WordFiles {
+  public:
+    explicit WordFiles(const OutputFolder& folder)
+        : segments_(folder, "segments.hex"), profile_(folder, "profile.hex") {}
+
+    void add(const Job& part) {
+        if (count_ == 0) {
+            segments_.write(segments_head(part));
+            profile_.write(profile_head(part));
+        }
+        for (const ref::Segment& segment : part.plan.segments) {
+            std::string text = fmt::format("// segment {}, line {}\n", count_, segment.line);
+            append(text, segment_bus_words(segment, count_++, part.options.core));
+            segments_.write(text);
+        }
+        for (const ref::ProfilePiece& piece : part.plan.pieces) {
+            std::string text;
+            append(text, profile_bus_words(piece, pieces_++));
+            profile_.write(text);
+        }
+        ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
+        path_ = part.path_length();
+    }
+
+    void close() {
+        segments_.close();
+        profile_.close();
+    }
+
+    std::uint64_t samples(const Job& job) const {
+        return ticks_ << job.options.samples_per_tick_log2();
+    }
+
+    std::string json(const Job& job) const {
+        nlohmann::ordered_json json;
+        json["words_version"] = hls::kWordsVersion;
+        json["input"] = job.options.file;
+        json["unit_mm"] = job.plan.unit_mm;
+        json["sample_period_s"] = job.options.sample_period_s;
+        json["core"] = job.core_name();
+        json["parameters"] = parameters_json(job.options.core);
+        json["segments"] = {{"file", "segments.hex"},
+                            {"count", count_},
+                            {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
+        json["profile"] = {
+            {"file", "profile.hex"}, {"count", pieces_}, {"words_each", hls::kProfileBusWords}};
+        // Ports of motion_interpolator
+        json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
+        json["hold_acceleration"] = job.plan.hold_acceleration;
+        json["hold_slope"] = std::uint64_t(job.plan.hold_acceleration) * job.plan.hold_slope_steps;
+        json["stop_ticks"] = job.plan.stop_ticks;
+        json["samples"] = samples(job);
+        json["path_quanta"] = path_;
+        return json.dump(2) + "\n";
+    }
+
+    std::string summary(const Job& job) const {
+        return fmt::format("{} segments, {} profile pieces, {} samples -> {}\n", count_, pieces_,
+                           samples(job), job.options.folder);
+    }
+
+    bool empty() const { return count_ == 0; }
+
+  private:
+    static void append(std::string& text, const std::vector<std::uint64_t>& words) {
+        for (const std::uint64_t word : words) text += fmt::format("{:012x}\n", word);
+    }
+
+    OutputFile segments_;
+    OutputFile profile_;
+    std::size_t count_ = 0;
+    std::size_t pieces_ = 0;
+    std::uint64_t ticks_ = 0;
+    std::uint64_t path_ = 0;
+};
+
+/// What failed after the first words: they end at rest before it.
+void write_incomplete(const OutputFolder& folder, const ref::InputError& error) {
+    folder.write("INCOMPLETE", std::string(error.what()) + "\n");
 }
 
 }  // namespace
 
 int words_command(const Options& options) {
-    Job job = read_job(options);
-    plan_and_check(job);
+    JobStream stream(options);
+    take_device(stream.options());
     OutputFolder folder(options.folder);
-    const std::uint64_t samples =
-        count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
-    folder.write("segments.hex", segments_hex(job));
-    folder.write("profile.hex", profile_hex(job));
-    folder.write("words.json", words_json(job, samples));
-    folder.commit();
-    if (!options.quiet) {
-        print_warnings(job);
-        fmt::print("{} segments, {} profile pieces, {} samples -> {}\n", job.plan.segments.size(),
-                   job.plan.pieces.size(), samples, options.folder);
+    WordFiles files(folder);
+    std::optional<ref::InputError> failed;
+    try {
+        while (const Job* part = stream.next()) {
+            check_words(*part);
+            files.add(*part);
+        }
+    } catch (const ref::InputError& error) {
+        if (files.empty()) throw;
+        failed = error;
+        write_incomplete(folder, error);
     }
+    files.close();
+    const Job& job = stream.job();
+    folder.write("words.json", files.json(job));
+    folder.commit();
+    if (!options.quiet) fmt::print("{}", files.summary(job));
+    print_warnings(job);
+    if (failed) throw *failed;
     return 0;
 }
 

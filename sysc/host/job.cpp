@@ -9,6 +9,7 @@
 #include "ref/program/program_reader.hpp"
 #include "ref/segment/geometry.hpp"
 #include "sysc/host/core_clocks.hpp"
+#include "sysc/host/drawn_moves.hpp"
 #include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
@@ -39,39 +40,20 @@ double Job::bound() const {
 
 namespace {
 
-bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
-
-/// The core draws splines if the program has them.
-void set_splines(Job& job) {
-    CoreParameters& core = job.options.core;
-    const auto first = std::find_if(job.program.moves.begin(), job.program.moves.end(), is_spline);
-    const bool any = first != job.program.moves.end();
-    const std::size_t line = any ? first->line : 0;
-    if (any && job.options.splines_set && core.splines == 0) {
-        throw ref::InputError(job.program.file, line, "a spline, and the core has Splines=0");
+std::optional<int> first_spline(const ref::Program& program) {
+    for (const ref::Move& move : program.moves) {
+        if (move.kind == ref::Move::Kind::kCubic) return move.line;
     }
-    if (any) core.splines = 1;
-    const std::string reason = ref::why_not_built(core);
-    if (reason.empty()) return;
-    throw ref::InputError(job.program.file, line,
-                          (any ? "a spline, and " : "no spline, and ") + reason);
-}
-
-bool draws_splines(const Options& options) {
-    CoreParameters core = options.core;
-    if (options.splines_set) return core.splines != 0;
-    core.splines = 1;
-    return ref::why_not_built(core).empty();
+    return {};
 }
 
 /// What is drawn in the program's place. Where arcs draw what G64 makes smooth, they take half of
 /// its tolerance.
 void make_path(Job& job) {
-    constexpr double kHalf = 0.5;
     const bool arcs = job.options.arc_tolerance || !draws_splines(job.options);
     if (!job.options.exact_path) {
         job.programmed = job.program;
-        job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kHalf : 1);
+        job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kShareBesideArcs : 1);
         const bool same = job.program.moves.size() == job.programmed.moves.size();
         if (same && job.smoothed->deviation == 0) job.programmed = {};
     }
@@ -114,7 +96,7 @@ Job make_job(const Options& options, ref::Program program) {
     job.program = std::move(program);
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
     make_path(job);
-    set_splines(job);
+    set_splines(job, first_spline(job.program));
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     return job;
 }
@@ -122,7 +104,7 @@ Job make_job(const Options& options, ref::Program program) {
 namespace {
 
 void plan_path(Job& job) {
-    const bool splines = std::any_of(job.program.moves.begin(), job.program.moves.end(), is_spline);
+    const bool splines = first_spline(job.program).has_value();
     check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz);
     job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
     if (job.plan.segments.empty()) {
@@ -138,15 +120,31 @@ void plan_as_programmed(Job& job) {
     job.smoothed.reset();
     job.as_arcs.reset();
     if (!job.options.splines_set) job.options.core.splines = 0;
-    set_splines(job);
+    set_splines(job, first_spline(job.program));
     plan_path(job);
+    warn_of_exact_path(job);
+}
+
+}  // namespace
+
+void warn_of_exact_path(Job& job) {
     job.program.warnings.push_back(
         fmt::format("{}: warning: drawn as programmed: what G64 allows is beyond this core or the "
                     "machine's travel",
                     job.program.file));
 }
 
-}  // namespace
+void set_splines(Job& job, const std::optional<int>& line) {
+    CoreParameters& core = job.options.core;
+    if (line && job.options.splines_set && core.splines == 0) {
+        throw ref::InputError(job.program.file, *line, "a spline, and the core has Splines=0");
+    }
+    if (line) core.splines = 1;
+    const std::string reason = ref::why_not_built(core);
+    if (reason.empty()) return;
+    throw ref::InputError(job.program.file, line.value_or(0),
+                          (line ? "a spline, and " : "no spline, and ") + reason);
+}
 
 void plan_job(Job& job) {
     if (job.programmed.moves.empty()) {
@@ -161,7 +159,12 @@ void plan_job(Job& job) {
         }
     }
     warn_of_segments(job);
-    if (!job.bounded()) {
+    warn_of_plan(job, job.bounded());
+    job.limits = ref::limit_report(job.program, job.machine, job.plan);
+}
+
+void warn_of_plan(Job& job, bool bounded) {
+    if (!bounded) {
         job.program.warnings.push_back(fmt::format(
             "{}: warning: no bound is derived for splines with Anchor=0; they are planned "
             "as with Anchor=1",
@@ -173,7 +176,6 @@ void plan_job(Job& job) {
                         "would not outlast a stop at their feed",
                         job.program.file, job.plan.slowed_moves));
     }
-    job.limits = ref::limit_report(job.program, job.machine, job.plan);
 }
 
 void plan_others(Job& job) {

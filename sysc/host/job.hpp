@@ -46,6 +46,14 @@ Job make_job(const Options& options, ref::Program program);
 /// @throws ref::InputError, also when the program does not move
 void plan_job(Job& job);
 
+/// The core draws splines if the program has one, in this line.
+/// @throws ref::InputError where it cannot
+void set_splines(Job& job, const std::optional<int>& line);
+
+/// Adds a job's warnings: of a path that is not smooth, of a finished plan.
+void warn_of_exact_path(Job& job);
+void warn_of_plan(Job& job, bool bounded);
+
 /// What the program would cost as it is written, or in other forms, for a report.
 void plan_others(Job& job);
 

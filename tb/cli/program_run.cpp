@@ -2,6 +2,7 @@
 #include "tb/cli/program_run.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -82,8 +83,10 @@ ProgramResult ProgramRun::run(const std::vector<std::string>& arguments, int int
         kill(child, SIGINT);
     }
     int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err),
+            usage.ru_maxrss};
 }
 
 }  // namespace curvecore::tb

@@ -12,6 +12,7 @@ struct ProgramResult {
     int status = -1;  // exit status; -1: ended by a signal
     std::string out;
     std::string err;
+    long peak_kib = 0;  // resident memory
 };
 
 class ProgramRun {

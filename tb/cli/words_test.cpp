@@ -90,7 +90,7 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 2);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 8240500981578338437u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 15827897924945021210u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 5015293398255085056u);
 }
 
 }  // namespace

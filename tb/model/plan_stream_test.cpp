@@ -52,10 +52,11 @@ struct Joined {
     std::string error;
 
     Joined() = default;
-    Joined(const Program& program, const PlanOptions& options, std::size_t window,
+    Joined(const Program& program, PlanOptions options, std::size_t window,
            ref::MoveSource source) {
+        options.window = window;
         PlanStream stream(std::move(source), {program.file, program.aux_axes, 1e9}, Machine{},
-                          options, window);
+                          options);
         try {
             while (std::optional<Plan> part = stream.next()) append(std::move(*part));
         } catch (const InputError& refused) {
@@ -125,23 +126,6 @@ Program smooth_lines(unsigned seed) {
     return program;
 }
 
-TEST(PlanStream, OfOneWindowIsThePlan) {
-    const Program program = smooth_lines(2);
-    for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
-        const Joined all = joined(program, options(effort), program.moves.size() + 1);
-        const Plan plan = ref::make_plan(program, Machine{}, options(effort));
-        EXPECT_EQ(all.parts, 1U);
-        expect_same_path(all.plan, plan);
-        ASSERT_EQ(all.plan.pieces.size(), plan.pieces.size());
-        for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
-            EXPECT_EQ(all.plan.pieces[i].ticks, plan.pieces[i].ticks);
-            EXPECT_EQ(all.plan.pieces[i].ds, plan.pieces[i].ds);
-            EXPECT_EQ(all.plan.pieces[i].c, plan.pieces[i].c);
-        }
-        EXPECT_EQ(all.plan.stop_ticks, plan.stop_ticks);
-    }
-}
-
 /// Any programs, in windows of a few tenths of a second: cuts everywhere, and windows that cannot
 /// go on.
 TEST(PlanStream, KeepsLimitsWhereverItIsCut) {
@@ -192,7 +176,7 @@ Program surface(int moves) {
 TEST(PlanStream, IsHardlySlowerThanTheWholePlan) {
     const Program program = surface(6000);
     for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
-        const Plan whole = ref::make_plan(program, Machine{}, options(effort));
+        const Plan whole = joined(program, options(effort), program.moves.size() + 1).plan;
         const Joined all = joined(program, options(effort), 500);
         EXPECT_GE(all.parts, 4U);
         EXPECT_EQ(all.forced_stops, 0U);
@@ -262,8 +246,9 @@ TEST(PlanStream, OfNothingIsRefused) {
 TEST(PlanStream, BoundsHoldsByTheFastestMotion) {
     const Program program = smooth_lines(6);
     const auto bounds = [&](double fastest) {
-        PlanStream stream(source_of(program), {program.file, 0, fastest}, Machine{},
-                          options(Effort::kOptimum), 100);
+        PlanOptions some = options(Effort::kOptimum);
+        some.window = 100;
+        PlanStream stream(source_of(program), {program.file, 0, fastest}, Machine{}, some);
         return *stream.next();
     };
     const Plan whole = ref::make_plan(program, Machine{}, options(Effort::kOptimum));

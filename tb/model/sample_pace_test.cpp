@@ -50,6 +50,7 @@ double share_used(const ref::Program& program, const CoreParameters& core, doubl
     options.core = core_time(core, available * planned_for / kPeriod);
     options.segment_queue_words = INT_MAX;  // not what queues cover, but what the core can do
     options.profile_queue_words = INT_MAX;
+    options.window = program.moves.size() + 1;  // nor what it can see
     const ref::Plan plan = make_plan(program, ref::Machine(), options);
     PathSource source(plan, 0, 1 << 16);
     PredictedPace pace(plan, core);

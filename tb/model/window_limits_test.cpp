@@ -20,12 +20,14 @@ using ref::Plan;
 using ref::PlanOptions;
 using ref::Program;
 
-/// The rule alone is looked at: not what queues cover, nor how much faster a smooth path may be.
+/// The rule alone is looked at: not what queues cover, how much faster a smooth path may be, or how
+/// far a planner sees.
 PlanOptions endless_queues() {
     PlanOptions options;
     options.effort = ref::Effort::kRules;
     options.segment_queue_words = INT_MAX;
     options.profile_queue_words = INT_MAX;
+    options.window = 1000000;
     return options;
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/program/program_stream.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+std::string kind_of(const std::string& file) {
+    std::string kind = std::filesystem::path(file).extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return kind;
+}
+
+}  // namespace
+
+bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
+
+ProgramStream::ProgramStream(const std::string& file, const PointsOptions& points) : file_(file) {
+    if (file == kStandardInput) {
+        file_ = "stdin";
+        gcode_.emplace(std::cin, file_, points.fit_tolerance);
+        return;
+    }
+    if (is_points_file(file)) {
+        points_ = read_points(file, points);
+        return;
+    }
+    const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap"};
+    if (known.count(kind_of(file)) == 0) {
+        throw InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap .csv are read");
+    }
+    text_ = std::make_unique<std::ifstream>(open_text_file(file));
+    gcode_.emplace(*text_, file, points.fit_tolerance);
+}
+
+bool ProgramStream::next(Move& move) {
+    if (gcode_) return gcode_->next(move);
+    if (next_ == points_.moves.size()) return false;
+    move = points_.moves[next_++];
+    return true;
+}
+
+int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : points_.aux_axes; }
+
+const std::vector<std::string>& ProgramStream::warnings() const {
+    return gcode_ ? gcode_->warnings() : points_.warnings;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/host/drawn_moves.hpp"
+
+#include "ref/program/spline_form.hpp"
+
+namespace curvecore::sysc {
+
+bool draws_splines(const Options& options) {
+    CoreParameters core = options.core;
+    if (options.splines_set) return core.splines != 0;
+    core.splines = 1;
+    return ref::why_not_built(core).empty();
+}
+
+DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine)
+    : program_(options.file, options.points) {
+    const bool arcs = options.arc_tolerance || !draws_splines(options);
+    if (arcs) arcs_ = options.arc_tolerance.value_or(0);
+    if (options.exact_path) return;
+    smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,
+                    arcs ? kShareBesideArcs : 1);
+}
+
+bool DrawnMoves::next(ref::Move& move) {
+    if (ready_.empty()) {
+        if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
+        if (!arcs_ || move.kind != ref::Move::Kind::kCubic) return true;
+        ref::Program one;
+        one.moves.push_back(move);
+        ref::replace_splines(one, ref::SplineForm::kArcs, *arcs_);
+        ready_.assign(one.moves.begin(), one.moves.end());
+    }
+    move = ready_.front();
+    ready_.pop_front();
+    return true;
+}
+
+}  // namespace curvecore::sysc

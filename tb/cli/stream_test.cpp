@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs of any length: words in bounded memory, the same that a plan has, and up to the last
+// good block of a pipe.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A raster over a surface in short chords, or chords that stay what they are.
+std::string raster(int chords, const char* mode) {
+    std::string text = fmt::format("G21 G90 {} F3000\n", mode);
+    double x = 0;
+    double step = 0.2;
+    for (int i = 0, row = 0; i < chords; ++i) {
+        x += step;
+        if (x > 40 || x < 0) {
+            step = -step;
+            x += step;
+            ++row;
+        }
+        text += fmt::format("G1 X{:.4f} Y{:.4f} Z{:.4f}\n", x, 0.05 * row,
+                            3 * std::sin(x / 5) * std::cos(0.05 * row / 7));
+    }
+    return text;
+}
+
+TEST(Stream, WordsOfALongProgramAreThoseOfItsPlan) {
+    const ProgramRun program;
+    program.write("part.ngc", raster(9000, "G61"));
+    for (const char* command : {"words", "plan"}) {
+        const ProgramResult result = program.run({command, "part.ngc", "-q", "-o", command});
+        ASSERT_EQ(result.status, 0) << result.err;
+    }
+    const Json words = Json::parse(program.read("words/words.json"));
+    const Json plan = Json::parse(program.read("plan/report.json"));
+    EXPECT_EQ(words["segments"]["count"], plan["segments"]);
+    EXPECT_EQ(words["profile"]["count"], plan["profile_pieces"]);
+    EXPECT_EQ(words["samples"], plan["samples"]);
+    const Json segments = Json::parse(program.read("plan/segments.json"))["segments"];
+    const std::string memory = program.read("words/segments.hex");
+    for (std::size_t i = 0; i < segments.size(); i += 500) {
+        const std::string first = segments[i]["words"][0];
+        EXPECT_NE(memory.find(fmt::format("// segment {}, line {}\n{}\n", i,
+                                          segments[i]["line"].get<int>(), first)),
+                  std::string::npos)
+            << i;
+    }
+}
+
+TEST(Stream, MemoryDoesNotGrowWithTheProgram) {
+    const ProgramRun program;
+    const auto peak = [&](int chords) {
+        program.write("part.ngc", raster(chords, "G64 P0.01"));
+        const ProgramResult result = program.run({"words", "part.ngc", "-q", "-o", "words"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.peak_kib;
+    };
+    const long short_one = peak(15000);
+    const long long_one = peak(30000);
+    EXPECT_LT(long_one, 64 * 1024);
+    EXPECT_LT(long_one, 1.25 * static_cast<double>(short_one));
+    // Control: a plan keeps all of it.
+    program.write("part.ngc", raster(30000, "G61"));
+    EXPECT_GT(program.run({"plan", "part.ngc", "-q", "-o", "plan"}).peak_kib,
+              1.5 * static_cast<double>(long_one));
+}
+
+class Pipe : public testing::Test {
+  protected:
+    ProgramResult words(const std::string& text) {
+        shell_.write("part.ngc", text);
+        return shell_.run({"-c", "cat part.ngc | " CURVECORE_PROGRAM " words - -q -o words"});
+    }
+    ProgramRun shell_{"/bin/sh"};
+};
+
+TEST_F(Pipe, AFaultAfterTheFirstWordsLeavesWhatWasGood) {
+    const std::string good = raster(9000, "G61");
+    const ProgramResult result = words(good + "G1 X3000\n");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("stdin:9002: error: X = 3000 mm is beyond"), std::string::npos);
+    EXPECT_EQ(shell_.read("words/INCOMPLETE"), result.err.substr(result.err.find("stdin:")));
+    const Json broken = Json::parse(shell_.read("words/words.json"));
+    ASSERT_EQ(words(good).status, 0);
+    EXPECT_FALSE(shell_.exists("words/INCOMPLETE"));
+    const Json whole = Json::parse(shell_.read("words/words.json"));
+    EXPECT_EQ(broken["segments"]["count"], whole["segments"]["count"]);
+    EXPECT_EQ(broken["path_quanta"], whole["path_quanta"]);
+}
+
+TEST_F(Pipe, AFaultBeforeTheFirstWordsLeavesNothing) {
+    EXPECT_EQ(words("G21 G90 F900\nG1 X3000\n").status, 2);
+    EXPECT_FALSE(shell_.exists("words"));
+}
+
+TEST_F(Pipe, WhatTheFirstMovesDoNotShowIsRefused) {
+    const ProgramResult axis = words(raster(9000, "G61") + "G1 A5\n");
+    EXPECT_EQ(axis.status, 2);
+    EXPECT_NE(axis.err.find("stdin:9002: error: an axis that the first moves"), std::string::npos);
+    const ProgramResult spline = words(raster(9000, "G61") + "G5 X9 Y6 I0 J3 P-2 Q0\n");
+    EXPECT_EQ(spline.status, 2);
+    EXPECT_NE(spline.err.find("give --set Splines=1"), std::string::npos) << spline.err;
+}
+
+/// Of a file the same is seen before a word is written.
+TEST(Stream, AFileIsLookedAtFirst) {
+    const ProgramRun program;
+    program.write("part.ngc", raster(9000, "G61") + "G1 X3000\n");
+    const ProgramResult result = program.run({"words", "part.ngc", "-q", "-o", "words"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_NE(result.err.find("part.ngc:9002: error: X = 3000 mm is beyond"), std::string::npos);
+    EXPECT_FALSE(program.exists("words"));
+    program.write("part.ngc", raster(9000, "G61") + "G1 A5\n");
+    EXPECT_EQ(program.run({"words", "part.ngc", "-q", "-o", "words"}).status, 0);
+    EXPECT_EQ(Json::parse(program.read("words/words.json"))["parameters"]["AuxAxes"], 1);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
