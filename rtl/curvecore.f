@@ -5,6 +5,7 @@ network/spline_pkg.sv
 node/riemann_pkg.sv
 node/scaler_pkg.sv
 node/series_pkg.sv
+pulse/pulse_pkg.sv
 queue/words_pkg.sv
 sampler/bank_pkg.sv
 serial/serial_program_pkg.sv
@@ -78,6 +79,13 @@ path/tau_shift.sv
 path/time_scaler.sv
 path/underrun_guard.sv
 path/word_streams.sv
+pulse/place_scaler.sv
+pulse/sample_period.sv
+pulse/step_axis.sv
+pulse/step_generator.sv
+pulse/step_phase.sv
+pulse/step_pulse.sv
+pulse/synchroniser.sv
 queue/frame_entry.sv
 queue/frame_room.sv
 queue/sample_queue.sv

@@ -52,6 +52,10 @@ done | xargs -P "$(nproc)" -L 1 sh -c \
    CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 ||
      echo "FAILED: $0"
    grep -H "words differ" $log'
+# 10^8 steps of the step generator under the monitors of its pins, 2 10^7 in each configuration.
+for bench in build/release/tb/step_pins_*; do
+  CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps,"
+done
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json

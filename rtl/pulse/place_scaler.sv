@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Positions of a sample into rates: by how much each axis moves in the sample's period.
+//
+//     place = floor(position scale / 2^FineBits)          2^-16 step
+//     rate  = place - place of the sample before          2^-16 step per period
+//
+// scale: how many 2^-16 steps are in the whole range of positions, 2^FineBits of their units.
+// Places are absolute, so no rounding adds up; a scale that is off by half a last bit moves no
+// place by more than 2^-18 step. One adder serves all axes, bit by bit:
+//
+//   clock                0    1    ..  FineBits  +1   +2       +3    +4
+//   a bit is chosen      0    1        -
+//   addend_q                       0 ..          last -place
+//   sum_q                                             place    rate
+//   memory                                            place          rate
+//   sample_ready_o                                                   1 of the last axis
+//
+// An axis that is to be referenced (fresh_i) takes its place as it is: the rate is the place's
+// signed fraction of a step, and counts from a standstill on a whole step.
+// A rate that is no word of RateBits, half a step per clock or more, is refused.
+//
+// Rates wait in the memory until they are taken: read_i, and a clock later rate_o. Twin:
+// PlaceScaler of hls/place_scaler.hpp.
+`default_nettype none
+module place_scaler #(
+    parameter int Axes      = 3,   // [1, 9]
+    parameter int FineBits  = 42,  // [18, 44]
+    parameter int ScaleBits = 44,  // [40, 56]
+    parameter int RateBits  = 29   // [22, 36]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Scales, to be written while nothing moves; then the axis needs a reference
+    input wire logic                 scale_write_i,
+    input wire logic [          3:0] scale_axis_i,
+    input wire logic [ScaleBits-1:0] scale_i,
+
+    // Samples, axis 0 in the low bits
+    input  wire logic                     sample_valid_i,
+    output logic                          sample_ready_o,
+    input  wire logic [Axes*FineBits-1:0] sample_i,
+
+    // Which axes are referenced by this sample, and which count at all
+    input  wire logic [Axes-1:0] fresh_i,
+    input  wire logic [Axes-1:0] referenced_i,
+    output logic      [Axes-1:0] fresh_taken_o,
+
+    // Rates: of all axes, until the last one is taken
+    output logic                     rates_valid_o,
+    output logic                     moving_o,       // one of them is not 0
+    input  wire logic                rates_taken_i,
+    input  wire logic                read_i,         // while rates are valid
+    input  wire logic [         3:0] read_axis_i,
+    output logic      [RateBits-1:0] rate_o,
+    output logic                     moves_o,
+    output logic                     fresh_o,
+    output logic                     refused_o
+);
+
+  localparam int Fraction = pulse_pkg::StepFraction;
+  localparam int SumBits = ScaleBits + 2;
+  localparam int IndexBits = $clog2(Axes * FineBits + 1);
+
+  // When: bits of an axis, then its difference.
+  logic [3:0] axis_q;
+  logic [5:0] bits_q;
+  logic [IndexBits-1:0] index_q;
+  logic choosing_q;
+  logic chosen_q;
+  logic sign_q;
+  logic adding_q;
+  logic [3:0] tail_q;
+  logic [Axes-1:0] here;  // the axis at hand, one of them
+  logic last_bit;
+  logic last_axis;
+  logic ends;
+  logic starts;
+  assign last_bit = choosing_q && bits_q == 6'(FineBits - 1);
+  assign here = Axes'(1) << axis_q;
+  assign last_axis = axis_q == 4'(Axes - 1);
+  assign ends = tail_q[3] && last_axis;
+  assign sample_ready_o = ends;
+  logic idle_q;
+  assign starts = (idle_q && sample_valid_i && !rates_valid_o) || (tail_q[3] && !last_axis);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      idle_q        <= 1'b1;
+      axis_q        <= '0;
+      bits_q        <= '0;
+      index_q       <= '0;
+      choosing_q    <= 1'b0;
+      chosen_q      <= 1'b0;
+      sign_q        <= 1'b0;
+      adding_q      <= 1'b0;
+      tail_q        <= '0;
+      rates_valid_o <= 1'b0;
+    end else begin
+      if (starts) idle_q <= 1'b0;
+      else if (ends) idle_q <= 1'b1;
+      if (ends) axis_q <= '0;
+      else if (tail_q[3]) axis_q <= axis_q + 1'b1;
+      if (starts) choosing_q <= 1'b1;
+      else if (last_bit) choosing_q <= 1'b0;
+      if (last_bit) bits_q <= '0;
+      else if (choosing_q) bits_q <= bits_q + 1'b1;
+      if (ends) index_q <= '0;
+      else if (choosing_q) index_q <= index_q + 1'b1;
+      chosen_q <= choosing_q;
+      sign_q   <= last_bit;
+      adding_q <= chosen_q;
+      tail_q   <= {tail_q[2:0], sign_q};
+      if (ends) rates_valid_o <= 1'b1;
+      else if (rates_taken_i) rates_valid_o <= 1'b0;
+    end
+  end
+
+  // The bit at hand, and whether its axis begins anew.
+  logic bit_q;
+  logic fresh_q;
+  always_ff @(posedge clk_i) begin
+    bit_q <= sample_i[index_q];
+    if (sign_q) fresh_q <= (fresh_i & here) != '0;
+  end
+
+  // Memories: scales by axis; places, and above them rates.
+  logic [ScaleBits-1:0] scale_q;
+  logic [ScaleBits-1:0] scales  [16];
+  always_ff @(posedge clk_i) begin
+    if (scale_write_i) scales[scale_axis_i] <= scale_i;
+    scale_q <= scales[axis_q];
+  end
+  logic write;
+  logic [4:0] write_address;
+  logic [4:0] read_address;
+  logic [SumBits-1:0] write_data;
+  logic [SumBits-1:0] word_q;
+  (* no_rw_check, ram_style = "block" *)
+  logic [SumBits-1:0] words[32];
+  assign write = tail_q[1] || tail_q[3];
+  assign write_address = {tail_q[3], axis_q};
+  assign read_address = {read_i, read_i ? read_axis_i : axis_q};
+  always_ff @(posedge clk_i) begin
+    if (write) words[write_address] <= write_data;
+    word_q <= words[read_address];
+  end
+
+  // Sums: of the product's digits, each time a bit further, then the difference.
+  logic signed [ScaleBits:0] addend_q;
+  logic carry_q;
+  logic signed [SumBits-1:0] sum_q;  // [SumBits-1:1]: what the next one is added to
+  logic signed [ScaleBits:0] scale;
+  logic signed [ScaleBits:0] place;
+  logic signed [SumBits-1:0] sum;
+  assign scale = {1'b0, scale_q};
+  assign place = word_q[SumBits-1:1];
+  assign sum = {sum_q[SumBits-1], sum_q[SumBits-1:1]} + {addend_q[ScaleBits], addend_q}
+      + SumBits'(carry_q);
+  always_ff @(posedge clk_i) begin
+    if (tail_q[0]) addend_q <= fresh_q ? '0 : ~place;
+    else if (chosen_q && bit_q) addend_q <= sign_q ? ~scale : scale;
+    else addend_q <= '0;
+    carry_q <= tail_q[0] ? !fresh_q : sign_q && bit_q;
+    if (!rst_ni || tail_q[3]) sum_q <= '0;
+    else if (adding_q || tail_q[1]) sum_q <= sum;
+  end
+
+  // The rate, as the memory keeps it.
+  logic counts_q;
+  logic moves_q;
+  logic refused_q;
+  logic fits;
+  logic signed [RateBits-1:0] rate;
+  assign fits = sum_q[SumBits-1:RateBits-1] == '0 || sum_q[SumBits-1:RateBits-1] == '1;
+  assign rate = fresh_q ? {{(RateBits - Fraction) {sum_q[Fraction-1]}}, sum_q[Fraction-1:0]} :
+      sum_q[RateBits-1:0];
+  always_ff @(posedge clk_i) begin
+    counts_q  <= (referenced_i & here) != '0 && !fresh_q;
+    refused_q <= counts_q && !fits;
+    moves_q   <= counts_q && sum_q[RateBits-1:0] != '0;
+  end
+  always_comb begin
+    write_data = sum_q;
+    if (tail_q[3]) write_data[RateBits+2:0] = {refused_q, fresh_q, moves_q, rate};
+  end
+  assign fresh_taken_o = tail_q[3] && fresh_q ? here : '0;
+  logic moving_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || ends) moving_q <= 1'b0;
+    else if (tail_q[3] && moves_q) moving_q <= 1'b1;
+    if (ends) moving_o <= moving_q || moves_q;
+  end
+
+  assign rate_o = word_q[RateBits-1:0];
+  assign moves_o = word_q[RateBits];
+  assign fresh_o = word_q[RateBits+1];
+  assign refused_o = word_q[RateBits+2];
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+// Words of the step generator. Twin: hls/step_words.hpp.
+`default_nettype none
+package pulse_pkg;
+
+  localparam int StepFraction = 16;  // fraction bits of a place, in steps
+
+endpackage
+`default_nettype wire

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples in, steps out: every step when its axis' place, between two samples, is half-way between
+// two whole steps.
+//
+//   samples -> place_scaler -> rates -> step_axis -> step, direction      of each axis
+//                 ^ scales       ^ sample_period
+//
+// A sample is wanted every 2^PeriodLog2 clocks. Between two samples the place is a straight line
+// in time, rounded to 2^-16 step at its ends only. So the pins follow positions, not speeds: what
+// they count is at all times what the place says, and no error adds up.
+//
+//   clock               0     Axes (FineBits + 5)
+//   sample_valid_i      1     1
+//   sample_ready_o            1                      at the earliest: when no rates wait
+//
+//   clock               0     a + 2          a + 5 + n
+//   tick_o              1
+//   axis a                    takes its rate
+//   step_o                                   rises
+//
+// n, from 1 to 2^PeriodLog2, is the first clock of the period at whose end the place has crossed:
+// one latency, and one clock more for each axis. That is when no time of the drive is in the way;
+// which times there are, how steps wait and what is an overrun: rtl/pulse/step_pulse.sv.
+//
+// reference_i: the next sample says where the axis stands; before that it gives no steps. estop_i
+// (all axes) and limit_i (each) come from outside: two clocks of a synchroniser and one more, and
+// the step pin is low. The axis then needs a reference, and so it does after a refused rate: half a
+// step per clock or more.
+//
+// The flags of an axis stay until its next reference, late_o until that of any axis: a sample was
+// not there in time while the axes were moving.
+`default_nettype none
+module step_generator #(
+    parameter int Axes       = 3,   // [1, 9]
+    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int ScaleBits  = 44,  // [40, 56]
+    parameter int PeriodLog2 = 13,  // [6, 20]
+    parameter int TimeBits   = 12   // [4, 16]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Scales: 2^-16 steps in 2^FineBits units of a position
+    input wire logic                 scale_write_i,
+    input wire logic [          3:0] scale_axis_i,
+    input wire logic [ScaleBits-1:0] scale_i,
+
+    // Times of the drives, in clocks; levels of the pins
+    input wire logic [TimeBits-1:0] steplen_i,
+    input wire logic [TimeBits-1:0] stepspace_i,
+    input wire logic [TimeBits-1:0] dirsetup_i,
+    input wire logic [TimeBits-1:0] dirhold_i,
+    input wire logic [    Axes-1:0] step_inverted_i,
+    input wire logic [    Axes-1:0] direction_inverted_i,
+
+    // Samples, axis 0 in the low bits
+    input  wire logic                     sample_valid_i,
+    output logic                          sample_ready_o,
+    input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic [         Axes-1:0] reference_i,
+
+    // From outside
+    input wire logic            estop_i,
+    input wire logic [Axes-1:0] limit_i,
+
+    // Pins
+    output logic [Axes-1:0] step_o,
+    output logic [Axes-1:0] direction_o,
+
+    // What happens
+    output logic            tick_o,
+    output logic [Axes-1:0] rise_o,        // the pulse begins after this clock
+    output logic [Axes-1:0] back_o,        // its direction
+    output logic [Axes-1:0] referenced_o,
+    output logic [Axes-1:0] uncertain_o,   // a pulse was cut: by one step
+    output logic [Axes-1:0] overrun_o,     // a step was dropped
+    output logic [Axes-1:0] refused_o,     // too fast
+    output logic            late_o
+);
+
+  initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
+  initial if (FineBits < 18 || FineBits > 44) $fatal(1, "FineBits must be in [18, 44]");
+  initial if (ScaleBits < 40 || ScaleBits > 56) $fatal(1, "ScaleBits must be in [40, 56]");
+  initial if (PeriodLog2 < 6 || PeriodLog2 > 20) $fatal(1, "PeriodLog2 must be in [6, 20]");
+  initial if (TimeBits < 4 || TimeBits > 16) $fatal(1, "TimeBits must be in [4, 16]");
+  // Scaling, and loading before it.
+  initial
+    if (Axes * (FineBits + 6) + 4 > 2 ** PeriodLog2)
+      $fatal(1, "Axes (FineBits + 6) + 4 clocks must fit in a period");
+
+  localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
+
+  logic [Axes-1:0] fresh_q;  // to be referenced by the next sample
+  logic [Axes-1:0] fresh_taken;
+  logic late;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) fresh_q <= '0;
+    else fresh_q <= (fresh_q & ~fresh_taken) | reference_i;
+    if (!rst_ni || reference_i != '0) late_o <= 1'b0;
+    else if (late) late_o <= 1'b1;
+  end
+
+  logic rates_valid;
+  logic moving;
+  logic taken;
+  logic read;
+  logic [3:0] read_axis;
+  logic [RateBits-1:0] rate;
+  logic moves;
+  logic fresh;
+  logic refused;
+  place_scaler #(
+      .Axes     (Axes),
+      .FineBits (FineBits),
+      .ScaleBits(ScaleBits),
+      .RateBits (RateBits)
+  ) u_scaler (
+      .clk_i,
+      .rst_ni,
+      .scale_write_i,
+      .scale_axis_i,
+      .scale_i,
+      .sample_valid_i,
+      .sample_ready_o,
+      .sample_i,
+      .fresh_i(fresh_q),
+      .referenced_i(referenced_o),
+      .fresh_taken_o(fresh_taken),
+      .rates_valid_o(rates_valid),
+      .moving_o(moving),
+      .rates_taken_i(taken),
+      .read_i(read),
+      .read_axis_i(read_axis),
+      .rate_o(rate),
+      .moves_o(moves),
+      .fresh_o(fresh),
+      .refused_o(refused)
+  );
+
+  logic [Axes-1:0] load;
+  logic none;
+  sample_period #(
+      .Axes      (Axes),
+      .PeriodLog2(PeriodLog2)
+  ) u_period (
+      .clk_i,
+      .rst_ni,
+      .valid_i(rates_valid),
+      .moving_i(moving),
+      .read_o(read),
+      .read_axis_o(read_axis),
+      .taken_o(taken),
+      .tick_o,
+      .late_o(late),
+      .load_o(load),
+      .none_o(none)
+  );
+
+  logic estop;
+  logic [Axes-1:0] limit;
+  synchroniser #(
+      .Bits(Axes + 1)
+  ) u_synchroniser (
+      .clk_i,
+      .rst_ni,
+      .input_i ({estop_i, limit_i}),
+      .output_o({estop, limit})
+  );
+
+  logic [Axes-1:0] step;
+  assign step_o = step ^ step_inverted_i;
+  assign direction_o = back_o ^ direction_inverted_i;
+  for (genvar a = 0; a < Axes; a++) begin : gen_axes
+    step_axis #(
+        .RateBits(RateBits),
+        .TimeBits(TimeBits)
+    ) u_axis (
+        .clk_i,
+        .rst_ni,
+        .steplen_i,
+        .stepspace_i,
+        .dirsetup_i,
+        .dirhold_i,
+        .load_i(load[a]),
+        .none_i(none),
+        .fresh_i(fresh),
+        .moves_i(moves),
+        .rate_i(rate),
+        .stop_i(estop || limit[a]),
+        .refused_i(refused),
+        .step_o(step[a]),
+        .direction_o(back_o[a]),
+        .rise_o(rise_o[a]),
+        .referenced_o(referenced_o[a]),
+        .refused_o(refused_o[a]),
+        .overrun_o(overrun_o[a]),
+        .uncertain_o(uncertain_o[a])
+    );
+  end
+
+endmodule
+`default_nettype wire
