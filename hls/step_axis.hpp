@@ -58,62 +58,50 @@ struct PulseTimes {
 /// Steps as pulses.
 class StepPulse {
   public:
-    static constexpr int kMostWaiting = 7;  // in each direction
+    static constexpr int kMostWaiting = 3;  // in each direction
 
     void clock(const PulseTimes& times, bool hit, bool back, bool stop, bool clear) {
+        const int length = at_least_1(times.steplen);
         int& here = waiting_[direction_];
         const int there = waiting_[!direction_];
         const bool overrun =
-            hit && !stop && (waiting_[back] == kMostWaiting || (there > 0 && back == direction_));
-        const bool free = state_ == State::kReady || (state_ != State::kHigh && done_);
-        const bool rise = free && here > 0 && !stop;
-        const bool turn = state_ == State::kReady && done_ && here == 0 &&
-                          (there > 0 || back != direction_) && !stop;
-        const bool fall = state_ == State::kHigh && (done_ || stop);
-        uncertain_ = !clear && (uncertain_ || (fall && !done_));
-        overrun_ = !clear && (overrun_ || overrun);
-        if (rise) --here;
+            hit && (waiting_[back] == kMostWaiting || (there > 0 && back == direction_));
+        const bool rise = here > 0 && space_ && set_ && !stop;
+        const bool turn =
+            here == 0 && (there > 0 || back != direction_) && space_ && hold_ && set_ && !stop;
+        uncertain_ = !clear && (uncertain_ || (step_ && stop && !long_));
+        overrun_ = !clear && (overrun_ || (overrun && !stop));
+        if (step_ && (long_ || stop)) step_ = false;
+        if (rise) {
+            step_ = true;
+            --here;
+        }
         if (hit && !overrun) ++waiting_[back];
         if (stop) waiting_[0] = waiting_[1] = 0;
         if (turn) direction_ = !direction_;
-        if (rise) {
-            begin(State::kHigh, times.steplen);
-        } else if (fall) {
-            begin(State::kSpace, times.stepspace);
-        } else if (turn) {
-            begin(State::kSetup, times.dirsetup);
-        } else {
-            const int least = state_ == State::kHigh    ? times.steplen
-                              : state_ == State::kSpace ? times.stepspace
-                              : state_ == State::kSetup ? times.dirsetup
-                                                        : times.dirhold;
-            const bool rests = state_ != State::kReady && free;
-            const bool over = age_ >= least;
-            if (!done_) ++age_;
-            done_ = over && !rests;
-            if (rests) state_ = State::kReady;
-        }
+        long_ = rise ? length == 1 : long_ || age_ == length;
+        space_ = !rise && (space_ || age_ == length + at_least_1(times.stepspace));
+        hold_ = !rise && (hold_ || age_ == length + at_least_1(times.dirhold));
+        set_ = turn ? times.dirsetup <= 1 : set_ || age_ == times.dirsetup;
+        age_ = rise || turn ? 2 : age_ + 1;
     }
 
-    bool step() const { return state_ == State::kHigh; }
+    bool step() const { return step_; }
     bool direction() const { return direction_; }
     bool overrun() const { return overrun_; }
     bool uncertain() const { return uncertain_; }
 
   private:
-    enum class State { kReady, kHigh, kSpace, kSetup };
+    static int at_least_1(int time) { return time < 1 ? 1 : time; }
 
-    void begin(State state, int time) {
-        state_ = state;
-        age_ = 2;
-        done_ = time <= 1;
-    }
-
-    State state_ = State::kReady;
-    int age_ = 0;  // clocks since the last edge, as they will be after the next
-    bool done_ = false;
-    bool direction_ = false;
     int waiting_[2] = {0, 0};
+    std::int64_t age_ = 0;  // since the last pulse's beginning or turn, as in the next clock
+    bool long_ = false;     // which times are over
+    bool space_ = true;
+    bool hold_ = true;
+    bool set_ = true;
+    bool step_ = false;
+    bool direction_ = false;
     bool overrun_ = false;
     bool uncertain_ = false;
 };

@@ -80,6 +80,7 @@ path/time_scaler.sv
 path/underrun_guard.sv
 path/word_streams.sv
 pulse/place_scaler.sv
+pulse/pulse_times.sv
 pulse/sample_period.sv
 pulse/step_axis.sv
 pulse/step_generator.sv

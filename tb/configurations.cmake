@@ -224,7 +224,7 @@ illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8"
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
 # The step generator: axes, position, scale, sample period, times of pulses.
-foreach(size 1,42,44,6,12 3,42,44,9,12 3,42,44,13,12 9,44,56,9,16 2,18,40,6,4)
+foreach(size 1,42,44,6,12 3,42,44,9,12 3,42,44,13,12 9,44,56,9,16 2,18,40,6,5)
   read_row(${size} axes fine scale period time)
   set(parameters Axes=${axes} FineBits=${fine} ScaleBits=${scale} PeriodLog2=${period}
                  TimeBits=${time})
@@ -238,7 +238,7 @@ illegal_parameter_test(step_generator FineBits=45 "FineBits must be in .18, 44."
 illegal_parameter_test(step_generator ScaleBits=39 "ScaleBits must be in .40, 56.")
 illegal_parameter_test(step_generator PeriodLog2=21 "PeriodLog2 must be in .6, 20.")
 illegal_parameter_test(step_generator TimeBits=3 "TimeBits must be in .4, 16.")
-illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 6. . 4 clocks must fit")
+illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 7. . 4 clocks must fit")
 
 illegal_parameter_test(curve_interpolator_serial Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")

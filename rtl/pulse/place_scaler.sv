@@ -8,12 +8,12 @@
 // Places are absolute, so no rounding adds up; a scale that is off by half a last bit moves no
 // place by more than 2^-18 step. One adder serves all axes, bit by bit:
 //
-//   clock                0    1    ..  FineBits  +1   +2       +3    +4
-//   a bit is chosen      0    1        -
-//   addend_q                       0 ..          last -place
-//   sum_q                                             place    rate
-//   memory                                            place          rate
-//   sample_ready_o                                                   1 of the last axis
+//   clock             0  1  2  3  ..  FineBits  +1  +2      +3      +4     +5
+//   a bit is chosen   0  1  2
+//   addend_q                   0                    last    -place
+//   sum_q                                                   place   rate
+//   memory                                                  place          rate
+//   sample_ready_o                                                         1, of the last axis
 //
 // An axis that is to be referenced (fresh_i) takes its place as it is: the rate is the place's
 // signed fraction of a step, and counts from a standstill on a whole step.
@@ -69,8 +69,8 @@ module place_scaler #(
   logic choosing_q;
   logic chosen_q;
   logic sign_q;
-  logic adding_q;
-  logic [3:0] tail_q;
+  logic [1:0] adding_q;
+  logic [4:0] tail_q;
   logic [Axes-1:0] here;  // the axis at hand, one of them
   logic last_bit;
   logic last_axis;
@@ -79,10 +79,10 @@ module place_scaler #(
   assign last_bit = choosing_q && bits_q == 6'(FineBits - 1);
   assign here = Axes'(1) << axis_q;
   assign last_axis = axis_q == 4'(Axes - 1);
-  assign ends = tail_q[3] && last_axis;
+  assign ends = tail_q[4] && last_axis;
   assign sample_ready_o = ends;
   logic idle_q;
-  assign starts = (idle_q && sample_valid_i && !rates_valid_o) || (tail_q[3] && !last_axis);
+  assign starts = (idle_q && sample_valid_i && !rates_valid_o) || (tail_q[4] && !last_axis);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       idle_q        <= 1'b1;
@@ -92,14 +92,14 @@ module place_scaler #(
       choosing_q    <= 1'b0;
       chosen_q      <= 1'b0;
       sign_q        <= 1'b0;
-      adding_q      <= 1'b0;
+      adding_q      <= '0;
       tail_q        <= '0;
       rates_valid_o <= 1'b0;
     end else begin
       if (starts) idle_q <= 1'b0;
       else if (ends) idle_q <= 1'b1;
       if (ends) axis_q <= '0;
-      else if (tail_q[3]) axis_q <= axis_q + 1'b1;
+      else if (tail_q[4]) axis_q <= axis_q + 1'b1;
       if (starts) choosing_q <= 1'b1;
       else if (last_bit) choosing_q <= 1'b0;
       if (last_bit) bits_q <= '0;
@@ -108,8 +108,8 @@ module place_scaler #(
       else if (choosing_q) index_q <= index_q + 1'b1;
       chosen_q <= choosing_q;
       sign_q   <= last_bit;
-      adding_q <= chosen_q;
-      tail_q   <= {tail_q[2:0], sign_q};
+      adding_q <= {adding_q[0], chosen_q};
+      tail_q   <= {tail_q[3:0], sign_q};
       if (ends) rates_valid_o <= 1'b1;
       else if (rates_taken_i) rates_valid_o <= 1'b0;
     end
@@ -125,6 +125,7 @@ module place_scaler #(
 
   // Memories: scales by axis; places, and above them rates.
   logic [ScaleBits-1:0] scale_q;
+  (* no_rw_check, ram_style = "block" *)
   logic [ScaleBits-1:0] scales  [16];
   always_ff @(posedge clk_i) begin
     if (scale_write_i) scales[scale_axis_i] <= scale_i;
@@ -137,8 +138,8 @@ module place_scaler #(
   logic [SumBits-1:0] word_q;
   (* no_rw_check, ram_style = "block" *)
   logic [SumBits-1:0] words[32];
-  assign write = tail_q[1] || tail_q[3];
-  assign write_address = {tail_q[3], axis_q};
+  assign write = tail_q[2] || tail_q[4];
+  assign write_address = {tail_q[4], axis_q};
   assign read_address = {read_i, read_i ? read_axis_i : axis_q};
   always_ff @(posedge clk_i) begin
     if (write) words[write_address] <= write_data;
@@ -146,6 +147,14 @@ module place_scaler #(
   end
 
   // Sums: of the product's digits, each time a bit further, then the difference.
+  typedef enum logic [1:0] {
+    Nothing,
+    Scale,
+    LessScale,
+    LessPlace
+  } what_t;
+  (* fsm_encoding = "none" *)
+  what_t what_q;
   logic signed [ScaleBits:0] addend_q;
   logic carry_q;
   logic signed [SumBits-1:0] sum_q;  // [SumBits-1:1]: what the next one is added to
@@ -157,12 +166,18 @@ module place_scaler #(
   assign sum = {sum_q[SumBits-1], sum_q[SumBits-1:1]} + {addend_q[ScaleBits], addend_q}
       + SumBits'(carry_q);
   always_ff @(posedge clk_i) begin
-    if (tail_q[0]) addend_q <= fresh_q ? '0 : ~place;
-    else if (chosen_q && bit_q) addend_q <= sign_q ? ~scale : scale;
-    else addend_q <= '0;
-    carry_q <= tail_q[0] ? !fresh_q : sign_q && bit_q;
-    if (!rst_ni || tail_q[3]) sum_q <= '0;
-    else if (adding_q || tail_q[1]) sum_q <= sum;
+    if (tail_q[0]) what_q <= fresh_q ? Nothing : LessPlace;
+    else if (chosen_q && bit_q) what_q <= sign_q ? LessScale : Scale;
+    else what_q <= Nothing;
+    case (what_q)
+      Scale: addend_q <= scale;
+      LessScale: addend_q <= ~scale;
+      LessPlace: addend_q <= ~place;
+      default: addend_q <= '0;
+    endcase
+    carry_q <= what_q == LessScale || what_q == LessPlace;
+    if (!rst_ni || tail_q[4]) sum_q <= '0;
+    else if (adding_q[1] || tail_q[2]) sum_q <= sum;
   end
 
   // The rate, as the memory keeps it.
@@ -181,13 +196,13 @@ module place_scaler #(
   end
   always_comb begin
     write_data = sum_q;
-    if (tail_q[3]) write_data[RateBits+2:0] = {refused_q, fresh_q, moves_q, rate};
+    if (tail_q[4]) write_data[RateBits+2:0] = {refused_q, fresh_q, moves_q, rate};
   end
-  assign fresh_taken_o = tail_q[3] && fresh_q ? here : '0;
+  assign fresh_taken_o = tail_q[4] && fresh_q ? here : '0;
   logic moving_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || ends) moving_q <= 1'b0;
-    else if (tail_q[3] && moves_q) moving_q <= 1'b1;
+    else if (tail_q[4] && moves_q) moving_q <= 1'b1;
     if (ends) moving_o <= moving_q || moves_q;
   end
 

@@ -9,7 +9,7 @@
 // in time, rounded to 2^-16 step at its ends only. So the pins follow positions, not speeds: what
 // they count is at all times what the place says, and no error adds up.
 //
-//   clock               0     Axes (FineBits + 5)
+//   clock               0     Axes (FineBits + 6)
 //   sample_valid_i      1     1
 //   sample_ready_o            1                      at the earliest: when no rates wait
 //
@@ -45,7 +45,8 @@ module step_generator #(
     input wire logic [          3:0] scale_axis_i,
     input wire logic [ScaleBits-1:0] scale_i,
 
-    // Times of the drives, in clocks; levels of the pins
+    // Times of the drives, in clocks, 0 counts as 1; steplen + stepspace and steplen + dirhold are
+    // below 2^TimeBits. Levels of the pins
     input wire logic [TimeBits-1:0] steplen_i,
     input wire logic [TimeBits-1:0] stepspace_i,
     input wire logic [TimeBits-1:0] dirsetup_i,
@@ -85,8 +86,8 @@ module step_generator #(
   initial if (TimeBits < 4 || TimeBits > 16) $fatal(1, "TimeBits must be in [4, 16]");
   // Scaling, and loading before it.
   initial
-    if (Axes * (FineBits + 6) + 4 > 2 ** PeriodLog2)
-      $fatal(1, "Axes (FineBits + 6) + 4 clocks must fit in a period");
+    if (Axes * (FineBits + 7) + 4 > 2 ** PeriodLog2)
+      $fatal(1, "Axes (FineBits + 7) + 4 clocks must fit in a period");
 
   localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
 
@@ -167,6 +168,28 @@ module step_generator #(
       .output_o({estop, limit})
   );
 
+  logic [TimeBits-1:0] length;
+  logic [TimeBits-1:0] setup;
+  logic [TimeBits-1:0] again;
+  logic [TimeBits-1:0] turn;
+  logic length_1;
+  logic setup_1;
+  pulse_times #(
+      .TimeBits(TimeBits)
+  ) u_times (
+      .clk_i,
+      .steplen_i,
+      .stepspace_i,
+      .dirsetup_i,
+      .dirhold_i,
+      .length_o(length),
+      .setup_o(setup),
+      .again_o(again),
+      .turn_o(turn),
+      .length_1_o(length_1),
+      .setup_1_o(setup_1)
+  );
+
   logic [Axes-1:0] step;
   assign step_o = step ^ step_inverted_i;
   assign direction_o = back_o ^ direction_inverted_i;
@@ -177,10 +200,12 @@ module step_generator #(
     ) u_axis (
         .clk_i,
         .rst_ni,
-        .steplen_i,
-        .stepspace_i,
-        .dirsetup_i,
-        .dirhold_i,
+        .length_i(length),
+        .setup_i(setup),
+        .again_i(again),
+        .turn_i(turn),
+        .length_1_i(length_1),
+        .setup_1_i(setup_1),
         .load_i(load[a]),
         .none_i(none),
         .fresh_i(fresh),

@@ -2,15 +2,15 @@
 // One axis' steps as pulses that a drive can see.
 //
 //   step_o       ____/^^^^^^^^^\____________________________/^^^^^^^^^\__
-//   direction_o  ______________________________/^^^^^^^^^^^^^^^^^^^^^^^^^
+//   direction_o  ______________________________/^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
 //                    | steplen |    dirhold    |  dirsetup  |
 //                              | stepspace, at least        |
 //
-// Times are in clocks; 0 counts as 1. A step that is due (hit_i, in the direction back_i) goes out
-// two clocks later when nothing is in its way, else as soon as it may. The pin turns as soon as
-// back_i says so, before the first step back is due, when all steps before are out.
+// A step that is due (hit_i, in the direction back_i) goes out two clocks later when nothing is in
+// its way, else in the first clock that the times allow. The pin turns as soon as back_i says so,
+// before the first step back is due, when all steps before are out; not within stepspace.
 //
-// Up to 7 steps wait in each direction, and one turn between them. A step beyond is dropped, and
+// Up to 3 steps wait in each direction, and one turn between them. A step beyond is dropped, and
 // overrun_o tells; no step is set off against another.
 //
 // stop_i: the pulse ends at once, steps that wait are dropped, both pins stand still. If it cut a
@@ -23,11 +23,13 @@ module step_pulse #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Settings, [1, 2^TimeBits - 2]
-    input wire logic [TimeBits-1:0] steplen_i,
-    input wire logic [TimeBits-1:0] stepspace_i,
-    input wire logic [TimeBits-1:0] dirsetup_i,
-    input wire logic [TimeBits-1:0] dirhold_i,
+    // Times in clocks, of pulse_times
+    input wire logic [TimeBits-1:0] length_i,
+    input wire logic [TimeBits-1:0] setup_i,
+    input wire logic [TimeBits-1:0] again_i,
+    input wire logic [TimeBits-1:0] turn_i,
+    input wire logic                length_1_i,
+    input wire logic                setup_1_i,
 
     input wire logic hit_i,
     input wire logic back_i,
@@ -41,100 +43,73 @@ module step_pulse #(
     output logic uncertain_o
 );
 
-  typedef enum logic [1:0] {
-    Ready,
-    High,
-    Space,
-    Setup
-  } state_t;
-  state_t state_q;
-
-  logic done_q;  // the time of the state is over
-  logic [2:0] forth_q;  // steps that wait
+  // Steps that wait, as so many ones from below.
+  logic [2:0] forth_q;
   logic [2:0] back_q;
   logic here;  // some in the direction of the pin
   logic there;  // some in the other
-  logic full;
-  logic overrun;
-  logic free;
+  assign here  = direction_o ? back_q[0] : forth_q[0];
+  assign there = direction_o ? forth_q[0] : back_q[0];
+
+  // Which times are over. age_q: clocks since the last pulse began or the pin turned, as they will
+  // be after the next.
+  logic [TimeBits-1:0] age_q;
+  logic long_q;  // the pulse is long enough
+  logic space_q;  // another one may follow
+  logic hold_q;  // or a turn
+  logic set_q;  // the direction is set up
   logic turn;
   logic fall;
-  logic rests;  // from Space or Setup to Ready
-  assign here = direction_o ? back_q != '0 : forth_q != '0;
-  assign there = direction_o ? forth_q != '0 : back_q != '0;
-  assign full = back_i ? back_q == '1 : forth_q == '1;
-  assign overrun = hit_i && !stop_i && (full || (there && back_i == direction_o));
-  assign free = state_q == Ready || (state_q != High && done_q);
-  assign rise_o = free && here && !stop_i;
-  assign turn = state_q == Ready && done_q && !here && (there || back_i != direction_o) && !stop_i;
-  assign rests = state_q != Ready && free && !rise_o;
-  assign fall = state_q == High && (done_q || stop_i);
-
-  // Clocks since the last edge of a pin, as they will be after the next; a time of one clock is
-  // over at once.
-  logic [TimeBits-1:0] age_q;
-  logic [TimeBits-1:0] least;
-  logic more;
-  always_comb begin
-    case (state_q)
-      High: least = steplen_i;
-      Space: least = stepspace_i;
-      Setup: least = dirsetup_i;
-      default: least = dirhold_i;
-    endcase
-  end
-  always_comb begin
-    if (rise_o) more = steplen_i > TimeBits'(1);
-    else if (fall) more = stepspace_i > TimeBits'(1);
-    else if (turn) more = dirsetup_i > TimeBits'(1);
-    else more = rests || age_q < least;
-  end
-
+  assign rise_o = here && space_q && set_q && !stop_i;
+  assign turn = !here && (there || back_i != direction_o) && space_q && hold_q && set_q && !stop_i;
+  assign fall = step_o && (long_q || stop_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      state_q     <= Ready;
       age_q       <= '0;
-      done_q      <= 1'b0;
+      long_q      <= 1'b0;
+      space_q     <= 1'b1;
+      hold_q      <= 1'b1;
+      set_q       <= 1'b1;
       step_o      <= 1'b0;
       direction_o <= 1'b0;
     end else begin
-      if (rise_o) state_q <= High;
-      else if (fall) state_q <= Space;
-      else if (turn) state_q <= Setup;
-      else if (rests) state_q <= Ready;
-      if (rise_o || fall || turn) age_q <= TimeBits'(2);
-      else if (!done_q) age_q <= age_q + 1'b1;
-      done_q <= !more;
+      age_q   <= rise_o || turn ? TimeBits'(2) : age_q + 1'b1;
+      long_q  <= rise_o ? length_1_i : long_q || age_q == length_i;
+      space_q <= !rise_o && (space_q || age_q == again_i);
+      hold_q  <= !rise_o && (hold_q || age_q == turn_i);
+      set_q   <= turn ? setup_1_i : set_q || age_q == setup_i;
       if (rise_o) step_o <= 1'b1;
       else if (fall) step_o <= 1'b0;
       if (turn) direction_o <= !direction_o;
     end
   end
 
+  logic full;
+  logic overrun;
   logic in_forth;
   logic in_back;
   logic out_forth;
   logic out_back;
-  assign in_forth  = hit_i && !overrun && !back_i;
-  assign in_back   = hit_i && !overrun && back_i;
+  assign full = back_i ? back_q[2] : forth_q[2];
+  assign overrun = hit_i && (full || (there && back_i == direction_o));
+  assign in_forth = hit_i && !overrun && !back_i;
+  assign in_back = hit_i && !overrun && back_i;
   assign out_forth = rise_o && !direction_o;
-  assign out_back  = rise_o && direction_o;
+  assign out_back = rise_o && direction_o;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || stop_i) begin
       forth_q <= '0;
       back_q  <= '0;
     end else begin
-      if (in_forth && !out_forth) forth_q <= forth_q + 1'b1;
-      if (out_forth && !in_forth) forth_q <= forth_q - 1'b1;
-      if (in_back && !out_back) back_q <= back_q + 1'b1;
-      if (out_back && !in_back) back_q <= back_q - 1'b1;
+      if (in_forth != out_forth) forth_q <= in_forth ? {forth_q[1:0], 1'b1} : {1'b0, forth_q[2:1]};
+      if (in_back != out_back) back_q <= in_back ? {back_q[1:0], 1'b1} : {1'b0, back_q[2:1]};
     end
     if (!rst_ni || clear_i) begin
       overrun_o   <= 1'b0;
       uncertain_o <= 1'b0;
     end else begin
-      overrun_o   <= overrun_o || overrun;
-      uncertain_o <= uncertain_o || (fall && !done_q);
+      overrun_o   <= overrun_o || (overrun && !stop_i);
+      uncertain_o <= uncertain_o || (step_o && stop_i && !long_q);
     end
   end
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/pulse/step_pulse.sv: whatever comes, the drive's four times hold; every step goes out once,
 // in its direction, and soon, or an overrun is up; a stop is a stop.
-// control: NO_HOLD s/done_q \&\& !here \&\&/!here \&\&/
-// control: NO_SETUP s/else if (turn) state_q <= Setup;/else if (turn) state_q <= Ready;/
-// control: SHORT_PULSE s/fall = state_q == High \&\& (done_q || stop_i)/fall = state_q == High/
-// control: SHORT_SPACE s/(state_q != High \&\& done_q)/state_q != High/
+// control: NO_HOLD s/space_q \&\& hold_q/space_q/
+// control: NO_SETUP s/turn ? setup_1_i : set_q/set_q/
+// control: SHORT_PULSE s/step_o \&\& (long_q || stop_i)/step_o/
+// control: SHORT_SPACE s/here \&\& space_q \&\&/here \&\& !step_o \&\&/
 // control: OUT_OF_ORDER s/ || (there \&\& back_i == direction_o)//
-// control: DROPS_QUIETLY s/overrun_o || overrun;/overrun_o;/
-// control: RISES_ON s/free \&\& here \&\& !stop_i/free \&\& here/
-// control: CERTAIN s/uncertain_o || (fall/uncertain_o \&\& (fall/
-// control: STUCK s/else if (rests) state_q <= Ready;//
+// control: DROPS_QUIETLY s/overrun_o || (overrun/overrun_o \&\& (overrun/
+// control: RISES_ON s/set_q \&\& !stop_i;/set_q;/
+// control: CERTAIN s/uncertain_o || (step_o/uncertain_o \&\& (step_o/
+// control: STUCK s/(space_q || age_q == again_i)/space_q/
+// control: LOSES_ONE s/in_back != out_back/in_back \&\& !out_forth/
 `default_nettype none
 module step_pulse_formal (
     input wire logic       clk_i,
@@ -23,6 +24,16 @@ module step_pulse_formal (
     input wire logic       stop_i
 );
 
+  // 0 counts as 1.
+  logic [1:0] length;
+  logic [1:0] space;
+  logic [1:0] setup;
+  logic [1:0] hold;
+  assign length = steplen_i | 2'(steplen_i == '0);
+  assign space  = stepspace_i | 2'(stepspace_i == '0);
+  assign setup  = dirsetup_i | 2'(dirsetup_i == '0);
+  assign hold   = dirhold_i | 2'(dirhold_i == '0);
+
   logic step;
   logic direction;
   logic rise;
@@ -33,10 +44,12 @@ module step_pulse_formal (
   ) u_dut (
       .clk_i,
       .rst_ni,
-      .steplen_i  ({2'b0, steplen_i}),
-      .stepspace_i({2'b0, stepspace_i}),
-      .dirsetup_i ({2'b0, dirsetup_i}),
-      .dirhold_i  ({2'b0, dirhold_i}),
+      .length_i   ({2'b0, length}),
+      .setup_i    ({2'b0, setup}),
+      .again_i    ({2'b0, length} + {2'b0, space}),
+      .turn_i     ({2'b0, length} + {2'b0, hold}),
+      .length_1_i (length == 2'd1),
+      .setup_1_i  (setup == 2'd1),
       .hit_i,
       .back_i,
       .stop_i,
@@ -86,7 +99,7 @@ module step_pulse_formal (
       level_q  <= step != step_q ? 2'd1 : level_q + 2'(level_q != '1);
       side_q   <= direction != direction_q ? 2'd1 : side_q + 2'(side_q != '1);
       fallen_q <= !step && step_q ? 2'd1 : fallen_q + 2'(fallen_q != '1);
-      if (stop_i && step && (step_q ? level_q : 2'd0) + 3'd1 < {1'b0, steplen_i}) cut_q <= 1'b1;
+      if (stop_i && step && (step_q ? level_q : 2'd0) + 3'd1 < {1'b0, length}) cut_q <= 1'b1;
       forth_q <= stop_i ? '0 : forth_q + 4'(hit_i && !back_i) - 4'(rise && !direction);
       back_q  <= stop_i ? '0 : back_q + 4'(hit_i && back_i) - 4'(rise && direction);
       wait_q  <= (forth_q == '0 && back_q == '0) || rise || stop_i ? '0 : wait_q + 1'b1;
@@ -100,17 +113,17 @@ module step_pulse_formal (
       assume (times_q == {steplen_i, stepspace_i, dirsetup_i, dirhold_i});
       if (rst_ni) begin
         // Edges of this clock.
-        if (step && !step_q) Stepspace : assert (level_q >= stepspace_i);
-        if (step && !step_q) Dirsetup : assert (side_q >= dirsetup_i && direction == direction_q);
-        if (!step && step_q && !stop_q) Steplen : assert (level_q >= steplen_i);
+        if (step && !step_q) Stepspace : assert (level_q >= space);
+        if (step && !step_q) Dirsetup : assert (side_q >= setup && direction == direction_q);
+        if (!step && step_q && !stop_q) Steplen : assert (level_q >= length);
         if (direction != direction_q) begin
-          Dirhold : assert (fallen_q >= dirhold_i);
+          Dirhold : assert (fallen_q >= hold);
           BetweenPulses : assert (!step && !step_q);
         end
         if (step && !step_q) Told : assert (rise_q);
 
         if (rise && !overrun) NoneInvented : assert (direction ? back_q != '0 : forth_q != '0);
-        if (!overrun) NoneLost : assert (forth_q <= 4'd7 && back_q <= 4'd7);
+        if (!overrun) NoneLost : assert (forth_q <= 4'd3 && back_q <= 4'd3);
         if (returns_q) InOrder : assert (overrun);
         if (!overrun) Soon : assert (wait_q <= 5'd16);
 
@@ -120,7 +133,7 @@ module step_pulse_formal (
         end
 
         Turns : cover (direction && step && forth_q == 4'd1);
-        Waits : cover (forth_q == 4'd7 && !overrun);
+        Waits : cover (forth_q == 4'd3 && !overrun);
         Overruns : cover (overrun && !step);
         Cuts : cover (uncertain && stop_q);
       end

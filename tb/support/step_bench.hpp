@@ -21,6 +21,8 @@ constexpr int kPeriodLog2 = CFG_PeriodLog2;
 constexpr int kTimeBits = CFG_TimeBits;
 /// Scales of motions: a step is four units of the position or more.
 constexpr int kMotionScaleBits = kScaleBits < kFineBits + 14 ? kScaleBits : kFineBits + 14;
+/// Beside a pulse of 8 clocks at most.
+constexpr int kMostTime = (1 << kTimeBits) - 9;
 constexpr int64_t kPeriod = int64_t{1} << kPeriodLog2;
 constexpr int64_t kEveryAxis = (1 << kStepAxes) - 1;
 

@@ -77,8 +77,8 @@ TEST_F(StepGenerator, EqualsKernelClockByClock) {
         hls::StepGenerator kernel(kStepAxes, kFineBits, kPeriodLog2);
         bench_.reset();
         const auto any = [&](int most) { return static_cast<int>(random_() % most); };
-        const int turn = machine % 4 == 0 ? 1 << kTimeBits : std::min(1 << kTimeBits, 30);
-        const hls::PulseTimes times{any(9), any(9), any(turn) & ~1, any(turn) & ~1};
+        const int turn = machine % 4 == 0 ? kMostTime : std::min(kMostTime, 30);
+        const hls::PulseTimes times{any(8), any(8), any(turn), any(turn)};
         bench_.set_times(times);
         kernel.set_times(times);
         const bool stalls = any(2) == 0;
@@ -165,7 +165,7 @@ TEST_F(StepGenerator, TakesASampleInTheClocksThatItsHeaderSays) {
     const int64_t offered = bench_.now();
     while (!bench_.clock()) {
     }
-    EXPECT_EQ(bench_.now() - 1 - offered, kStepAxes * (kFineBits + 5));
+    EXPECT_EQ(bench_.now() - 1 - offered, kStepAxes * (kFineBits + 6));
 }
 
 TEST_F(StepGenerator, GivesNoStepUntilAReferenceAndThenCountsFromThere) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// Times of the drives as rtl/pulse/step_pulse.sv asks for them, once for all axes: 0 counts as 1,
+// and what is counted from a pulse's beginning.
+`default_nettype none
+module pulse_times #(
+    parameter int TimeBits = 12  // [4, 16]
+) (
+    input wire logic clk_i,
+
+    input wire logic [TimeBits-1:0] steplen_i,
+    input wire logic [TimeBits-1:0] stepspace_i,
+    input wire logic [TimeBits-1:0] dirsetup_i,
+    input wire logic [TimeBits-1:0] dirhold_i,
+
+    output logic [TimeBits-1:0] length_o,
+    output logic [TimeBits-1:0] setup_o,
+    output logic [TimeBits-1:0] again_o,     // from a pulse to the next
+    output logic [TimeBits-1:0] turn_o,      // from a pulse to a turn
+    output logic                length_1_o,
+    output logic                setup_1_o
+);
+
+  logic [TimeBits-1:0] space_q;
+  logic [TimeBits-1:0] hold_q;
+  always_ff @(posedge clk_i) begin
+    length_o   <= steplen_i | TimeBits'(steplen_i == '0);
+    setup_o    <= dirsetup_i | TimeBits'(dirsetup_i == '0);
+    space_q    <= stepspace_i | TimeBits'(stepspace_i == '0);
+    hold_q     <= dirhold_i | TimeBits'(dirhold_i == '0);
+    again_o    <= length_o + space_q;
+    turn_o     <= length_o + hold_q;
+    length_1_o <= steplen_i <= TimeBits'(1);
+    setup_1_o  <= dirsetup_i <= TimeBits'(1);
+  end
+
+endmodule
+`default_nettype wire
