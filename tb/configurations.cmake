@@ -233,6 +233,14 @@ foreach(size 1,42,44,6,12 3,42,44,9,12 3,42,44,13,12 9,44,56,9,16 2,18,40,6,5)
               PARAMS ${parameters})
   endforeach()
 endforeach()
+core_test(step_edges k13 TOP step_generator
+          PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=13 TimeBits=12)
+# A program from words to steps: the serial core beside the step generator.
+verilated_model(motion_steps_core TOP motion_interpolator PARAMS Build=1 Splines=1 Mode=1)
+core_test(motion_steps serial TOP step_generator LIBRARIES motion_steps_core curvecore_host
+          PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=8 TimeBits=12)
+target_compile_definitions(motion_steps_serial
+                           PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 illegal_parameter_test(step_generator Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(step_generator FineBits=45 "FineBits must be in .18, 44.")
 illegal_parameter_test(step_generator ScaleBits=39 "ScaleBits must be in .40, 56.")

@@ -3,93 +3,16 @@
 // CURVECORE_STEPS says how many steps (scripts/campaign.sh).
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
-#include <deque>
-#include <memory>
 #include <random>
 
-#include "ref/pulse/step_crossings.hpp"
-#include "tb/support/pulse_monitor.hpp"
 #include "tb/support/step_bench.hpp"
 #include "tb/support/step_motion.hpp"
+#include "tb/support/watched_axis.hpp"
 
 namespace curvecore::tb {
 namespace {
-
-/// Places in 2^-16 step.
-const ref::StepCrossings kPlaces(1, int64_t{1} << hls::kStepFraction);
-
-struct DueStep {
-    int64_t clock;
-    bool back;
-};
-
-/// One axis: what is due by its places, and what its pins give.
-class WatchedAxis {
-  public:
-    WatchedAxis(const StepMotion& steps, const hls::PulseTimes& times)
-        : motion(steps), monitor_(times), times_(times) {}
-
-    void stands_at(int64_t position) { place_ = place_of(position); }
-
-    /// A period begins, whose first clock reaches the pins after `start`.
-    void moves_to(int64_t position, int64_t start) {
-        const int64_t place = place_of(position);
-        kPlaces.between(place_, place, [&](const ref::StepCrossing& crossing) {
-            due_.push_back({start + crossing.clock(kPeriod), crossing.back});
-        });
-        place_ = place;
-    }
-
-    void watch(int64_t clock, bool step, bool direction) {
-        const int64_t before = monitor_.rise();
-        const bool rises = monitor_.watch(clock, step, direction);
-        ASSERT_EQ(monitor_.complaint(), "");
-        if (!rises) return;
-        ASSERT_FALSE(due_.empty()) << "a step that is not due";
-        const DueStep due = due_.front();
-        due_.pop_front();
-        ASSERT_EQ(due.back, direction) << "a step in the wrong direction";
-        // Each goes out in the first clock that the drive's times allow.
-        const int64_t possible =
-            std::max(before + std::max(times_.steplen, 1) + std::max(times_.stepspace, 1),
-                     monitor_.turn() + std::max(times_.dirsetup, 1));
-        ASSERT_EQ(clock, std::max(due.clock, possible));
-        if (possible <= due.clock) ++free_;
-    }
-
-    /// Steps wait that one turn, and 7 each way, cannot hold: an overrun is what must be reported.
-    /// It is decided two clocks before the step could go out, and seen one clock later.
-    bool overruns(int64_t clock) const {
-        bool pin = monitor_.direction();
-        int waiting[2] = {0, 0};
-        if (monitor_.rise() == clock) ++waiting[pin];
-        if (monitor_.turn() == clock) pin = !pin;
-        for (const DueStep& due : due_) {
-            if (due.clock > clock + 1) break;
-            const bool returns = due.back == pin && waiting[!pin] > 0;
-            if (returns || ++waiting[due.back] > hls::StepPulse::kMostWaiting) return true;
-        }
-        return false;
-    }
-
-    bool idle() const { return due_.empty(); }
-    int64_t free_steps() const { return free_; }
-    const PulseMonitor& monitor() const { return monitor_; }
-
-    StepMotion motion;
-
-  private:
-    int64_t place_of(int64_t position) const {
-        return exact_place(position, motion.scale(), kFineBits);
-    }
-
-    PulseMonitor monitor_;
-    hls::PulseTimes times_;
-    int64_t place_ = 0;
-    std::deque<DueStep> due_;
-    int64_t free_ = 0;
-};
 
 class StepPins : public testing::Test {
   protected:
@@ -109,16 +32,18 @@ class StepPins : public testing::Test {
         const double most = 0.49 * 2 / (times.steplen + times.stepspace) *
                             std::exp2(-static_cast<int>(random_() % 3)) * kPeriod;
         axes_.clear();
+        motions_.clear();
         bench_.reset();
         bench_.set_times(times);
         for (int a = 0; a < kStepAxes; ++a) {
-            axes_.emplace_back(StepMotion(random_, kFineBits, kMotionScaleBits, most), times);
-            bench_.set_scale(a, axes_[a].motion.scale());
+            motions_.emplace_back(random_, kFineBits, kMotionScaleBits, most);
+            axes_.emplace_back(motions_[a].scale(), kFineBits, kPeriod, times);
+            bench_.set_scale(a, motions_[a].scale());
         }
         bench_.reference();
         std::vector<int64_t> position(kStepAxes);
         for (int a = 0; a < kStepAxes; ++a) {
-            position[a] = axes_[a].motion.position();
+            position[a] = motions_[a].position();
             axes_[a].stands_at(position[a]);
         }
         flagged_ = 0;
@@ -139,7 +64,7 @@ class StepPins : public testing::Test {
             taken = position;
             moves = true;
             if (++n < samples) {
-                for (int a = 0; a < kStepAxes; ++a) position[a] = axes_[a].motion.next(random_);
+                for (int a = 0; a < kStepAxes; ++a) position[a] = motions_[a].next(random_);
             }
             // At last it stands until all is out, and a bit longer.
             if (n > samples + 4 && (idle() || n > samples + 60000 / static_cast<int>(kPeriod)))
@@ -185,6 +110,7 @@ class StepPins : public testing::Test {
 
     StepBench bench_;
     std::mt19937_64 random_{1};
+    std::vector<StepMotion> motions_;
     std::vector<WatchedAxis> axes_;
     int flagged_ = 0;  // axes with an overrun
     int64_t steps_ = 0;
