@@ -48,7 +48,7 @@ class StepGenerator {
     /// One rising edge.
     void clock() {
         for (std::size_t a = 0; a < axes_.size(); ++a) {
-            const bool load = count_ == int(a) + 1;
+            const bool load = count_ == int(a) + 2;
             axes_[a].clock(times_, load && !none_ ? &loads_[a] : nullptr, load && none_,
                            stopped_[a]);
         }

@@ -19,7 +19,7 @@
 // signed fraction of a step, and counts from a standstill on a whole step.
 // A rate that is no word of RateBits, half a step per clock or more, is refused.
 //
-// Rates wait in the memory until they are taken: read_i, and a clock later rate_o. Twin:
+// Rates wait in the memory until they are taken: read_i, and two clocks later rate_o. Twin:
 // PlaceScaler of hls/place_scaler.hpp.
 `default_nettype none
 module place_scaler #(
@@ -206,10 +206,10 @@ module place_scaler #(
     if (ends) moving_o <= moving_q || moves_q;
   end
 
-  assign rate_o = word_q[RateBits-1:0];
-  assign moves_o = word_q[RateBits];
-  assign fresh_o = word_q[RateBits+1];
-  assign refused_o = word_q[RateBits+2];
+  // A register behind the memory, which is slow.
+  always_ff @(posedge clk_i) begin
+    {refused_o, fresh_o, moves_o, rate_o} <= word_q[RateBits+2:0];
+  end
 
 endmodule
 `default_nettype wire

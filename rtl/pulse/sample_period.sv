@@ -2,12 +2,12 @@
 // The sample period, 2^PeriodLog2 clocks, without end: once in each the rates of all axes are
 // loaded, one per clock.
 //
-//   clock          0        1    2    ..   Axes   Axes + 1
+//   clock          0        1    2    3    ..   Axes     Axes + 2
 //   tick_o         1
-//   read_o         0        1    1    ..   1
-//   read_axis_o             0    1         Axes-1
-//   load_o                       axis 0    ..     axis Axes - 1
-//   taken_o                                1
+//   read_o         0        1    1    1    ..   1
+//   read_axis_o             0    1    2         Axes-1
+//   load_o                            axis 0    ..       axis Axes - 1
+//   taken_o                                     1
 //
 // A period without rates stops all axes, where they are: they go on with the next. That jerks when
 // they were moving: late_o.
@@ -33,6 +33,7 @@ module sample_period #(
 
   logic [PeriodLog2-1:0] count_q;
   logic walks_q;
+  logic [Axes-1:0] next_q;  // what load_o is next
   logic valid_q;
   logic moving_q;
   logic last;
@@ -48,6 +49,7 @@ module sample_period #(
       valid_q     <= 1'b0;
       moving_q    <= 1'b0;
       read_axis_o <= '0;
+      next_q      <= '0;
       load_o      <= '0;
     end else begin
       count_q <= count_q + 1'b1;
@@ -59,7 +61,8 @@ module sample_period #(
         walks_q <= 1'b0;
       end
       if (walks_q) read_axis_o <= last ? '0 : read_axis_o + 1'b1;
-      load_o <= walks_q ? Axes'(1) << read_axis_o : '0;
+      next_q <= walks_q ? Axes'(1) << read_axis_o : '0;
+      load_o <= next_q;
     end
   end
   always_ff @(posedge clk_i) none_o <= !valid_q;

@@ -13,7 +13,7 @@
 //   sample_valid_i      1     1
 //   sample_ready_o            1                      at the earliest: when no rates wait
 //
-//   clock               0     a + 2          a + 5 + n
+//   clock               0     a + 3          a + 6 + n
 //   tick_o              1
 //   axis a                    takes its rate
 //   step_o                                   rises

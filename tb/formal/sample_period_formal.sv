@@ -45,15 +45,17 @@ module sample_period_formal (
   logic started_q = 1'b0;
   logic loaded_q;  // axis 0, since the reset
   logic [PeriodLog2-1:0] since_q;  // its last load
-  logic [1:0] tick_q;
-  logic read_q;
+  logic [2:0] tick_q;
+  logic [1:0] read_q;
   logic [3:0] axis_q;
+  logic [3:0] before_q;
   logic moved_q;  // the rates of the last tick were not all 0
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
-    read_q <= read;
-    tick_q <= rst_ni ? {tick_q[0], tick} : '0;
-    axis_q    <= axis;
+    read_q <= {read_q[0], read};
+    tick_q <= rst_ni ? {tick_q[1:0], tick} : '0;
+    before_q <= axis;
+    axis_q <= before_q;
     if (!rst_ni) begin
       valid_q  <= 1'b0;
       loaded_q <= 1'b0;
@@ -77,10 +79,10 @@ module sample_period_formal (
         Second : assert (load[1] == (since_q == 1));
         Third : assert (load[2] == (since_q == 2));
       end
-      First : assert (load[0] == tick_q[1]);
+      First : assert (load[0] == tick_q[2]);
       if (read) ReadsWhatIsThere : assert (valid_q);
       if (taken) AllAreRead : assert (read && axis == 4'(Axes - 1));
-      if (load != '0) ReadBefore : assert (none == !read_q);
+      if (load != '0) ReadBefore : assert (none == !read_q[1]);
       if (load != '0 && !none) InOrder : assert (load == Axes'(1) << axis_q);
       Late : assert (late == (tick && !valid_q && moved_q));
 

@@ -28,7 +28,7 @@ constexpr int64_t kEveryAxis = (1 << kStepAxes) - 1;
 
 /// From the tick of a period to its first clock at axis 0, to the pin
 /// (rtl/pulse/step_generator.sv).
-constexpr int64_t kLatency = 5;
+constexpr int64_t kLatency = 6;
 
 class StepBench {
   public:

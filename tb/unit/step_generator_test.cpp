@@ -40,7 +40,7 @@ class StepGenerator : public testing::Test {
         bench_.reference();
         bench_.sample(everywhere(steps));
         to_tick();
-        bench_.clocks(kStepAxes + 4);
+        bench_.clocks(kStepAxes + 5);
         ASSERT_EQ(bench_->referenced_o, kAll);
     }
 
