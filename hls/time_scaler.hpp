@@ -5,12 +5,22 @@
 // r has 32 fraction bits. Per tick its slope changes by at most `acceleration` and never exceeds
 // `slope`; r slows down in time to meet the target without overshoot. The first tick lands on its
 // target at once: nothing moves yet.
+//
+// Where a plan has stop branches, a stop from r = 1 waits for the next of them and is then made of
+// its steps, r'' each, which end at r = 0; today's bounds serve all other changes.
 #pragma once
 
 #include <cstdint>
 
 namespace curvecore {
 namespace hls {
+
+/// So many ticks in which the slope changes by `change`, 2^-32 per tick.
+struct StopStep {
+    std::int32_t ticks = 1;  // [1, 2047]
+    std::int32_t change = 0;
+    bool last = false;  // of its branch: then the rate is 0
+};
 
 class TimeScaler {
   public:
@@ -26,8 +36,60 @@ class TimeScaler {
 
     /// One tick towards target (0 .. 2^16 = 1.0); returns the new rate, 0 .. 2^16.
     std::int32_t tick(std::int32_t target) {
+        return tick(target, 0, [] { return StopStep{1, 0, true}; });
+    }
+
+    /// The same where a branch begins with the tick if next_wait is not 0: so many ticks from here
+    /// on a stop waits for the next one. next_step() gives the steps of this one.
+    template <class NextStep>
+    std::int32_t tick(std::int32_t target, std::int32_t next_wait, NextStep&& next_step) {
+        if (stopping_) return stop_on(next_step);
+        const bool held = at_one_ && target == 0;
+        const bool waits = held && wait_ > 0;
+        if (held && next_wait > 0) {
+            stopping_ = true;
+            left_ = 0;
+            last_ = false;
+            at_one_ = false;
+            wait_ = 0;
+            return stop_on(next_step);
+        }
+        wait_ = next_wait > 0 ? next_wait : wait_ > 0 ? wait_ - 1 : 0;
+        const std::int32_t obeyed = waits ? 1 << 16 : target;
+        const bool same = !fresh_ && obeyed == target_;
+        target_ = obeyed;
+        const std::int32_t rate = follow(obeyed);
+        at_one_ = same && arrived_ && !settling_ && obeyed == 1 << 16;
+        return rate;
+    }
+
+  private:
+    template <class NextStep>
+    std::int32_t stop_on(NextStep&& next_step) {
+        if (left_ == 0) {
+            const StopStep step = next_step();
+            left_ = step.ticks;
+            change_ = step.change;
+            last_ = step.last;
+        }
+        --left_;
+        stop_slope_ += change_;
+        rate_ = to_rate(rate_ + stop_slope_);
+        if (last_ && left_ == 0) {
+            stopping_ = false;
+            rate_ = stop_slope_ = 0;
+            target_ = 0;
+        }
+        return static_cast<std::int32_t>(rate_ >> 16 & 0xffff);  // below 1, whatever the steps
+    }
+
+    /// As many bits as the hardware has.
+    static std::int64_t to_rate(std::int64_t rate) { return rate & ((std::int64_t(1) << 33) - 1); }
+
+    std::int32_t follow(std::int32_t target) {
         if (fresh_) {
             fresh_ = false;
+            arrived_ = true;
             rate_ = std::int64_t(target) << 16;
             return target;
         }
@@ -37,11 +99,13 @@ class TimeScaler {
         }
         const std::int64_t rest = rising_ ? distance : -distance;
         std::int64_t move = 0;
+        arrived_ = arrived_ && rest == 0;
         if (settling_) {
             settling_ = false;
         } else if (slope_ == 0 && rest < acceleration_) {
             move = rest;
             settling_ = move != 0;
+            arrived_ = true;
         } else if (slope_ + acceleration_ <= max_slope_ &&
                    rest >= braking_ + 2 * slope_ + acceleration_) {
             braking_ += slope_;
@@ -58,7 +122,6 @@ class TimeScaler {
         return static_cast<std::int32_t>(rate_ >> 16);
     }
 
-  private:
     std::int64_t acceleration_;
     std::int64_t max_slope_;
     bool fresh_ = true;
@@ -68,6 +131,16 @@ class TimeScaler {
     bool rising_ = true;
     bool settling_ = false;  // the last tick moved less than a slope step: rest one tick, or a
                              // reversal would change the slope by more than `acceleration`
+
+    std::int32_t target_ = 0;  // of the last tick, as it was obeyed
+    bool arrived_ = false;     // at rest on it
+    bool at_one_ = false;      // and that is 1, again
+    std::int32_t wait_ = 0;    // ticks in which the next branch is due
+    bool stopping_ = false;
+    std::int32_t left_ = 0;  // ticks of the present step
+    std::int32_t change_ = 0;
+    bool last_ = false;
+    std::int64_t stop_slope_ = 0;
 };
 
 }  // namespace hls

@@ -135,16 +135,32 @@ class PieceEntry : public detail::FrameEntry {
     PieceEntry() : FrameEntry(Tag::kPiece) {}
 
     Entry take(std::uint64_t word) {
+        if (tag_ == Tag::kPiece && !stop_ && get(kTagField, word) == kStopTag) tag_ = Tag::kStop;
         const bool completes = tag_ == Tag::kC3;
         const bool in_order = tag_ != Tag::kPiece || get(kPieceSequenceField, word) == sequence_;
         const Entry entry = verdict(word, can_be(word), in_order, completes);
-        if (entry == Entry::kPassed) tag_ = static_cast<Tag>(static_cast<int>(tag_) + 1);
-        if (entry == Entry::kCompleted) tag_ = Tag::kPiece;
+        if (entry == Entry::kPassed || entry == Entry::kCompleted) {
+            stop_ = tag_ == Tag::kStop || (stop_ && tag_ != Tag::kPiece);
+            tag_ = next(word);
+        }
         return entry;
     }
 
   private:
+    static constexpr std::uint64_t kStopTag = static_cast<std::uint64_t>(Tag::kStop);
+
+    Tag next(std::uint64_t word) {
+        first_step_ = tag_ == Tag::kStop;
+        if (tag_ == Tag::kC3) return Tag::kPiece;
+        if (tag_ == Tag::kStep) return get(kStepLastField, word) != 0 ? Tag::kPiece : Tag::kStep;
+        return static_cast<Tag>(static_cast<int>(tag_) + 1);
+    }
+
     bool can_be(std::uint64_t word) const {
+        if (tag_ == Tag::kStop) return get({20, 24}, word) == 0 && get(kStopWaitField, word) != 0;
+        if (tag_ == Tag::kStep) {
+            return get(kStepTicksField, word) != 0 && (!first_step_ || get({42, 1}, word) == 1);
+        }
         if (tag_ == Tag::kDs) return true;
         if (tag_ != Tag::kPiece) return get({36, 8}, word) == 0;
         const std::uint64_t ticks = get(kPieceTicksField, word);
@@ -152,6 +168,9 @@ class PieceEntry : public detail::FrameEntry {
         return m <= kMaxTimeExponent && get(kExponentField, word) <= kMaxProfileExponent &&
                ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({40, 4}, word) == 0;
     }
+
+    bool stop_ = false;  // the next piece has a branch already
+    bool first_step_ = false;
 };
 
 }  // namespace hls

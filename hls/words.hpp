@@ -47,12 +47,21 @@
 //   | 9        | ds       | [43:0] unsigned, path quanta                                        |
 //   | 10 .. 12 | c1 c2 c3 | [35:0] 34 fraction bits, in 2^e quanta                               |
 //
+// A stop branch, before the piece that it belongs to (hls/stop_schedule.hpp):
+//
+//   | tag | word | fields                                                              |
+//   |-----|------|---------------------------------------------------------------------|
+//   | 13  | stop | wait [19:0] 1 ..: ticks that a stop then waits for the next branch  |
+//   | 14  | step | ticks [10:0] 1 ..; change [42:11] of the slope of time's rate, each |
+//   |     |      | tick, 2^-32 per tick: negative in the first; last [43]              |
+//
 // A program ends with a last segment and a final piece, both at the same path. No word of zeros and
 // no word of ones is legal.
 #pragma once
 
 #include "hls/configuration.hpp"
 #include "hls/fixed_word.hpp"
+#include "hls/time_scaler.hpp"
 
 namespace curvecore {
 namespace hls {
@@ -111,7 +120,9 @@ enum class Tag {
     kDs,
     kC1,
     kC2,
-    kC3
+    kC3,
+    kStop,
+    kStep
 };
 constexpr Field kTagField{44, 4};
 constexpr Field kLengthField{0, ref::kBusLengthBits};  // also ds
@@ -128,6 +139,11 @@ constexpr Field kTimeExponentField{20, 5};
 constexpr Field kExponentField{25, 6};
 constexpr Field kFinalField{31, 1};
 constexpr Field kPieceSequenceField{32, 8};
+
+constexpr Field kStopWaitField{0, 20};
+constexpr Field kStepTicksField{0, 11};
+constexpr Field kStepChangeField{11, 32};
+constexpr Field kStepLastField{43, 1};
 
 constexpr std::uint64_t mask(Field field) { return (std::uint64_t(1) << field.bits) - 1; }
 constexpr std::uint64_t put(Field field, std::int64_t value) {
@@ -211,6 +227,22 @@ inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* ou
         const Tag tag = static_cast<Tag>(static_cast<int>(Tag::kC1) + i);
         out[2 + i] = detail::bus_word(tag, kCoefField, to_int(piece.c[i]));
     }
+}
+
+inline std::uint64_t pack_stop(std::int32_t wait) {
+    return detail::bus_word(Tag::kStop, kStopWaitField, wait);
+}
+inline std::uint64_t pack(const StopStep& step) {
+    return put(kTagField, static_cast<int>(Tag::kStep)) | put(kStepTicksField, step.ticks) |
+           put(kStepChangeField, step.change) | put(kStepLastField, step.last);
+}
+inline StopStep unpack_step(std::uint64_t word) {
+    StopStep step;
+    step.ticks = static_cast<std::int32_t>(get(kStepTicksField, word));
+    step.change =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(get(kStepChangeField, word)));
+    step.last = get(kStepLastField, word) != 0;
+    return step;
 }
 
 /// The same undone, but for the sequence.

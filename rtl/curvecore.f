@@ -75,6 +75,7 @@ path/rate_generator.sv
 path/sample_gate.sv
 path/sample_share.sv
 path/standstill.sv
+path/stop_memory.sv
 path/tau_shift.sv
 path/time_scaler.sv
 path/underrun_guard.sv

@@ -178,6 +178,11 @@ module motion_interpolator #(
   logic sent;
   logic wanted;
   logic [3:0] samples_per_tick_log2;
+  logic scaled;
+  logic [19:0] next_wait;
+  logic step_valid;
+  logic step_ready;
+  logic [43:0] step;
   logic rate_valid;
   logic rate_ready;
   logic [16:0] rate;
@@ -208,6 +213,11 @@ module motion_interpolator #(
       .rate_ready_i(rate_ready),
       .rate_o(rate),
       .held_o(held),
+      .scaled_o(scaled),
+      .next_wait_i(next_wait),
+      .step_valid_i(step_valid),
+      .step_ready_o(step_ready),
+      .step_i(step),
       .tick_taken_i(tick_taken),
       .started_o(started),
       .sent_i(sent),
@@ -236,6 +246,11 @@ module motion_interpolator #(
       .rate_i(rate),
       .held_i(held),
       .tick_taken_o(tick_taken),
+      .scaled_i(scaled),
+      .next_wait_o(next_wait),
+      .step_valid_o(step_valid),
+      .step_ready_i(step_ready),
+      .step_o(step),
       .ds_valid_o(ds_valid),
       .ds_o(ds),
       .ds_rate_o(ds_rate),

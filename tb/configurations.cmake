@@ -110,7 +110,8 @@ foreach(bench spherical_interpolator spherical_interpolator_serial curve_interpo
               spline_interpolator curve_interpolator empty_segments)
   bench_objects(${bench})
 endforeach()
-bench_objects(motion_interpolator TESTS motion_interpolator motion_hold motion_time motion_words)
+bench_objects(motion_interpolator TESTS motion_interpolator motion_hold motion_stop motion_time
+              motion_words)
 core_tests(spherical_interpolator TOP spherical_interpolator PORTS curve)
 core_tests(spherical_interpolator_serial TOP curve_interpolator_serial PORTS curve)
 core_tests(curve_interpolator_serial TOP curve_interpolator_serial PORTS curve PARAMS Splines=1)

@@ -33,6 +33,13 @@ module path_generator #(
     input  wire logic        held_i,        // target 0: no program begins
     output logic             tick_taken_o,
 
+    // Stop branches, to the time scaler: rtl/path/stop_memory.sv
+    input  wire logic        scaled_i,      // a tick that the scaler takes in
+    output logic      [19:0] next_wait_o,
+    output logic             step_valid_o,
+    input  wire logic        step_ready_i,
+    output logic      [43:0] step_o,
+
     // Increments, a tick each
     output logic        ds_valid_o,
     output logic [47:0] ds_o,
@@ -65,6 +72,8 @@ module path_generator #(
   end
 
   // Pieces
+  logic stop_write;
+  logic step_write;
   logic coef_write;
   logic [3:0] coef_pass;
   logic signed [35:0] coef;
@@ -82,6 +91,8 @@ module path_generator #(
       .word_valid_i,
       .word_ready_o,
       .word_i,
+      .stop_write_o(stop_write),
+      .step_write_o(step_write),
       .coef_write_o(coef_write),
       .coef_pass_o(coef_pass),
       .coef_o(coef),
@@ -94,6 +105,23 @@ module path_generator #(
       .ticks_o(next_ticks_o),
       .time_exponent_o(next_time_exponent),
       .final_o(next_final_o)
+  );
+
+  logic full;
+  stop_memory u_stops (
+      .clk_i,
+      .rst_ni,
+      .stop_write_i(stop_write),
+      .step_write_i(step_write),
+      .word_i(word_i[43:0]),
+      .tick_taken_i(tick_taken_o),
+      .take_i(piece_take_o),
+      .full_i(full),
+      .tick_i(scaled_i),
+      .next_wait_o,
+      .step_valid_o,
+      .step_ready_i,
+      .step_o
   );
 
   logic may_pass;
@@ -125,6 +153,7 @@ module path_generator #(
       .rate_i,
       .held_i,
       .tick_taken_o,
+      .full_o(full),
       .valid_o(event_valid),
       .begin_o(event_begin),
       .still_o(event_still),

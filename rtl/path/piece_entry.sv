@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets words into the queue of pieces: whole pieces, one after the other, of words that can be.
+// Lets words into the queue of pieces: whole pieces, one after the other, of words that can be; a
+// stop branch may stand before each.
 // Clocks: rtl/queue/frame_entry.sv; ticks_o, ds_o and final_o with piece_o, a piece's last word.
 // Word format: hls/words.hpp.  Twin: PieceEntry of hls/word_entry.hpp.
 `default_nettype none
@@ -25,14 +26,36 @@ module piece_entry (
 );
 
   // Which word it has to be
+  localparam int Change = words_pkg::StepChangeLow + words_pkg::StepChangeBits - 1;
   logic [3:0] tag_q;
+  logic [3:0] tag;
+  logic [3:0] next_tag;
+  logic stop_q;  // the piece has a branch
+  logic first_step_q;
+  logic stops;
   logic complete;
   logic can_be;
   logic pass;
-  assign complete = tag_q == words_pkg::TagC3;
+  assign stops    = data_o[words_pkg::TagLow+:words_pkg::TagBits] == words_pkg::TagStop;
+  assign tag      = (tag_q == words_pkg::TagPiece && !stop_q && stops) ? words_pkg::TagStop : tag_q;
+  assign complete = tag == words_pkg::TagC3;
+  always_comb begin
+    next_tag = tag + 4'd1;
+    if (complete) next_tag = words_pkg::TagPiece;
+    if (tag == words_pkg::TagStep)
+      next_tag = data_o[words_pkg::StepLastLow] ? words_pkg::TagPiece : words_pkg::TagStep;
+  end
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) tag_q <= words_pkg::TagPiece;
-    else if (pass) tag_q <= complete ? words_pkg::TagPiece : tag_q + 4'd1;
+    if (!rst_ni) begin
+      tag_q        <= words_pkg::TagPiece;
+      stop_q       <= 1'b0;
+      first_step_q <= 1'b0;
+    end else if (pass) begin
+      tag_q        <= next_tag;
+      first_step_q <= tag == words_pkg::TagStop;
+      if (tag == words_pkg::TagStop) stop_q <= 1'b1;
+      if (tag == words_pkg::TagPiece) stop_q <= 1'b0;
+    end
   end
 
   frame_entry #(
@@ -48,9 +71,9 @@ module piece_entry (
       .valid_o,
       .ready_i,
       .data_o,
-      .tag_i(tag_q),
+      .tag_i(tag),
       .can_be_i(can_be),
-      .numbered_i(tag_q == words_pkg::TagPiece),
+      .numbered_i(tag == words_pkg::TagPiece),
       .complete_i(complete),
       .pass_o(pass),
       .frame_o(piece_o),
@@ -72,10 +95,18 @@ module piece_entry (
   assign lasts = ticks_less_one >> m == '0;
   assign piece_word = m <= words_pkg::MostTimeExponent && e <= words_pkg::MostExponent && lasts &&
       data_o[words_pkg::TagLow-1:FirstSpare] == '0;
+  logic wait_word;
+  logic step_word;
+  assign wait_word = data_o[words_pkg::StopWaitBits-1:0] != '0 &&
+      data_o[words_pkg::TagLow-1:words_pkg::StopWaitBits] == '0;
+  assign step_word = data_o[words_pkg::StepTicksBits-1:0] != '0 &&
+      (!first_step_q || data_o[Change]);
   assign no_rest = data_o[words_pkg::TagLow-1:CoefBits] == '0;
   always_comb begin
-    case (tag_q)
+    case (tag)
       words_pkg::TagPiece: can_be = piece_word;
+      words_pkg::TagStop:  can_be = wait_word;
+      words_pkg::TagStep:  can_be = step_word;
       words_pkg::TagDs:    can_be = 1'b1;
       default:             can_be = no_rest;
     endcase
@@ -83,11 +114,11 @@ module piece_entry (
 
   // What the ledgers want to know of it
   always_ff @(posedge clk_i) begin
-    if (pass && tag_q == words_pkg::TagPiece) begin
+    if (pass && tag == words_pkg::TagPiece) begin
       ticks_o <= data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits];
       final_o <= data_o[words_pkg::FinalLow];
     end
-    if (pass && tag_q == words_pkg::TagDs)
+    if (pass && tag == words_pkg::TagDs)
       ds_o <= data_o[words_pkg::PathLengthLow+:words_pkg::PathLengthBits];
   end
 

@@ -3,7 +3,8 @@
 //
 // The five words of a piece go where they are used: coefficients and bounds into memories of Banks
 // banks (bank_o of the piece), what the clock of pieces needs into outputs beside piece_valid_o.
-// After piece_take_i the next piece is there 6 clocks later, when its words are queued.
+// After piece_take_i the next piece is there 6 clocks later, when its words are queued. Words of a
+// stop branch before it are written elsewhere as they come: stop_write_o, step_write_o.
 //
 //   clock           0    1    2    3    4    5
 //   word            0    1    2    3    4              word_valid_i && word_ready_o
@@ -21,6 +22,9 @@ module piece_loader #(
     input  wire logic        word_valid_i,
     output logic             word_ready_o,
     input  wire logic [47:0] word_i,
+
+    output logic stop_write_o,  // of word_i
+    output logic step_write_o,
 
     output logic                       coef_write_o,
     output logic        [         3:0] coef_pass_o,
@@ -41,8 +45,14 @@ module piece_loader #(
 
   logic [2:0] index_q;
   logic word;
+  logic taken;
+  logic [3:0] tag;
+  assign tag           = word_i[words_pkg::TagLow+:words_pkg::TagBits];
   assign word_ready_o  = !piece_valid_o;
-  assign word          = word_valid_i && word_ready_o;
+  assign taken         = word_valid_i && word_ready_o;
+  assign stop_write_o  = taken && tag == words_pkg::TagStop;
+  assign step_write_o  = taken && tag == words_pkg::TagStep;
+  assign word          = taken && !stop_write_o && !step_write_o;
 
   assign bound_write_o = word && index_q == 3'd1;
   assign ds_o          = {4'b0, word_i[43:0]};

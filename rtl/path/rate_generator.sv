@@ -41,6 +41,13 @@ module rate_generator #(
     output logic      [16:0] rate_o,
     output logic             held_o,        // the target is 0
 
+    // Stop branches: rtl/path/stop_memory.sv
+    output logic             scaled_o,      // a tick is taken in
+    input  wire logic [19:0] next_wait_i,
+    input  wire logic        step_valid_i,
+    output logic             step_ready_o,
+    input  wire logic [43:0] step_i,
+
     // On the way
     input  wire logic       tick_taken_i,  // by the path generator
     output logic      [4:0] started_o,     // ticks not yet taken, 16 at most
@@ -132,6 +139,12 @@ module rate_generator #(
       .valid_i(next_valid),
       .ready_o(next_ready),
       .target_i(next_target),
+      .next_wait_i,
+      .step_valid_i,
+      .step_ready_o,
+      .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
+      .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
+      .step_last_i(step_i[words_pkg::StepLastLow]),
       .valid_o(scaled_valid),
       .rate_o(scaled),
       .held_o(scaled_held),
@@ -150,6 +163,8 @@ module rate_generator #(
       .leaves_i,
       .standing_o
   );
+
+  assign scaled_o = next_valid && next_ready;
 
   logic rate_room;
   word_queue #(

@@ -21,6 +21,9 @@
 //     steady  >= 0: may go on                 rest - braking - slope
 //
 // where rest is the way to the target in the present direction, braking what braking still moves.
+//
+// A stop from the rate 1 that a branch makes leaves them alone: it ends, as it began, at rest on
+// its target. Its steps are asked for as they begin.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,
@@ -32,11 +35,20 @@ module time_scaler (
 
     input  wire logic        valid_i,
     output logic             ready_o,
-    input  wire logic [16:0] target_i,  // 16 fraction bits, up to 1
-    output logic             valid_o,
-    output logic      [16:0] rate_o,
-    output logic             held_o,
-    output logic             still_o    // the rate rests at 0, and does until a target is not 0
+    input  wire logic [16:0] target_i, // 16 fraction bits, up to 1
+
+    // Of target_i: a stop branch begins here; for how long a stop waits for the next one, or 0
+    input  wire logic [19:0] next_wait_i,
+    input  wire logic        step_valid_i,
+    output logic             step_ready_o,
+    input  wire logic [10:0] step_ticks_i,   // [1, 2047]
+    input  wire logic [31:0] step_change_i,  // of the slope, each tick
+    input  wire logic        step_last_i,
+
+    output logic        valid_o,
+    output logic [16:0] rate_o,
+    output logic        held_o,
+    output logic        still_o   // the rate rests at 0, and does until a target is not 0
 );
 
   // The tick at hand, and how its target differs.
@@ -46,6 +58,8 @@ module time_scaler (
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
+  logic same_q;
+  logic zero_q;  // its target is 0, whatever is obeyed
 
   // Change adds to both margins: load an operand, give it its sign, add it.
   typedef enum logic [2:0] {
@@ -98,27 +112,94 @@ module time_scaler (
   assign no_brake = !steady_q[35] || settling_q;
   assign steady   = !up && no_brake;
 
-  assign ready_o  = !head_valid_q || tick;
+  // A stop by a branch: from the tick that it begins with, the rate being 1, to that of its last
+  // step. Until there is one, time runs on, for as long as it is due.
+  localparam logic [16:0] One = 17'h10000;
+  logic head_stop_q;
+  logic head_ends_q;
+  logic [31:0] head_change_q;
+  logic one;
+  logic one_q;
+  logic [19:0] wait_q;
+  logic held;
+  logic waits;
+  logic stop_begins;
+  logic stopping_q;
+  logic stopping;
+  logic new_step;
+  logic [10:0] left_q;  // ticks of the present step
+  logic [31:0] step_change_q;
+  logic step_last_q;
+  logic [10:0] step_left;
+  logic stop_ends;
+  logic [16:0] obeyed;
+  assign one = tick ? same_q && arrived_q && !short_q && !head_stop_q && target_q == One : one_q;
+  assign held = one && target_i == '0;
+  assign waits = held && wait_q != '0;
+  assign stop_begins = held && next_wait_i != '0 && !stopping_q;
+  assign stopping = stopping_q || stop_begins;
+  assign new_step = stop_begins || left_q == '0;
+  assign step_left = (new_step ? step_ticks_i : left_q) - 1'b1;
+  assign stop_ends = (new_step ? step_last_i : step_last_q) && step_left == '0;
+  assign obeyed = stopping ? '0 : waits ? One : target_i;
+
+  logic room;
+  logic takes;
+  assign room         = !head_valid_q || tick;
+  assign ready_o      = room && !(stopping && new_step && !step_valid_i);
+  assign takes        = ready_o && valid_i;
+  assign step_ready_o = room && valid_i && stopping && new_step;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      stopping_q <= 1'b0;
+      wait_q     <= '0;
+      one_q      <= 1'b0;
+    end else begin
+      if (tick) one_q <= one;
+      if (takes) begin
+        stopping_q <= stopping && !stop_ends;
+        if (stopping) wait_q <= '0;
+        else if (next_wait_i != '0) wait_q <= next_wait_i;
+        else if (wait_q != '0) wait_q <= wait_q - 1'b1;
+      end
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (takes) begin
+      left_q <= stopping ? step_left : '0;
+      if (stopping && new_step) begin
+        step_change_q <= step_change_i;
+        step_last_q   <= step_last_i;
+      end
+      head_stop_q   <= stopping;
+      head_ends_q   <= stop_ends;
+      head_change_q <= new_step ? step_change_i : step_change_q;
+      zero_q        <= target_i == '0;
+    end
+  end
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_valid_q <= 1'b0;
       fresh_q      <= 1'b1;
       change_q     <= 1'b0;
     end else begin
-      if (ready_o) head_valid_q <= valid_i;
-      if (ready_o && valid_i) begin
+      if (room) head_valid_q <= takes;
+      if (takes) begin
         fresh_q  <= 1'b0;
-        change_q <= target_i != target_q && !fresh_q;
+        change_q <= obeyed != target_q && !fresh_q && !stopping;
       end else if (change) begin
         change_q <= 1'b0;
       end
     end
   end
   always_ff @(posedge clk_i) begin
-    if (ready_o && valid_i) begin
+    if (takes) begin
       first_q  <= fresh_q;
-      target_q <= target_i;
-      delta_q  <= $signed({1'b0, target_i}) - $signed({1'b0, target_q});
+      same_q   <= obeyed == target_q && !fresh_q;
+      target_q <= obeyed;
+      delta_q  <= $signed({1'b0, obeyed}) - $signed({1'b0, target_q});
     end
   end
 
@@ -250,32 +331,47 @@ module time_scaler (
   logic ticked_q;
   logic lands_q;
   logic rises_q;
+  logic stops_q;
+  logic held_q;
   logic [16:0] landing_q;
   logic signed [35:0] rate_q;
+  logic signed [35:0] stop_slope_q;
+  logic signed [35:0] move;
+  assign move = stops_q ? stop_slope_q : slope_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      ticked_q <= 1'b0;
-      valid_o  <= 1'b0;
+      ticked_q     <= 1'b0;
+      valid_o      <= 1'b0;
+      stop_slope_q <= '0;
     end else begin
       ticked_q <= tick;
       valid_o  <= ticked_q;
+      if (tick) begin
+        stop_slope_q <= head_stop_q && !head_ends_q ? stop_slope_q + 36'($signed(head_change_q)) :
+            '0;
+      end
     end
   end
   always_ff @(posedge clk_i) begin
     if (ticked_q) begin
       if (lands_q) rate_q <= {3'b0, landing_q, 16'b0};
-      else if (rises_q) rate_q <= rate_q + slope_q;
-      else rate_q <= rate_q - slope_q;
-      held_o  <= landing_q == '0;
-      still_o <= landing_q == '0 && lands_q;
+      else if (rises_q) rate_q <= rate_q + move;
+      else rate_q <= rate_q - move;
+      held_o  <= held_q;
+      still_o <= held_q && landing_q == '0 && lands_q;
     end
   end
   always_ff @(posedge clk_i) begin
-    lands_q   <= first_q || (at_rest_q && !up && !settling_q);
-    rises_q   <= rising_q;
+    lands_q <= first_q || (head_stop_q ? head_ends_q : at_rest_q && !up && !settling_q);
+    rises_q <= rising_q || head_stop_q;
+    stops_q <= head_stop_q;
+    held_q <= zero_q;
     landing_q <= target_q;
   end
-  assign rate_o = rate_q[32:16];
+  // In a stop below 1, whatever its steps.
+  logic stopped_q;
+  always_ff @(posedge clk_i) if (ticked_q) stopped_q <= stops_q;
+  assign rate_o = {rate_q[32] && !stopped_q, rate_q[31:16]};
 
 endmodule
 `default_nettype wire

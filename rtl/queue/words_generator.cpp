@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "hls/stop_schedule.hpp"
 #include "hls/words.hpp"
 
 using namespace curvecore;
@@ -25,7 +26,8 @@ int main(int argc, char** argv) {
         {"Length", Tag::kLength},   {"Theta", Tag::kTheta},     {"Start", Tag::kStart},
         {"End", Tag::kEnd},         {"Tangent", Tag::kTangent}, {"Normal", Tag::kNormal},
         {"Advance", Tag::kAdvance}, {"Piece", Tag::kPiece},     {"Ds", Tag::kDs},
-        {"C1", Tag::kC1},           {"C2", Tag::kC2},           {"C3", Tag::kC3}};
+        {"C1", Tag::kC1},           {"C2", Tag::kC2},           {"C3", Tag::kC3},
+        {"Stop", Tag::kStop},       {"Step", Tag::kStep}};
     for (const auto& [name, tag] : tags) {
         file.print("  localparam logic [3:0] Tag{} = 4'd{};\n", name, static_cast<int>(tag));
     }
@@ -43,7 +45,11 @@ int main(int argc, char** argv) {
                                                     {"TimeExponent", kTimeExponentField},
                                                     {"Exponent", kExponentField},
                                                     {"Final", kFinalField},
-                                                    {"PieceSequence", kPieceSequenceField}};
+                                                    {"PieceSequence", kPieceSequenceField},
+                                                    {"StopWait", kStopWaitField},
+                                                    {"StepTicks", kStepTicksField},
+                                                    {"StepChange", kStepChangeField},
+                                                    {"StepLast", kStepLastField}};
     file.print("\n  // Lowest bits, and how many\n");
     for (const auto& [name, field] : fields) {
         file.print("  localparam int {}Low = {};\n", name, field.low);
@@ -64,5 +70,8 @@ int main(int argc, char** argv) {
     file.print("  localparam int SegmentWords = {};\n", ref::segment_bus_words(0));
     file.print("  localparam int AxisWords = {};\n", ref::kAxisBusWords);
     file.print("  localparam int PieceWords = {};\n", kProfileBusWords);
+    file.print("\n  // Of stop branches: hls/stop_schedule.hpp\n");
+    file.print("  localparam int StopLead = {};\n", kStopLead);
+    file.print("  localparam int StopSteps = {};\n", kStopSteps);
     file.print("\nendpackage\n`default_nettype wire\n");
 }

@@ -15,6 +15,8 @@ package words_pkg;
   localparam logic [3:0] TagC1 = 4'd10;
   localparam logic [3:0] TagC2 = 4'd11;
   localparam logic [3:0] TagC3 = 4'd12;
+  localparam logic [3:0] TagStop = 4'd13;
+  localparam logic [3:0] TagStep = 4'd14;
 
   // Lowest bits, and how many
   localparam int TagLow = 44;
@@ -47,6 +49,14 @@ package words_pkg;
   localparam int FinalBits = 1;
   localparam int PieceSequenceLow = 32;
   localparam int PieceSequenceBits = 8;
+  localparam int StopWaitLow = 0;
+  localparam int StopWaitBits = 20;
+  localparam int StepTicksLow = 0;
+  localparam int StepTicksBits = 11;
+  localparam int StepChangeLow = 11;
+  localparam int StepChangeBits = 32;
+  localparam int StepLastLow = 43;
+  localparam int StepLastBits = 1;
 
   // Largest values
   localparam logic [4:0] MostStepExponent = 5'd27;
@@ -58,6 +68,10 @@ package words_pkg;
   localparam int SegmentWords = 17;
   localparam int AxisWords = 3;
   localparam int PieceWords = 5;
+
+  // Of stop branches: hls/stop_schedule.hpp
+  localparam int StopLead = 32;
+  localparam int StopSteps = 256;
 
 endpackage
 `default_nettype wire

@@ -37,8 +37,8 @@ bool KernelBoard::move() {
     if (requested_ == 0) return false;
     if (share_.needs_tick()) {
         // A tick may end the present piece and begin the next one.
-        if (!final_ && profile_.words.size() < hls::kProfileBusWords) return false;
-        rate_ = scaler_.tick(target_);
+        if (!final_ && !piece_queued()) return false;
+        rate_ = scaler_.tick(target_, stops_.due(), [this] { return stops_.next_step(); });
         const auto next = [this](hls::ProfileWords& words) { return next_piece(words); };
         share_.tick(path_.tick(rate_, next, target_ == 0));
     }
@@ -47,9 +47,26 @@ bool KernelBoard::move() {
     return true;
 }
 
+bool KernelBoard::piece_queued() {
+    while (!profile_.words.empty()) {
+        const std::uint64_t word = profile_.words.front();
+        const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
+        if (tag == hls::Tag::kStop) {
+            stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, word)));
+        } else if (tag == hls::Tag::kStep) {
+            stops_.load_step(hls::unpack_step(word));
+        } else {
+            break;
+        }
+        profile_.pop();
+    }
+    return profile_.words.size() >= hls::kProfileBusWords;
+}
+
 bool KernelBoard::next_piece(hls::ProfileWords& words) {
-    if (profile_.words.size() < hls::kProfileBusWords) return false;
+    if (!piece_queued()) return false;
     words = hls::unpack_piece([this] { return profile_.pop(); });
+    stops_.begin_piece(rate_);
     final_ = words.final;
     return true;
 }

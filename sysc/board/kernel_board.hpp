@@ -5,6 +5,7 @@
 #include <deque>
 
 #include "hls/path_kernel.hpp"
+#include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/host/core_parameters.hpp"
@@ -38,6 +39,8 @@ class KernelBoard : public Board {
     Queue& queue(Stream stream) { return stream == Stream::kSegments ? segments_ : profile_; }
     /// The next request's path increment; false: no request, or its tick has no words yet.
     bool move();
+    /// The next piece is queued; stop branches before it go to stops_.
+    bool piece_queued();
     bool next_piece(hls::ProfileWords& words);
     /// Takes segments off the queue as far as the increment reaches; false: there are too few.
     bool cover();
@@ -49,6 +52,7 @@ class KernelBoard : public Board {
     Queue segments_{kSegmentQueueWords, {}};
     Queue profile_{kProfileQueueWords, {}};
     hls::TimeScaler scaler_;
+    hls::StopSchedule stops_;
     hls::PathKernel path_;
     hls::SampleShare share_;
     ValueRanges ranges_;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
-// numbers; a word passes exactly if it can be, as hls/words.hpp says it; whole pieces alone are
-// counted, each with the ticks, ds and final of its own words.
-// control: SKIPS_WORD s/: tag_q + 4'd1/: tag_q + 4'd1 + {3'b0, tag_q == words_pkg::TagC1}/
+// numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
+// hls/words.hpp says it; whole pieces alone are counted, each with the ticks, ds and final of its
+// own words.
+// control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
 // control: ANY_REST s/default:  *can_be = no_rest;/default: can_be = 1'b1;/
-// control: SEVERAL_FINALS s/pass \&\& tag_q == words_pkg::TagPiece/pass/
-// control: NO_RESET s/if (!rst_ni) tag_q <= words_pkg::TagPiece;/if (!rst_ni) tag_q <= tag_q;/
+// control: SEVERAL_FINALS s/(pass \&\& tag == words_pkg::TagPiece)/(pass)/
+// control: TWO_BRANCHES s/\&\& !stop_q \&\& stops/\&\& stops/
+// control: ANY_FIRST_STEP s/!first_step_q ||/1'b1 ||/
+// control: ENDLESS s/data_o\[words_pkg::StepLastLow\] ?/1'b0 ?/
+// control: NO_RESET s/tag_q        <= words_pkg::TagPiece;/tag_q <= tag_q;/
 `default_nettype none
 module piece_entry_formal (
     input wire logic        clk_i,
@@ -46,6 +50,11 @@ module piece_entry_formal (
   );
 
   logic [2:0] place_q;  // of the word that has to come in its piece
+  logic [1:0] branch_q;  // 0 none, 1 its first step has to come, 2 another one, 3 it is complete
+  logic steps;
+  logic stop;
+  assign steps = branch_q == 2'd1 || branch_q == 2'd2;
+  assign stop  = place_q == '0 && branch_q == 2'd0 && data[47:44] == 4'd13;
   logic [7:0] pieces_q;
   logic held_q;
   logic ends_q;
@@ -60,16 +69,20 @@ module piece_entry_formal (
     ends_q    <= rst_ni && pass && place_q == 3'd4;
     if (!rst_ni) begin
       place_q  <= '0;
+      branch_q <= '0;
       pieces_q <= '0;
       held_q   <= 1'b0;
     end else begin
-      if (pass) begin
-        place_q <= place_q == 3'd4 ? 3'd0 : place_q + 3'd1;
+      if (pass && steps) branch_q <= data[43] ? 2'd3 : 2'd2;
+      else if (pass && stop) branch_q <= 2'd1;
+      else if (pass) begin
+        branch_q <= '0;
+        place_q  <= place_q == 3'd4 ? 3'd0 : place_q + 3'd1;
         if (place_q == 3'd4) pieces_q <= pieces_q + 8'd1;
       end
       if (ready) held_q <= valid_i && !cut_i && fault == 2'b00;
     end
-    if (pass && place_q == 3'd0) begin
+    if (pass && place_q == 3'd0 && !steps && !stop) begin
       ticks_q <= data[19:0];
       final_q <= data[31];
     end
@@ -87,6 +100,11 @@ module piece_entry_formal (
       if (data[39:32] != pieces_q) can_be = 1'b0;
     end
     if (data[47:44] != 4'd8 + {1'b0, place_q}) can_be = 1'b0;
+    // A wait, not 0; ticks, not 0, and a change, below 0 in the first step
+    if (stop) can_be = data[19:0] != '0 && data[43:20] == '0;
+    if (steps) begin
+      can_be = data[47:44] == 4'd14 && data[10:0] != '0 && (branch_q == 2'd2 || data[42]);
+    end
   end
 
   always_comb begin
@@ -98,6 +116,7 @@ module piece_entry_formal (
       if (piece) OfIts : assert ({is_final, ticks} == {final_q, ticks_q} && ds == ds_q);
 
       SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
+      Branch : cover (branch_q == 2'd3 && pieces_q == 8'd1);
       Refused : cover (fault == 2'b01 && pieces_q == 8'd1 && place_q == 3'd3);
     end
   end

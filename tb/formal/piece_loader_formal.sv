@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_loader.sv: every five words make one piece, each word goes to its place, a piece
-// waits until it is taken, and no word is taken meanwhile.
+// waits until it is taken, and no word is taken meanwhile. Words of stop branches go elsewhere.
+// control: KEEPS_STEPS s/ \&\& !step_write_o//
+// control: LOSES_STOPS s/assign stop_write_o .*/assign stop_write_o = 1'b0;/
 // control: SHORT_PIECE s/index_q == 3'd4) ? 3'd0/index_q == 3'd3) ? 3'd0/
 // control: TAKES_EARLY s/assign word_ready_o .*/assign word_ready_o = 1'b1;/
 // control: SAME_BANK s/bank_o + 1'b1/bank_o/
@@ -16,6 +18,8 @@ module piece_loader_formal (
 );
 
   logic word_ready;
+  logic stop_write;
+  logic step_write;
   logic coef_write;
   logic [3:0] coef_pass;
   logic signed [35:0] coef;
@@ -35,6 +39,8 @@ module piece_loader_formal (
       .word_valid_i,
       .word_ready_o(word_ready),
       .word_i,
+      .stop_write_o(stop_write),
+      .step_write_o(step_write),
       .coef_write_o(coef_write),
       .coef_pass_o(coef_pass),
       .coef_o(coef),
@@ -54,8 +60,14 @@ module piece_loader_formal (
   logic [2:0] words_q;
   logic [2:0] pieces_q;
   logic [31:0] first_q;
+  logic taken;
+  logic stop;
+  logic step;
   logic word;
-  assign word = word_valid_i && word_ready;
+  assign taken = word_valid_i && word_ready;
+  assign stop  = taken && word_i[47:44] == 4'd13;
+  assign step  = taken && word_i[47:44] == 4'd14;
+  assign word  = taken && !stop && !step;
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     if (!rst_ni) begin
@@ -77,6 +89,7 @@ module piece_loader_formal (
 
       WholePiece : assert (piece_valid == (words_q == 3'd5));
       NeverStuck : assert (word_ready == (words_q != 3'd5));
+      Elsewhere : assert (stop_write == stop && step_write == step);
       OwnBank : assert (bank == pieces_q);
       Bound : assert (bound_write == (word && words_q == 3'd1));
       Coefficients : assert (coef_write == (word && words_q >= 3'd2));

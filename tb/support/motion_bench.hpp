@@ -11,6 +11,7 @@
 #include <random>
 
 #include "hls/path_kernel.hpp"
+#include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
 #include "ref/feed/hold_bounds.hpp"
 #include "tb/support/bench_format.hpp"
@@ -57,6 +58,14 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
               const std::vector<RunSegment>& segments) {
         for (const hls::ProfileWords& words : pieces) {
             pieces_.push_back(words);
+            stops_.push_back(branch_percent_ > 0 && go(100 - branch_percent_) ? any_stop()
+                                                                              : Stop());
+            if (stops_.back().wait > 0) {
+                profile_words_.push_back(hls::pack_stop(stops_.back().wait));
+                for (const hls::StopStep& step : stops_.back().steps) {
+                    profile_words_.push_back(hls::pack(step));
+                }
+            }
             uint64_t bus[hls::kProfileBusWords];
             hls::pack(words, piece_sequence_++, bus);
             profile_words_.insert(profile_words_.end(), bus, bus + hls::kProfileBusWords);
@@ -67,6 +76,36 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
             const std::vector<uint64_t> bus = bus_words(words, segment_sequence_++);
             segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
         }
+    }
+
+    struct Stop {
+        int32_t wait = 0;  // 0: none
+        std::vector<hls::StopStep> steps;
+    };
+
+    /// From the rate 1 to 0, mostly, in up to 300 ticks.
+    Stop any_stop() {
+        Stop stop;
+        stop.wait = static_cast<int32_t>(1 + random_() % static_cast<unsigned>(most_wait_));
+        if (random_() % 5 == 0) {
+            for (int n = 1 + static_cast<int>(random_() % 40); n > 0; --n) {
+                const auto change = static_cast<int32_t>(random_() >> (random_() % 30));
+                const bool first = stop.steps.empty();
+                stop.steps.push_back({static_cast<int32_t>(1 + random_() % 3),
+                                      first ? change | INT32_MIN : change, n == 1});
+            }
+            return stop;
+        }
+        const int log2 = 3 + static_cast<int>(random_() % 5);
+        const int32_t change = static_cast<int32_t>((int64_t{1} << 32) >> (2 * log2));
+        for (const int sign : {-1, 1}) {
+            for (int left = 1 << log2; left > 0;) {
+                const int ticks = std::min(left, 1 + static_cast<int>(random_() % 20));
+                left -= ticks;
+                stop.steps.push_back({ticks, sign * change, sign > 0 && left == 0});
+            }
+        }
+        return stop;
     }
 
     /// The ticks in which the pieces draw each segment: of whole pieces only, so never too many.
@@ -132,6 +171,9 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         if (profile_word) dut_->profile_valid_i = 0;
         if (request) dut_->sample_request_valid_i = 0;
         requested_ += request ? 1 : 0;
+        if (request && rates_ == Rates::kOfKernel) {
+            targets_.push_back(dut_->hold_i ? 0 : static_cast<int32_t>(dut_->override_i));
+        }
     }
 
     void check_move() {
@@ -139,19 +181,38 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         if (share_.needs_tick()) {
             // Which tick a program begins in is the RTL's choice; the rest follows.
             const bool waits = !dut_->path_active_o;
-            const auto next_piece = [this](hls::ProfileWords& piece) {
+            const auto next_piece = [this, rate](hls::ProfileWords& piece) {
                 if (next_piece_ == pieces_.size()) return false;
+                const Stop& stop = stops_[next_piece_];
                 piece = pieces_[next_piece_++];
+                if (stop.wait > 0) schedule_.load_wait(stop.wait);
+                for (const hls::StopStep& step : stop.steps) schedule_.load_step(step);
+                schedule_.begin_piece(rate);
                 return true;
             };
+            if (rates_ == Rates::kOfKernel) follow_rate(rate);
             share_.tick(path_kernel_.tick(rate, next_piece, waits));
-            check_rate(rate);
+            if (rates_ == Rates::kBounded) check_rate(rate);
         }
         const int64_t ds = share_.sample();
         path_ += ds;
         ASSERT_EQ(static_cast<int64_t>(dut_->path_ds_o), ds) << "move " << moves_.size();
         ASSERT_EQ(static_cast<int64_t>(dut_->path_o), path_);
         moves_.push_back(ds);
+    }
+
+    /// Of branches the rate is the kernel's, while no stream starves.
+    void follow_rate(int32_t rate) {
+        ASSERT_FALSE(targets_.empty());
+        const int32_t target = targets_.front();
+        targets_.pop_front();
+        const auto next_step = [this] {
+            ++steps_;
+            return schedule_.next_step();
+        };
+        ASSERT_EQ(rate, scaler_.tick(target, schedule_.due(), next_step))
+            << "move " << moves_.size();
+        rate_ = rate;
     }
 
     /// First and second differences are bounded; the port has 16 of the 32 fraction bits.
@@ -220,6 +281,10 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         taking_ = true;
         dut_.reset(1);
         pieces_.clear();
+        stops_.clear();
+        schedule_ = {};
+        scaler_ = {kAcceleration, kSlope};
+        targets_.clear();
         segments_.clear();
         profile_words_.clear();
         segment_words_.clear();
@@ -247,6 +312,16 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     int profile_stall_ = 0;
     bool requesting_ = false;
     bool taking_ = true;
+
+    /// How time's rates are checked: without stop branches; with them, while no stream starves.
+    enum class Rates { kBounded, kOfKernel, kAny } rates_ = Rates::kBounded;
+    int branch_percent_ = 0;  // of pieces, that have a branch
+    int most_wait_ = 300;     // ticks from it to the next one
+    std::vector<Stop> stops_;
+    hls::StopSchedule schedule_;
+    hls::TimeScaler scaler_{kAcceleration, kSlope};
+    std::deque<int32_t> targets_;
+    int64_t steps_ = 0;
 
     std::vector<hls::ProfileWords> pieces_;
     std::vector<RunSegment> segments_;

@@ -146,7 +146,10 @@ struct Stream {
     std::deque<uint64_t>& words;
     const std::deque<uint64_t>& other;
     std::size_t frame;
+    hls::Tag first;  // of a frame
 };
+
+hls::Tag tag(uint64_t word) { return static_cast<hls::Tag>(hls::get(hls::kTagField, word)); }
 
 /// Something that goes wrong between host and core.
 void damage(const Stream& stream, std::mt19937& random) {
@@ -176,7 +179,9 @@ void damage(const Stream& stream, std::mt19937& random) {
             std::swap(*begin, words[at == 0 ? 1 : at - 1]);
             return;
         case 7: {  // a whole frame
-            const auto first = words.begin() + static_cast<std::ptrdiff_t>(at - at % stream.frame);
+            auto first = begin;
+            while (first != words.begin() && tag(*first) != stream.first) --first;
+            if (tag(*first) != stream.first) return;
             words.erase(first, first + static_cast<std::ptrdiff_t>(stream.frame));
             return;
         }
@@ -190,12 +195,19 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
     std::mt19937 random(11);
     int found = 0;
     const int rounds = stalls();
+    rates_ = Rates::kAny;
+    most_wait_ = 10;
+    constexpr int kLongestBranch = 250;  // ticks
+    dut_->stop_ticks_i = kStopTicks + static_cast<uint32_t>(most_wait_ + kLongestBranch);
+    start_afresh();
     for (int round = 0; round < rounds; ++round) {
+        branch_percent_ = round % 4 == 1 ? 40 : 0;
         program(pieces(300 + round, 60, 5, 20, (round % 8) << 16));
         const bool of_segments = round % 2 == 0;
-        const Stream stream = of_segments
-                                  ? Stream{segment_words_, profile_words_, segment_frame()}
-                                  : Stream{profile_words_, segment_words_, hls::kProfileBusWords};
+        const Stream stream =
+            of_segments
+                ? Stream{segment_words_, profile_words_, segment_frame(), hls::Tag::kLength}
+                : Stream{profile_words_, segment_words_, hls::kProfileBusWords, hls::Tag::kPiece};
         const std::deque<uint64_t> intended = stream.words;
         damage(stream, random);
 

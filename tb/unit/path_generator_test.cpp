@@ -25,6 +25,8 @@ class PathGenerator : public testing::Test {
         dut_->begin_i = 1;
         dut_->queued_i = 0;
         dut_->rate_valid_i = 0;
+        dut_->scaled_i = 0;
+        dut_->step_ready_i = 0;
         dut_.reset();
     }
 

@@ -27,18 +27,33 @@ class TimeScalerBench : public testing::Test {
         dut_->acceleration_i = to_port(bounds.acceleration, 32);
         dut_->slope_i = to_port(bounds.slope, 33);
         dut_->valid_i = 0;
+        dut_->step_valid_i = 0;
+        dut_->next_wait_i = 0;
         dut_.reset();
         expected_.clear();
+        steps_ = 0;
         stands_ = false;
     }
 
     /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
-    bool clock(int32_t target) {
+    bool clock(int32_t target, int32_t next_wait = 0) {
         dut_->valid_i = target >= 0 ? 1 : 0;
         dut_->target_i = to_port(target, 17);
+        dut_->next_wait_i = to_port(next_wait, 20);
+        const hls::StopStep offered = step(steps_);
+        dut_->step_valid_i = random_() % 4 != 0 ? 1 : 0;
+        dut_->step_ticks_i = to_port(offered.ticks, 11);
+        dut_->step_change_i = to_port(offered.change, 32);
+        dut_->step_last_i = offered.last ? 1 : 0;
         dut_.settle();
         const bool taken = dut_->valid_i && dut_->ready_o;
-        if (taken) expected_.push_back({target, kernel_.tick(target)});
+        const bool stepped = dut_->step_ready_o && dut_->step_valid_i;
+        const uint64_t before = steps_;
+        if (taken) {
+            const int32_t rate = kernel_.tick(target, next_wait, [this] { return step(steps_++); });
+            expected_.push_back({target, rate});
+        }
+        EXPECT_EQ(stepped, steps_ != before);
         if (dut_->valid_o) compare();
         dut_.tick();
         return taken;
@@ -58,9 +73,19 @@ class TimeScalerBench : public testing::Test {
         ++ticks_;
     }
 
-    void take(int32_t target) {
-        while (!clock(target)) {
+    void take(int32_t target, int32_t next_wait = 0) {
+        while (!clock(target, next_wait)) {
         }
+    }
+
+    /// Branches of a few steps that need not fit together.
+    static hls::StopStep step(uint64_t index) {
+        std::mt19937 random(static_cast<unsigned>(index));
+        hls::StopStep step;
+        step.ticks = static_cast<int32_t>(1 + random() % (random() % 2 ? 3 : 40));
+        step.change = static_cast<int32_t>(random() >> (random() % 30));
+        step.last = random() % 6 == 0;
+        return step;
     }
 
     int32_t any_target() {
@@ -76,6 +101,7 @@ class TimeScalerBench : public testing::Test {
     ClockedDut<Vtime_scaler> dut_;
     hls::TimeScaler kernel_{1, 1};
     std::deque<Tick> expected_;
+    uint64_t steps_ = 0;  // taken
     bool stands_ = false;
     int64_t ticks_ = 0;
     std::mt19937_64 random_{1};
@@ -96,6 +122,23 @@ TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
             if (HasFatalFailure()) FAIL() << "a new target every " << every << " ticks";
         }
     }
+}
+
+TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
+    for (const unsigned every : {20U, 400U, 4000U}) {
+        int32_t target = 65536;
+        start(GetParam());
+        for (int n = 0; n < 100000; ++n) {
+            if (random_() % every == 0) target = random_() % 4 == 0 ? any_target() : 65536 - target;
+            target = std::max(0, target);
+            const bool due = random_() % (every / 4) == 0;
+            const auto wait = static_cast<int32_t>(random_() % every);
+            while (random_() % 8 == 0) clock(-1);
+            take(target, due ? wait : 0);
+            if (HasFatalFailure()) FAIL() << "a new target every " << every << " ticks";
+        }
+    }
+    EXPECT_GT(steps_, 0U);
 }
 
 TEST_P(TimeScaler, FirstTickLandsOnItsTarget) {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stop branches as they pass: which of them a stop may take, and when it begins. Twin:
+// rtl/path/stop_memory.sv.
+//
+// A branch stands before a piece. Where that begins in a tick of rate 1, the branch is the next
+// one: due kStopLead ticks later, when every tick that was on its way has been taken. One that
+// comes before the last was due is left out, and so is one while time does not run at the rate 1.
+#pragma once
+
+#include <array>
+
+#include "hls/time_scaler.hpp"
+
+namespace curvecore {
+namespace hls {
+
+constexpr int kStopLead = 32;    // ticks; more than are ever on their way from scaler to generator
+constexpr int kStopSteps = 256;  // of a branch that is kept; longer ones overwrite their start
+
+class StopSchedule {
+  public:
+    /// Words of the branch before the next piece.
+    void load_wait(std::int32_t wait) {
+        loaded_ = true;
+        count_ = 0;
+        next_wait_ = wait;
+    }
+    void load_step(const StopStep& step) {
+        banks_[write_][static_cast<std::size_t>(count_++ % kStopSteps)] = step;
+    }
+
+    /// Once per tick, before its rate is made: TimeScaler's next_wait.
+    std::int32_t due() {
+        if (gap_ <= kStopLead) ++gap_;
+        if (due_ == 0 || --due_ > 0) return 0;
+        return wait_;
+    }
+
+    /// The next step of the branch that was due last.
+    StopStep next_step() {
+        return banks_[1 - write_][static_cast<std::size_t>(read_++ % kStopSteps)];
+    }
+
+    /// The next piece begins in a tick of this rate.
+    void begin_piece(std::int32_t rate) {
+        if (loaded_ && rate == 1 << 16 && gap_ > kStopLead) {
+            write_ = 1 - write_;
+            read_ = 0;
+            wait_ = next_wait_;
+            due_ = kStopLead;
+            gap_ = 0;
+        }
+        loaded_ = false;
+    }
+
+  private:
+    std::array<std::array<StopStep, kStopSteps>, 2> banks_{};
+    std::size_t write_ = 0;
+    bool loaded_ = false;
+    int count_ = 0;
+    std::int32_t next_wait_ = 0;
+    std::int32_t wait_ = 0;
+    int read_ = 0;
+    int due_ = 0;
+    int gap_ = kStopLead + 1;  // ticks since the last branch was taken on
+};
+
+}  // namespace hls
+}  // namespace curvecore

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stop branches as they pass: which of them a stop may take, when it begins, and its steps.
+// Twin: StopSchedule of hls/stop_schedule.hpp, tick by tick.
+//
+//   loader -> bank of the next one      piece begins, at the rate 1: it is the present one
+//             bank of the present one -> steps -> time scaler, which takes them from the tick on
+//                                        that is StopLead after that; some are on their way already
+//
+// step_valid_o comes 2 clocks after the step before was taken.
+`default_nettype none
+module stop_memory #(
+    parameter int Steps = words_pkg::StopSteps  // of a branch, a power of two
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Words of the branch before the next piece
+    input wire logic        stop_write_i,
+    input wire logic        step_write_i,
+    input wire logic [43:0] word_i,
+
+    // Ticks as the generator takes them; with take_i the next piece begins
+    input wire logic tick_taken_i,
+    input wire logic take_i,
+    input wire logic full_i,        // the tick's rate is 1
+
+    // Ticks as the scaler takes them in: next_wait_o is that of the next one
+    input  wire logic        tick_i,
+    output logic      [19:0] next_wait_o,
+    output logic             step_valid_o,
+    input  wire logic        step_ready_i,
+    output logic      [43:0] step_o
+);
+
+  localparam int Lead = words_pkg::StopLead;
+  localparam int Address = $clog2(Steps);
+  localparam int Count = $clog2(Lead + 2);
+
+  // The branch before the next piece
+  logic bank_q;  // its own
+  logic loaded_q;
+  logic [19:0] loaded_wait_q;
+  logic [Address-1:0] write_q;
+  logic accept;
+  logic [Count-1:0] gap_q;  // ticks taken since the present one was, Lead + 1 at most
+  logic apart;
+  assign apart  = gap_q >= Count'(Lead);
+  assign accept = take_i && loaded_q && full_i && apart;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      bank_q   <= 1'b0;
+      loaded_q <= 1'b0;
+      gap_q    <= Count'(Lead);
+    end else begin
+      if (accept) bank_q <= !bank_q;
+      if (stop_write_i) loaded_q <= 1'b1;
+      else if (take_i) loaded_q <= 1'b0;
+      if (accept) gap_q <= '0;
+      else if (tick_taken_i && !apart) gap_q <= gap_q + 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (stop_write_i) begin
+      loaded_wait_q <= word_i[words_pkg::StopWaitBits-1:0];
+      write_q       <= '0;
+    end else if (step_write_i) begin
+      write_q <= write_q + 1'b1;
+    end
+  end
+
+  // When it is due: ticks that the scaler takes in before
+  logic [Count-1:0] under_way_q;  // between scaler and generator
+  logic accepted_q;
+  logic due_q;
+  logic [Count-1:0] left_q;
+  logic [19:0] wait_q;
+  assign next_wait_o = (due_q && left_q == '0) ? wait_q : '0;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      under_way_q <= '0;
+      accepted_q  <= 1'b0;
+      due_q       <= 1'b0;
+    end else begin
+      under_way_q <= under_way_q + Count'(tick_i) - Count'(tick_taken_i);
+      accepted_q  <= accept;
+      if (accepted_q) due_q <= 1'b1;
+      else if (tick_i && left_q == '0) due_q <= 1'b0;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (accept) wait_q <= loaded_wait_q;
+    if (accepted_q) left_q <= Count'(Lead - 1) - under_way_q - Count'(tick_i);
+    else if (tick_i && left_q != '0) left_q <= left_q - 1'b1;
+  end
+
+  // Steps
+  logic [43:0] steps[2**(Address+1)];
+  logic [Address-1:0] read_q;
+  logic reads_q;
+  always_ff @(posedge clk_i) begin
+    if (step_write_i) steps[{bank_q, write_q}] <= word_i;
+    step_o <= steps[{!bank_q, read_q}];
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      reads_q      <= 1'b0;
+      step_valid_o <= 1'b0;
+    end else begin
+      reads_q      <= accept || (step_valid_o && step_ready_i);
+      step_valid_o <= reads_q || (step_valid_o && !step_ready_i && !accept);
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (accept) read_q <= '0;
+    else if (step_valid_o && step_ready_i) read_q <= read_q + 1'b1;
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stop branches as words: what may enter, which of them counts, what a stop does with it.
+#include <gtest/gtest.h>
+
+#include "hls/stop_schedule.hpp"
+#include "hls/word_entry.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using hls::Entry;
+using hls::StopStep;
+
+std::vector<std::uint64_t> piece_words(unsigned sequence) {
+    std::vector<std::uint64_t> words(hls::kProfileBusWords);
+    hls::pack(hls::ProfileWords(), sequence, words.data());
+    return words;
+}
+
+std::vector<Entry> enter(const std::vector<std::uint64_t>& words) {
+    hls::PieceEntry entry;
+    std::vector<Entry> all;
+    for (const std::uint64_t word : words) all.push_back(entry.take(word));
+    return all;
+}
+
+std::vector<std::uint64_t> joined(std::vector<std::uint64_t> a,
+                                  const std::vector<std::uint64_t>& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+const std::vector<std::uint64_t> kBranch{hls::pack_stop(300), hls::pack(StopStep{16, -5, false}),
+                                         hls::pack(StopStep{16, 5, true})};
+
+TEST(StopWords, StandBeforeAPiece) {
+    const auto words = joined(joined(kBranch, piece_words(0)),
+                              joined(piece_words(1), joined(kBranch, piece_words(2))));
+    for (const Entry entry : enter(words)) {
+        EXPECT_TRUE(entry == Entry::kPassed || entry == Entry::kCompleted);
+    }
+}
+
+TEST(StopWords, ThatCannotBeAreRefused) {
+    EXPECT_EQ(enter(joined(kBranch, kBranch)).at(3), Entry::kBadWord) << "two before one piece";
+    EXPECT_EQ(enter({hls::pack_stop(0)}).at(0), Entry::kBadWord) << "no wait";
+    EXPECT_EQ(enter({kBranch[0], kBranch[2]}).at(1), Entry::kBadWord) << "faster at first";
+    EXPECT_EQ(enter({kBranch[0], hls::pack(StopStep{0, -5, true})}).at(1), Entry::kBadWord);
+    EXPECT_EQ(enter({kBranch[1]}).at(0), Entry::kBadWord) << "a step without a stop";
+    EXPECT_EQ(enter({kBranch[0], kBranch[1], piece_words(0)[0]}).at(2), Entry::kBadWord)
+        << "no last step";
+}
+
+TEST(StopWords, KeepTheirSteps) {
+    for (const StopStep& step : {StopStep{2047, -1, true}, StopStep{1, INT32_MIN, false},
+                                 StopStep{77, INT32_MAX, false}}) {
+        const StopStep back = hls::unpack_step(hls::pack(step));
+        EXPECT_EQ(back.ticks, step.ticks);
+        EXPECT_EQ(back.change, step.change);
+        EXPECT_EQ(back.last, step.last);
+    }
+}
+
+/// A scaler with branches of 64 ticks to rest before some pieces, one of which begins in `begin`.
+class Stops {
+  public:
+    std::int32_t tick(std::int32_t target, bool begin = false) {
+        const std::int32_t rate =
+            scaler_.tick(target, schedule_.due(), [this] { return schedule_.next_step(); });
+        if (begin) {
+            schedule_.load_wait(100);
+            schedule_.load_step({32, -(1 << 22), false});
+            schedule_.load_step({32, 1 << 22, true});
+            schedule_.begin_piece(rate);
+        }
+        return rate;
+    }
+
+    /// Ticks until the rate is 0, of at most 100,000; a piece begins every so many ticks.
+    int stop(int every = 1 << 20) {
+        int ticks = 0;
+        while (tick(0, ticks % every == every - 1) != 0 && ticks < 100000) ++ticks;
+        return ticks;
+    }
+
+  private:
+    hls::TimeScaler scaler_{1 << 14, 1 << 20};  // 4,000 ticks and some to rest
+    hls::StopSchedule schedule_;
+};
+
+TEST(StopSchedule, AStopBeginsWhereTheBranchDoes) {
+    Stops stops;
+    for (int n = 0; n < 10; ++n) stops.tick(1 << 16);
+    stops.tick(1 << 16, true);
+    for (int n = 1; n < hls::kStopLead; ++n) EXPECT_EQ(stops.tick(1 << 16), 1 << 16);
+    EXPECT_LT(stops.tick(0), 1 << 16) << "the tick of the branch";
+    EXPECT_EQ(stops.stop(), 61);
+}
+
+TEST(StopSchedule, AStopWaitsForTheNextBranch) {
+    Stops stops;
+    stops.tick(1 << 16);
+    stops.tick(1 << 16);
+    stops.tick(1 << 16, true);
+    for (int n = 0; n < hls::kStopLead; ++n) stops.tick(1 << 16);
+    for (int n = 0; n < 20; ++n) EXPECT_EQ(stops.tick(0), 1 << 16);
+    EXPECT_EQ(stops.tick(0, true), 1 << 16);
+    EXPECT_EQ(stops.stop(), hls::kStopLead - 1 + 62);
+}
+
+TEST(StopSchedule, AStopThatIsLetDownGoesTheSlowWay) {
+    Stops stops;
+    stops.tick(1 << 16);
+    stops.tick(1 << 16);
+    stops.tick(1 << 16, true);
+    for (int n = 0; n < hls::kStopLead; ++n) stops.tick(1 << 16);
+    EXPECT_GT(stops.stop(), 4000);
+}
+
+TEST(StopSchedule, AStopFromASlowerRateTakesNoBranch) {
+    Stops stops;
+    for (int n = 0; n < 5000; ++n) stops.tick(60000, n % 50 == 0);
+    EXPECT_GT(stops.stop(50), 3000);
+}
+
+TEST(StopSchedule, AfterAStopTimeGoesOn) {
+    Stops stops;
+    for (int n = 0; n < 50; ++n) stops.tick(1 << 16, n == 5);
+    EXPECT_LT(stops.stop(50), 200);
+    std::int32_t rate = 0;
+    std::int32_t most = 0;
+    for (int n = 0; n < 6000; ++n) {
+        const std::int32_t next = stops.tick(1 << 16, n % 40 == 0);
+        most = std::max(most, next - rate);
+        rate = next;
+    }
+    EXPECT_EQ(rate, 1 << 16);
+    EXPECT_LE(most, (1 << 4) + 1) << "by the slow bounds";
+    EXPECT_LT(stops.stop(50), 200) << "and stops by a branch again";
+}
+
+}  // namespace
+}  // namespace curvecore::tb
