@@ -78,6 +78,10 @@ inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
 }
 
 /// The planner computes a piece in the hardware's integers already.
+inline StopStep to_words(const ref::StopStep& step, bool last) {
+    return {static_cast<std::int32_t>(step.ticks), step.change, last};
+}
+
 inline ProfileWords to_words(const ref::ProfilePiece& piece) {
     ProfileWords words;
     words.ticks = static_cast<std::int32_t>(piece.ticks);

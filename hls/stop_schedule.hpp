@@ -10,12 +10,13 @@
 #include <array>
 
 #include "hls/time_scaler.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore {
 namespace hls {
 
-constexpr int kStopLead = 32;    // ticks; more than are ever on their way from scaler to generator
-constexpr int kStopSteps = 256;  // of a branch that is kept; longer ones overwrite their start
+using ref::kStopLead;
+using ref::kStopSteps;  // longer branches overwrite their start
 
 class StopSchedule {
   public:

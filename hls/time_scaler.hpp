@@ -80,7 +80,7 @@ class TimeScaler {
             rate_ = stop_slope_ = 0;
             target_ = 0;
         }
-        return static_cast<std::int32_t>(rate_ >> 16 & 0xffff);  // below 1, whatever the steps
+        return rate_ >> 32 != 0 ? 0xffff : static_cast<std::int32_t>(rate_ >> 16);  // below 1
     }
 
     /// As many bits as the hardware has.

@@ -149,8 +149,7 @@ class PieceEntry : public detail::FrameEntry {
   private:
     static constexpr std::uint64_t kStopTag = static_cast<std::uint64_t>(Tag::kStop);
 
-    Tag next(std::uint64_t word) {
-        first_step_ = tag_ == Tag::kStop;
+    Tag next(std::uint64_t word) const {
         if (tag_ == Tag::kC3) return Tag::kPiece;
         if (tag_ == Tag::kStep) return get(kStepLastField, word) != 0 ? Tag::kPiece : Tag::kStep;
         return static_cast<Tag>(static_cast<int>(tag_) + 1);
@@ -158,9 +157,7 @@ class PieceEntry : public detail::FrameEntry {
 
     bool can_be(std::uint64_t word) const {
         if (tag_ == Tag::kStop) return get({20, 24}, word) == 0 && get(kStopWaitField, word) != 0;
-        if (tag_ == Tag::kStep) {
-            return get(kStepTicksField, word) != 0 && (!first_step_ || get({42, 1}, word) == 1);
-        }
+        if (tag_ == Tag::kStep) return get(kStepTicksField, word) != 0;
         if (tag_ == Tag::kDs) return true;
         if (tag_ != Tag::kPiece) return get({36, 8}, word) == 0;
         const std::uint64_t ticks = get(kPieceTicksField, word);
@@ -170,7 +167,6 @@ class PieceEntry : public detail::FrameEntry {
     }
 
     bool stop_ = false;  // the next piece has a branch already
-    bool first_step_ = false;
 };
 
 }  // namespace hls

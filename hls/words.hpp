@@ -53,7 +53,7 @@
 //   |-----|------|---------------------------------------------------------------------|
 //   | 13  | stop | wait [19:0] 1 ..: ticks that a stop then waits for the next branch  |
 //   | 14  | step | ticks [10:0] 1 ..; change [42:11] of the slope of time's rate, each |
-//   |     |      | tick, 2^-32 per tick: negative in the first; last [43]              |
+//   |     |      | tick, 2^-32 per tick; last [43]                                     |
 //
 // A program ends with a last segment and a final piece, both at the same path. No word of zeros and
 // no word of ones is legal.
@@ -106,7 +106,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 2;  // of these formats; every file of words says it
+constexpr int kWordsVersion = 3;  // of these formats; every file of words says it
 
 enum class Tag {
     kLength = 1,
@@ -140,8 +140,8 @@ constexpr Field kExponentField{25, 6};
 constexpr Field kFinalField{31, 1};
 constexpr Field kPieceSequenceField{32, 8};
 
-constexpr Field kStopWaitField{0, 20};
-constexpr Field kStepTicksField{0, 11};
+constexpr Field kStopWaitField{0, ref::kStopWaitBits};
+constexpr Field kStepTicksField{0, ref::kStepTicksBits};
 constexpr Field kStepChangeField{11, 32};
 constexpr Field kStepLastField{43, 1};
 

@@ -78,12 +78,28 @@ struct ProfilePiece {
     bool final = false;               // last piece of the program
 };
 
+/// So many ticks in each of which the slope of time's rate changes by `change`, 2^-32 per tick, and
+/// the rate then moves by its slope.
+struct StopStep {
+    std::uint32_t ticks = 1;
+    std::int32_t change = 0;
+};
+
+/// A stop branch: steps from the rate 1 to rest that the core may begin kStopLead ticks after
+/// pieces[piece] has begun (ref/format/path_words.hpp).
+struct PlannedBranch {
+    std::size_t piece = 0;
+    std::uint32_t wait = 1;  // ticks from there to the next branch, or to the end
+    std::vector<StopStep> steps;
+};
+
 struct Plan {
     double unit_mm = 1e-6;
     double tick_s = 1e-4;
     int aux_axes = 0;
     std::vector<Segment> segments;
     std::vector<ProfilePiece> pieces;
+    std::vector<PlannedBranch> branches;  // by their pieces, none twice
     std::uint32_t hold_acceleration = 1;  // a: second difference of r32 per tick^2
     std::uint32_t hold_slope_steps = 1;   // nmax: largest slope = nmax * a
     std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs at most

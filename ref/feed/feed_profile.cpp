@@ -6,6 +6,7 @@
 #include "ref/feed/feed_window.hpp"
 #include "ref/feed/hold_bounds.hpp"
 #include "ref/feed/limits.hpp"
+#include "ref/feed/planned_branches.hpp"
 #include "ref/feed/queue_cover.hpp"
 #include "ref/feed/window_rule.hpp"
 #include "ref/program/input_error.hpp"
@@ -94,7 +95,12 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
             set_hold_bounds(subject.machine, subject.options, subject.geometry, plan);
         }
         set_segment_feeds(subject.program, subject.options, plan);
-        const std::size_t slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
+        plan.branches.clear();
+        std::size_t slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
+        if (slowed == 0 && !subject.window && subject.options.effort == Effort::kOptimum) {
+            set_branches(subject.program, subject.machine, subject.geometry, plan);
+            slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
+        }
         if (slowed == 0) return PlannedWindow{std::move(*found), cut};
         plan.slowed_moves = std::max(plan.slowed_moves, slowed);
         if (round == kCoverRounds) {
@@ -121,7 +127,7 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     } catch (const InputError&) {
         return rules;
     }
-    if (!optimum || faster.duration_s >= plan.duration_s) return rules;
+    if (!optimum || faster.duration_s > plan.duration_s) return rules;
     plan = std::move(faster);
     return optimum;
 }

@@ -9,9 +9,22 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kCell = 0.4e-3;   // s: a curve turns by some degrees at most
+constexpr double kCell = 0.4e-3;  // s, or longer where
+constexpr double kCellTurn =
+    0.03;                          // rad is what a curve turns at most: its derivatives go linearly
 constexpr double kWithin = 1e-6;   // of a stretch: at its very ends a curve may stand still
 constexpr double kNoLimit = 1e15;  // of acceleration and jerk
+constexpr double kSame = 1e-6;     // of a speed, of a limit
+
+bool same(const std::vector<PlaceLimit>& a, const std::vector<PlaceLimit>& b) {
+    const auto equal = [](const PlaceLimit& x, const PlaceLimit& y) {
+        const auto near = [](double p, double q) { return std::abs(p - q) <= kSame * std::abs(p); };
+        return near(x.d11, y.d11) && near(x.d12, y.d12) && near(x.d13, y.d13) &&
+               near(x.d22, y.d22) && near(x.d23, y.d23) && near(x.d33, y.d33) &&
+               near(x.acceleration, y.acceleration) && near(x.jerk, y.jerk);
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), equal);
+}
 
 }  // namespace
 
@@ -27,7 +40,11 @@ ProfileCourse::ProfileCourse(const Program& program, const Machine& machine,
 void ProfileCourse::add(const PieceStretch& stretch) {
     for (; piece_ != stretch.piece; ++piece_) piece_start_ += piece_->ticks;
     const double seconds = (stretch.to - stretch.from) * plan_.tick_s;
-    const int parts = std::max(1, static_cast<int>(std::ceil(seconds / kCell)));
+    const PathShape& shape = stretch.move->shape;
+    const double bend = std::max(shape.curvature, std::sqrt(shape.swerve));
+    const double turn = (place_of(stretch, stretch.to) - stretch.s) * quantum_ * bend;
+    const int parts =
+        std::max(1, static_cast<int>(std::ceil(std::min(seconds / kCell, turn / kCellTurn))));
     std::vector<PlaceLimit> begin = limits(stretch, 0);
     for (int i = 0; i < parts; ++i) {
         const auto at = [&](int part) {
@@ -70,6 +87,28 @@ PieceMotion ProfileCourse::motion(const CourseCell& cell, double tick) const {
     const double v = quantum_ / plan_.tick_s;
     const double a = v / plan_.tick_s;
     return {std::max(0.0, state.v * v), state.a * a, state.j * a / plan_.tick_s};
+}
+
+bool ProfileCourse::even(double from, double to) const {
+    const CourseCell* first = nullptr;
+    double end = from;  // of what was looked at
+    double speed = 0;
+    for (const CourseCell& cell : cells_) {
+        if (cell.to <= from) continue;
+        if (cell.from >= to) break;
+        if (first == nullptr) {
+            first = &cell;
+            speed = motion(cell, cell.from).v;
+        }
+        if (cell.from > end || !same(first->begin, cell.begin) || !same(first->begin, cell.end)) {
+            return false;
+        }
+        for (const double tick : {cell.from, (cell.from + cell.to) / 2, cell.to}) {
+            if (std::abs(motion(cell, tick).v - speed) > kSame * speed) return false;
+        }
+        end = cell.to;
+    }
+    return end >= to;
 }
 
 }  // namespace curvecore::ref

@@ -34,6 +34,8 @@ class ProfileCourse {
     const Machine& machine() const { return machine_; }
     double tick_s() const { return plan_.tick_s; }
     PieceMotion motion(const CourseCell& cell, double tick) const;
+    /// In this time the speed is constant and so is what the machine allows: one stop is another.
+    bool even(double from, double to) const;
 
   private:
     std::vector<PlaceLimit> limits(const PieceStretch& stretch, double part);

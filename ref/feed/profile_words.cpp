@@ -80,7 +80,7 @@ int bits_for(std::uint64_t ticks) {
 ProfilePiece cubic(const Knot& from, const Knot& to) {
     ProfilePiece piece;
     const std::uint64_t ticks = to.tick - from.tick;
-    piece.ticks = static_cast<std::uint32_t>(std::min<std::uint64_t>(ticks, kMaxTicks));
+    piece.ticks = static_cast<std::uint32_t>(ticks);
     piece.ds = to.s - from.s;
     piece.time_exponent = bits_for(ticks);
     if (piece.ds == 0) return piece;
@@ -114,10 +114,10 @@ ProfilePiece cubic(const Knot& from, const Knot& to) {
     return piece;
 }
 
-void append_cubic(const Run& run, const Knot& from, const Knot& to,
+void append_cubic(const Run& run, const Knot& from, const Knot& to, const Reach& longest,
                   std::vector<ProfilePiece>& pieces) {
     const std::uint64_t ticks = to.tick - from.tick;
-    if (ticks <= kMaxTicks) {
+    if (longest.holds(ticks, to.s - from.s)) {
         const ProfilePiece piece = cubic(from, to);
         if (piece.exponent <= kMaxPlannedExponent || ticks == 1) {
             pieces.push_back(piece);
@@ -126,8 +126,8 @@ void append_cubic(const Run& run, const Knot& from, const Knot& to,
     }
     Knot middle = run.at(from.tick + ticks / 2);
     middle.s = std::clamp(middle.s, from.s, to.s);
-    append_cubic(run, from, middle, pieces);
-    append_cubic(run, middle, to, pieces);
+    append_cubic(run, from, middle, longest, pieces);
+    append_cubic(run, middle, to, longest, pieces);
 }
 
 }  // namespace
@@ -146,15 +146,19 @@ void append_run(const std::vector<Phase>& phases, std::uint64_t length, const Pi
     const Run run(phases, length, grid);
     const std::vector<Knot> knots = run.knots();
     for (std::size_t i = 1; i < knots.size(); ++i) {
-        append_cubic(run, knots[i - 1], knots[i], pieces);
+        append_cubic(run, knots[i - 1], knots[i], grid.longest, pieces);
     }
 }
 
 void append_rest(double seconds, const PieceGrid& grid, std::vector<ProfilePiece>& pieces) {
     auto ticks = static_cast<std::uint64_t>(std::ceil(seconds / grid.tick * (1 - 1e-12)));
     while (ticks > 0) {
+        // The last one is no longer than others: where motion begins, a piece has begun shortly
+        // before.
+        const std::uint64_t last = std::min(ticks, grid.longest.ticks);
         ProfilePiece piece;
-        piece.ticks = static_cast<std::uint32_t>(std::min<std::uint64_t>(ticks, kMaxTicks));
+        piece.ticks = static_cast<std::uint32_t>(
+            ticks > last ? std::min<std::uint64_t>(ticks - last, kMaxTicks) : last);
         piece.time_exponent = bits_for(piece.ticks);
         ticks -= piece.ticks;
         pieces.push_back(piece);

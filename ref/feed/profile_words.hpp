@@ -13,16 +13,29 @@ constexpr std::uint32_t kMaxTicks = 1u << 19;  // of one piece
 /// Largest planned exponent: its rounding, 2^(e-35) quanta, stays below 2^-11 unit.
 constexpr int kMaxPlannedExponent = 40;
 
+/// So many ticks; or more while so little path is gone.
+struct Reach {
+    std::uint64_t ticks = kMaxTicks;
+    std::uint64_t slow_ticks = 0;
+    std::uint64_t path = 0;  // quanta
+
+    bool holds(std::uint64_t time, std::uint64_t gone) const {
+        return time <= ticks || (time <= slow_ticks && gone <= path);
+    }
+};
+
 /// | field    | unit  | remark                                                           |
 /// |----------|-------|------------------------------------------------------------------|
 /// | tick     | s     |                                                                  |
 /// | quantum  | mm    | of path                                                          |
 /// | shortest | ticks | no piece inside a run is shorter: the rounding of its ends would |
 /// |          |       | show in the jerk                                                 |
+/// | longest  |       | pieces of motion are no longer                                   |
 struct PieceGrid {
     double tick;
     double quantum;
     std::uint64_t shortest;
+    Reach longest;
 
     PieceGrid(const Machine& machine, double unit_mm, double tick_s);
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ref/feed/planned_branches.hpp"
 #include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
@@ -11,25 +12,30 @@ namespace {
 constexpr std::uint64_t kOnTheWay = 128;  // ticks between what the guard counts and what is so
 constexpr double kSlower = 0.9;           // of the speed that would just do: pieces are whole ticks
 
-/// Path and ticks at the ends of frames of one stream.
+/// Path, ticks and words at the ends of frames of one stream.
 struct Ends {
     std::vector<std::uint64_t> path{0};
     std::vector<std::uint64_t> ticks{0};
+    std::vector<std::size_t> words{0};
 
-    void add(std::uint64_t length, std::uint32_t time) {
+    void add(std::uint64_t length, std::uint32_t time, std::size_t count) {
         path.push_back(path.back() + length);
         ticks.push_back(ticks.back() + time);
+        words.push_back(words.back() + count);
     }
 };
 
-/// Calls slow(path from, path to, quanta; ticks) for every run of `count` frames, one after the
-/// other on the path, that is over in fewer ticks than `needed`.
+/// Calls slow(path from, path to, quanta) for every run of frames, one after the other on the path,
+/// that three quarters of a queue of `queue` words hold and that is over in fewer ticks than
+/// `needed`.
 template <class Slow>
-void each_short_run(const Ends& ends, std::size_t count, std::uint64_t needed, Slow slow) {
-    for (std::size_t i = 0; i + count < ends.ticks.size() - 1; ++i) {
-        if (ends.ticks[i + count] - ends.ticks[i] < needed) {
-            slow(ends.path[i], ends.path[i + count]);
-        }
+void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow) {
+    const std::size_t room = static_cast<std::size_t>(queue) * 3 / 4;
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < ends.words.size(); ++i) {
+        while (end + 1 < ends.words.size() && ends.words[end + 1] - ends.words[i] <= room) ++end;
+        if (end + 1 == ends.words.size()) return;
+        if (ends.ticks[end] - ends.ticks[i] < needed) slow(ends.path[i], ends.path[end]);
     }
 }
 
@@ -38,9 +44,17 @@ void each_short_run(const Ends& ends, std::size_t count, std::uint64_t needed, S
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
                           std::vector<double>& speeds) {
     Ends segments;
-    for (const Segment& segment : plan.segments) segments.add(segment.length, segment.ticks);
+    const auto segment_words = static_cast<std::size_t>(segment_bus_words(plan.aux_axes));
+    for (const Segment& segment : plan.segments) {
+        segments.add(segment.length, segment.ticks, segment_words);
+    }
     Ends pieces;
-    for (const ProfilePiece& piece : plan.pieces) pieces.add(piece.ds, piece.ticks);
+    auto branch = plan.branches.begin();
+    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+        std::size_t words = kProfileBusWords;
+        if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
+        pieces.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
+    }
     std::vector<std::uint64_t> ends;  // of planned moves
     std::uint64_t path = 0;
     for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
@@ -60,12 +74,8 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
             if (ends[i] >= to) break;
         }
     };
-    const auto frames = [](int words, int each) {
-        return static_cast<std::size_t>(words / each * 3 / 4);
-    };
-    const int segment = segment_bus_words(plan.aux_axes);
-    each_short_run(segments, frames(options.segment_queue_words, segment), needed, slow);
-    each_short_run(pieces, frames(options.profile_queue_words, kProfileBusWords), needed, slow);
+    each_short_run(segments, options.segment_queue_words, needed, slow);
+    each_short_run(pieces, options.profile_queue_words, needed, slow);
     return static_cast<std::size_t>(std::count(slowed.begin(), slowed.end(), true));
 }
 

@@ -5,16 +5,20 @@
 #include <cmath>
 
 #include "ref/feed/limits.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr std::int64_t kOne = std::int64_t{1} << 32;  // of the rate
-constexpr double kRampSteps = 25;                     // in the time to full acceleration, at most
-constexpr double kBrakeSteps = 100;                   // in that from full speed
-constexpr int kPlaces = 4;                            // of a step, where limits are looked at
-constexpr int kRounds = 8;                            // of looking for such a step
-constexpr int kLoose = 1000;  // of the room: what a stop that ends already may leave unused
+constexpr double kUnit = 0x1p-32;
+constexpr double kSteps = 24;       // of a stop, at least
+constexpr double kShortest = 2e-3;  // s: of a step in it
+constexpr int kPlaces = 4;          // of a step, where limits are looked at
+constexpr int kRounds = 8;          // of looking for such a step
+constexpr int kLoose = 1000;        // of the room: what a stop that ends already may leave unused
+constexpr int kFine = 64;           // of it: how well a change is found
+constexpr std::uint32_t kMostTicks = (1u << kStepTicksBits) - 1;  // of a step
 
 /// A rate and its slope, 2^-32, at a time of the profile.
 struct Scaled {
@@ -40,48 +44,49 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
     return room.low <= room.high;
 }
 
-std::int64_t step_ticks(const Machine& machine, double tick_s) {
-    double brake = machine.velocity / machine.acceleration;
-    for (const AxisLimits& axis : machine.axis) {
-        brake = std::min(brake, axis.velocity / axis.acceleration);
+/// Seconds of the quickest stop along the path by the limits of its first place alone.
+double least_time(const PieceMotion& m, const std::vector<PlaceLimit>& limits) {
+    double acceleration = 1e300;
+    double jerk = 1e300;
+    for (const PlaceLimit& limit : limits) {
+        const double rate = std::sqrt(limit.d11);
+        if (rate == 0) continue;
+        acceleration = std::min(acceleration, limit.acceleration / rate);
+        jerk = std::min(jerk, limit.jerk / rate);
     }
-    const double time = std::max(ramp_time(machine) / kRampSteps, brake / kBrakeSteps);
-    std::int64_t ticks = 1;
-    while (static_cast<double>(2 * ticks) * tick_s <= time) ticks *= 2;
-    return ticks;
+    const double rise = std::max(0.0, m.a) / jerk;  // until it brakes
+    const double v = m.v + m.a / 2 * rise;
+    const double ramp = acceleration / jerk;
+    return rise + (v > acceleration * ramp ? v / acceleration + ramp : 2 * std::sqrt(v / jerk));
 }
 
 class StopLaw {
   public:
     explicit StopLaw(const ProfileCourse& course)
-        : course_(course),
-          cells_(course.cells()),
-          tick_s_(course.tick_s()),
-          longest_(step_ticks(course.machine(), tick_s_)) {
-        most_ = std::min<double>(0x1p31 - 1, std::ldexp(1.0, 32) / longest_ / longest_);
-    }
+        : course_(course), cells_(course.cells()), tick_s_(course.tick_s()) {}
 
-    StopBranch run(std::uint64_t tick) {
-        StopBranch branch;
-        branch.tick = tick;
+    StopSteps run(std::uint64_t tick) {
+        StopSteps steps;
         at_.tick = static_cast<double>(tick);
         find_cell(at_);
-        ticks_ = longest_;
-        for (std::size_t count = 0; at_.rate != 0 || at_.slope != 0; ++count) {
-            if (count == kMostStopSteps) return {};
+        ticks_ = longest_step();
+        const auto n = static_cast<double>(ticks_);
+        most_ = std::min(0x1p31 - 1, 0x1p32 / n / n);
+        const double end = at_.tick + static_cast<double>(stop_reach(course_.machine(), tick_s_));
+        for (int count = 0; at_.rate != 0 || at_.slope != 0; ++count) {
+            if (count == kStopSteps || at_.tick > end) return {};
             while (at_.slope == 0 && at_.rate < ticks_ * ticks_) ticks_ /= 2;
             const std::int64_t change = choose();
             const auto ticks = static_cast<std::uint32_t>(ticks_);
             at_ = after(at_, change, ticks_);
-            if (branch.steps.empty() && change == 0) {
-                branch.tick += ticks;
-            } else if (!branch.steps.empty() && branch.steps.back().change == change) {
-                branch.steps.back().ticks += ticks;
+            if (!steps.empty() && steps.back().change == change &&
+                steps.back().ticks + ticks <= kMostTicks) {
+                steps.back().ticks += ticks;
             } else {
-                branch.steps.push_back({ticks, static_cast<std::int32_t>(change)});
+                steps.push_back({ticks, static_cast<std::int32_t>(change)});
             }
         }
-        return branch;
+        return steps;
     }
 
   private:
@@ -94,11 +99,25 @@ class StopLaw {
         if (at.cell > 0) --at.cell;
     }
 
+    /// Ticks of a step, a power of two.
+    std::int64_t longest_step() const {
+        double time = kShortest;
+        if (!cells_.empty()) {
+            const CourseCell& cell = cells_[at_.cell];
+            const PieceMotion m = course_.motion(cell, std::clamp(at_.tick, cell.from, cell.to));
+            time = std::max(time, least_time(m, cell.begin) / kSteps);
+        }
+        std::int64_t ticks = 1;
+        while (static_cast<double>(2 * ticks) * tick_s_ <= time && 2 * ticks <= kMostTicks) {
+            ticks *= 2;
+        }
+        return ticks;
+    }
+
     Scaled after(Scaled at, std::int64_t change, std::int64_t n) const {
         const std::int64_t pairs = n * (n + 1) / 2;
         const std::int64_t triples = pairs * (n + 2) / 3;
-        at.tick +=
-            std::ldexp(static_cast<double>(at.rate * n + at.slope * pairs + change * triples), -32);
+        at.tick += static_cast<double>(at.rate * n + at.slope * pairs + change * triples) * kUnit;
         at.rate += at.slope * n + change * pairs;
         at.slope += change * n;
         while (at.cell + 1 < cells_.size() && cells_[at.cell + 1].from <= at.tick) ++at.cell;
@@ -117,8 +136,8 @@ class StopLaw {
         const CourseCell& cell = cells_[at.cell];
         if (at.tick < cell.from || at.tick >= cell.to) return true;
         const PieceMotion m = course_.motion(cell, at.tick);
-        here = {m.v, m.a, m.j, std::ldexp(static_cast<double>(at.rate), -32),
-                std::ldexp(static_cast<double>(at.slope), -32) / tick_s_};
+        here = {m.v, m.a, m.j, static_cast<double>(at.rate) * kUnit,
+                static_cast<double>(at.slope) * kUnit / tick_s_};
         const double x = (at.tick - cell.from) / (cell.to - cell.from);
         for (std::size_t i = 0; i < cell.begin.size(); ++i) {
             const PlaceLimit& b = cell.begin[i];
@@ -148,7 +167,7 @@ class StopLaw {
             const double square = l.d22 * q * q - l.acceleration * l.acceleration;
             const auto from_alpha = [&](double alpha) {
                 const double p = (alpha - h.r * h.r * h.a) / h.v * tick_s_;
-                return (std::ldexp(p, 32) - static_cast<double>(slope)) / static_cast<double>(n);
+                return (p / kUnit - static_cast<double>(slope)) / static_cast<double>(n);
             };
             if (n > 0 && !cut_square(l.d11, l.d12 * q, square, from_alpha, room)) return false;
             // |r' u + 3 r'' V alpha + r''' V^3| <= J
@@ -158,7 +177,7 @@ class StopLaw {
                 l.d33 * x * x + 9 * l.d22 * y * y + 6 * l.d23 * x * y - l.jerk * l.jerk;
             const auto from_jerk = [&](double u) {
                 const double own = h.r * h.r * h.r * h.j + 3 * h.r * h.p * h.a;
-                return std::ldexp((u - own) / h.v * tick_s_ * tick_s_, 32);
+                return (u - own) / h.v * tick_s_ * tick_s_ / kUnit;
             };
             return cut_square(l.d11, 3 * l.d12 * y + l.d13 * x, rest, from_jerk, room);
         });
@@ -243,7 +262,8 @@ class StopLaw {
         }
         const std::int64_t near = good - (good - bad) / kLoose - 1;
         if (ending_ && at_.slope < 0 && !safe(near)) return good;
-        while (good - bad > 1) {
+        const std::int64_t fine = std::max<std::int64_t>(1, (good - bad) / kFine);
+        while (good - bad > fine) {
             const std::int64_t middle = bad + (good - bad) / 2;
             (safe(middle) ? good : bad) = middle;
         }
@@ -254,8 +274,7 @@ class StopLaw {
     const ProfileCourse& course_;
     const std::deque<CourseCell>& cells_;
     double tick_s_;
-    std::int64_t longest_;  // ticks of a step
-    double most_;           // of a change
+    double most_ = 0;  // of a change
     Scaled at_;
     std::int64_t ticks_ = 1;
     bool ending_ = false;
@@ -263,41 +282,23 @@ class StopLaw {
 
 }  // namespace
 
-std::uint64_t StopBranch::ticks() const {
+std::uint64_t ticks_of(const StopSteps& steps) {
     std::uint64_t sum = 0;
     for (const StopStep& step : steps) sum += step.ticks;
     return sum;
 }
 
-StopBranch stop_branch(const ProfileCourse& course, std::uint64_t tick) {
+StopSteps stop_steps(const ProfileCourse& course, std::uint64_t tick) {
     return StopLaw(course).run(tick);
 }
 
 std::uint64_t stop_reach(const Machine& machine, double tick_s) {
-    return 2 * kMostStopSteps * static_cast<std::uint64_t>(step_ticks(machine, tick_s));
-}
-
-std::vector<StopBranch> stop_branches(const Program& program, const Machine& machine,
-                                      const Geometry& geometry, const Plan& plan,
-                                      std::uint64_t every) {
-    std::vector<StopBranch> branches;
-    ProfileCourse course(program, machine, geometry, plan, kStopShare);
-    const double reach = static_cast<double>(stop_reach(machine, plan.tick_s));
-    std::uint64_t next = 0;
-    const auto add_until = [&](double end) {
-        for (; static_cast<double>(next) < end; next += every) {
-            course.forget_before(static_cast<double>(next));
-            StopBranch branch = stop_branch(course, next);
-            if (!branch.steps.empty()) branches.push_back(std::move(branch));
-        }
-    };
-    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
-    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
-        course.add(stretch);
-        add_until(course.cells().back().from - reach);
-    });
-    if (!course.cells().empty()) add_until(course.cells().back().to);
-    return branches;
+    constexpr double kTimes = 4;  // that of the slowest axis
+    double time = machine.velocity / machine.acceleration + machine.acceleration / machine.jerk;
+    for (const AxisLimits& axis : machine.axis) {
+        time = std::max(time, axis.velocity / axis.acceleration + axis.acceleration / axis.jerk);
+    }
+    return static_cast<std::uint64_t>(std::ceil(kTimes * time / tick_s));
 }
 
 }  // namespace curvecore::ref

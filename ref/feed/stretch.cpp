@@ -6,6 +6,7 @@
 
 #include "ref/feed/limits.hpp"
 #include "ref/feed/piece_loads.hpp"
+#include "ref/feed/planned_branches.hpp"
 #include "ref/feed/ramp.hpp"
 #include "ref/feed/step_speed.hpp"
 
@@ -58,7 +59,9 @@ StretchPlanner::StretchPlanner(const FeedTask& task)
       grid_(task.machine, task.options.unit_mm, task.options.tick_s()),
       step_speed_(step_speeds(task.segments, task.geometry.moves, task.options)),
       most_(task.most),
-      pace_(task.pace) {}
+      pace_(task.pace) {
+    if (task.options.effort == Effort::kOptimum) grid_.longest = longest_piece(grid_);
+}
 
 /// What the moves from `first` up to `last` (not included) ask for at their ends.
 StretchPlanner::Rest StretchPlanner::rest(std::size_t first, std::size_t last) const {

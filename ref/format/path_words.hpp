@@ -15,6 +15,13 @@ constexpr int kAxisBusWords = 3;     // of an auxiliary axis in a segment
 constexpr int kProfileBusWords = 5;  // of a piece
 constexpr int segment_bus_words(int aux_axes) { return 17 + kAxisBusWords * aux_axes; }
 
+/// Stop branches (hls/stop_schedule.hpp). A branch is due so many ticks after its piece has begun:
+/// more than are ever on their way from the time scaler to the path generator.
+constexpr int kStopLead = 32;
+constexpr int kStopSteps = 256;     // of a branch, that the core keeps
+constexpr int kStopWaitBits = 20;   // ticks from one branch to the next
+constexpr int kStepTicksBits = 11;  // of a step
+
 /// In length units; a path reaches less.
 constexpr double kLongestSegment = 1LL << (kBusLengthBits - kPathFrac);
 constexpr double kLongestProgram = 1LL << (kProgramBits - kPathFrac);

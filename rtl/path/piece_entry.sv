@@ -26,12 +26,10 @@ module piece_entry (
 );
 
   // Which word it has to be
-  localparam int Change = words_pkg::StepChangeLow + words_pkg::StepChangeBits - 1;
   logic [3:0] tag_q;
   logic [3:0] tag;
   logic [3:0] next_tag;
   logic stop_q;  // the piece has a branch
-  logic first_step_q;
   logic stops;
   logic complete;
   logic can_be;
@@ -47,12 +45,10 @@ module piece_entry (
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      tag_q        <= words_pkg::TagPiece;
-      stop_q       <= 1'b0;
-      first_step_q <= 1'b0;
+      tag_q  <= words_pkg::TagPiece;
+      stop_q <= 1'b0;
     end else if (pass) begin
-      tag_q        <= next_tag;
-      first_step_q <= tag == words_pkg::TagStop;
+      tag_q <= next_tag;
       if (tag == words_pkg::TagStop) stop_q <= 1'b1;
       if (tag == words_pkg::TagPiece) stop_q <= 1'b0;
     end
@@ -99,8 +95,7 @@ module piece_entry (
   logic step_word;
   assign wait_word = data_o[words_pkg::StopWaitBits-1:0] != '0 &&
       data_o[words_pkg::TagLow-1:words_pkg::StopWaitBits] == '0;
-  assign step_word = data_o[words_pkg::StepTicksBits-1:0] != '0 &&
-      (!first_step_q || data_o[Change]);
+  assign step_word = data_o[words_pkg::StepTicksBits-1:0] != '0;
   assign no_rest = data_o[words_pkg::TagLow-1:CoefBits] == '0;
   always_comb begin
     case (tag)

@@ -371,7 +371,9 @@ module time_scaler (
   // In a stop below 1, whatever its steps.
   logic stopped_q;
   always_ff @(posedge clk_i) if (ticked_q) stopped_q <= stops_q;
-  assign rate_o = {rate_q[32] && !stopped_q, rate_q[31:16]};
+  logic beyond;
+  assign beyond = rate_q[32] && stopped_q;
+  assign rate_o = {rate_q[32] && !stopped_q, rate_q[31:16] | {16{beyond}}};
 
 endmodule
 `default_nettype wire

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hls/words.hpp"
+#include "ref/feed/planned_branches.hpp"
 #include "ref/program/input_error.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/device_clock.hpp"
@@ -62,7 +63,10 @@ std::string profile_head(const Job& job) {
            "//   8       ticks [19:0], m [24:20], e [30:25], final [31], sequence [39:32]\n"
            "//   9       ds [43:0], path quanta\n"
            "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta:\n"
-           "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n";
+           "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n"
+           "// before some of them a stop branch:\n"
+           "//   13      wait [19:0], ticks to the next one\n"
+           "//   14 ..   ticks [10:0], change of the rate's slope [42:11], last [43]\n";
 }
 
 /// The files, part by part.
@@ -81,11 +85,13 @@ class WordFiles {
             append(text, segment_bus_words(segment, count_++, part.options.core));
             segments_.write(text);
         }
-        for (const ref::ProfilePiece& piece : part.plan.pieces) {
+        for (std::size_t i = 0; i < part.plan.pieces.size(); ++i) {
             std::string text;
-            append(text, profile_bus_words(piece, pieces_++));
+            append(text, profile_bus_words(part.plan, i, pieces_++));
             profile_.write(text);
         }
+        branches_ += part.plan.branches.size();
+        profile_words_ += ref::profile_words(part.plan);
         ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
         path_ = part.path_length();
     }
@@ -110,8 +116,11 @@ class WordFiles {
         json["segments"] = {{"file", "segments.hex"},
                             {"count", count_},
                             {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
-        json["profile"] = {
-            {"file", "profile.hex"}, {"count", pieces_}, {"words_each", hls::kProfileBusWords}};
+        json["profile"] = {{"file", "profile.hex"},
+                           {"count", pieces_},
+                           {"words_each", hls::kProfileBusWords},
+                           {"branches", branches_},
+                           {"words", profile_words_}};
         // Ports of motion_interpolator
         json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
         json["hold_acceleration"] = job.plan.hold_acceleration;
@@ -138,6 +147,8 @@ class WordFiles {
     OutputFile profile_;
     std::size_t count_ = 0;
     std::size_t pieces_ = 0;
+    std::size_t branches_ = 0;
+    std::size_t profile_words_ = 0;
     std::uint64_t ticks_ = 0;
     std::uint64_t path_ = 0;
 };

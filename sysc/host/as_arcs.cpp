@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/host/as_arcs.hpp"
 
+#include "ref/feed/planned_branches.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/program/input_error.hpp"
@@ -9,8 +10,7 @@
 namespace curvecore::sysc {
 
 std::size_t words_of(const ref::Plan& plan) {
-    return ref::segment_bus_words(plan.aux_axes) * plan.segments.size() +
-           ref::kProfileBusWords * plan.pieces.size();
+    return ref::segment_bus_words(plan.aux_axes) * plan.segments.size() + ref::profile_words(plan);
 }
 
 namespace {

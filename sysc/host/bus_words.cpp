@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/host/bus_words.hpp"
 
+#include <algorithm>
+
 #include "hls/quantise.hpp"
 #include "sysc/host/run_time_format.hpp"
 
@@ -15,9 +17,23 @@ std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::s
     return words;
 }
 
-std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece, std::size_t index) {
-    std::vector<std::uint64_t> words(hls::kProfileBusWords);
-    hls::pack(hls::to_words(piece), static_cast<unsigned>(index), words.data());
+std::vector<std::uint64_t> profile_bus_words(const ref::Plan& plan, std::size_t index,
+                                             std::size_t number) {
+    std::vector<std::uint64_t> words;
+    const auto is_before = [](const ref::PlannedBranch& branch, std::size_t piece) {
+        return branch.piece < piece;
+    };
+    const auto branch =
+        std::lower_bound(plan.branches.begin(), plan.branches.end(), index, is_before);
+    if (branch != plan.branches.end() && branch->piece == index) {
+        words.push_back(hls::pack_stop(static_cast<std::int32_t>(branch->wait)));
+        for (const ref::StopStep& step : branch->steps) {
+            words.push_back(hls::pack(hls::to_words(step, &step == &branch->steps.back())));
+        }
+    }
+    words.resize(words.size() + hls::kProfileBusWords);
+    hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(number),
+              &words[words.size() - hls::kProfileBusWords]);
     return words;
 }
 

@@ -14,7 +14,9 @@ namespace curvecore::sysc {
 std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
                                              const CoreParameters& parameters);
 
-/// Five words of 48 bits of the plan's piece `index`.
-std::vector<std::uint64_t> profile_bus_words(const ref::ProfilePiece& piece, std::size_t index);
+/// Words of 48 bits of the plan's piece `index`, number so and so of the program: of the branch
+/// before it, if there is one, and five.
+std::vector<std::uint64_t> profile_bus_words(const ref::Plan& plan, std::size_t index,
+                                             std::size_t number);
 
 }  // namespace curvecore::sysc

@@ -62,8 +62,9 @@ void Feeder::write_segments() {
 void Feeder::write_profile() {
     const std::vector<ref::ProfilePiece>& pieces = job_.plan.pieces;
     while (profile_.send(board_, next_piece_ == pieces.size()) && next_piece_ < pieces.size()) {
-        const ref::ProfilePiece& piece = pieces[next_piece_];
-        profile_.load(profile_bus_words(piece, next_piece_++), piece.ticks);
+        profile_.load(profile_bus_words(job_.plan, next_piece_, next_piece_),
+                      pieces[next_piece_].ticks);
+        ++next_piece_;
     }
 }
 

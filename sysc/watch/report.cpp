@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/feed/planned_branches.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/watch/limit_text.hpp"
@@ -45,6 +46,13 @@ nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios) {
     return {{"velocity", ratios.velocity},
             {"acceleration", ratios.acceleration},
             {"jerk", ratios.jerk}};
+}
+
+nlohmann::ordered_json hold_json(const ref::Plan& plan) {
+    const double longest = static_cast<double>(ref::longest_stop(plan)) * plan.tick_s;
+    return {{"branches", plan.branches.size()},
+            {"longest_stop_s", plan.branches.empty() ? Json() : Json(longest)},
+            {"stop_ticks", plan.stop_ticks}};
 }
 
 nlohmann::ordered_json machine_json(const Job& job) {
@@ -228,6 +236,7 @@ nlohmann::ordered_json Report::json() const {
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
     json["words"] = words_of(job.plan);
+    json["hold"] = hold_json(job.plan);
     json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
     json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
@@ -319,6 +328,11 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     }
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
                                 job.options.sample_period_s * 1e6));
+    if (!job.plan.branches.empty()) {
+        row("hold", fmt::format("at rest within {:.3f} s, {} branches",
+                                static_cast<double>(ref::longest_stop(job.plan)) * job.plan.tick_s,
+                                job.plan.branches.size()));
+    }
     if (drawn != nullptr) {
         const CheckResult& check = drawn->check;
         row(fmt::format("{} = kernel", title_of(job.options.board)),

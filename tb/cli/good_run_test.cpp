@@ -250,7 +250,7 @@ TEST_F(GoodRun, BadInputKeepsAnOlderResult) {
 
 TEST_F(GoodRun, InterruptLeavesNothing) {
     program_.write("part.ngc", "G21 G90 F10\nG1 X900\nX-900\nM2\n");  // hours of samples
-    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"}, 500);
+    const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"}, 5000);
     EXPECT_EQ(result.status, 130);
     EXPECT_EQ(program_.files(), Files{"part.ngc"});
 }

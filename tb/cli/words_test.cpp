@@ -46,7 +46,7 @@ TEST_P(Words, AreThoseOfThePlan) {
     const std::size_t each = json["segments"]["words_each"];
     EXPECT_EQ(segments, planned);
     EXPECT_EQ(segments.size(), json["segments"]["count"].get<std::size_t>() * each);
-    EXPECT_EQ(profile.size(), json["profile"]["count"].get<std::size_t>() * 5);
+    EXPECT_EQ(profile.size(), json["profile"]["words"]);
     for (const std::string& word : segments) EXPECT_EQ(word.size(), 12u);
 
     // Lengths of segments and of pieces sum to the path; only the last piece is final.
@@ -57,10 +57,20 @@ TEST_P(Words, AreThoseOfThePlan) {
         path += value(segments[i]) & kField;
     }
     std::uint64_t travelled = 0;
-    for (std::size_t i = 0; i < profile.size(); i += 5) {
-        travelled += value(profile[i + 1]) & kField;
-        EXPECT_EQ((value(profile[i]) >> 31) & 1, i + 5 == profile.size() ? 1u : 0u);
+    std::size_t pieces = 0;
+    std::size_t branches = 0;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+        const std::uint64_t tag = value(profile[i]) >> 44;
+        if (tag == 8) {
+            EXPECT_EQ((value(profile[i]) >> 31) & 1, i + 5 == profile.size() ? 1u : 0u);
+        }
+        if (tag == 9) travelled += value(profile[i]) & kField;
+        pieces += tag == 8 ? 1 : 0;
+        branches += tag == 13 ? 1 : 0;
     }
+    EXPECT_EQ(pieces, json["profile"]["count"]);
+    EXPECT_EQ(branches, json["profile"]["branches"]);
+    EXPECT_GT(branches, 0u);
     EXPECT_EQ(path, json["path_quanta"]);
     EXPECT_EQ(travelled, path);
 }
@@ -88,9 +98,9 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     const ProgramResult result = program.run(
         {"words", std::string(DATA_DIR) + "/lines.ngc", "--path", "exact", "-q", "-o", "words"});
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 2);
+    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 3);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 8240500981578338437u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 5015293398255085056u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 11932322818464625361u);
 }
 
 }  // namespace

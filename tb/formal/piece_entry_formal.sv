@@ -9,9 +9,8 @@
 // control: ANY_REST s/default:  *can_be = no_rest;/default: can_be = 1'b1;/
 // control: SEVERAL_FINALS s/(pass \&\& tag == words_pkg::TagPiece)/(pass)/
 // control: TWO_BRANCHES s/\&\& !stop_q \&\& stops/\&\& stops/
-// control: ANY_FIRST_STEP s/!first_step_q ||/1'b1 ||/
 // control: ENDLESS s/data_o\[words_pkg::StepLastLow\] ?/1'b0 ?/
-// control: NO_RESET s/tag_q        <= words_pkg::TagPiece;/tag_q <= tag_q;/
+// control: NO_RESET s/tag_q  <= words_pkg::TagPiece;/tag_q <= tag_q;/
 `default_nettype none
 module piece_entry_formal (
     input wire logic        clk_i,
@@ -50,10 +49,10 @@ module piece_entry_formal (
   );
 
   logic [2:0] place_q;  // of the word that has to come in its piece
-  logic [1:0] branch_q;  // 0 none, 1 its first step has to come, 2 another one, 3 it is complete
+  logic [1:0] branch_q;  // 0 none, 1 a step has to come, 2 it is complete
   logic steps;
   logic stop;
-  assign steps = branch_q == 2'd1 || branch_q == 2'd2;
+  assign steps = branch_q == 2'd1;
   assign stop  = place_q == '0 && branch_q == 2'd0 && data[47:44] == 4'd13;
   logic [7:0] pieces_q;
   logic held_q;
@@ -73,7 +72,7 @@ module piece_entry_formal (
       pieces_q <= '0;
       held_q   <= 1'b0;
     end else begin
-      if (pass && steps) branch_q <= data[43] ? 2'd3 : 2'd2;
+      if (pass && steps) branch_q <= data[43] ? 2'd2 : 2'd1;
       else if (pass && stop) branch_q <= 2'd1;
       else if (pass) begin
         branch_q <= '0;
@@ -100,11 +99,9 @@ module piece_entry_formal (
       if (data[39:32] != pieces_q) can_be = 1'b0;
     end
     if (data[47:44] != 4'd8 + {1'b0, place_q}) can_be = 1'b0;
-    // A wait, not 0; ticks, not 0, and a change, below 0 in the first step
+    // A wait, ticks: not 0
     if (stop) can_be = data[19:0] != '0 && data[43:20] == '0;
-    if (steps) begin
-      can_be = data[47:44] == 4'd14 && data[10:0] != '0 && (branch_q == 2'd2 || data[42]);
-    end
+    if (steps) can_be = data[47:44] == 4'd14 && data[10:0] != '0;
   end
 
   always_comb begin
@@ -116,7 +113,7 @@ module piece_entry_formal (
       if (piece) OfIts : assert ({is_final, ticks} == {final_q, ticks_q} && ds == ds_q);
 
       SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
-      Branch : cover (branch_q == 2'd3 && pieces_q == 8'd1);
+      Branch : cover (branch_q == 2'd2 && pieces_q == 8'd1);
       Refused : cover (fault == 2'b01 && pieces_q == 8'd1 && place_q == 3'd3);
     end
   end

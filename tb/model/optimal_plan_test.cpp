@@ -58,7 +58,8 @@ TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {
         const sysc::LimitLoads loads = drawn_limits(plan, machine);
         EXPECT_LE(loads.most(), 1) << curve.name << ": " << text(loads);
         EXPECT_GE(rules.duration_s, curve.gain * plan.duration_s) << curve.name;
-        EXPECT_LE(plan.pieces.size(), 4 * rules.pieces.size()) << curve.name;
+        const double cut = plan.duration_s / 7e-3;  // for stop branches
+        EXPECT_LE(plan.pieces.size(), 4. * rules.pieces.size() + cut) << curve.name;
     }
 }
 

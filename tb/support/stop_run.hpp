@@ -7,12 +7,12 @@
 
 namespace curvecore::tb {
 
-/// Calls tick(rate, 2^-32) for every tick of a branch; returns whether it ends at rest.
+/// Calls tick(rate, 2^-32) for every tick of a stop; returns whether it ends at rest.
 template <class Tick>
-bool each_rate(const ref::StopBranch& branch, Tick tick) {
+bool each_rate(const ref::StopSteps& steps, Tick tick) {
     std::int64_t rate = std::int64_t{1} << 32;
     std::int64_t slope = 0;
-    for (const ref::StopStep& step : branch.steps) {
+    for (const ref::StopStep& step : steps) {
         for (std::uint32_t i = 0; i < step.ticks; ++i) {
             slope += step.change;
             rate += slope;
@@ -22,14 +22,15 @@ bool each_rate(const ref::StopBranch& branch, Tick tick) {
     return rate == 0 && slope == 0;
 }
 
-/// The whole plan up to the branch and the stop, by the kernel, measured over windows; `late`: the
-/// branch begins so much of a tick later, 2^-16, as after a hold.
+/// The whole plan up to a tick and the stop, by the kernel, measured over windows; `late`: the
+/// stop begins so much of a tick later, 2^-16, as after a hold.
 inline sysc::LimitLoads stopped_limits(const ref::Plan& plan, const ref::Machine& machine,
-                                       const ref::StopBranch& branch, std::int32_t late = 0) {
+                                       std::uint64_t tick, const ref::StopSteps& steps,
+                                       std::int32_t late = 0) {
     TickRun run(plan, machine);
     if (late > 0) run.tick(late);
-    for (std::uint64_t k = 0; k < branch.tick; ++k) run.tick(1 << 16);
-    each_rate(branch, [&](std::int64_t rate) { run.tick(static_cast<std::int32_t>(rate >> 16)); });
+    for (std::uint64_t k = 0; k < tick; ++k) run.tick(1 << 16);
+    each_rate(steps, [&](std::int64_t rate) { run.tick(static_cast<std::int32_t>(rate >> 16)); });
     for (int k = 0; k < 400; ++k) run.tick(0);
     return run.finish();
 }
@@ -41,7 +42,8 @@ struct Differences {
     double jerk = 0;
 };
 inline Differences stopped_differences(const ref::Plan& plan, const ref::Machine& machine,
-                                       const ref::StopBranch& branch, std::size_t step) {
+                                       std::uint64_t tick, const ref::StopSteps& steps,
+                                       std::size_t step) {
     ref::CurveFollower curve;
     std::vector<ref::Vec3> places;
     auto segment = plan.segments.begin();
@@ -64,15 +66,15 @@ inline Differences stopped_differences(const ref::Plan& plan, const ref::Machine
         places.push_back(curve.position(*segment, local) * plan.unit_mm);
     };
     place();
-    for (std::uint64_t k = 0; k < branch.tick; ++k, time += 1, place()) {
+    for (std::uint64_t k = 0; k < tick; ++k, time += 1, place()) {
     }
-    each_rate(branch, [&](std::int64_t rate) {
+    each_rate(steps, [&](std::int64_t rate) {
         time += std::ldexp(static_cast<double>(rate), -32);
         place();
     });
     Differences worst;
     const double h = static_cast<double>(step) * plan.tick_s;
-    const std::size_t first = branch.tick > 3 * step ? branch.tick - 3 * step : 0;
+    const std::size_t first = tick > 3 * step ? tick - 3 * step : 0;
     for (std::size_t i = first; i + 3 * step < places.size(); ++i) {
         const ref::Vec3& a = places[i];
         const ref::Vec3& b = places[i + step];

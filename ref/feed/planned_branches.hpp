@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stop branches all along a plan, so that a stop from the rate 1 never waits long for one.
+#pragma once
+
+#include "ref/feed/profile_words.hpp"
+#include "ref/segment/geometry.hpp"
+
+namespace curvecore::ref {
+
+/// A piece, at most, in a plan that has some: branches stand between pieces.
+Reach longest_piece(const PieceGrid& grid);
+
+/// Sets plan.branches where the limits leave them, and raises plan.stop_ticks to what they need.
+/// Memory for the course of one stop.
+void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
+                  Plan& plan);
+
+/// Words of a branch, and of a plan's pieces with theirs, in the profile queue.
+inline std::size_t branch_words(const PlannedBranch& branch) { return 1 + branch.steps.size(); }
+std::size_t profile_words(const Plan& plan);
+
+/// Ticks from a hold to rest, at most, from the first branch on; 0: the plan has none.
+std::uint64_t longest_stop(const Plan& plan);
+
+}  // namespace curvecore::ref
