@@ -6,6 +6,9 @@
 
 #include "ref/feed/feed_profile.hpp"
 #include "ref/feed/hold_bounds.hpp"
+#include "ref/feed/planned_branches.hpp"
+#include "ref/feed/stop_branch.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/program/input_error.hpp"
 
 namespace curvecore::ref {
@@ -214,14 +217,38 @@ Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) 
     if (end == moves.size()) window.planned->motion.append_last_dwell(plan.pieces);
     plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
     set_segment_feeds(program_, options_, plan);
+    ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
+    if (options_.effort == Effort::kOptimum) add_branches(window, first, end, plan);
     for (Segment& segment : plan.segments) {
         segment.s_start += path_;
         segment.move += window.first;
     }
     path_ += to - from;
-    ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
     plan.segments.back().last = plan.pieces.back().final = ended_;
     return plan;
+}
+
+/// Where a part does not end at rest, stops end before what is not planned yet.
+void PlanStream::add_branches(const Window& window, std::size_t first, std::size_t end,
+                              Plan& plan) const {
+    Geometry own;
+    for (std::size_t i = first; i < end; ++i) {
+        own.moves.push_back(window.geometry.moves[i]);
+        own.moves.back().move += window.first - dropped_;
+    }
+    set_branches(program_, machine_, own, plan);
+    if (end == window.geometry.moves.size()) return;
+    const auto reach = static_cast<double>(stop_reach(machine_, plan.tick_s)) + kStopLead;
+    double left = ticks_of(plan.pieces);
+    std::size_t piece = 0;
+    std::size_t kept = 0;
+    for (const PlannedBranch& branch : plan.branches) {
+        for (; piece < branch.piece; ++piece) left -= plan.pieces[piece].ticks;
+        if (left < reach) break;
+        ++kept;
+    }
+    plan.branches.resize(kept);
+    if (kept > 0) plan.branches.back().wait = 1;  // for none
 }
 
 }  // namespace curvecore::ref

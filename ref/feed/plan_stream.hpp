@@ -60,6 +60,7 @@ class PlanStream {
     Plan give_out(std::unique_ptr<Window> window);
     Plan stop_where_planned();
     Plan part(const Window& window, std::size_t first, std::size_t end);
+    void add_branches(const Window& window, std::size_t first, std::size_t end, Plan& plan) const;
     void drop(std::size_t first);
     void fail();
 

@@ -133,13 +133,14 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
     plan.branches = planner.finish();
-    double most = plan.stop_ticks;
+    // Of machines that stop at once a wait for a branch would be the longer stop.
+    double most = 0;
     std::uint32_t wait = 0;
     for (const PlannedBranch& branch : plan.branches) {
         most = std::max(most, std::ceil(wait + passed(branch.steps)));
         wait = branch.wait;
     }
-    plan.stop_ticks = static_cast<std::uint32_t>(most);
+    if (most > plan.stop_ticks) plan.branches.clear();
 }
 
 std::size_t profile_words(const Plan& plan) {

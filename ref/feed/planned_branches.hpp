@@ -10,8 +10,8 @@ namespace curvecore::ref {
 /// A piece, at most, in a plan that has some: branches stand between pieces.
 Reach longest_piece(const PieceGrid& grid);
 
-/// Sets plan.branches where the limits leave them, and raises plan.stop_ticks to what they need.
-/// Memory for the course of one stop.
+/// Sets plan.branches where the limits leave them; none if one would need more than
+/// plan.stop_ticks. Memory for the course of one stop.
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
                   Plan& plan);
 

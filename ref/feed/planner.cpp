@@ -29,6 +29,10 @@ Plan make_plan(const Program& program, const Machine& machine, const PlanOptions
     while (std::optional<Plan> part = stream.next()) {
         plan.duration_s += part->duration_s;
         plan.slowed_moves += part->slowed_moves;
+        for (PlannedBranch& branch : part->branches) {
+            branch.piece += plan.pieces.size();
+            plan.branches.push_back(std::move(branch));
+        }
         std::move(part->segments.begin(), part->segments.end(), std::back_inserter(plan.segments));
         std::move(part->pieces.begin(), part->pieces.end(), std::back_inserter(plan.pieces));
     }

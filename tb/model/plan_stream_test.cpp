@@ -9,6 +9,7 @@
 #include "ref/path/smooth_path.hpp"
 #include "ref/program/input_error.hpp"
 #include "tb/support/drawn_limits.hpp"
+#include "tb/support/hold_run.hpp"
 #include "tb/support/random_lines.hpp"
 
 namespace curvecore::tb {
@@ -48,7 +49,8 @@ struct Joined {
     Plan plan;
     std::size_t parts = 0;
     std::size_t forced_stops = 0;
-    double jump = 0;  // of speed between parts, mm/s
+    double jump = 0;                  // of speed between parts, mm/s
+    std::vector<std::uint64_t> ends;  // of parts, ticks
     std::string error;
 
     Joined() = default;
@@ -67,6 +69,8 @@ struct Joined {
     }
 
     void append(Plan part) {
+        const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
+        ends.push_back(ticks + (ends.empty() ? 0 : ends.back()));
         if (parts++ == 0) {
             plan = std::move(part);
             return;
@@ -76,6 +80,10 @@ struct Joined {
         EXPECT_EQ(part.hold_acceleration, plan.hold_acceleration);
         EXPECT_EQ(part.stop_ticks, plan.stop_ticks);
         plan.duration_s += part.duration_s;
+        for (ref::PlannedBranch& branch : part.branches) {
+            branch.piece += plan.pieces.size();
+            plan.branches.push_back(std::move(branch));
+        }
         plan.segments.insert(plan.segments.end(), part.segments.begin(), part.segments.end());
         plan.pieces.insert(plan.pieces.end(), part.pieces.begin(), part.pieces.end());
     }
@@ -243,6 +251,29 @@ TEST(PlanStream, OfNothingIsRefused) {
 }
 
 /// What is planned without knowing what comes is no faster than what any plan may ask.
+/// Holds before cuts, by branches and by the bounds of the whole program.
+TEST(PlanStream, HoldsKeepTheLimitsAcrossCuts) {
+    std::size_t branches = 0;
+    for (unsigned seed = 1; seed < 5; ++seed) {
+        const Joined all = joined(smooth_lines(seed), options(Effort::kOptimum), 60);
+        branches += all.plan.branches.size();
+        for (std::size_t part = 0; part + 1 < all.ends.size(); part += all.ends.size() / 5 + 1) {
+            for (const std::uint64_t before : {10, 60, 150, 300, 600}) {
+                HoldRun run(all.plan, Machine{});
+                for (std::uint64_t tick = 0; tick + before < all.ends[part]; ++tick) {
+                    run.tick(1 << 16);
+                }
+                EXPECT_LE(run.stop(), 2 * all.plan.stop_ticks);
+                for (int tick = 0; tick < 100; ++tick) run.tick(0);
+                while (run.active()) run.tick(1 << 16);
+                const sysc::LimitLoads loads = run.finish();
+                EXPECT_LE(loads.most(), 1) << seed << " " << part << " " << text(loads);
+            }
+        }
+    }
+    EXPECT_GT(branches, 50U);
+}
+
 TEST(PlanStream, BoundsHoldsByTheFastestMotion) {
     const Program program = smooth_lines(6);
     const auto bounds = [&](double fastest) {
