@@ -97,7 +97,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
         set_segment_feeds(subject.program, subject.options, plan);
         plan.branches.clear();
         std::size_t slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
-        if (slowed == 0 && !subject.window && subject.options.effort == Effort::kOptimum) {
+        if (slowed == 0 && !subject.window && subject.options.has_branches()) {
             set_branches(subject.program, subject.machine, subject.geometry, plan);
             slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
         }

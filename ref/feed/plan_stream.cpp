@@ -218,7 +218,7 @@ Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) 
     plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
     set_segment_feeds(program_, options_, plan);
     ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
-    if (options_.effort == Effort::kOptimum) add_branches(window, first, end, plan);
+    if (options_.has_branches()) add_branches(window, first, end, plan);
     for (Segment& segment : plan.segments) {
         segment.s_start += path_;
         segment.move += window.first;

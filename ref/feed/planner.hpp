@@ -40,6 +40,11 @@ struct CoreTime {
 enum class Effort { kRules, kOptimum };
 constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
 
+/// How a hold from the rate 1 stops: on a branch that was planned for the place, which costs the
+/// host words; or by the bounds of the whole program.
+enum class Holds { kBranches, kBounds };
+constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
+
 /// | field                  | unit   | remark                                                     |
 /// |------------------------|--------|------------------------------------------------------------|
 /// | unit_mm                | mm     | the length unit                                            |
@@ -53,6 +58,7 @@ constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
 /// | effort                 |        | how the feed is planned                                    |
+/// | holds                  |        | by stop branches, with an optimum; or by bounds alone      |
 /// | window                 | 1      | moves that are planned at once, 2 at least                 |
 /// | advise                 |        | a refusal says which width would do: takes many plans      |
 struct PlanOptions {
@@ -68,8 +74,10 @@ struct PlanOptions {
     int max_pieces = 1 << 16;
     bool advise = true;
     Effort effort = Effort::kOptimum;
+    Holds holds = Holds::kBranches;
     std::size_t window = 3000;
 
+    bool has_branches() const { return effort == Effort::kOptimum && holds == Holds::kBranches; }
     double tick_s() const { return sample_period_s * samples_per_tick; }
 };
 

@@ -60,7 +60,7 @@ StretchPlanner::StretchPlanner(const FeedTask& task)
       step_speed_(step_speeds(task.segments, task.geometry.moves, task.options)),
       most_(task.most),
       pace_(task.pace) {
-    if (task.options.effort == Effort::kOptimum) grid_.longest = longest_piece(grid_);
+    if (task.options.has_branches()) grid_.longest = longest_piece(grid_);
 }
 
 /// What the moves from `first` up to `last` (not included) ask for at their ends.

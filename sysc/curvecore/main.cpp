@@ -91,6 +91,9 @@ void add_timed_core(CLI::App& command, RawOptions& raw) {
              "samples that share a tick of the feed profile, 2^n");
     add_text(command, "--effort", raw.effort, "NAME",
              fmt::format("of the feed: {}", fmt::join(ref::kEffortNames, ", ")));
+    add_text(command, "--holds", raw.holds, "NAME",
+             fmt::format("how a hold stops, by words for every place or slowly: {}",
+                         fmt::join(ref::kHoldNames, ", ")));
     add_text(command, "--path", raw.path, "NAME",
              "program: within the tolerance that G64 allows; exact");
     add_text(command, "--clock", raw.clock, "FREQUENCY",

@@ -118,6 +118,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.error_limit = error_limit;
     plan.core = core_time(core, clock_hz);
     plan.effort = effort;
+    plan.holds = holds;
     return plan;
 }
 
@@ -127,6 +128,7 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     options.points = points_options(raw, options.file);
     options.effort = static_cast<ref::Effort>(choice("--effort", raw.effort, ref::kEffortNames));
+    options.holds = static_cast<ref::Holds>(choice("--holds", raw.holds, ref::kHoldNames));
     options.exact_path = choice("--path", raw.path, kPathNames) == 1;
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     CoreFile core;

@@ -25,6 +25,7 @@ struct Options {
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
     ref::Effort effort = ref::Effort::kOptimum;
+    ref::Holds holds = ref::Holds::kBranches;
     bool exact_path = false;              // G64's tolerance is not used
     std::optional<double> arc_tolerance;  // mm, of --fit arcs
     double unit_mm = 1e-6;
@@ -62,6 +63,7 @@ struct RawOptions {
     std::string tolerance;
     std::string ends = "natural";
     std::string effort = "optimum";
+    std::string holds = "branches";
     std::string path = "program";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";

@@ -91,6 +91,26 @@ std::uint64_t digest(const std::vector<std::string>& words) {
     return hash;
 }
 
+TEST(ProfileWords, OfStopBranchesAreLeftOutOnDemand) {
+    const ProgramRun program;
+    program.write("part.ngc", "G21 G90 F9000\nG1 X50\nG3 X50 Y20 I0 J10\nM2\n");
+    const auto profile = [&](const char* holds) {
+        const ProgramResult result =
+            program.run({"words", "part.ngc", "-q", "-o", holds, "--holds", holds});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return Json::parse(program.read(std::string(holds) + "/words.json"))["profile"];
+    };
+    const Json with = profile("branches");
+    const Json without = profile("bounds");
+    EXPECT_GT(with["branches"], 10);
+    EXPECT_EQ(without["branches"], 0);
+    EXPECT_EQ(without["words"], 5 * without["count"].get<int>());
+    EXPECT_LT(3 * without["words"].get<int>(), with["words"].get<int>());
+    const ProgramResult refused = program.run({"words", "part.ngc", "--holds", "never"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("--holds"), std::string::npos) << refused.err;
+}
+
 // A driver depends on these words. Who changes their format counts up hls::kWordsVersion; who
 // changes the plan alone puts the new digests here.
 TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
