@@ -54,7 +54,7 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
         const double t = motion.times()[i];
         const double off = std::max({from - t, t - to, 0.0});
         if (off > nearest) continue;
-        const double v = motion.speed_before(i);
+        const double v = motion.speeds()[i];
         if (off == nearest && v > slowest) continue;
         nearest = off;
         slowest = v;

@@ -20,7 +20,9 @@ WindowMotion::WindowMotion(std::vector<Stretch> stretches, const Geometry& geome
             for (; phase + 1 != stretch.phases.end() && (phase + 1)->s <= place; ++phase) {
                 time += phase->duration;
             }
-            times_.push_back(time + time_at(*phase, 0, static_cast<double>(place)));
+            const double t = time_at(*phase, 0, static_cast<double>(place));
+            times_.push_back(time + t);
+            speeds_.push_back(i == stretch.first ? 0 : phase->speed(t));
             place += length_of(geometry_->moves[i], grid_);
         }
         for (; phase != stretch.phases.end(); ++phase) time += phase->duration;
@@ -39,14 +41,6 @@ void WindowMotion::each_part(std::size_t first, std::size_t end, Visit visit) co
               part_of(stretch.phases, place_of(*geometry_, stretch, from, grid_),
                       place_of(*geometry_, stretch, to, grid_)));
     }
-}
-
-double WindowMotion::speed_before(std::size_t move) const {
-    for (const Stretch& stretch : stretches_) {
-        if (move <= stretch.first || move > stretch.last) continue;
-        return part_of(stretch.phases, place_of(*geometry_, stretch, move, grid_), kEnd).front().v;
-    }
-    return 0;
 }
 
 bool WindowMotion::begins_move(std::size_t move) const {

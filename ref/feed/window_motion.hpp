@@ -15,8 +15,8 @@ class WindowMotion {
     /// When each planned move begins, and the end; s.
     const std::vector<double>& times() const { return times_; }
 
-    /// Speed in which a planned move begins, mm/s.
-    double speed_before(std::size_t move) const;
+    /// Speed in which each planned move begins, mm/s.
+    const std::vector<double>& speeds() const { return speeds_; }
 
     /// Whether a planned move is the first of a move of the program.
     bool begins_move(std::size_t move) const;
@@ -37,6 +37,7 @@ class WindowMotion {
     PieceGrid grid_;
     double last_dwell_;
     std::vector<double> times_;
+    std::vector<double> speeds_;
 };
 
 }  // namespace curvecore::ref
