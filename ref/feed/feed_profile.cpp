@@ -30,12 +30,6 @@ struct Subject {
     bool window = false;  // bounds of holds are given
     bool more = false;    // is to come
     double pace = 1;
-
-    std::size_t open() const {
-        std::size_t moves = 0;
-        for (const GivenRun& run : given) moves += run.moves;
-        return moves;
-    }
 };
 
 /// The slowest joint, a stop if there is one; of equals the last one.
@@ -79,7 +73,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
     for (int round = 0;; ++round) {
         std::optional<WindowMotion> found = motion();
         if (found && subject.more && cut == 0) {
-            cut = best_cut(*found, subject.open(), subject.machine);
+            cut = best_cut(*found, given_moves(subject.given), subject.machine);
             if (std::optional<WindowMotion> passed = cut > 0 ? motion() : std::nullopt) {
                 found = std::move(passed);
             } else {

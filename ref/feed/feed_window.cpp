@@ -22,8 +22,11 @@ constexpr double kSeen = 4;
 }  // namespace
 
 FeedWindow::FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut)
-    : task_(task), cut_(cut), planner_(task), stretches_(planner_.cut_at_stops(given)) {
-    for (const GivenRun& run : given) open_ += run.moves;
+    : task_(task),
+      cut_(cut),
+      planner_(task),
+      stretches_(planner_.cut_at_stops(given)),
+      open_(given_moves(given)) {
     for (std::size_t i = 0; i < open_; ++i) given_end_ += task.geometry.moves[i].length;
 }
 

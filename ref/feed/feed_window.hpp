@@ -30,7 +30,7 @@ class FeedWindow {
     std::size_t cut_;
     StretchPlanner planner_;
     std::vector<Stretch> stretches_;
-    std::size_t open_ = 0;         // the first planned move that is not given
+    std::size_t open_;             // the first planned move that is not given
     std::uint64_t given_end_ = 0;  // quanta
 };
 

@@ -35,14 +35,12 @@ struct PlanStream::Window {
 
 PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
                        const PlanOptions& options)
-    : source_(std::move(source)),
-      machine_(std::move(machine)),
-      options_(options),
-      fastest_(frame.fastest) {
+    : source_(std::move(source)), machine_(std::move(machine)), options_(options) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;
     frame_.unit_mm = options_.unit_mm;
     frame_.tick_s = options_.tick_s();
+    set_hold_bounds(machine_, options_, frame.fastest, frame_);
 }
 
 PlanStream::~PlanStream() = default;
@@ -57,10 +55,7 @@ std::optional<Plan> PlanStream::next() {
             begun_ = ended_ = true;
             return std::move(window->plan);
         }
-        if (!begun_) {
-            set_hold_bounds(machine_, options_, fastest_, frame_);
-            begun_ = true;
-        }
+        begun_ = true;
         if (!plan(*window)) return stop_where_planned();
         if (more_ && window->planned->cut == 0 && size < kLargest * options_.window) continue;
         return give_out(std::move(window));
@@ -101,14 +96,22 @@ void PlanStream::read(std::size_t size) {
 
 /// What ends at rest because more follows must not be the last.
 void PlanStream::check_next() {
-    if (!more_) return;
-    Program one = program_;
-    one.moves.assign(1, next_.back());
+    if (more_) check(next_.back());
+}
+
+/// False, and the program ends before it: the machine or the core cannot have this move.
+bool PlanStream::check(const Move& move) {
+    Program one;
+    one.file = program_.file;
+    one.aux_axes = program_.aux_axes;
+    one.moves.push_back(move);
     try {
         make_geometry(one, machine_, options_);
     } catch (const InputError&) {
         fail();
+        return false;
     }
+    return true;
 }
 
 std::unique_ptr<PlanStream::Window> PlanStream::look() {
@@ -119,7 +122,7 @@ std::unique_ptr<PlanStream::Window> PlanStream::look() {
         leave_out_what_fails();
         window->geometry = make_geometry(program_, machine_, options_, miss_);
     }
-    for (const GivenRun& run : given_) window->open += run.moves;
+    window->open = given_moves(given_);
     window->first = dropped_;
     window->end = dropped_ + program_.moves.size();
     window->plan = frame_;
@@ -129,25 +132,16 @@ std::unique_ptr<PlanStream::Window> PlanStream::look() {
 
 /// And all that follows it.
 void PlanStream::leave_out_what_fails() {
-    Program one = program_;
     for (std::size_t i = 0; i < program_.moves.size(); ++i) {
-        one.moves.assign(1, program_.moves[i]);
-        try {
-            make_geometry(one, machine_, options_);
-        } catch (const InputError&) {
-            fail();
-            program_.moves.resize(i);
-            return;
-        }
+        if (check(program_.moves[i])) continue;
+        program_.moves.resize(i);
+        return;
     }
 }
 
 /// False: it cannot go on.
 bool PlanStream::plan(Window& window) {
     try {
-        window.plan.hold_acceleration = frame_.hold_acceleration;
-        window.plan.hold_slope_steps = frame_.hold_slope_steps;
-        window.plan.stop_ticks = frame_.stop_ticks;
         window.planned =
             plan_window(program_, machine_, options_, window.geometry, given_, more_, window.plan);
     } catch (const InputError&) {

@@ -54,6 +54,7 @@ class PlanStream {
 
     void read(std::size_t size);
     void check_next();
+    bool check(const Move& move);
     std::unique_ptr<Window> look();
     void leave_out_what_fails();
     bool plan(Window& window);
@@ -67,7 +68,6 @@ class PlanStream {
     MoveSource source_;
     const Machine machine_;
     const PlanOptions options_;
-    const double fastest_;
     Program program_;          // the window's
     std::size_t dropped_ = 0;  // moves of the program before it
     double miss_ = 0;          // quanta of path before it, PlannedMove::miss

@@ -18,13 +18,8 @@ double fastest_feed(const Program& program) {
 }  // namespace
 
 Plan make_plan(const Program& program, const Machine& machine, const PlanOptions& options) {
-    const auto source = [&program, next = std::size_t(0)](Move& move) mutable {
-        if (next == program.moves.size()) return false;
-        move = program.moves[next++];
-        return true;
-    };
-    PlanStream stream(source, {program.file, program.aux_axes, fastest_feed(program)}, machine,
-                      options);
+    PlanStream stream(source_of(program), {program.file, program.aux_axes, fastest_feed(program)},
+                      machine, options);
     Plan plan = *stream.next();
     while (std::optional<Plan> part = stream.next()) {
         plan.duration_s += part->duration_s;

@@ -15,6 +15,12 @@ struct GivenRun {
     std::vector<Phase> phases;
 };
 
+inline std::size_t given_moves(const std::vector<GivenRun>& given) {
+    std::size_t moves = 0;
+    for (const GivenRun& run : given) moves += run.moves;
+    return moves;
+}
+
 /// | field       | unit   | remark                                                   |
 /// |-------------|--------|----------------------------------------------------------|
 /// | dwell       | s      | before it                                                |

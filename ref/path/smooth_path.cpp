@@ -8,12 +8,7 @@
 namespace curvecore::ref {
 
 Smoothed smooth_path(Program& program, const Machine& machine, double share) {
-    const auto from = [&program, next = std::size_t(0)](Move& move) mutable {
-        if (next == program.moves.size()) return false;
-        move = program.moves[next++];
-        return true;
-    };
-    SmoothStream stream(from, machine, share);
+    SmoothStream stream(source_of(program), machine, share);
     std::vector<Move> moves;
     for (Move move; stream.next(move);) moves.push_back(move);
     program.moves = std::move(moves);

@@ -12,9 +12,11 @@ bool draws_splines(const Options& options) {
     return ref::why_not_built(core).empty();
 }
 
+bool draws_arcs(const Options& options) { return options.arc_tolerance || !draws_splines(options); }
+
 DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine)
     : program_(options.file, options.points) {
-    const bool arcs = options.arc_tolerance || !draws_splines(options);
+    const bool arcs = draws_arcs(options);
     if (arcs) arcs_ = options.arc_tolerance.value_or(0);
     if (options.exact_path) return;
     smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,

@@ -34,5 +34,7 @@ class DrawnMoves {
 
 /// Whether a core with these options can draw splines.
 bool draws_splines(const Options& options);
+/// Whether arcs take the place of splines.
+bool draws_arcs(const Options& options);
 
 }  // namespace curvecore::sysc

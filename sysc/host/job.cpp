@@ -50,7 +50,7 @@ std::optional<int> first_spline(const ref::Program& program) {
 /// What is drawn in the program's place. Where arcs draw what G64 makes smooth, they take half of
 /// its tolerance.
 void make_path(Job& job) {
-    const bool arcs = job.options.arc_tolerance || !draws_splines(job.options);
+    const bool arcs = draws_arcs(job.options);
     if (!job.options.exact_path) {
         job.programmed = job.program;
         job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kShareBesideArcs : 1);

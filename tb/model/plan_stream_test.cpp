@@ -23,20 +23,13 @@ using ref::Plan;
 using ref::PlanOptions;
 using ref::PlanStream;
 using ref::Program;
+using ref::source_of;
 
 PlanOptions options(Effort effort) {
     PlanOptions options;
     options.format.splines = 1;
     options.effort = effort;
     return options;
-}
-
-ref::MoveSource source_of(const Program& program) {
-    return [&program, next = std::size_t(0)](Move& move) mutable {
-        if (next == program.moves.size()) return false;
-        move = program.moves[next++];
-        return true;
-    };
 }
 
 /// mm/s at the ends of a piece.
