@@ -6,11 +6,16 @@
 // `slope`; r slows down in time to meet the target without overshoot. The first tick lands on its
 // target at once: nothing moves yet.
 //
+// Near 1 a plan leaves little of the limits, below 7/8 a third and more: r^2 a, r^3 j. So from 7/8
+// on an eighth of both bounds holds, and r rests on 7/8 when it goes from one side to the other.
+//
 // Where a plan has stop branches, a stop from r = 1 waits for the next of them and is then made of
-// its steps, r'' each, which end at r = 0; today's bounds serve all other changes.
+// its steps, r'' each, which end at r = 0; the bounds serve all other changes.
 #pragma once
 
 #include <cstdint>
+
+#include "ref/format/path_words.hpp"
 
 namespace curvecore {
 namespace hls {
@@ -24,10 +29,10 @@ struct StopStep {
 
 class TimeScaler {
   public:
-    /// acceleration in [1, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. What does not fit
+    /// acceleration in [8, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. What does not fit
     /// is not obeyed: rtl/path/motion_settings.sv.
     static constexpr bool fits(std::int64_t acceleration, std::int64_t slope) {
-        return acceleration >= 1 && acceleration <= std::int64_t(1) << 31 &&
+        return acceleration >= 1 << ref::kFineShift && acceleration <= std::int64_t(1) << 31 &&
                slope >= acceleration && slope <= std::int64_t(1) << 32;
     }
 
@@ -59,7 +64,7 @@ class TimeScaler {
         const bool same = !fresh_ && obeyed == target_;
         target_ = obeyed;
         const std::int32_t rate = follow(obeyed);
-        at_one_ = same && arrived_ && !settling_ && obeyed == 1 << 16;
+        at_one_ = same && arrived_ && !settling_ && rate == 1 << 16;
         return rate;
     }
 
@@ -77,8 +82,9 @@ class TimeScaler {
         rate_ = to_rate(rate_ + stop_slope_);
         if (last_ && left_ == 0) {
             stopping_ = false;
-            rate_ = stop_slope_ = 0;
+            stop_slope_ = 0;
             target_ = 0;
+            land(0);
         }
         return rate_ >> 32 != 0 ? 0xffff : static_cast<std::int32_t>(rate_ >> 16);  // below 1
     }
@@ -86,14 +92,26 @@ class TimeScaler {
     /// As many bits as the hardware has.
     static std::int64_t to_rate(std::int64_t rate) { return rate & ((std::int64_t(1) << 33) - 1); }
 
+    std::int32_t land(std::int32_t target) {
+        fine_ = target >= ref::kFineRate;
+        rate_ = std::int64_t(target) << 16;
+        return target;
+    }
+
     std::int32_t follow(std::int32_t target) {
         if (fresh_) {
             fresh_ = false;
             arrived_ = true;
-            rate_ = std::int64_t(target) << 16;
-            return target;
+            return land(target);
         }
-        const std::int64_t distance = (std::int64_t(target) << 16) - rate_;
+        const bool high = target >= ref::kFineRate;
+        const std::int64_t border = std::int64_t(ref::kFineRate) << 16;
+        if (slope_ == 0 && !settling_ && rate_ == border) fine_ = high;
+        const std::int64_t goal = high == fine_ ? std::int64_t(target) << 16 : border;
+        const std::int64_t acceleration = fine_ ? acceleration_ >> ref::kFineShift : acceleration_;
+        const std::int64_t max_slope = fine_ ? max_slope_ >> ref::kFineShift : max_slope_;
+
+        const std::int64_t distance = goal - rate_;
         if (slope_ == 0) {
             rising_ = distance >= 0;
         }
@@ -102,19 +120,19 @@ class TimeScaler {
         arrived_ = arrived_ && rest == 0;
         if (settling_) {
             settling_ = false;
-        } else if (slope_ == 0 && rest < acceleration_) {
+        } else if (slope_ == 0 && rest < acceleration) {
             move = rest;
             settling_ = move != 0;
             arrived_ = true;
-        } else if (slope_ + acceleration_ <= max_slope_ &&
-                   rest >= braking_ + 2 * slope_ + acceleration_) {
+        } else if (slope_ + acceleration <= max_slope &&
+                   rest >= braking_ + 2 * slope_ + acceleration) {
             braking_ += slope_;
-            slope_ += acceleration_;
+            slope_ += acceleration;
             move = slope_;
         } else if (rest >= braking_ + slope_) {
             move = slope_;
         } else {
-            slope_ -= acceleration_;
+            slope_ -= acceleration;
             braking_ -= slope_;
             move = slope_;
         }
@@ -125,6 +143,7 @@ class TimeScaler {
     std::int64_t acceleration_;
     std::int64_t max_slope_;
     bool fresh_ = true;
+    bool fine_ = false;  // the bounds are those from 7/8 on
     std::int64_t rate_ = 0;
     std::int64_t slope_ = 0;    // n a: of the last tick, towards rising_
     std::int64_t braking_ = 0;  // a n (n-1) / 2: what r still moves when it brakes now
@@ -133,8 +152,8 @@ class TimeScaler {
                              // reversal would change the slope by more than `acceleration`
 
     std::int32_t target_ = 0;  // of the last tick, as it was obeyed
-    bool arrived_ = false;     // at rest on it
-    bool at_one_ = false;      // and that is 1, again
+    bool arrived_ = false;     // at rest, on it or on 7/8
+    bool at_one_ = false;      // at rest on 1, again
     std::int32_t wait_ = 0;    // ticks in which the next branch is due
     bool stopping_ = false;
     std::int32_t left_ = 0;  // ticks of the present step

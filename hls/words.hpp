@@ -106,7 +106,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 3;  // of these formats; every file of words says it
+constexpr int kWordsVersion = 4;  // of these formats; every file of words says it
 
 enum class Tag {
     kLength = 1,

@@ -73,7 +73,7 @@ module motion_interpolator #(
 
     // Settings
     input wire logic [3:0] samples_per_tick_log2_i,
-    input wire logic [31:0] hold_acceleration_i,  // [1, 2^31] second difference of time, 2^-32
+    input wire logic [31:0] hold_acceleration_i,  // [8, 2^31] second difference of time, 2^-32
     input wire logic [32:0] hold_slope_i,  // [hold_acceleration_i, 2^32] first difference
     input wire logic [31:0] stop_ticks_i,  // [1, 2^29) of the profile, that a stop needs
 

@@ -90,10 +90,13 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
         }
         set_segment_feeds(subject.program, subject.options, plan);
         plan.branches.clear();
-        std::size_t slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
+        const auto slow = [&] {
+            return slow_to_cover(subject.geometry, subject.options, plan, round == 0, most);
+        };
+        std::size_t slowed = slow();
         if (slowed == 0 && !subject.window && subject.options.has_branches()) {
-            set_branches(subject.program, subject.machine, subject.geometry, plan);
-            slowed = slow_to_cover(subject.geometry, subject.options, plan, most);
+            set_branches(subject.program, subject.machine, subject.geometry, subject.options, plan);
+            slowed = slow();
         }
         if (slowed == 0) return PlannedWindow{std::move(*found), cut};
         plan.slowed_moves = std::max(plan.slowed_moves, slowed);

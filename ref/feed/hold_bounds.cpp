@@ -6,26 +6,41 @@
 
 #include "ref/feed/limits.hpp"
 #include "ref/feed/piece_walk.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/program/input_error.hpp"
 
 namespace curvecore::ref {
 
 namespace {
 
+constexpr double kFineFrom = kFineRate / 65536.0;
+constexpr double kFiner = 1 << kFineShift;
+
+/// Of a motion, as a limit sees it.
+struct Load {
+    double v = 0;
+    double a = 0;
+    double j = 0;
+};
+
 struct Slopes {
     double slope = 1e9;   // r', 1/s
     double change = 1e9;  // r'', 1/s^2
 
-    /// A plan at its shares leaves the rest of every limit, whatever the direction. With time at
-    /// the rate r the acceleration is r^2 a + r' v and the jerk r^3 j + 3 r r' a + r'' v, vectors
-    /// but for v: what the limit sees of it, as of a.
-    void keep_share(double v, double a, double acceleration, double jerk) {
+    /// What the load leaves of the limits up to the rate `top`, for `finer` of the bounds.
+    void keep(const Load& load, double acceleration, double jerk, double top, double finer) {
         constexpr double kOfSlope = 0.8;  // of the jerk's rest: stops are quickest about here
-        if (v == 0) return;
-        const double room = (1 - kJerkShare) * jerk;
-        slope = std::min(slope, (1 - kAccelerationShare) * acceleration / v);
-        slope = std::min(slope, kOfSlope * room / (3 * a));
-        change = std::min(change, (1 - kOfSlope) * room / v);
+        if (load.v == 0) return;
+        const double rest = finer * (acceleration - top * top * load.a);
+        const double room = finer * (jerk - top * top * top * load.j);
+        slope = std::min(slope, rest / load.v);
+        slope = std::min(slope, kOfSlope * room / (3 * top * load.a));
+        change = std::min(change, (1 - kOfSlope) * room / load.v);
+    }
+
+    void keep(const Load& load, double acceleration, double jerk) {
+        keep(load, acceleration, jerk, kFineFrom, 1);
+        keep(load, acceleration, jerk, 1, kFiner);
     }
 
     void set(const PlanOptions& options, Plan& plan) const;
@@ -34,8 +49,8 @@ struct Slopes {
 void Slopes::set(const PlanOptions& options, Plan& plan) const {
     const double tick = options.tick_s();
     const double second = std::ldexp(change * tick * tick, 32);
-    plan.hold_acceleration =
-        static_cast<std::uint32_t>(std::clamp(std::floor(second), 1.0, 0x1p31));
+    plan.hold_acceleration = static_cast<std::uint32_t>(
+        std::clamp(std::floor(second / kFiner) * kFiner, kFiner, 0x1p31));
     const double steps = std::ldexp(slope * tick, 32) / plan.hold_acceleration;
     const double most = std::floor(0x1p32 / plan.hold_acceleration);  // a slope of one per tick
     plan.hold_slope_steps = static_cast<std::uint32_t>(
@@ -61,20 +76,16 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
                 shape, machine, [&](double rate, double bend, double acceleration, double jerk) {
                     const double most =
                         std::min(rate * a + bend * across, kAccelerationShare * acceleration);
-                    of.keep_share(rate * v, most, acceleration, jerk);
+                    of.keep({rate * v, most, kJerkShare * jerk}, acceleration, jerk);
                 });
             return;
         }
-        const PathLimits limits = along_path(stretch.move->shape, machine, v);
         // Pieces end on the grid, so a ramp may reach a little into the next move: there it has the
         // other move's limits, and half of the share left for holds is granted.
-        const double pull =
-            std::max(limits.acceleration - a, (1 - kAccelerationShare) / 2 * limits.acceleration);
-        const double room =
-            std::max(limits.jerk - std::abs(from.j), (1 - kJerkShare) / 2 * limits.jerk) / 3;
-        if (v > 0) of.slope = std::min(of.slope, pull / v);
-        if (a > 0) of.slope = std::min(of.slope, 2 * room / (3 * a));
-        if (v > 0) of.change = std::min(of.change, room / v);
+        const PathLimits limits = along_path(stretch.move->shape, machine, v);
+        const Load load{v, std::min(a, (1 + kAccelerationShare) / 2 * limits.acceleration),
+                        std::min(std::abs(from.j), (1 + kJerkShare) / 2 * limits.jerk)};
+        of.keep(load, limits.acceleration, limits.jerk);
     });
     of.set(options, plan);
 }
@@ -83,8 +94,8 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, double 
                      Plan& plan) {
     Slopes of;
     const auto keep = [&](double velocity, double acceleration, double jerk) {
-        of.keep_share(std::min(fastest, velocity), kAccelerationShare * acceleration, acceleration,
-                      jerk);
+        of.keep({std::min(fastest, velocity), kAccelerationShare * acceleration, kJerkShare * jerk},
+                acceleration, jerk);
     };
     keep(machine.velocity, machine.acceleration, machine.jerk);
     for (const AxisLimits& axis : machine.axis) keep(axis.velocity, axis.acceleration, axis.jerk);
@@ -92,11 +103,21 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, double 
 }
 
 std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) {
-    const double a = std::ldexp(acceleration, -32);
-    const double n = slope_steps;
-    const double rising = std::min(n, std::sqrt(2 / a));
-    const double falling = n * n * a < 1 ? 1 / (n * a) + n : 2 / std::sqrt(a);
-    return static_cast<std::uint32_t>(std::min(std::ceil(rising + falling / 2) + 4, 0x1p31));
+    struct Bounds {
+        double a, n;
+        double time(double d) const {
+            return n * n * a < d ? d / (n * a) + n : 2 * std::sqrt(d / a);
+        }
+    };
+    const std::uint32_t eighth = acceleration >> kFineShift;
+    const std::uint64_t slope = std::uint64_t{acceleration} * slope_steps >> kFineShift;
+    const Bounds whole{std::ldexp(acceleration, -32), static_cast<double>(slope_steps)};
+    const Bounds fine{std::ldexp(eighth, -32), static_cast<double>(slope / eighth)};
+    const double border = 1 - kFineFrom;
+    const double ticks = std::min(fine.n, fine.time(2 * border) / 2) +
+                         fine.time(border) * (1 + kFineFrom) / 2 +
+                         whole.time(kFineFrom) * kFineFrom / 2;
+    return static_cast<std::uint32_t>(std::min(std::ceil(ticks) + 6, 0x1p31));
 }
 
 void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {

@@ -7,12 +7,14 @@
 namespace curvecore::ref {
 
 /// Bounds of the time scaler for the whole program. With the rate of time r (0..1), the path's
-/// acceleration is r^2 a + r' v and its jerk r^3 j + 3 r r' a + r'' v. Both stay within what the
-/// moves allow if, for every piece with the limits A and J of the moves that it crosses,
+/// acceleration is r^2 a + r' v and its jerk r^3 j + 3 r r' a + r'' v. The scaler takes the bounds
+/// up to r = 7/8 =: q and an eighth of them from there on, so both stay within what the moves allow
+/// if, for every piece with the limits A and J of the moves that it crosses,
 ///
-///     r' <= (A - |a|) / v      3 r' |a| <= 2/3 (J - |j|)      r'' v <= 1/3 (J - |j|)
+///     r' v <= A - q^2 |a|       3 q r' |a| + r'' v <= J - q^3 |j|
+///     r' v / 8 <= A - |a|       (3 r' |a| + r'' v) / 8 <= J - |j|
 ///
-/// The words are whole numbers of at least one, 2^-32 per tick^2: with ticks below some 10 us the
+/// The words are whole multiples of eight, 2^-32 per tick^2: with ticks below some 10 us the
 /// smallest second difference may exceed r''.
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan);
@@ -22,13 +24,15 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
                      Plan& plan);
 
-/// Ticks of the profile that run at most while time stops, from any state of the scaler: with the
-/// bounds a (second difference) and n a (slope), in rates of 1,
+/// Ticks of the profile that run at most while time stops, from any state of the scaler. With the
+/// bounds a (second difference) and n a (slope), in rates of 1, a change of the rate by d takes
 ///
-///     rising, m ticks, m <= n and m^2 a / 2 <= 1, at a rate of at most 1: it may not overshoot
-///     falling, symmetric about the rate 1/2: half of its ticks
+///     time(d) = d / (n a) + n  or, if the slope stays below n a,  2 sqrt(d / a)
 ///
-/// and two ticks more for each part that is rounded to whole ticks.
+/// Last are stops from a rate that rises to 1 with an eighth of the bounds: at a rate of at most 1
+/// while it may not overshoot, for half of time(2/8) or n; then time(1/8) at a rate of 15/16; then,
+/// with the whole bounds, time(7/8) at 7/16. Two ticks more for each part that is rounded to whole
+/// ticks.
 std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps);
 
 /// Segment::ticks, feed_start, feed_end (mm/s along the path) from the pieces; both begin at s = 0.

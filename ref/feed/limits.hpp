@@ -10,8 +10,8 @@ namespace curvecore::ref {
 
 /// Shares of the limits that the feed profile takes; the rest is for feed holds, where the
 /// acceleration is r^2 a + r' v and the jerk r^3 j + 3 r r' a + r'' v.
-constexpr double kAccelerationShare = 0.85;
-constexpr double kJerkShare = 0.7;
+constexpr double kAccelerationShare = 0.95;
+constexpr double kJerkShare = 0.95;
 
 /// Joints turning by more than this stop: |change of the unit tangent|, about 15 degrees.
 constexpr double kSmallTurn = 0.26;

@@ -35,7 +35,8 @@ constexpr std::size_t kAround = 60;
 constexpr int kMends = 10;
 constexpr double kMendMore = 0.05;
 // Of a share and of a velocity, what a few words may take after so many mends.
-constexpr double kCarried = 1.2;
+constexpr double kCarried = 1.05;
+static_assert(kCarried * kAccelerationShare < 1 && kCarried * kJerkShare < 1, "within limits");
 constexpr double kSpeedCarried = 1.002;
 
 class OptimalRun {

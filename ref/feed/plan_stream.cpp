@@ -230,7 +230,7 @@ void PlanStream::add_branches(const Window& window, std::size_t first, std::size
         own.moves.push_back(window.geometry.moves[i]);
         own.moves.back().move += window.first - dropped_;
     }
-    set_branches(program_, machine_, own, plan);
+    set_branches(program_, machine_, own, options_, plan);
     if (end == window.geometry.moves.size()) return;
     const auto reach = static_cast<double>(stop_reach(machine_, plan.tick_s)) + kStopLead;
     double left = ticks_of(plan.pieces);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/feed/queue_cover.hpp"
 #include "ref/feed/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
 
@@ -16,6 +17,7 @@ constexpr double kDistance = 30e-3;     // s
 constexpr double kSlowDistance = 0.15;  // s
 constexpr double kPath = 0.5;           // mm
 constexpr std::uint64_t kParts = 2;     // of it, at least, that pieces leave
+constexpr double kOfWords = 0.95;       // of those that a queue carries: branches differ
 
 Reach branch_distance(const PieceGrid& grid) {
     const auto ticks = [&](double time) {
@@ -44,10 +46,11 @@ double passed(const StopSteps& steps) {
 class BranchPlanner {
   public:
     BranchPlanner(const Program& program, const Machine& machine, const Geometry& geometry,
-                  const Plan& plan)
+                  const PlanOptions& options, const Plan& plan)
         : course_(program, machine, geometry, plan, kStopShare),
           reach_(static_cast<double>(stop_reach(machine, plan.tick_s))),
-          distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})) {
+          distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})),
+          words_per_tick_(kOfWords * covered_words(options, plan)) {
         std::uint64_t start = 0;
         std::uint64_t s = 0;
         for (const ProfilePiece& piece : plan.pieces) {
@@ -85,8 +88,9 @@ class BranchPlanner {
             std::size_t piece = next_;
             while (piece + 1 < due_.size() && near(piece + 1)) ++piece;
             if (static_cast<double>(due_[piece]) > tick) return;
-            StopSteps steps = steps_before(piece);
             next_ = piece + 1;
+            if (!carried(piece)) continue;
+            StopSteps steps = steps_before(piece);
             if (steps.empty()) continue;
             branches_.push_back({piece, 1, std::move(steps)});
             while (next_ < due_.size() && due_[next_] <= due_[piece] + kStopLead) ++next_;
@@ -97,6 +101,15 @@ class BranchPlanner {
         if (branches_.empty() || due_[piece] >= end_) return false;
         const std::size_t last = branches_.back().piece;
         return distance_.holds(due_[piece] - due_[last], path_[piece] - path_[last]);
+    }
+
+    /// With one more branch like the last one the queue carries the words since then.
+    bool carried(std::size_t piece) const {
+        if (branches_.empty()) return true;
+        const PlannedBranch& last = branches_.back();
+        const double words = static_cast<double>(branch_words(last)) +
+                             kProfileBusWords * static_cast<double>(piece - last.piece);
+        return words <= words_per_tick_ * static_cast<double>(due_[piece] - due_[last.piece]);
     }
 
     StopSteps steps_before(std::size_t piece) {
@@ -113,6 +126,7 @@ class BranchPlanner {
     ProfileCourse course_;
     double reach_;
     Reach distance_;
+    double words_per_tick_;
     std::vector<std::uint64_t> due_;   // of the pieces, ticks
     std::vector<std::uint64_t> path_;  // before them, quanta
     std::uint64_t end_ = 0;
@@ -128,8 +142,8 @@ Reach longest_piece(const PieceGrid& grid) {
 }
 
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
-                  Plan& plan) {
-    BranchPlanner planner(program, machine, geometry, plan);
+                  const PlanOptions& options, Plan& plan) {
+    BranchPlanner planner(program, machine, geometry, options, plan);
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
     plan.branches = planner.finish();

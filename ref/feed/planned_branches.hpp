@@ -10,10 +10,10 @@ namespace curvecore::ref {
 /// A piece, at most, in a plan that has some: branches stand between pieces.
 Reach longest_piece(const PieceGrid& grid);
 
-/// Sets plan.branches where the limits leave them; none if one would need more than
-/// plan.stop_ticks. Memory for the course of one stop.
+/// Sets plan.branches where the limits leave them and the queue still lasts for a stop; none if one
+/// would need more than plan.stop_ticks. Memory for the course of one stop.
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
-                  Plan& plan);
+                  const PlanOptions& options, Plan& plan);
 
 /// Words of a branch, and of a plan's pieces with theirs, in the profile queue.
 inline std::size_t branch_words(const PlannedBranch& branch) { return 1 + branch.steps.size(); }

@@ -25,24 +25,36 @@ struct Ends {
     }
 };
 
-/// Calls slow(path from, path to, quanta) for every run of frames, one after the other on the path,
-/// that three quarters of a queue of `queue` words hold and that is over in fewer ticks than
-/// `needed`.
+std::uint64_t needed_ticks(const Plan& plan) { return plan.stop_ticks + kOnTheWay; }
+
+/// Words of a queue that count.
+std::size_t room(int queue) { return static_cast<std::size_t>(queue) * 3 / 4; }
+
+/// Calls slow(path from, path to, quanta, ticks) for every run of frames, one after the other on
+/// the path, that three quarters of a queue of `queue` words hold and that is over in fewer ticks
+/// than `needed`.
 template <class Slow>
 void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow) {
-    const std::size_t room = static_cast<std::size_t>(queue) * 3 / 4;
     std::size_t end = 0;
     for (std::size_t i = 0; i < ends.words.size(); ++i) {
-        while (end + 1 < ends.words.size() && ends.words[end + 1] - ends.words[i] <= room) ++end;
+        while (end + 1 < ends.words.size() && ends.words[end + 1] - ends.words[i] <= room(queue)) {
+            ++end;
+        }
         if (end + 1 == ends.words.size()) return;
-        if (ends.ticks[end] - ends.ticks[i] < needed) slow(ends.path[i], ends.path[end]);
+        const std::uint64_t ticks = ends.ticks[end] - ends.ticks[i];
+        if (ticks < needed) slow(ends.path[i], ends.path[end], ticks);
     }
 }
 
 }  // namespace
 
+double covered_words(const PlanOptions& options, const Plan& plan) {
+    return static_cast<double>(room(options.profile_queue_words)) /
+           static_cast<double>(needed_ticks(plan));
+}
+
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
-                          std::vector<double>& speeds) {
+                          bool evens, std::vector<double>& speeds) {
     Ends segments;
     const auto segment_words = static_cast<std::size_t>(segment_bus_words(plan.aux_axes));
     for (const Segment& segment : plan.segments) {
@@ -59,12 +71,13 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
     std::uint64_t path = 0;
     for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
 
-    const std::uint64_t needed = plan.stop_ticks + kOnTheWay;
-    const double seconds = static_cast<double>(needed) * plan.tick_s;
+    const std::uint64_t needed = needed_ticks(plan);
     std::vector<bool> slowed(speeds.size(), false);
-    const auto slow = [&](std::uint64_t from, std::uint64_t to) {
+    const auto slow = [&](std::uint64_t from, std::uint64_t to, std::uint64_t ticks) {
         const double length = static_cast<double>(to - from) / 65536 * plan.unit_mm;
-        const double speed = kSlower * length / seconds;
+        const double mean = length / (static_cast<double>(ticks) * plan.tick_s);
+        const double covered = kSlower * length / (static_cast<double>(needed) * plan.tick_s);
+        const double speed = evens ? mean : covered;
         const auto first = std::upper_bound(ends.begin(), ends.end(), from) - ends.begin();
         for (auto i = static_cast<std::size_t>(first); i < ends.size(); ++i) {
             if (speed < speeds[i]) {

@@ -10,9 +10,13 @@
 namespace curvecore::ref {
 
 /// Where three quarters of a queue, the rest is the host's to refill, do not last for a stop of
-/// the plan: lowers `speeds` (mm/s, one per planned move) so that they would.
+/// the plan: lowers `speeds` (mm/s, one per planned move) so that they would; or first, if `evens`,
+/// to the mean speed there, since ramps cost words.
 /// @returns the number of planned moves that it slowed
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
-                          std::vector<double>& speeds);
+                          bool evens, std::vector<double>& speeds);
+
+/// Words of the profile that the queue carries in a tick for as long as a stop of the plan takes.
+double covered_words(const PlanOptions& options, const Plan& plan);
 
 }  // namespace curvecore::ref

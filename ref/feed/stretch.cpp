@@ -19,7 +19,7 @@ constexpr double kJointShare = 0.99;     // the same at joints
 // of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr double kCarried = 1.09;        // of a share: what rounding to ticks may add to an optimum
+constexpr double kCarried = 1.045;       // of a share: what rounding to ticks may add to an optimum
 constexpr double kSpeedCarried = 1.001;  // the same of velocities
 constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
 constexpr double kAny = 1e300;           // a limit that is none

@@ -22,6 +22,10 @@ constexpr int kStopSteps = 256;     // of a branch, that the core keeps
 constexpr int kStopWaitBits = 20;   // ticks from one branch to the next
 constexpr int kStepTicksBits = 11;  // of a step
 
+/// From the rate 7/8 on, in 2^-16, the time scaler (hls/time_scaler.hpp) takes 2^-3 of its bounds.
+constexpr int kFineRate = 7 << 13;
+constexpr int kFineShift = 3;
+
 /// In length units; a path reaches less.
 constexpr double kLongestSegment = 1LL << (kBusLengthBits - kPathFrac);
 constexpr double kLongestProgram = 1LL << (kProgramBits - kPathFrac);

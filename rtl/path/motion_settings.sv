@@ -21,7 +21,7 @@ module motion_settings (
 
     // The ports
     input wire logic [ 3:0] samples_per_tick_log2_i,
-    input wire logic [31:0] hold_acceleration_i,      // [1, 2^31]
+    input wire logic [31:0] hold_acceleration_i,      // [8, 2^31]
     input wire logic [32:0] hold_slope_i,             // [hold_acceleration_i, 2^32]
     input wire logic [31:0] stop_ticks_i,             // [1, 2^29)
 
@@ -57,7 +57,8 @@ module motion_settings (
   logic acceleration_fits;
   logic slope_fits;
   logic stop_fits;
-  assign acceleration_fits = hold_acceleration_o[31] != (hold_acceleration_o[30:0] != '0);
+  assign acceleration_fits = hold_acceleration_o[31] ? hold_acceleration_o[30:0] == '0 :
+      hold_acceleration_o[30:3] != '0;
   assign slope_fits = hold_slope_o >= {1'b0, hold_acceleration_o} &&
                       !(hold_slope_o[32] && hold_slope_o[31:0] != '0);
   assign stop_fits = stop_ticks_o[31:29] == '0 && stop_ticks_o[28:0] != '0;

@@ -11,8 +11,9 @@
 //   held_o              target is 0
 //
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
-// each when the rate turns round and when it arrives. The first tick after a reset lands on its
-// target at once: nothing moves yet. The bounds stand still from the last two clocks of a reset on.
+// each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
+// there on an eighth of the bounds holds. The first tick after a reset lands on its target at once:
+// nothing moves yet. What follows it, or the end of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset on.
 // Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
@@ -30,8 +31,8 @@ module time_scaler (
     input wire logic rst_ni,
 
     // Bounds, in 2^-32 per tick
-    input wire logic [31:0] acceleration_i,  // a: [1, 2^31]
-    input wire logic [32:0] slope_i,         // [a, 2^32]
+    input wire logic [31:0] acceleration_i,  // [8, 2^31]
+    input wire logic [32:0] slope_i,         // [acceleration_i, 2^32]
 
     input  wire logic        valid_i,
     output logic             ready_o,
@@ -58,11 +59,14 @@ module time_scaler (
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
+  logic beyond_q;  // its target is on the other side of 7/8
   logic same_q;
   logic zero_q;  // its target is 0, whatever is obeyed
 
-  // Change adds to both margins: load an operand, give it its sign, add it.
+  // Change adds to both margins: load an operand, give it its sign, add it. Clear and Init begin
+  // with other bounds, at rest.
   typedef enum logic [2:0] {
+    Clear,
     Init,
     Run,
     Sign,
@@ -84,13 +88,18 @@ module time_scaler (
   logic               short_q;  // the way to there is not zero
   logic               settling_q;  // the last tick went it: the next one rests
 
+  // The bounds on this side of 7/8
+  localparam logic [16:0] FineFrom = 17'h0e000;
+  logic fine_q;
   logic signed [35:0] a;
-  assign a = {4'b0, acceleration_i};
   logic signed [35:0] a2;
-  assign a2 = {3'b0, acceleration_i, 1'b0};
+  logic signed [35:0] max_slope;
+  assign a = {4'b0, fine_q ? {3'b0, acceleration_i[31:3]} : acceleration_i};
+  assign a2 = {a[34:0], 1'b0};
+  assign max_slope = {3'b0, fine_q ? {3'b0, slope_i[32:3]} : slope_i};
   // The highest slope from which two steps do not pass the bound.
   logic signed [35:0] below_max_q;
-  always_ff @(posedge clk_i) below_max_q <= $signed({3'b0, slope_i}) - a2;
+  always_ff @(posedge clk_i) below_max_q <= max_slope - a2;
 
   // Decisions
   logic change;
@@ -98,16 +107,22 @@ module time_scaler (
   logic turn;
   logic arrives;
   logic arrive;
+  logic swaps;
+  logic swap;
   logic tick;
+  logic anew;
   logic up;
   logic steady;
   logic no_brake;
   assign turns    = at_rest_q && steady_q[35] && !settling_q;
   assign arrives  = at_rest_q && faster_q[35] && !settling_q && !arrived_q;
+  assign swaps    = at_rest_q && beyond_q && arrived_q && !short_q && !settling_q;
   assign change   = state_q == Run && head_valid_q && change_q;
   assign turn     = state_q == Run && !(head_valid_q && change_q) && turns;
   assign arrive   = state_q == Run && head_valid_q && !change_q && !turns && arrives;
-  assign tick     = state_q == Run && head_valid_q && !change_q && !turns && !arrives;
+  assign swap     = state_q == Run && head_valid_q && !change_q && !turns && swaps;
+  assign tick     = state_q == Run && head_valid_q && !change_q && !turns && !arrives && !swaps;
+  assign anew     = tick && (first_q || head_ends_q);
   assign up       = !faster_q[35] && !at_max_q && !settling_q;
   assign no_brake = !steady_q[35] || settling_q;
   assign steady   = !up && no_brake;
@@ -115,6 +130,7 @@ module time_scaler (
   // A stop by a branch: from the tick that it begins with, the rate being 1, to that of its last
   // step. Until there is one, time runs on, for as long as it is due.
   localparam logic [16:0] One = 17'h10000;
+  logic [16:0] goal_q;
   logic head_stop_q;
   logic head_ends_q;
   logic [31:0] head_change_q;
@@ -133,7 +149,7 @@ module time_scaler (
   logic [10:0] step_left;
   logic stop_ends;
   logic [16:0] obeyed;
-  assign one = tick ? same_q && arrived_q && !short_q && !head_stop_q && target_q == One : one_q;
+  assign one = tick ? same_q && arrived_q && !short_q && !head_stop_q && goal_q[16] : one_q;
   assign held = one && target_i == '0;
   assign waits = held && wait_q != '0;
   assign stop_begins = held && next_wait_i != '0 && !stopping_q;
@@ -173,7 +189,7 @@ module time_scaler (
         step_last_q   <= step_last_i;
       end
       head_stop_q   <= stopping;
-      head_ends_q   <= stop_ends;
+      head_ends_q   <= stopping && stop_ends;
       head_change_q <= new_step ? step_change_i : step_change_q;
       zero_q        <= target_i == '0;
     end
@@ -186,12 +202,10 @@ module time_scaler (
       change_q     <= 1'b0;
     end else begin
       if (room) head_valid_q <= takes;
-      if (takes) begin
-        fresh_q  <= 1'b0;
-        change_q <= obeyed != target_q && !fresh_q && !stopping;
-      end else if (change) begin
-        change_q <= 1'b0;
-      end
+      if (takes) fresh_q <= 1'b0;
+      if (takes) change_q <= aim != goal_q && !fresh_q && !stopping;
+      else if (state_q == Clear) change_q <= aim != goal_q;
+      else if (change) change_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -199,15 +213,36 @@ module time_scaler (
       first_q  <= fresh_q;
       same_q   <= obeyed == target_q && !fresh_q;
       target_q <= obeyed;
-      delta_q  <= $signed({1'b0, obeyed}) - $signed({1'b0, target_q});
+    end
+    if (takes || state_q == Clear) begin
+      beyond_q <= high != fine_q && !(takes && (fresh_q || stopping));
+      delta_q  <= $signed({1'b0, aim}) - $signed({1'b0, goal_q});
     end
   end
 
+  // Where the rate goes next: to the target, or first to 7/8.
+  logic [16:0] wish;
+  logic        high;
+  logic [16:0] aim;
+  assign wish = room ? obeyed : target_q;
+  assign high = wish[16] || wish[15:13] == FineFrom[15:13];
+  assign aim  = high == fine_q ? wish : FineFrom;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) state_q <= Init;
+    if (!rst_ni) fine_q <= 1'b0;
+    else if (anew) fine_q <= target_q[16] || target_q[15:13] == FineFrom[15:13];
+    else if (swap) fine_q <= !fine_q;
+    if (anew) goal_q <= target_q;
+    else if (change) goal_q <= aim;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) state_q <= Clear;
     else
       case (state_q)
-        Run: if (change || turn || arrive) state_q <= Sign;
+        Clear: state_q <= Init;
+        Run:
+        if (swap || anew) state_q <= Clear;
+        else if (change || turn || arrive) state_q <= Sign;
         Sign: state_q <= Load;
         Load: state_q <= Add;
         default: state_q <= Run;
@@ -222,16 +257,14 @@ module time_scaler (
   logic signed [35:0] steady_add_q;
   logic signed [35:0] cost_add_q;
   logic signed [35:0] signed_q;
-  logic signed [35:0] minus_a_q;
   always_ff @(posedge clk_i) begin
     if (change) operand_q <= {{2{delta_q[17]}}, delta_q, 16'b0};
     else if (turn) operand_q <= {steady_q[34:0], 1'b0};
     else operand_q <= steady_q;
     negative_q <= !(change && rising_q);
     signed_q   <= negative_q ? -operand_q : operand_q;
-    minus_a_q  <= -a;
-    if (!rst_ni) begin
-      faster_add_q <= minus_a_q;
+    if (state_q == Clear) begin
+      faster_add_q <= -a;
       steady_add_q <= '0;
       cost_add_q   <= a2 + a;
     end else if (state_q == Load) begin
@@ -283,7 +316,7 @@ module time_scaler (
   assign slope_moves    = state_q == Init || (tick && !steady);
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
+    if (state_q == Clear) begin
       faster_q      <= '0;
       steady_q      <= '0;
       slope_q       <= '0;
@@ -303,7 +336,7 @@ module time_scaler (
   end
 
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
+    if (state_q == Clear) begin
       rising_q   <= 1'b1;
       at_rest_q  <= 1'b1;
       at_max_q   <= 1'b0;
@@ -366,7 +399,7 @@ module time_scaler (
     rises_q <= rising_q || head_stop_q;
     stops_q <= head_stop_q;
     held_q <= zero_q;
-    landing_q <= target_q;
+    landing_q <= first_q || head_stop_q ? target_q : goal_q;
   end
   // In a stop below 1, whatever its steps.
   logic stopped_q;

@@ -123,7 +123,7 @@ TEST_F(Boards, SystemDrawsAChainOfShortMovesInTime) {
 /// The wrong core is found on every board that it draws.
 TEST(WrongCore, IsFoundWithinTheSystem) {
     const ProgramRun program(CURVECORE_WRONG_ROUNDING);
-    program.write("part.ngc", "G21 G61 G90 F900\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n");
+    program.write("part.ngc", "G21 G61 G90 F450\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n");
     EXPECT_EQ(program.run({"run", "part.ngc", "-o", "out", "--on", "kernel"}).status, 0);
     const ProgramResult result =
         program.run({"run", "part.ngc", "-o", "out", "--on", "systemc-rtl"});

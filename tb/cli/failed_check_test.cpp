@@ -10,7 +10,7 @@
 namespace curvecore::tb {
 namespace {
 
-constexpr char kPart[] = "G21 G61 G90 F900\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n";
+constexpr char kPart[] = "G21 G61 G90 F450\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n";
 
 std::vector<std::string> failed_checks(const ProgramRun& program) {
     const nlohmann::json report = nlohmann::json::parse(program.read("out/report.json"));

@@ -118,9 +118,9 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     const ProgramResult result = program.run(
         {"words", std::string(DATA_DIR) + "/lines.ngc", "--path", "exact", "-q", "-o", "words"});
     ASSERT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 3);
-    EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 8240500981578338437u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 11932322818464625361u);
+    EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 4);
+    EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 2393373893985587652u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 6090005076684489501u);
 }
 
 }  // namespace

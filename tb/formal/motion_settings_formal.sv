@@ -6,6 +6,7 @@
 // control: TAKES_IN_MOTION s/assign pause_o = .*/assign pause_o = !same_q;/
 // control: TAKES_UNDER_WAY s/ \&\& quiet_i//
 // control: FORGETS_STOP s/ \&\& stop_fits//
+// control: BELOW_EIGHT s/\[30:3\]/[30:2]/
 // control: SLOPE_TOO_LOW s/hold_slope_o >= /hold_slope_o + 33'd1 >= /
 // control: NO_RESTART s/restart_o <= take/restart_o <= 1'b0/
 // control: SILENT s/if (changed || unfit)/if (unfit)/
@@ -30,8 +31,8 @@ module motion_settings_formal (
   logic [32:0] slope;
   logic [31:0] stop;
   assign n            = {3'b0, n_i};
-  assign acceleration = {acceleration_i[2], 29'b0, acceleration_i[1:0]};
-  assign slope        = {slope_i[2], 30'b0, slope_i[1:0]};
+  assign acceleration = {acceleration_i[2], 27'b0, acceleration_i[1], {3{acceleration_i[0]}}};
+  assign slope        = {slope_i[2], 28'b0, slope_i[1], {3{slope_i[0]}}};
   assign stop         = {2'b0, stop_i[1], 28'b0, stop_i[0]};
 
   logic under_way_q;
@@ -70,7 +71,7 @@ module motion_settings_formal (
   assign asked = {n, acceleration, slope, stop};
   assign taken = {n_taken, acceleration_taken, slope_taken, stop_taken};
   logic fits;
-  assign fits = acceleration_taken >= 32'd1 && acceleration_taken <= 32'h8000_0000 &&
+  assign fits = acceleration_taken >= 32'd8 && acceleration_taken <= 32'h8000_0000 &&
                 slope_taken >= {1'b0, acceleration_taken} && slope_taken <= 33'h1_0000_0000 &&
                 stop_taken >= 32'd1 && stop_taken < 32'h2000_0000;
 

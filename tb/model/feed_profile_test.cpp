@@ -175,8 +175,8 @@ INSTANTIATE_TEST_SUITE_P(, FeedEffort, testing::Values(ref::Effort::kRules, ref:
 
 TEST(FeedProfile, LineIsAsFastAsItsLimitsAllow) {
     const Machine machine;
-    const double a = 0.85 * machine.acceleration;  // the rest is for holds
-    const double j = 0.7 * machine.jerk;
+    const double a = 0.95 * machine.acceleration;  // the rest is for holds
+    const double j = 0.95 * machine.jerk;
     for (const double mm : {0.01, 1.0, 10.0, 300.0}) {
         for (const double feed : {1.0, 50.0, 400.0}) {
             const double peak = ref::peak_speed(0, 0, mm, a, j, feed);
@@ -204,8 +204,11 @@ TEST(FeedProfile, RampsRunAcrossMovesOfDifferentFeed) {
     const double whole = make_plan(line(100, 150), Machine(), PlanOptions()).duration_s;
     ProgramBuilder chain;
     for (int i = 1; i <= 1000; ++i) chain.line({i * 0.1, 0, 0}, 150 + 20 * ((i * 7) % 5));
-    const Plan plan = make_plan(chain.program(), Machine(), PlanOptions());
-    EXPECT_LE(plan.duration_s, whole + plan.tick_s);
+    PlanOptions options;
+    EXPECT_LE(make_plan(chain.program(), Machine(), options).duration_s, 1.1 * whole)
+        << "evened out where ramps are more words than the queue has";
+    options.profile_queue_words = 1 << 16;
+    EXPECT_LE(make_plan(chain.program(), Machine(), options).duration_s, whole + options.tick_s());
 }
 
 TEST(FeedProfile, CornersStopAndTangentJointsDoNot) {

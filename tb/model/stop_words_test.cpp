@@ -128,7 +128,7 @@ TEST(StopSchedule, AfterAStopTimeGoesOn) {
     EXPECT_LT(stops.stop(50), 200);
     std::int32_t rate = 0;
     std::int32_t most = 0;
-    for (int n = 0; n < 6000; ++n) {
+    for (int n = 0; n < 20000; ++n) {
         const std::int32_t next = stops.tick(1 << 16, n % 40 == 0);
         most = std::max(most, next - rate);
         rate = next;

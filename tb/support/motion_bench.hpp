@@ -21,7 +21,7 @@
 
 namespace curvecore::tb {
 using namespace sysc;
-constexpr int64_t kAcceleration = int64_t{1} << 22;
+constexpr int64_t kAcceleration = int64_t{1} << 25;
 constexpr int64_t kSlope = 40 * kAcceleration;
 const uint32_t kStopTicks = ref::stop_ticks(kAcceleration, 40);
 constexpr int kMaxStepExponent = 9;  // short steps: many segments in a short program

@@ -214,20 +214,21 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
 TEST_F(RateGenerator, ReportsSettingsThatCannotBeWhenAProgramWaits) {
     const int64_t most = int64_t{1} << 31;
     const std::vector<std::pair<Settings, bool>> cases = {
-        {{1, 1, 1, 0}, true},
+        {{8, 8, 1, 0}, true},
         {{most, 2 * most, (1 << 29) - 1, 3}, true},
         {{200000, 2000001, 500, 0}, true},
+        {{7, 8, 1, 0}, false},
         {{0, 1, 1, 0}, false},
         {{0, 0, 1, 0}, false},
         {{most + 1, 2 * most, 1, 0}, false},
         {{2 * most - 1, 2 * most, 1, 0}, false},
-        {{5, 4, 1, 0}, false},
-        {{5, 0, 1, 0}, false},
-        {{5, 2 * most + 1, 1, 0}, false},
-        {{5, 4 * most - 1, 1, 0}, false},
-        {{5, 5, 0, 0}, false},
-        {{5, 5, 1 << 29, 0}, false},
-        {{5, 5, 2 * most - 1, 0}, false},
+        {{9, 8, 1, 0}, false},
+        {{9, 0, 1, 0}, false},
+        {{9, 2 * most + 1, 1, 0}, false},
+        {{9, 4 * most - 1, 1, 0}, false},
+        {{9, 9, 0, 0}, false},
+        {{9, 9, 1 << 29, 0}, false},
+        {{9, 9, 2 * most - 1, 0}, false},
     };
     for (const auto& [settings, good] : cases) {
         ask(settings);
