@@ -76,6 +76,7 @@ path/sample_gate.sv
 path/sample_share.sv
 path/standstill.sv
 path/stop_memory.sv
+path/stop_taker.sv
 path/tau_shift.sv
 path/time_scaler.sv
 path/underrun_guard.sv

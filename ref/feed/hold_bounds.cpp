@@ -110,9 +110,10 @@ std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) 
         }
     };
     const std::uint32_t eighth = acceleration >> kFineShift;
-    const std::uint64_t slope = std::uint64_t{acceleration} * slope_steps >> kFineShift;
+    const std::uint64_t fine_steps =
+        (std::uint64_t{acceleration} * slope_steps >> kFineShift) / eighth;
     const Bounds whole{std::ldexp(acceleration, -32), static_cast<double>(slope_steps)};
-    const Bounds fine{std::ldexp(eighth, -32), static_cast<double>(slope / eighth)};
+    const Bounds fine{std::ldexp(eighth, -32), static_cast<double>(fine_steps)};
     const double border = 1 - kFineFrom;
     const double ticks = std::min(fine.n, fine.time(2 * border) / 2) +
                          fine.time(border) * (1 + kFineFrom) / 2 +

@@ -13,7 +13,8 @@
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
 // each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
 // there on an eighth of the bounds holds. The first tick after a reset lands on its target at once:
-// nothing moves yet. What follows it, or the end of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset on.
+// nothing moves yet. What follows it, or the end of a branch, waits 2 clocks more. The bounds stand
+// still from the last two clocks of a reset on.
 // Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
@@ -23,8 +24,7 @@
 //
 // where rest is the way to the target in the present direction, braking what braking still moves.
 //
-// A stop from the rate 1 that a branch makes leaves them alone: it ends, as it began, at rest on
-// its target. Its steps are asked for as they begin.
+// A stop from the rate 1 that a branch makes leaves them alone: rtl/path/stop_taker.sv.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,
@@ -122,78 +122,49 @@ module time_scaler (
   assign arrive   = state_q == Run && head_valid_q && !change_q && !turns && arrives;
   assign swap     = state_q == Run && head_valid_q && !change_q && !turns && swaps;
   assign tick     = state_q == Run && head_valid_q && !change_q && !turns && !arrives && !swaps;
-  assign anew     = tick && (first_q || head_ends_q);
+  assign anew     = tick && (first_q || head_ends);
   assign up       = !faster_q[35] && !at_max_q && !settling_q;
   assign no_brake = !steady_q[35] || settling_q;
   assign steady   = !up && no_brake;
 
-  // A stop by a branch: from the tick that it begins with, the rate being 1, to that of its last
-  // step. Until there is one, time runs on, for as long as it is due.
-  localparam logic [16:0] One = 17'h10000;
   logic [16:0] goal_q;
-  logic head_stop_q;
-  logic head_ends_q;
-  logic [31:0] head_change_q;
-  logic one;
-  logic one_q;
-  logic [19:0] wait_q;
-  logic held;
-  logic waits;
-  logic stop_begins;
-  logic stopping_q;
-  logic stopping;
-  logic new_step;
-  logic [10:0] left_q;  // ticks of the present step
-  logic [31:0] step_change_q;
-  logic step_last_q;
-  logic [10:0] step_left;
-  logic stop_ends;
-  logic [16:0] obeyed;
-  assign one = tick ? same_q && arrived_q && !short_q && !head_stop_q && goal_q[16] : one_q;
-  assign held = one && target_i == '0;
-  assign waits = held && wait_q != '0;
-  assign stop_begins = held && next_wait_i != '0 && !stopping_q;
-  assign stopping = stopping_q || stop_begins;
-  assign new_step = stop_begins || left_q == '0;
-  assign step_left = (new_step ? step_ticks_i : left_q) - 1'b1;
-  assign stop_ends = (new_step ? step_last_i : step_last_q) && step_left == '0;
-  assign obeyed = stopping ? '0 : waits ? One : target_i;
+  logic        head_stop;
+  logic        head_ends;
+  logic [31:0] head_change;
+  logic        one;
+  logic        one_q;
+  assign one = tick ? same_q && arrived_q && !short_q && !head_stop && goal_q[16] : one_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) one_q <= 1'b0;
+    else if (tick) one_q <= one;
+  end
 
   logic room;
   logic takes;
-  assign room         = !head_valid_q || tick;
-  assign ready_o      = room && !(stopping && new_step && !step_valid_i);
-  assign takes        = ready_o && valid_i;
-  assign step_ready_o = room && valid_i && stopping && new_step;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      stopping_q <= 1'b0;
-      wait_q     <= '0;
-      one_q      <= 1'b0;
-    end else begin
-      if (tick) one_q <= one;
-      if (takes) begin
-        stopping_q <= stopping && !stop_ends;
-        if (stopping) wait_q <= '0;
-        else if (next_wait_i != '0) wait_q <= next_wait_i;
-        else if (wait_q != '0) wait_q <= wait_q - 1'b1;
-      end
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (takes) begin
-      left_q <= stopping ? step_left : '0;
-      if (stopping && new_step) begin
-        step_change_q <= step_change_i;
-        step_last_q   <= step_last_i;
-      end
-      head_stop_q   <= stopping;
-      head_ends_q   <= stopping && stop_ends;
-      head_change_q <= new_step ? step_change_i : step_change_q;
-      zero_q        <= target_i == '0;
-    end
-  end
+  logic stopping;
+  logic [16:0] obeyed;
+  assign room = !head_valid_q || tick;
+  stop_taker u_stop (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .room_i(room),
+      .ready_o,
+      .taken_o(takes),
+      .one_i(one),
+      .target_i,
+      .obeyed_o(obeyed),
+      .stopping_o(stopping),
+      .next_wait_i,
+      .step_valid_i,
+      .step_ready_o,
+      .step_ticks_i,
+      .step_change_i,
+      .step_last_i,
+      .stop_o(head_stop),
+      .ends_o(head_ends),
+      .change_o(head_change)
+  );
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -213,6 +184,7 @@ module time_scaler (
       first_q  <= fresh_q;
       same_q   <= obeyed == target_q && !fresh_q;
       target_q <= obeyed;
+      zero_q   <= target_i == '0;
     end
     if (takes || state_q == Clear) begin
       beyond_q <= high != fine_q && !(takes && (fresh_q || stopping));
@@ -380,8 +352,7 @@ module time_scaler (
       ticked_q <= tick;
       valid_o  <= ticked_q;
       if (tick) begin
-        stop_slope_q <= head_stop_q && !head_ends_q ? stop_slope_q + 36'($signed(head_change_q)) :
-            '0;
+        stop_slope_q <= head_stop && !head_ends ? stop_slope_q + 36'($signed(head_change)) : '0;
       end
     end
   end
@@ -395,11 +366,11 @@ module time_scaler (
     end
   end
   always_ff @(posedge clk_i) begin
-    lands_q <= first_q || (head_stop_q ? head_ends_q : at_rest_q && !up && !settling_q);
-    rises_q <= rising_q || head_stop_q;
-    stops_q <= head_stop_q;
+    lands_q <= first_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q);
+    rises_q <= rising_q || head_stop;
+    stops_q <= head_stop;
     held_q <= zero_q;
-    landing_q <= first_q || head_stop_q ? target_q : goal_q;
+    landing_q <= first_q || head_stop ? target_q : goal_q;
   end
   // In a stop below 1, whatever its steps.
   logic stopped_q;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a tick of the time scaler goes to: its target, or by a step of a stop branch to 0.
+//
+//   clock      0            1
+//   valid_i    1
+//   room_i     1
+//   taken_o    1
+//   .._i       of the tick
+//   obeyed_o   target
+//   stop_o                  of the tick, until the next one is taken
+//
+// A stop from the rate 1 begins with a tick in which a branch does; until then, for as long as one
+// is due, time runs on. It ends with its last step, on its target.
+`default_nettype none
+module stop_taker (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    input  wire logic        valid_i,
+    input  wire logic        room_i,
+    output logic             ready_o,
+    output logic             taken_o,
+    input  wire logic        one_i,          // the rate rests on 1
+    input  wire logic [16:0] target_i,
+    output logic      [16:0] obeyed_o,
+    output logic             stopping_o,
+    input  wire logic [19:0] next_wait_i,    // of time_scaler
+    input  wire logic        step_valid_i,
+    output logic             step_ready_o,
+    input  wire logic [10:0] step_ticks_i,
+    input  wire logic [31:0] step_change_i,
+    input  wire logic        step_last_i,
+
+    output logic        stop_o,
+    output logic        ends_o,   // with it
+    output logic [31:0] change_o
+);
+
+  localparam logic [16:0] One = 17'h10000;
+  logic [19:0] wait_q;
+  logic held;
+  logic waits;
+  logic begins;
+  logic stopping_q;
+  logic new_step;
+  logic [10:0] left_q;  // ticks of the present step
+  logic [31:0] change_q;
+  logic last_q;
+  logic [10:0] left;
+  logic ends;
+  assign held         = one_i && target_i == '0;
+  assign waits        = held && wait_q != '0;
+  assign begins       = held && next_wait_i != '0 && !stopping_q;
+  assign stopping_o   = stopping_q || begins;
+  assign new_step     = begins || left_q == '0;
+  assign left         = (new_step ? step_ticks_i : left_q) - 1'b1;
+  assign ends         = stopping_o && (new_step ? step_last_i : last_q) && left == '0;
+  assign obeyed_o     = stopping_o ? '0 : waits ? One : target_i;
+
+  assign ready_o      = room_i && !(stopping_o && new_step && !step_valid_i);
+  assign taken_o      = ready_o && valid_i;
+  assign step_ready_o = room_i && valid_i && stopping_o && new_step;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      stopping_q <= 1'b0;
+      wait_q     <= '0;
+    end else if (taken_o) begin
+      stopping_q <= stopping_o && !ends;
+      if (stopping_o) wait_q <= '0;
+      else if (next_wait_i != '0) wait_q <= next_wait_i;
+      else if (wait_q != '0) wait_q <= wait_q - 1'b1;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (taken_o) begin
+      left_q <= stopping_o ? left : '0;
+      if (stopping_o && new_step) begin
+        change_q <= step_change_i;
+        last_q   <= step_last_i;
+      end
+      stop_o   <= stopping_o;
+      ends_o   <= ends;
+      change_o <= new_step ? step_change_i : change_q;
+    end
+  end
+
+endmodule
+`default_nettype wire
