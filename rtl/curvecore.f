@@ -1,4 +1,5 @@
 arithmetic/digits_pkg.sv
+bus/registers_pkg.sv
 curvecore_pkg.sv
 network/anchor_pkg.sv
 network/spline_pkg.sv
@@ -26,6 +27,7 @@ arithmetic/multiplier_portable.sv
 arithmetic/multiplier_up5k.sv
 arithmetic/product_sum.sv
 arithmetic/step_scale.sv
+bus/register_file.sv
 control/digit_source.sv
 control/local_copy.sv
 control/order_digits.sv

@@ -257,3 +257,18 @@ illegal_parameter_test(motion_interpolator Build=1,ParameterGuard=1
                        "Build 1 works with ParameterGuard 0 only")
 illegal_parameter_test(motion_interpolator Build=1,TurnBits=1 "Build 1 works with TurnBits 0 only")
 illegal_parameter_test(motion_interpolator Splines=1,TurnBits=1 "TurnBits works with Curves 1 only")
+
+# The registers: axes, bits of scale and of times.
+foreach(size 3,44,12 9,56,16 1,33,4)
+  read_row(${size} axes scale time)
+  core_test(register_file a${axes}_s${scale}_t${time} TOP register_file
+            LIBRARIES nlohmann_json::nlohmann_json
+            PARAMS Axes=${axes} ScaleBits=${scale} TimeBits=${time} Capability=1234567 Core=89
+                   ClockHertz=100000000)
+  target_compile_definitions(register_file_a${axes}_s${scale}_t${time}
+                             PRIVATE REGISTERS_JSON="${REGISTERS_JSON}")
+  add_dependencies(register_file_a${axes}_s${scale}_t${time} made_registers)
+endforeach()
+illegal_parameter_test(register_file Axes=10 "Axes must be in .1, 9.")
+illegal_parameter_test(register_file ScaleBits=57 "ScaleBits must be in .33, 56.")
+illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
         "// Made by rtl/queue/words_generator.cpp from hls/words.hpp, which explains the fields.\n"
         "`default_nettype none\n"
         "package words_pkg;\n\n");
+    file.print("  localparam int Version = {};\n\n", kWordsVersion);
     const std::pair<const char*, Tag> tags[] = {
         {"Length", Tag::kLength},   {"Theta", Tag::kTheta},     {"Start", Tag::kStart},
         {"End", Tag::kEnd},         {"Tangent", Tag::kTangent}, {"Normal", Tag::kNormal},

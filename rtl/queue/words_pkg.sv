@@ -3,6 +3,8 @@
 `default_nettype none
 package words_pkg;
 
+  localparam int Version = 4;
+
   localparam logic [3:0] TagLength = 4'd1;
   localparam logic [3:0] TagTheta = 4'd2;
   localparam logic [3:0] TagStart = 4'd3;

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// Made by hls/registers/make_registers.py from registers.rdl, which explains the registers.
+`default_nettype none
+package registers_pkg;
+
+  // Addresses in words of 32 bits
+  localparam logic [6:0] Id = 7'd0;
+  localparam logic [6:0] Version = 7'd1;
+  localparam logic [6:0] Capability = 7'd2;
+  localparam logic [6:0] Core = 7'd3;
+  localparam logic [6:0] Clock = 7'd4;
+  localparam logic [6:0] Control = 7'd5;
+  localparam logic [6:0] State = 7'd6;
+  localparam logic [6:0] Axes = 7'd7;
+  localparam logic [6:0] Reference = 7'd8;
+  localparam logic [6:0] Override = 7'd9;
+  localparam logic [6:0] Watchdog = 7'd10;
+  localparam logic [6:0] Timing = 7'd11;
+  localparam logic [6:0] HoldAcceleration = 7'd12;
+  localparam logic [6:0] HoldSlope = 7'd13;
+  localparam logic [6:0] StopTicks = 7'd14;
+  localparam logic [6:0] Pulse = 7'd15;
+  localparam logic [6:0] Direction = 7'd16;
+  localparam logic [6:0] Pins = 7'd17;
+  localparam logic [6:0] Room = 7'd18;
+  localparam logic [6:0] SegmentLo = 7'd20;
+  localparam logic [6:0] SegmentHi = 7'd21;
+  localparam logic [6:0] ProfileLo = 7'd22;
+  localparam logic [6:0] ProfileHi = 7'd23;
+  localparam logic [6:0] PathLo = 7'd24;
+  localparam logic [6:0] PathHi = 7'd25;
+  localparam logic [6:0] Rate = 7'd26;
+
+  // Of axes: the first one's words, and how many each has
+  localparam logic [6:0] AxisFirst = 7'd64;
+  localparam int AxisWords = 4;
+  localparam logic [1:0] AxisScaleLo = 2'd0;
+  localparam logic [1:0] AxisScaleHi = 2'd1;
+  localparam logic [1:0] AxisSteps = 2'd2;
+
+  // Lowest bits, and how many
+  localparam int IdIdLow = 0;
+  localparam int IdIdBits = 32;
+  localparam int VersionMapLow = 0;
+  localparam int VersionMapBits = 8;
+  localparam int VersionWordsLow = 8;
+  localparam int VersionWordsBits = 8;
+  localparam int CapabilityAxesLow = 0;
+  localparam int CapabilityAxesBits = 4;
+  localparam int CapabilityPeriodLog2Low = 4;
+  localparam int CapabilityPeriodLog2Bits = 5;
+  localparam int CapabilityBuildLow = 9;
+  localparam int CapabilityBuildBits = 1;
+  localparam int CapabilitySplinesLow = 10;
+  localparam int CapabilitySplinesBits = 1;
+  localparam int CapabilitySegmentQueueLog2Low = 11;
+  localparam int CapabilitySegmentQueueLog2Bits = 5;
+  localparam int CapabilityProfileQueueLog2Low = 16;
+  localparam int CapabilityProfileQueueLog2Bits = 5;
+  localparam int CoreOrderLow = 0;
+  localparam int CoreOrderBits = 4;
+  localparam int CoreModeLow = 4;
+  localparam int CoreModeBits = 1;
+  localparam int CoreCoefBitsLow = 6;
+  localparam int CoreCoefBitsBits = 6;
+  localparam int CorePositionBitsLow = 12;
+  localparam int CorePositionBitsBits = 6;
+  localparam int CoreGuardBitsLow = 18;
+  localparam int CoreGuardBitsBits = 4;
+  localparam int ClockHertzLow = 0;
+  localparam int ClockHertzBits = 32;
+  localparam int ControlEnableLow = 0;
+  localparam int ControlEnableBits = 1;
+  localparam int ControlHoldLow = 1;
+  localparam int ControlHoldBits = 1;
+  localparam int ControlFlushLow = 2;
+  localparam int ControlFlushBits = 1;
+  localparam int ControlEstopLow = 3;
+  localparam int ControlEstopBits = 1;
+  localparam int StateBusLow = 0;
+  localparam int StateBusBits = 1;
+  localparam int StateWatchdogLow = 1;
+  localparam int StateWatchdogBits = 1;
+  localparam int StateEstopLow = 2;
+  localparam int StateEstopBits = 1;
+  localparam int StateEstopInputLow = 3;
+  localparam int StateEstopInputBits = 1;
+  localparam int StateLimitLow = 4;
+  localparam int StateLimitBits = 1;
+  localparam int StateOverrunLow = 5;
+  localparam int StateOverrunBits = 1;
+  localparam int StateRefusedLow = 6;
+  localparam int StateRefusedBits = 1;
+  localparam int StateLateLow = 7;
+  localparam int StateLateBits = 1;
+  localparam int StateMotionLow = 8;
+  localparam int StateMotionBits = 8;
+  localparam int StateEnabledLow = 16;
+  localparam int StateEnabledBits = 1;
+  localparam int StateHoldingLow = 17;
+  localparam int StateHoldingBits = 1;
+  localparam int StateActiveLow = 18;
+  localparam int StateActiveBits = 1;
+  localparam int StateStandingLow = 19;
+  localparam int StateStandingBits = 1;
+  localparam int StateUnderrunLow = 20;
+  localparam int StateUnderrunBits = 1;
+  localparam int StateFlushingLow = 21;
+  localparam int StateFlushingBits = 1;
+  localparam int StateCleanLow = 22;
+  localparam int StateCleanBits = 1;
+  localparam int StateReadyLow = 23;
+  localparam int StateReadyBits = 1;
+  localparam int StateEstopPinLow = 24;
+  localparam int StateEstopPinBits = 1;
+  localparam int AxesReferencedLow = 0;
+  localparam int AxesReferencedBits = 9;
+  localparam int AxesUncertainLow = 9;
+  localparam int AxesUncertainBits = 9;
+  localparam int AxesLimitLow = 18;
+  localparam int AxesLimitBits = 9;
+  localparam int ReferenceAxesLow = 0;
+  localparam int ReferenceAxesBits = 9;
+  localparam int OverrideRateLow = 0;
+  localparam int OverrideRateBits = 17;
+  localparam int WatchdogSamplesLow = 0;
+  localparam int WatchdogSamplesBits = 16;
+  localparam int TimingSamplesPerTickLog2Low = 0;
+  localparam int TimingSamplesPerTickLog2Bits = 4;
+  localparam int HoldAccelerationAccelerationLow = 0;
+  localparam int HoldAccelerationAccelerationBits = 32;
+  localparam int HoldSlopeSlopeLow = 0;
+  localparam int HoldSlopeSlopeBits = 32;
+  localparam int StopTicksTicksLow = 0;
+  localparam int StopTicksTicksBits = 29;
+  localparam int PulseSteplenLow = 0;
+  localparam int PulseSteplenBits = 16;
+  localparam int PulseStepspaceLow = 16;
+  localparam int PulseStepspaceBits = 16;
+  localparam int DirectionDirsetupLow = 0;
+  localparam int DirectionDirsetupBits = 16;
+  localparam int DirectionDirholdLow = 16;
+  localparam int DirectionDirholdBits = 16;
+  localparam int PinsStepInvertedLow = 0;
+  localparam int PinsStepInvertedBits = 9;
+  localparam int PinsDirectionInvertedLow = 9;
+  localparam int PinsDirectionInvertedBits = 9;
+  localparam int PinsLimitMaskedLow = 18;
+  localparam int PinsLimitMaskedBits = 9;
+  localparam int RoomSegmentLow = 0;
+  localparam int RoomSegmentBits = 16;
+  localparam int RoomProfileLow = 16;
+  localparam int RoomProfileBits = 16;
+  localparam int SegmentLoWordLow = 0;
+  localparam int SegmentLoWordBits = 32;
+  localparam int SegmentHiWordLow = 0;
+  localparam int SegmentHiWordBits = 16;
+  localparam int ProfileLoWordLow = 0;
+  localparam int ProfileLoWordBits = 32;
+  localparam int ProfileHiWordLow = 0;
+  localparam int ProfileHiWordBits = 16;
+  localparam int PathLoPathLow = 0;
+  localparam int PathLoPathBits = 32;
+  localparam int PathHiPathLow = 0;
+  localparam int PathHiPathBits = 32;
+  localparam int RateRateLow = 0;
+  localparam int RateRateBits = 17;
+  localparam int ScaleLoScaleLow = 0;
+  localparam int ScaleLoScaleBits = 32;
+  localparam int ScaleHiScaleLow = 0;
+  localparam int ScaleHiScaleBits = 24;
+  localparam int StepsCountLow = 0;
+  localparam int StepsCountBits = 32;
+
+  // What can be read, but of axes
+  function automatic logic can_read(input logic [6:0] word);
+    case (word)
+      Id,
+      Version,
+      Capability,
+      Core,
+      Clock,
+      State,
+      Axes,
+      Override,
+      Watchdog,
+      Timing,
+      HoldAcceleration,
+      HoldSlope,
+      StopTicks,
+      Pulse,
+      Direction,
+      Pins,
+      Room,
+      PathLo,
+      PathHi,
+      Rate:
+      can_read = 1'b1;
+      default: can_read = 1'b0;
+    endcase
+  endfunction
+
+  // What can be written, but of axes
+  function automatic logic can_write(input logic [6:0] word);
+    case (word)
+      Control,
+      State,
+      Reference,
+      Override,
+      Watchdog,
+      Timing,
+      HoldAcceleration,
+      HoldSlope,
+      StopTicks,
+      Pulse,
+      Direction,
+      Pins,
+      SegmentLo,
+      SegmentHi,
+      ProfileLo,
+      ProfileHi:
+      can_write = 1'b1;
+      default: can_write = 1'b0;
+    endcase
+  endfunction
+
+  // What a word is after a reset
+  function automatic logic [31:0] reset_value(input logic [6:0] word);
+    case (word)
+      Id: reset_value = 32'h43564d31;
+      Version: reset_value = 32'h00000001;
+      Override: reset_value = 32'h00010000;
+      default: reset_value = 32'd0;
+    endcase
+  endfunction
+
+endpackage
+`default_nettype wire

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
+// 2^7 more; a push is taken once, or is an error.
+// control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
+// control: ANSWERS_TWICE s/works_q && !done_o/works_q/
+// control: NO_RESET s/works_q <= 1'b0;//
+// control: TAKES_QUIETLY s/(write_i && !taken)/1'b0/
+// control: PUSHES_LONG s/works_q \&\& \(write_i \&\& word_i == registers_pkg::SegmentHi\)/\1/
+`default_nettype none
+module register_file_formal (
+    input wire logic       clk_i,
+    input wire logic       rst_ni,
+    input wire logic       ask_i,
+    input wire logic       write_i,
+    input wire logic [6:0] word_i,
+    input wire logic       segment_ready_i,
+    input wire logic       profile_ready_i,
+    input wire logic       control_ready_i,
+    input wire logic       reference_ready_i,
+    input wire logic       scale_ready_i
+);
+
+  // A shell: a request stays until it is done.
+  logic valid_q;
+  logic write_q;
+  logic [6:0] word_q;
+  logic done;
+  logic error;
+  logic segment_valid;
+  logic profile_valid;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) valid_q <= 1'b0;
+    else if (!valid_q || done) valid_q <= ask_i;
+    if (!valid_q || done) begin
+      write_q <= write_i;
+      word_q  <= word_i;
+    end
+  end
+  register_file u_dut (
+      .clk_i,
+      .rst_ni,
+      .valid_i(valid_q),
+      .write_i(write_q),
+      .word_i(word_q),
+      .data_i(32'd0),
+      .done_o(done),
+      .error_o(error),
+      .scale_ready_i,
+      .segment_valid_o(segment_valid),
+      .segment_ready_i,
+      .profile_valid_o(profile_valid),
+      .profile_ready_i,
+      .control_ready_i,
+      .reference_ready_i,
+      .state_i(32'd0),
+      .axes_i(32'd0),
+      .room_i(32'd0),
+      .path_i(64'd0),
+      .rate_i(17'd0),
+      .steps_i(32'd0)
+  );
+
+  logic started_q = 1'b0;
+  logic [7:0] since_q;  // clocks since the reset, 2^7 at most
+  logic [1:0] waited_q;  // clocks of the request
+  logic pushed_q;  // of the request at hand: a push was taken
+  logic refused_q;
+  logic push;
+  logic taken;
+  assign push  = segment_valid || profile_valid;
+  assign taken = (segment_valid && segment_ready_i) || (profile_valid && profile_ready_i);
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    if (!rst_ni) since_q <= '0;
+    else if (!since_q[7]) since_q <= since_q + 1'b1;
+    if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
+    else waited_q <= waited_q + 1'b1;
+    if (!rst_ni || done) begin
+      pushed_q  <= 1'b0;
+      refused_q <= 1'b0;
+    end else begin
+      if (taken) pushed_q <= 1'b1;
+      if (push && !taken) refused_q <= 1'b1;
+    end
+  end
+
+  always_comb begin
+    if (!started_q) assume (!rst_ni);
+    if (started_q && rst_ni) begin
+      In_time : assert (!(valid_q && !done && waited_q == 2'd2));
+      Only_asked : assert (!done || valid_q);
+      Not_sooner : assert (!done || waited_q == 2'd2);
+      Push_asked : assert (!push || (valid_q && write_q && !done));
+      Pushed_once : assert (!(push && (pushed_q || refused_q)));
+      Refused_is_error : assert (!(done && refused_q && !error));
+      Taken_is_none : assert (!(done && pushed_q && error));
+      Answered : cover (done && !error);
+      Refused : cover (done && error && refused_q);
+      Pushed : cover (done && pushed_q);
+    end
+  end
+
+endmodule
+`default_nettype wire

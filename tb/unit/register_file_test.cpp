@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/bus/register_file.sv against what registers.json says of each register.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+
+#include "Vregister_file.h"
+#include "hls/words.hpp"
+#include "sysc/board/clocked_dut.hpp"
+
+namespace curvecore::tb {
+namespace {
+using nlohmann::json;
+
+constexpr int kWords = 128;
+constexpr int kAnswer = 2;            // clocks
+constexpr int kFirstAnswer = 1 << 7;  // more, after a reset
+
+/// A word as registers.json describes it, with the value that a host believes in.
+struct Word {
+    std::string name;
+    bool axis = false;
+    bool read = false;
+    bool write = false;
+    bool setting = false;
+    uint32_t value = 0;
+};
+
+std::map<int, Word> read_words() {
+    std::ifstream file(REGISTERS_JSON);
+    const json description = json::parse(file);
+    std::map<int, Word> words;
+    for (const json& one : description.at("registers")) {
+        Word word;
+        word.name = one.at("name");
+        word.axis = one.at("axis");
+        word.read = one.at("read");
+        word.write = one.at("write");
+        word.setting = word.read && word.write;
+        for (const json& field : one.at("fields")) {
+            if (field.at("clears").get<bool>()) word.setting = false;
+            word.value |= field.at("reset").get<uint32_t>() << field.at("low").get<int>();
+        }
+        const int first = one.at("address").get<int>() / 4;
+        const int stride = description.at("axes").at("stride").get<int>() / 4;
+        for (int axis = 0; axis < (word.axis ? CFG_Axes : 1); ++axis) {
+            words[first + axis * stride] = word;
+        }
+    }
+    return words;
+}
+
+class RegisterFile : public testing::Test {
+  protected:
+    RegisterFile() {
+        dut_.limit_cycles(UINT64_MAX);
+        dut_->valid_i = 0;
+        live();
+        dut_.reset();
+    }
+
+    /// What the motion says: anything.
+    void live() {
+        dut_->state_i = any();
+        dut_->axes_i = any();
+        dut_->room_i = any();
+        dut_->path_i = uint64_t{any()} << 32 | any();
+        dut_->rate_i = any() % (1 << 17);
+        dut_->scale_ready_i = any() % 2;
+        dut_->segment_ready_i = any() % 2;
+        dut_->profile_ready_i = any() % 2;
+        dut_->control_ready_i = any() % 2;
+        dut_->reference_ready_i = any() % 2;
+    }
+
+    /// One clock; what it pushes, writes or commands is counted.
+    void clock() {
+        dut_.settle();
+        dut_->steps_i = 1000U + dut_->steps_axis_o;
+        dut_.settle();
+        if (dut_->segment_valid_o && dut_->segment_ready_i) happened("SEGMENT_HI");
+        if (dut_->profile_valid_o && dut_->profile_ready_i) happened("PROFILE_HI");
+        if (dut_->scale_write_o) happened("SCALE_HI");
+        if (dut_->control_write_o) happened("CONTROL");
+        if (dut_->state_write_o) happened("STATE");
+        if (dut_->reference_write_o) happened("REFERENCE");
+        dut_.tick();
+    }
+    void happened(const std::string& name) {
+        happened_[name] += 1;
+        motion_word_ = dut_->motion_word_o;
+        scale_ = dut_->scale_o;
+        scale_axis_ = dut_->scale_axis_o;
+        command_ = dut_->command_o;
+    }
+
+    struct Answer {
+        bool error;
+        uint32_t data;
+        int clocks;
+    };
+    Answer ask(bool write, int word, uint32_t data) {
+        happened_.clear();
+        dut_->valid_i = 1;
+        dut_->write_i = write;
+        dut_->word_i = static_cast<unsigned>(word);
+        dut_->data_i = data;
+        int clocks = 0;
+        while (!dut_->done_o && clocks < 1000) {
+            clock();
+            ++clocks;
+        }
+        const Answer answer{dut_->error_o != 0, dut_->data_o, clocks};
+        clock();
+        dut_->valid_i = 0;
+        return answer;
+    }
+
+    uint32_t any() { return random_(); }
+
+    /// Whether the motion takes a write to a word of that name now.
+    bool ready(const Word& word) {
+        if (word.name == "SEGMENT_HI") return dut_->segment_ready_i;
+        if (word.name == "PROFILE_HI") return dut_->profile_ready_i;
+        if (word.name == "CONTROL") return dut_->control_ready_i;
+        if (word.name == "REFERENCE") return dut_->reference_ready_i;
+        return !word.axis || dut_->scale_ready_i;
+    }
+
+    uint32_t read_value(const Word& word, int address) {
+        if (word.name == "VERSION") return word.value | hls::kWordsVersion << 8;
+        if (word.name == "CAPABILITY") return CFG_Capability;
+        if (word.name == "CORE") return CFG_Core;
+        if (word.name == "CLOCK") return CFG_ClockHertz;
+        if (word.name == "STATE") return dut_->state_i;
+        if (word.name == "AXES") return dut_->axes_i;
+        if (word.name == "ROOM") return dut_->room_i;
+        if (word.name == "PATH_LO") return static_cast<uint32_t>(dut_->path_i);
+        if (word.name == "PATH_HI") return path_high_;
+        if (word.name == "RATE") return rate_;
+        if (word.name == "STEPS") return 1000U + static_cast<uint32_t>(address >> 2 & 15);
+        return word.value;
+    }
+
+    void check_settings(std::map<int, Word>& words) {
+        std::map<std::string, uint32_t> value;
+        for (const auto& [address, word] : words) value[word.name] = word.value;
+        const auto field = [](uint32_t word, int low, int bits) {
+            return word >> low & ((1U << bits) - 1);
+        };
+        EXPECT_EQ(dut_->override_o, field(value["OVERRIDE"], 0, 17));
+        EXPECT_EQ(dut_->watchdog_o, field(value["WATCHDOG"], 0, 16));
+        EXPECT_EQ(dut_->samples_per_tick_log2_o, field(value["TIMING"], 0, 4));
+        EXPECT_EQ(dut_->hold_acceleration_o, value["HOLD_ACCELERATION"]);
+        const uint32_t slope = value["HOLD_SLOPE"];
+        EXPECT_EQ(dut_->hold_slope_o, slope == 0 ? uint64_t{1} << 32 : slope);
+        EXPECT_EQ(dut_->stop_ticks_o, field(value["STOP_TICKS"], 0, 29));
+        EXPECT_EQ(dut_->steplen_o, field(value["PULSE"], 0, CFG_TimeBits));
+        EXPECT_EQ(dut_->stepspace_o, field(value["PULSE"], 16, CFG_TimeBits));
+        EXPECT_EQ(dut_->dirsetup_o, field(value["DIRECTION"], 0, CFG_TimeBits));
+        EXPECT_EQ(dut_->dirhold_o, field(value["DIRECTION"], 16, CFG_TimeBits));
+        EXPECT_EQ(dut_->step_inverted_o, field(value["PINS"], 0, CFG_Axes));
+        EXPECT_EQ(dut_->direction_inverted_o, field(value["PINS"], 9, CFG_Axes));
+        EXPECT_EQ(dut_->limit_masked_o, field(value["PINS"], 18, CFG_Axes));
+    }
+
+    std::mt19937 random_{1};
+    sysc::ClockedDut<Vregister_file> dut_;
+    std::map<std::string, int> happened_;
+    uint64_t motion_word_ = 0;
+    uint64_t scale_ = 0;
+    int scale_axis_ = 0;
+    uint32_t command_ = 0;
+    uint32_t path_high_ = 0;
+    uint32_t rate_ = 0;
+};
+
+TEST_F(RegisterFile, HasItsResetValuesAndAnswersInTwoClocks) {
+    auto words = read_words();
+    int clocks = kAnswer + kFirstAnswer;
+    for (int repeat = 0; repeat < 2; ++repeat) {
+        for (const auto& [address, word] : words) {
+            if (!word.read || word.name == "PATH_HI" || word.name == "RATE") continue;
+            const Answer answer = ask(false, address, any());
+            EXPECT_FALSE(answer.error) << word.name;
+            EXPECT_EQ(answer.data, read_value(word, address)) << word.name;
+            EXPECT_LE(answer.clocks, clocks) << word.name;
+            clocks = kAnswer;
+        }
+        check_settings(words);
+        // A reset undoes what was written.
+        for (const auto& [address, word] : words) {
+            dut_->scale_ready_i = 1;
+            if (word.setting) ask(true, address, any());
+        }
+        dut_.reset();
+        clocks = kAnswer + kFirstAnswer;
+    }
+}
+
+TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
+    auto words = read_words();
+    uint32_t low = 0;
+    const auto keep_path = [this] {
+        path_high_ = static_cast<uint32_t>(dut_->path_i >> 32);
+        rate_ = dut_->rate_i;
+    };
+    ASSERT_EQ(words.at(24).name, "PATH_LO");
+    ask(false, 24, 0);
+    keep_path();
+    for (int n = 0; n < 40000 && !HasFailure(); ++n) {
+        live();
+        const bool write = any() % 2;
+        const int address = static_cast<int>(any() % kWords);
+        const uint32_t data = any() >> any() % 32;
+        const auto found = words.find(address);
+        const Word none{};
+        const Word& word = found == words.end() ? none : found->second;
+        SCOPED_TRACE((write ? "write " : "read ") + word.name + " " + std::to_string(address));
+        const bool good = write ? word.write && ready(word) : word.read;
+        const uint32_t expected = read_value(word, address);
+        const Answer answer = ask(write, address, data);
+        EXPECT_EQ(answer.clocks, kAnswer);
+        EXPECT_EQ(answer.error, !good);
+        EXPECT_EQ(answer.data, !write && good ? expected : answer.data);
+        if (!write && word.name == "PATH_LO") keep_path();
+        // One thing at most happens, once: what was asked for.
+        const std::map<std::string, int> pushes = {{"SEGMENT_HI", 1}, {"PROFILE_HI", 1},
+                                                   {"SCALE_HI", 1},   {"CONTROL", 1},
+                                                   {"STATE", 1},      {"REFERENCE", 1}};
+        std::map<std::string, int> expected_pushes;
+        if (write && good && pushes.count(word.name)) expected_pushes[word.name] = 1;
+        EXPECT_EQ(happened_, expected_pushes);
+        if (happened_.size() == 1) {
+            EXPECT_EQ(motion_word_, uint64_t{data & 0xffff} << 32 | low);
+            const uint64_t scale_bits = (uint64_t{1} << CFG_ScaleBits) - 1;
+            EXPECT_EQ(scale_, (uint64_t{data} << 32 | low) & scale_bits);
+            EXPECT_EQ(command_, data);
+            EXPECT_EQ(scale_axis_, address >> 2 & 15);
+        }
+        if (write && good) {
+            if (word.setting) found->second.value = data;
+            if (word.name.substr(word.name.size() - 3) == "_LO") low = data;
+        }
+        check_settings(words);
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
