@@ -35,7 +35,10 @@ struct PlanStream::Window {
 
 PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
                        const PlanOptions& options)
-    : source_(std::move(source)), machine_(std::move(machine)), options_(options) {
+    : source_(std::move(source)),
+      machine_(std::move(machine)),
+      options_(options),
+      fastest_(frame.fastest) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;
     frame_.unit_mm = options_.unit_mm;
@@ -83,6 +86,7 @@ void PlanStream::read(std::size_t size) {
             take_next();
             more_ = false;
             for (Move move; !more_ && source_(move);) {
+                raise(move, raised_);
                 next_.push_back(move);
                 more_ = move.length() >= quantum;
             }
@@ -92,6 +96,19 @@ void PlanStream::read(std::size_t size) {
         fail();
     }
     check_next();
+}
+
+void PlanStream::raise_feed(double factor) {
+    const double more = std::max(1.0, factor / raised_);
+    raised_ *= more;
+    for (std::size_t i = begun_moves_; i < program_.moves.size(); ++i) {
+        raise(program_.moves[i], more);
+    }
+    for (Move& move : next_) raise(move, more);
+}
+
+void PlanStream::raise(Move& move, double factor) const {
+    if (!move.rapid) move.feed = std::min(factor * move.feed, std::max(move.feed, fastest_));
 }
 
 /// What ends at rest because more follows must not be the last.
@@ -166,6 +183,7 @@ Plan PlanStream::give_out(std::unique_ptr<Window> window) {
     }
     const std::size_t first = given_from(window->planned->motion, cut, machine_);
     drop(moves[first].move);
+    begun_moves_ = moves[cut - 1].move - moves[first].move + 1;
     miss_ = moves[first].miss;
     given_ = window->planned->motion.given(first, cut);
     before_ = std::move(window);
@@ -185,6 +203,7 @@ void PlanStream::drop(std::size_t first) {
     program_.moves.erase(program_.moves.begin(),
                          program_.moves.begin() + static_cast<std::ptrdiff_t>(first));
     dropped_ += first;
+    begun_moves_ = 0;
     miss_ = 0;
     given_.clear();
     before_.reset();

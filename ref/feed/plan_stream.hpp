@@ -23,7 +23,7 @@ namespace curvecore::ref {
 /// |----------|------|---------------------------------------------------|
 /// | file     |      | name for errors                                   |
 /// | aux_axes | 1    | in use                                            |
-/// | fastest  | mm/s | of its moves, fastest_motion()                    |
+/// | fastest  | mm/s | of its moves, fastest_motion(), however overridden |
 struct StreamFrame {
     std::string file;
     int aux_axes = 0;
@@ -46,6 +46,11 @@ class PlanStream {
     ///         at rest before it
     std::optional<Plan> next();
 
+    /// An override above 1 (below 1 the core scales time): the feeds of the moves that no part has
+    /// yet become `factor` times those of the program, up to StreamFrame::fastest. Never less than
+    /// before: a window may have to go on in the speed of the one before.
+    void raise_feed(double factor);
+
     /// Windows that could not go on.
     std::size_t forced_stops() const { return forced_stops_; }
 
@@ -54,6 +59,7 @@ class PlanStream {
 
     void read(std::size_t size);
     void check_next();
+    void raise(Move& move, double factor) const;
     bool check(const Move& move);
     std::unique_ptr<Window> look();
     void leave_out_what_fails();
@@ -68,11 +74,14 @@ class PlanStream {
     MoveSource source_;
     const Machine machine_;
     const PlanOptions options_;
-    Program program_;          // the window's
-    std::size_t dropped_ = 0;  // moves of the program before it
-    double miss_ = 0;          // quanta of path before it, PlannedMove::miss
-    std::vector<Move> next_;   // those that follow it, up to one that has a length
-    bool more_ = true;         // there is such a one
+    const double fastest_;
+    double raised_ = 1;
+    Program program_;              // the window's
+    std::size_t begun_moves_ = 0;  // of it, that a part has, or the start of
+    std::size_t dropped_ = 0;      // moves of the program before it
+    double miss_ = 0;              // quanta of path before it, PlannedMove::miss
+    std::vector<Move> next_;       // those that follow it, up to one that has a length
+    bool more_ = true;             // there is such a one
     std::vector<GivenRun> given_;
     std::unique_ptr<Window> before_;  // with what lies behind its cut
     bool begun_ = false;

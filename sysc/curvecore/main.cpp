@@ -144,7 +144,10 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         .add_option("--stall", raw.stall_seed,
                     "random stalls on every handshake of the RTL; the samples must not change")
         ->type_name("SEED");
-    command.add_option("--override", raw.override_percent, "feed override, 1 to 100")
+    command
+        .add_option("--override", raw.override_percent,
+                    "feed override, 1 to 200: up to 100 time is "
+                    "scaled, above it feeds are planned higher, as far as limits allow")
         ->type_name("PERCENT")
         ->capture_default_str();
     command.add_flag("--trace", options.trace,

@@ -95,6 +95,9 @@ Job make_job(const Options& options, ref::Program program) {
     job.options = options;
     job.program = std::move(program);
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
+    for (ref::Move& move : job.program.moves) {
+        if (!move.rapid) move.feed *= options.feed_factor();
+    }
     make_path(job);
     set_splines(job, first_spline(job.program));
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;

@@ -105,8 +105,10 @@ int Options::samples_per_tick_log2() const {
 }
 
 std::int32_t Options::override_word() const {
-    return static_cast<std::int32_t>(std::lround(override_percent / 100 * 65536));
+    return static_cast<std::int32_t>(std::lround(std::min(1.0, override_percent / 100) * 65536));
 }
+
+double Options::feed_factor() const { return std::max(1.0, override_percent / 100); }
 
 ref::PlanOptions Options::plan_options() const {
     ref::PlanOptions plan;
@@ -167,8 +169,8 @@ void interpret(const RawOptions& raw, Options& options) {
     options.error_limit = bound_limit(raw.error, core.error_mm.value_or(error * options.unit_mm),
                                       options.unit_mm, options.core);
     options.override_percent = quantity("--override", raw.override_percent, {{"", 0}, {"%", 0}});
-    if (!(options.override_percent >= 1 && options.override_percent <= 100)) {
-        throw UsageError("--override must be in [1, 100] percent");
+    if (!(options.override_percent >= 1 && options.override_percent <= 200)) {
+        throw UsageError("--override must be in [1, 200] percent");
     }
     options.trace_clocks = whole("--trace-clocks", raw.trace_clocks);
     if (!raw.rows.empty()) options.most_rows = whole("--rows", raw.rows);

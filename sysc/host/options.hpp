@@ -51,8 +51,9 @@ struct Options {
     /// A Verilated core draws.
     bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
     int samples_per_tick_log2() const;
-    /// The override as the hardware's word, 2^16 = 100 %.
+    /// The override as the hardware's word, 2^16 = 100 %; above, the plan has the rest.
     std::int32_t override_word() const;
+    double feed_factor() const;
     ref::PlanOptions plan_options() const;
 };
 

@@ -175,7 +175,7 @@ std::vector<Check> Report::checks() const {
     std::vector<Check> checks;
     if (drawn != nullptr) {
         const CheckResult& check = drawn->check;
-        const bool full_speed = job.options.override_percent == 100;
+        const bool full_speed = job.options.override_percent >= 100;
         const std::uint64_t stops = planned_stops(job.plan);
         const double of_bound = check.worst(&KindResult::of_bound);
         checks = {

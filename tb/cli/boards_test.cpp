@@ -66,6 +66,15 @@ TEST_F(Boards, DrawSamplesThatShareTicksAlike) {
     compare(DATA_DIR "/stops.ngc", options);
 }
 
+TEST_F(Boards, OverridesPlanHigherFeeds) {
+    program_.write("line.ngc", "G21 G1 F600 X20 Y3\nG2 X40 I10 J0\nG0 X0 Y0\nM2\n");
+    const double asked = draw("line.ngc", "kernel", {})["duration_s"];
+    const Json doubled = draw("line.ngc", "kernel", {"--override", "200"});
+    EXPECT_LT(doubled["duration_s"], 0.6 * asked);
+    EXPECT_GT(doubled["duration_s"], 0.5 * asked) << "G0 is as fast as it can be";
+    EXPECT_EQ(doubled["override_percent"], 200);
+}
+
 /// Lines, arcs and splines at random, many of them shorter than a sample's path.
 TEST_F(Boards, DrawARandomProgramAlike) {
     std::mt19937_64 engine(11);

@@ -47,13 +47,16 @@ struct Joined {
     std::string error;
 
     Joined() = default;
-    Joined(const Program& program, PlanOptions options, std::size_t window,
-           ref::MoveSource source) {
+    Joined(const Program& program, PlanOptions options, std::size_t window, ref::MoveSource source,
+           double raise = 1) {
         options.window = window;
         PlanStream stream(std::move(source), {program.file, program.aux_axes, 1e9}, Machine{},
                           options);
         try {
-            while (std::optional<Plan> part = stream.next()) append(std::move(*part));
+            while (std::optional<Plan> part = stream.next()) {
+                append(std::move(*part));
+                if (parts == 2) stream.raise_feed(raise);
+            }
         } catch (const InputError& refused) {
             error = refused.what();
             EXPECT_FALSE(stream.next());
@@ -183,6 +186,42 @@ TEST(PlanStream, IsHardlySlowerThanTheWholePlan) {
         EXPECT_EQ(all.forced_stops, 0U);
         EXPECT_LE(all.plan.duration_s, 1.005 * whole.duration_s);
         EXPECT_LE(drawn_limits(all.plan, Machine{}).most(), 1);
+    }
+}
+
+/// In the middle of motion; what was given out stays.
+TEST(PlanStream, RaisesTheFeedOfWhatFollows) {
+    for (const unsigned seed : {1U, 2U, 4U}) {
+        for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
+            SCOPED_TRACE(fmt::format("seed {} effort {}", seed, static_cast<int>(effort)));
+            Program program = with_tolerance(smooth_lines(seed), 0.01);
+            for (Move& move : program.moves) move.feed = 20;
+            ref::smooth_path(program, Machine{});
+            const PlanOptions with = options(effort);
+            const Joined before = joined(program, with, 50);
+            const Joined all(program, with, 50, source_of(program), 10);
+            expect_whole(all.plan);
+            expect_same_path(all.plan, before.plan);
+            EXPECT_LT(all.jump, 1e-6);
+            EXPECT_LE(drawn_limits(all.plan, Machine{}).most(), 1);
+            ASSERT_GE(all.ends.size(), 3U);
+            EXPECT_EQ(all.ends[1], before.ends[1]);
+            EXPECT_LT(all.plan.duration_s, 0.8 * before.plan.duration_s);
+        }
+    }
+}
+
+TEST(PlanStream, RaisesNoFeedBeyondTheFastest) {
+    ProgramBuilder builder;
+    builder.line({100, 0, 0}, 20);
+    const Program program = builder.program();
+    for (const double fastest : {20., 30., 1e9}) {
+        PlanStream stream(source_of(program), {program.file, 0, fastest}, Machine{},
+                          options(Effort::kRules));
+        stream.raise_feed(2);
+        stream.raise_feed(1.2);
+        const std::optional<Plan> plan = stream.next();
+        EXPECT_NEAR(plan->duration_s, 100 / std::min(fastest, 40.), 0.1) << fastest;
     }
 }
 
