@@ -58,8 +58,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
               const std::vector<RunSegment>& segments) {
         for (const hls::ProfileWords& words : pieces) {
             pieces_.push_back(words);
-            stops_.push_back(branch_percent_ > 0 && go(100 - branch_percent_) ? any_stop()
-                                                                              : Stop());
+            stops_.push_back(stop_before(stops_.size()));
             if (stops_.back().wait > 0) {
                 profile_words_.push_back(hls::pack_stop(stops_.back().wait));
                 for (const hls::StopStep& step : stops_.back().steps) {
@@ -82,6 +81,11 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         int32_t wait = 0;  // 0: none
         std::vector<hls::StopStep> steps;
     };
+
+    Stop stop_before(std::size_t piece) {
+        if (piece < planned_stops_.size()) return planned_stops_[piece];
+        return branch_percent_ > 0 && go(100 - branch_percent_) ? any_stop() : Stop();
+    }
 
     /// From the rate 1 to 0, mostly, in up to 300 ticks.
     Stop any_stop() {
@@ -315,8 +319,9 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
 
     /// How time's rates are checked: without stop branches; with them, while no stream starves.
     enum class Rates { kBounded, kOfKernel, kAny } rates_ = Rates::kBounded;
-    int branch_percent_ = 0;  // of pieces, that have a branch
-    int most_wait_ = 300;     // ticks from it to the next one
+    int branch_percent_ = 0;           // of pieces, that have a branch
+    int most_wait_ = 300;              // ticks from it to the next one
+    std::vector<Stop> planned_stops_;  // of the first pieces
     std::vector<Stop> stops_;
     hls::StopSchedule schedule_;
     hls::TimeScaler scaler_{kAcceleration, kSlope};
