@@ -13,6 +13,8 @@ class ArcError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+constexpr int kMostTurns = 10000;
+
 /// In a plane seen from the tip of its normal, counter-clockwise positive.
 struct PlaneArc {
     Eigen::Vector2d centre;

@@ -2,41 +2,28 @@
 // G-code to moves while it is read, in constant memory.
 #pragma once
 
-#include <deque>
-#include <exception>
-
+#include "ref/program/block_stream.hpp"
 #include "ref/program/interpreter.hpp"
 #include "ref/program/text_file.hpp"
 
 namespace curvecore::ref {
 
-class GcodeStream {
+class GcodeStream : public BlockStream {
   public:
     /// @param text outlives this object
-    GcodeStream(std::istream& text, const std::string& file, double fit_tolerance);
-
-    /// The next move; false: there is none.
-    /// @throws InputError of a block, after all moves of the blocks before it
-    bool next(Move& move);
-
-    /// At the end.
-    int aux_axes() const { return aux_axes_; }
-    const std::vector<std::string>& warnings() const { return warnings_; }
+    GcodeStream(std::istream& text, const std::string& file, double fit_tolerance)
+        : file_(file), lines_(text), interpreter_(file, fit_tolerance) {}
 
   private:
-    void read_block();
-    void take(bool last);
+    bool read() override;
+    std::vector<Move> take(bool last) override { return interpreter_.take(last); }
+    Program finish() override { return interpreter_.finish(); }
 
     std::string file_;
     TextLines lines_;
     Interpreter interpreter_;
-    std::deque<Move> moves_;
-    int aux_axes_ = 0;
-    std::vector<std::string> warnings_;
     bool framed_ = false;
     bool begun_ = false;
-    bool ended_ = false;
-    std::exception_ptr error_;
 };
 
 }  // namespace curvecore::ref

@@ -7,13 +7,6 @@
 #include <cmath>
 
 namespace curvecore::ref {
-namespace {
-
-constexpr double kLongestDwell = 86400;      // s
-constexpr double kSmallestTolerance = 1e-5;  // mm
-constexpr double kLargestTolerance = 10;
-
-}  // namespace
 
 bool Interpreter::execute(Block block, const Place& place) {
     if (block.empty()) {
@@ -45,34 +38,16 @@ bool Interpreter::execute(Block block, const Place& place) {
     const std::optional<int> end = codes.of(Group::kStop);
     if (end) {
         check_nothing_waits(place);
-        stop();
+        moves_.stop();
     }
     return end != 2 && end != 30;
 }
 
-std::vector<Move> Interpreter::take(bool last) {
-    std::vector<Move> taken;
-    if (program_.moves.empty()) return taken;
-    const auto end = program_.moves.end() - (last ? 0 : 1);
-    taken.assign(program_.moves.begin(), end);
-    program_.moves.erase(program_.moves.begin(), end);
-    return taken;
-}
-
 Program Interpreter::finish() {
     if (middle_ || nurbs_) {
-        check_nothing_waits({program_.file, middle_ ? middle_->line : nurbs_->line});
+        check_nothing_waits({moves_.file(), middle_ ? middle_->line : nurbs_->line});
     }
-    for (const auto& [text, warning] : warnings_) {
-        program_.warnings.push_back(
-            fmt::format("{}:{}: warning: {}{}", program_.file, warning.line, text,
-                        warning.count > 1 ? fmt::format(" ({} times)", warning.count) : ""));
-    }
-    if (program_.moves.empty()) {
-        throw InputError(program_.file, 0, "the program has no moves");
-    }
-    stop();
-    return std::move(program_);
+    return moves_.finish();
 }
 
 void Interpreter::set_feed(Block& block, const Codes& codes, const Place& place) {
@@ -106,7 +81,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         whole_number('T', block.use('T'), 0, 99999, place);
     }
     if (codes.of(Group::kToolChange) || codes.of(Group::kSpindle)) {
-        stop();
+        moves_.stop();
     }
 }
 
@@ -127,12 +102,7 @@ void Interpreter::dwell(Block& block, const Place& place) {
         place.refuse(
             fmt::format("P of G4 must be 0 to {:g} seconds, not {:g}", kLongestDwell, seconds));
     }
-    if (program_.moves.empty()) {
-        warn("a dwell before the first move is left out", place);
-        return;
-    }
-    stop();
-    program_.moves.back().dwell += seconds;
+    moves_.dwell(seconds, place);
 }
 
 void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place) {
@@ -143,7 +113,7 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
         if (block.has('H')) {
             whole_number('H', block.use('H'), 0, 99999, place);
         }
-        warn("G43 takes a tool of length 0", place);
+        moves_.warn("G43 takes a tool of length 0", place);
     }
     if (const std::optional<int> system = codes.of(Group::kSystem)) {
         coordinates_.select_system(*system);
@@ -220,16 +190,6 @@ void Interpreter::check_nothing_waits(const Place& place) const {
     if (nurbs_) {
         place.refuse(fmt::format("the NURBS begun in line {} lacks its G5.3", nurbs_->line));
     }
-}
-
-void Interpreter::stop() {
-    if (!program_.moves.empty()) {
-        program_.moves.back().exact_stop = true;
-    }
-}
-
-void Interpreter::warn(const std::string& text, const Place& place) {
-    ++warnings_.try_emplace(text, Warning{place.line, 0}).first->second.count;
 }
 
 }  // namespace curvecore::ref

@@ -7,7 +7,6 @@
 // G94 and no motion mode.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 
@@ -15,21 +14,20 @@
 #include "ref/program/arc_geometry.hpp"
 #include "ref/program/codes.hpp"
 #include "ref/program/coordinates.hpp"
-#include "ref/program/move.hpp"
+#include "ref/program/move_list.hpp"
 
 namespace curvecore::ref {
 
 class Interpreter {
   public:
-    Interpreter(const std::string& file, double fit_tolerance) : fit_tolerance_(fit_tolerance) {
-        program_.file = file;
-    }
+    Interpreter(const std::string& file, double fit_tolerance)
+        : fit_tolerance_(fit_tolerance), moves_(file) {}
 
     /// Carries out a block; false when it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
     /// Moves in order, which leave the program: the `last` one as well, for which a stop or a dwell
     /// may still come.
-    std::vector<Move> take(bool last);
+    std::vector<Move> take(bool last) { return moves_.take(last); }
     /// What is left of the program, with all of its warnings.
     /// @throws InputError when it has no moves, an arc lacks its end point or a NURBS its G5.3.
     Program finish();
@@ -61,11 +59,8 @@ class Interpreter {
     Move move_to(const Point& target, const Place& place) const;
     void add(Move move, const Point& target, const Place& place);
     void add_curve(const std::vector<Cubic>& cubics, const Point& target, const Place& place);
-    void append(const Move& move);
     /// Feed of a move that is a part, or all, of a block's path of this length.
-    double feed_of(const Move& move, double length, const Place& place) const;
-    void stop();
-    void warn(const std::string& text, const Place& place);
+    double feed_on(const Move& move, double length, const Place& place) const;
 
     /// A point that a G2.4 arc goes through, waiting for the block with its end point.
     struct Middle {
@@ -84,13 +79,8 @@ class Interpreter {
         int line;
     };
 
-    struct Warning {
-        int line;
-        int count;
-    };
-
     double fit_tolerance_;  // mm
-    Program program_;
+    MoveList moves_;
     Coordinates coordinates_;
     int motion_ = 800;  // G code in tenths
     int normal_axis_ = 2;
@@ -103,7 +93,6 @@ class Interpreter {
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
     std::optional<Vec3> last_leg_;  // P Q R of a G5 that is still in force, mm
-    std::map<std::string, Warning> warnings_;
 };
 
 }  // namespace curvecore::ref

@@ -11,9 +11,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSlowestFeed = 1e-3 / 60;  // mm/s
-constexpr double kFastestFeed = 1e9 / 60;
-constexpr int kMostTurns = 10000;
 constexpr std::string_view kOffsetLetters = "IJK";
 
 bool is_arc(int motion) { return motion == 20 || motion == 30; }
@@ -125,7 +122,7 @@ void Interpreter::arc(Block& block, const Place& place) {
         place.refuse(error.what());
     }
     if (found.angle == 0) {
-        warn("an arc shorter than its rounding is drawn as a line", place);
+        moves_.warn("an arc shorter than its rounding is drawn as a line", place);
     } else {
         move.kind = Move::Kind::kArc;
         move.angle = found.angle;
@@ -196,25 +193,13 @@ void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place
 }
 
 void Interpreter::add(Move move, const Point& target, const Place& place) {
-    if (move.length() == 0) {
-        warn("a move of length 0 is left out", place);
-        return;
-    }
-    move.feed = move.rapid ? 0 : feed_of(move, move.length(), place);
-    append(move);
+    if (!moves_.moves(move, place)) return;
+    move.feed = move.rapid ? 0 : feed_on(move, move.length(), place);
+    moves_.append(move);
     coordinates_.set_position(target);
 }
 
-void Interpreter::append(const Move& move) {
-    for (int i = 0; i < kAuxAxes; ++i) {
-        if (move.aux_end[i] != move.aux_start[i]) {
-            program_.aux_axes = std::max(program_.aux_axes, i + 1);
-        }
-    }
-    program_.moves.push_back(move);
-}
-
-double Interpreter::feed_of(const Move& move, double length, const Place& place) const {
+double Interpreter::feed_on(const Move& move, double length, const Place& place) const {
     if (!feed_) {
         place.refuse(inverse_time_
                          ? fmt::format("{} in G93 wants an F in its own block", g_name(motion_))
@@ -229,11 +214,7 @@ double Interpreter::feed_of(const Move& move, double length, const Place& place)
     const double per_minute = inverse_time_ ? *feed_ * length
                               : degrees     ? *feed_
                                             : *feed_ * feed_unit_;
-    const double feed = per_minute / 60;
-    if (feed < kSlowestFeed || feed > kFastestFeed) {
-        place.refuse(fmt::format("the feed is out of range: {:g} mm/min", per_minute));
-    }
-    return feed;
+    return feed_of(per_minute, place);
 }
 
 }  // namespace curvecore::ref

@@ -17,7 +17,6 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kUsualOrder = 3;
-constexpr int kHighestOrder = 16;
 
 }  // namespace
 
@@ -31,10 +30,11 @@ void Interpreter::check_spline(Block& block, const Place& place) {
                                  flat ? " and Y" : ", Y and Z"));
     }
     if (block.has_any(motion_ == 50 ? "ZKR" : "Z")) {
-        warn(fmt::format("{} in space (Z, K, R) is this reader's own: elsewhere it lies in the XY "
-                         "plane",
-                         g_name(motion_)),
-             place);
+        moves_.warn(
+            fmt::format("{} in space (Z, K, R) is this reader's own: elsewhere it lies in the XY "
+                        "plane",
+                        g_name(motion_)),
+            place);
     }
 }
 
@@ -174,34 +174,13 @@ void Interpreter::close_nurbs(const Place& place) {
 
 void Interpreter::add_curve(const std::vector<Cubic>& cubics, const Point& target,
                             const Place& place) {
-    Move piece = move_to(target, place);
-    const Vec3 end = piece.end;
-    const bool exact_stop = piece.exact_stop;
-    piece.kind = Move::Kind::kCubic;
-    piece.exact_stop = false;
-    std::vector<Move> pieces;
+    std::vector<Move> pieces = moves_.pieces_of(cubics, move_to(target, place), place);
     double length = 0;
-    for (const Cubic& cubic : cubics) {
-        piece.cubic = cubic;
-        const double part = piece.length();
-        if (!(part > kStill)) {
-            warn("a piece of a spline without length is left out", place);
-            continue;
-        }
-        piece.end = cubic.position(1);
-        pieces.push_back(piece);
-        piece.start = piece.end;
-        length += part;
-    }
-    if (pieces.empty()) {
-        place.refuse("the curve collapses to a point");
-    }
-    pieces.back().end = end;
-    pieces.back().exact_stop = exact_stop;
-    const double feed = feed_of(piece, length, place);
-    for (Move& move : pieces) {
-        move.feed = feed;
-        append(move);
+    for (const Move& piece : pieces) length += piece.length();
+    const double feed = feed_on(pieces.back(), length, place);
+    for (Move& piece : pieces) {
+        piece.feed = feed;
+        moves_.append(piece);
     }
     coordinates_.set_position(target);
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "ref/program/move.hpp"
 
@@ -10,6 +12,23 @@ namespace curvecore::ref {
 
 /// Gives the next move; false: there is none, and none will come. @throws InputError
 using MoveSource = std::function<bool(Move& move)>;
+
+/// A program that is read move by move: GcodeStream, ProgramStream.
+class MoveStream {
+  public:
+    MoveStream() = default;
+    MoveStream(const MoveStream&) = delete;
+    MoveStream& operator=(const MoveStream&) = delete;
+    virtual ~MoveStream() = default;
+
+    /// The next move; false: there is none.
+    /// @throws InputError of what is wrong, after all moves before it
+    virtual bool next(Move& move) = 0;
+
+    /// At the end.
+    virtual int aux_axes() const = 0;
+    virtual const std::vector<std::string>& warnings() const = 0;
+};
 
 /// Those of a program, which must outlive the source.
 inline MoveSource source_of(const Program& program) {
@@ -20,9 +39,8 @@ inline MoveSource source_of(const Program& program) {
     };
 }
 
-/// All that a stream has to give: GcodeStream, ProgramStream. @throws InputError
-template <class Stream>
-Program read_all(Stream& stream, const std::string& file) {
+/// All that a stream has to give. @throws InputError
+inline Program read_all(MoveStream& stream, const std::string& file) {
     Program program;
     program.file = file;
     for (Move move; stream.next(move);) program.moves.push_back(move);

@@ -5,8 +5,9 @@
 
 namespace curvecore::ref {
 
-Program read_program(const std::string& file, const PointsOptions& points) {
-    ProgramStream stream(file, points);
+Program read_program(const std::string& file, const PointsOptions& points,
+                     const OpenProgram& open) {
+    ProgramStream stream(file, points, open);
     return read_all(stream, stream.file());
 }
 

@@ -7,6 +7,7 @@
 namespace curvecore::ref {
 
 /// As ProgramStream reads it. @throws InputError
-Program read_program(const std::string& file, const PointsOptions& points);
+Program read_program(const std::string& file, const PointsOptions& points,
+                     const OpenProgram& open = {});
 
 }  // namespace curvecore::ref

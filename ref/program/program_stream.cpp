@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 
+#include "ref/program/gcode_stream.hpp"
 #include "ref/program/input_error.hpp"
 
 namespace curvecore::ref {
@@ -23,10 +24,12 @@ std::string kind_of(const std::string& file) {
 
 bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
 
-ProgramStream::ProgramStream(const std::string& file, const PointsOptions& points) : file_(file) {
+ProgramStream::ProgramStream(const std::string& file, const PointsOptions& points,
+                             const OpenProgram& open)
+    : file_(file) {
     if (file == kStandardInput) {
         file_ = "stdin";
-        gcode_.emplace(std::cin, file_, points.fit_tolerance);
+        gcode_ = std::make_unique<GcodeStream>(std::cin, file_, points.fit_tolerance);
         return;
     }
     if (is_points_file(file)) {
@@ -38,7 +41,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
         throw InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap .csv are read");
     }
     text_ = std::make_unique<std::ifstream>(open_text_file(file));
-    gcode_.emplace(*text_, file, points.fit_tolerance);
+    gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, points.fit_tolerance);
 }
 
 bool ProgramStream::next(Move& move) {

@@ -2,10 +2,11 @@
 // A part's file, whatever its kind, move by move: G-code in constant memory, points as a whole.
 #pragma once
 
+#include <fstream>
+#include <functional>
 #include <memory>
-#include <optional>
 
-#include "ref/program/gcode_stream.hpp"
+#include "ref/program/move_source.hpp"
 #include "ref/program/points_reader.hpp"
 
 namespace curvecore::ref {
@@ -16,25 +17,27 @@ constexpr const char* kStandardInput = "-";
 /// Whether the extension is .csv, in upper or lower case.
 bool is_points_file(const std::string& file);
 
-class ProgramStream {
+/// Reads G-code from a file by somebody else's interpreter. @throws InputError
+using OpenProgram = std::function<std::unique_ptr<MoveStream>(const std::string& file)>;
+
+class ProgramStream : public MoveStream {
   public:
     /// By the extension, in upper or lower case: .ngc .nc .gcode .tap as G-code, .csv as points
-    /// with `points`; or kStandardInput. @throws InputError
-    ProgramStream(const std::string& file, const PointsOptions& points);
+    /// with `points`; or kStandardInput. With `open`, G-code is read by that. @throws InputError
+    ProgramStream(const std::string& file, const PointsOptions& points,
+                  const OpenProgram& open = {});
 
-    /// The next move; false: there is none. @throws InputError
-    bool next(Move& move);
+    bool next(Move& move) override;
 
     /// As it is called in messages.
     const std::string& file() const { return file_; }
-    /// At the end.
-    int aux_axes() const;
-    const std::vector<std::string>& warnings() const;
+    int aux_axes() const override;
+    const std::vector<std::string>& warnings() const override;
 
   private:
     std::string file_;
     std::unique_ptr<std::istream> text_;
-    std::optional<GcodeStream> gcode_;
+    std::unique_ptr<MoveStream> gcode_;
     Program points_;
     std::size_t next_ = 0;
 };

@@ -8,6 +8,8 @@
 
 namespace curvecore::ref {
 
+constexpr int kHighestOrder = 16;
+
 /// | field   | unit   | domain                                              |
 /// |---------|--------|-----------------------------------------------------|
 /// | order   | 1      | degree + 1; 2 .. number of points                   |

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/program/move_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "ref/program/coordinates.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr double kSlowestFeed = 1e-3 / 60;  // mm/s
+constexpr double kFastestFeed = 1e9 / 60;
+
+}  // namespace
+
+double feed_of(double per_minute, const Place& place) {
+    const double feed = per_minute / 60;
+    if (!(feed >= kSlowestFeed && feed <= kFastestFeed)) {
+        place.refuse(fmt::format("the feed is out of range: {:g} mm/min", per_minute));
+    }
+    return feed;
+}
+
+bool MoveList::moves(const Move& move, const Place& place) {
+    if (move.length() > 0) return true;
+    warn("a move of length 0 is left out", place);
+    return false;
+}
+
+void MoveList::append(const Move& move) {
+    for (int i = 0; i < kAuxAxes; ++i) {
+        if (move.aux_end[i] != move.aux_start[i]) {
+            program_.aux_axes = std::max(program_.aux_axes, i + 1);
+        }
+    }
+    program_.moves.push_back(move);
+}
+
+std::vector<Move> MoveList::pieces_of(const std::vector<Cubic>& cubics, const Move& whole,
+                                      const Place& place) {
+    Move piece = whole;
+    piece.kind = Move::Kind::kCubic;
+    piece.exact_stop = false;
+    std::vector<Move> pieces;
+    for (const Cubic& cubic : cubics) {
+        piece.cubic = cubic;
+        if (!(piece.length() > kStill)) {
+            warn("a piece of a spline without length is left out", place);
+            continue;
+        }
+        piece.end = cubic.position(1);
+        pieces.push_back(piece);
+        piece.start = piece.end;
+    }
+    if (pieces.empty()) place.refuse("the curve collapses to a point");
+    pieces.back().end = whole.end;
+    pieces.back().exact_stop = whole.exact_stop;
+    return pieces;
+}
+
+void MoveList::stop() {
+    if (!program_.moves.empty()) program_.moves.back().exact_stop = true;
+}
+
+void MoveList::dwell(double seconds, const Place& place) {
+    if (program_.moves.empty()) {
+        warn("a dwell before the first move is left out", place);
+        return;
+    }
+    stop();
+    program_.moves.back().dwell += seconds;
+}
+
+void MoveList::warn(const std::string& text, const Place& place) {
+    ++warnings_.try_emplace(text, Warning{place.line, 0}).first->second.count;
+}
+
+std::vector<Move> MoveList::take(bool last) {
+    std::vector<Move> taken;
+    if (program_.moves.empty()) return taken;
+    const auto end = program_.moves.end() - (last ? 0 : 1);
+    taken.assign(program_.moves.begin(), end);
+    program_.moves.erase(program_.moves.begin(), end);
+    return taken;
+}
+
+Program MoveList::finish() {
+    for (const auto& [text, warning] : warnings_) {
+        const std::string line = warning.line > 0 ? fmt::format(":{}", warning.line) : "";
+        program_.warnings.push_back(
+            fmt::format("{}{}: warning: {}{}", program_.file, line, text,
+                        warning.count > 1 ? fmt::format(" ({} times)", warning.count) : ""));
+    }
+    if (program_.moves.empty()) {
+        throw InputError(program_.file, 0, "the program has no moves");
+    }
+    stop();
+    return std::move(program_);
+}
+
+}  // namespace curvecore::ref
