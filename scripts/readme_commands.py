@@ -30,6 +30,8 @@ LONG = {
     "scripts/real_parts.sh": "fetches a package; a test of its own",
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",
     "scripts/hls.sh": "a minute or more; tests of its own",
+    "sudo ": "installs a package",
+    "build/curvecore run part.ngc --interpreter linuxcnc": "wants that package; tests of its own",
     "cmake ": "builds the libraries; system.Package tests do it",
 }
 

@@ -17,6 +17,7 @@
 #include <sstream>
 
 #include "sysc/host/interrupt.hpp"
+#include "sysc/host/shipped_files.hpp"
 #include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
@@ -154,12 +155,8 @@ std::vector<std::string> model_parameters(const CoreParameters& parameters) {
 
 }  // namespace
 
-CoreCache::CoreCache() : sources_(CURVECORE_SOURCE), cores_(sources_ / "build/cores") {
-    std::error_code error;
-    const fs::path installed =
-        fs::read_symlink("/proc/self/exe", error).parent_path().parent_path() / "share/curvecore";
-    if (fs::exists(installed / "rtl/motion_interpolator.sv", error)) {
-        sources_ = installed;
+CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "build/cores") {
+    if (shipped_files().installed) {
         const char* const cache = std::getenv("XDG_CACHE_HOME");
         const char* const home = std::getenv("HOME");
         cores_ = cache != nullptr && *cache != 0

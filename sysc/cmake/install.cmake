@@ -38,6 +38,10 @@ if(CURVECORE_PROGRAM)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
           FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
+  # LinuxCNC's interpreter in a process of its own, under its own licence.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/linuxcnc
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
+          USE_SOURCE_PERMISSIONS)
   install(FILES ${PROJECT_SOURCE_DIR}/ref/format/queues.hpp
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/ref/format COMPONENT program)
 endif()

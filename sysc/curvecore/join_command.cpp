@@ -27,8 +27,9 @@ ref::Machine machine_of(const Options& options) {
     return options.machine.empty() ? ref::Machine{} : ref::read_machine(options.machine);
 }
 
-Program working_path(const std::string& name, bool before, const ref::Machine& machine) {
-    Program program = ref::read_program(name, {});
+Program working_path(const std::string& name, bool before, const Options& options,
+                     const ref::Machine& machine) {
+    Program program = ref::read_program(name, {}, options.open_program);
     program = before ? ref::until_last_working_move(std::move(program))
                      : ref::from_first_working_move(std::move(program));
     for (const ref::Move& move : program.moves) {
@@ -166,8 +167,8 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
         throw UsageError("join wants two programs, A and B, or --load FILE.json");
     }
     const ref::Machine machine = machine_of(options);
-    const Program a = working_path(file.a, true, machine);
-    const Program b = working_path(file.b, false, machine);
+    const Program a = working_path(file.a, true, options, machine);
+    const Program b = working_path(file.b, false, options, machine);
     check_ends(a, b);
     file = design(raw, std::move(file), a, b);
 

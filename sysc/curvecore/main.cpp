@@ -38,6 +38,12 @@ void add_set(CLI::App& command, std::vector<std::string>& set, const char* type,
     command.add_option("--set", set, help)->type_name(type)->allow_extra_args(false)->take_all();
 }
 
+void add_interpreter(CLI::App& command, RawOptions& raw) {
+    add_text(command, "--interpreter", raw.interpreter, "NAME",
+             "of G-code: curvecore, or linuxcnc: LinuxCNC's own, which must be installed, with the "
+             "tools and parameters that --machine names");
+}
+
 /// Where results go, on which machine, in which unit.
 void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("-o,--output", options.folder, kFileOut)->type_name("DIR");
@@ -65,6 +71,7 @@ CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options, std
              fmt::format("of --fit c2: {}", fmt::join(ref::kEndsNames, ", ")));
     add_text(command, "--parametrisation", raw.parametrisation, "NAME",
              fmt::format("of that spline: {}", fmt::join(ref::kParametrisationNames, ", ")));
+    add_interpreter(command, raw);
     add_text(command, "--feed", feed, feeds, feed_help);
     add_surroundings(command, raw, options);
     return file;
@@ -185,6 +192,7 @@ void add_join(CLI::App& command, RawOptions& raw, Options& options, RawJoinOptio
                      "G5 and G5.2, in space with Z K R of this reader's own; default in XY");
     add("--tolerance", join.tolerance, "LENGTH", "G1 chords within this; default in space, 1um");
     add("--step", join.step, "LENGTH", "G1 chords of this path at most");
+    add_interpreter(command, raw);
     add_surroundings(command, raw, options);
     add_timed_core(command, raw);
     add_run(command, raw, options);

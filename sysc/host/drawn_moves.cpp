@@ -15,7 +15,7 @@ bool draws_splines(const Options& options) {
 bool draws_arcs(const Options& options) { return options.arc_tolerance || !draws_splines(options); }
 
 DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine)
-    : program_(options.file, options.points) {
+    : program_(options.file, options.points, options.open_program) {
     const bool arcs = draws_arcs(options);
     if (arcs) arcs_ = options.arc_tolerance.value_or(0);
     if (options.exact_path) return;

@@ -87,7 +87,7 @@ void warn_of_segments(Job& job) {
 }  // namespace
 
 Job read_job(const Options& options) {
-    return make_job(options, ref::read_program(options.file, options.points));
+    return make_job(options, ref::read_program(options.file, options.points, options.open_program));
 }
 
 Job make_job(const Options& options, ref::Program program) {

@@ -13,6 +13,7 @@
 #include "sysc/host/choice.hpp"
 #include "sysc/host/core_clocks.hpp"
 #include "sysc/host/core_file.hpp"
+#include "sysc/host/linuxcnc_program.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/host/usage_error.hpp"
 
@@ -64,6 +65,7 @@ ref::PointsOptions points_options(const RawOptions& raw, const std::string& file
 
 constexpr double kArcTolerance = 1e-3;  // mm
 constexpr std::array<std::string_view, 2> kPathNames{"program", "exact"};
+constexpr std::array<std::string_view, 2> kInterpreterNames{"curvecore", "linuxcnc"};
 
 /// Of --fit arcs.
 std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
@@ -72,6 +74,17 @@ std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
         return std::nullopt;
     }
     return raw.tolerance.empty() ? kArcTolerance : length("--tolerance", raw.tolerance, 1e-6, 10);
+}
+
+/// What reads the program, if it is not this program's own reader.
+ref::OpenProgram open_program(const std::string& interpreter, const Options& options) {
+    if (choice("--interpreter", interpreter, kInterpreterNames) == 0) return {};
+    if (ref::is_points_file(options.file) || options.file == ref::kStandardInput) {
+        throw UsageError("--interpreter linuxcnc is for files of G-code");
+    }
+    return [ini = options.machine, within = options.points.fit_tolerance](const std::string& file) {
+        return open_linuxcnc(file, ini, within);
+    };
 }
 
 }  // namespace
@@ -132,6 +145,7 @@ void interpret(const RawOptions& raw, Options& options) {
     options.effort = static_cast<ref::Effort>(choice("--effort", raw.effort, ref::kEffortNames));
     options.holds = static_cast<ref::Holds>(choice("--holds", raw.holds, ref::kHoldNames));
     options.exact_path = choice("--path", raw.path, kPathNames) == 1;
+    options.open_program = open_program(raw.interpreter, options);
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     CoreFile core;
     if (!raw.core.empty()) {

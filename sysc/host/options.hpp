@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ref/feed/planner.hpp"
-#include "ref/program/points_reader.hpp"
+#include "ref/program/program_stream.hpp"
 #include "sysc/host/core_parameters.hpp"
 
 namespace curvecore::sysc {
@@ -24,6 +24,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
+    ref::OpenProgram open_program;  // by another interpreter than this program's
     ref::Effort effort = ref::Effort::kOptimum;
     ref::Holds holds = ref::Holds::kBranches;
     bool exact_path = false;              // G64's tolerance is not used
@@ -66,6 +67,7 @@ struct RawOptions {
     std::string effort = "optimum";
     std::string holds = "branches";
     std::string path = "program";
+    std::string interpreter = "curvecore";
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # add_lint_tests(): every module of rtl as its own top through four tools, and the C++ trees.
 #   lint.<module>.verilator|icarus|yosys|verible    lint.<tree>.format|tidy    lint.files
-#   lint.configurations
+#   lint.configurations    lint.licences
 # Waivers: rtl/waivers.vlt, each with its reason; verible's and clang-tidy's rules beside this.
 find_program(YOSYS yosys REQUIRED)
 find_program(VERIBLE_LINT verible-verilog-lint)
@@ -64,4 +64,7 @@ function(add_lint_tests)
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
   set_tests_properties(lint.readme_tables PROPERTIES FIXTURES_REQUIRED paper_table)
   lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})
+  lint_test(licences ${PROJECT_SOURCE_DIR}/tb/lint/licences.sh ${PROJECT_SOURCE_DIR})
+  lint_test(licences.breaches ${PROJECT_SOURCE_DIR}/tb/lint/licence_breaches.sh
+            ${PROJECT_SOURCE_DIR})
 endfunction()

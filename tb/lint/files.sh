@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # files.sh ROOT : every source file names its licence, is ASCII, and has at most 100 columns and 400
-# lines.
+# lines. What runs inside LinuxCNC has LinuxCNC's licence: licences.sh.
 set -u
 cd "$1" || exit 1
 status=0
@@ -12,7 +12,9 @@ complain() {
 for file in $(find CMakeLists.txt ref hls rtl sysc tb scripts -type f \
     \( -name '*.[ch]pp' -o -name '*.sv' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' \
     -o -name CMakeLists.txt \)); do
-  head -n 2 "$file" | grep -q 'SPDX-License-Identifier: Apache-2.0' ||
+  licence=Apache-2.0
+  case $file in sysc/linuxcnc/*) licence=GPL-2.0-or-later ;; esac
+  head -n 2 "$file" | grep -q "SPDX-License-Identifier: $licence" ||
     complain "$file: no SPDX line"
   LC_ALL=C grep -nP '[^\x00-\x7F]' "$file" && complain "$file: not ASCII"
   grep -nE '^.{101}' "$file" && complain "$file: more than 100 columns"

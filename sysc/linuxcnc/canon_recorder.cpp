@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// LinuxCNC's canonical calls as JSON lines: what its interpreter asks of a machine, in machine
+// coordinates, mm, mm/s, degrees and s, with units, offsets, rotation and tool length applied.
+//
+// Loaded with RTLD_GLOBAL before LinuxCNC's Python module `gcode`, whose functions of the same
+// names it stands in front of: each call is written, then handed on. The lines are described in
+// README.md.
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <array>
+#include <canon.hh>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace {
+
+using Point = std::array<double, 9>;  // X Y Z A B C U V W
+
+void* module = nullptr;  // gcode
+FILE* lines = nullptr;
+long calls_left = 0;
+
+double unit_mm = 25.4;  // the program's unit
+Point system_offset{}, shift{}, tool{};
+double turn_cos = 1, turn_sin = 0;
+int plane = 1;
+double feed = 0;      // per minute, in the program's unit
+double per_turn = 0;  // feed of a turn of the spindle, where that counts
+bool feed_is_per_turn = false;
+double spindle = 0;     // turns a minute
+Point at{};             // on the machine
+bool in_nurbs = false;  // the module makes chords of it, which nobody wants
+
+/// The module's function behind one of this file.
+template <class Function>
+Function* next(Function* own) {
+    Dl_info info{};
+    dladdr(reinterpret_cast<void*>(own), &info);
+    return reinterpret_cast<Function*>(dlsym(module, info.dli_sname));
+}
+
+void write(const std::string& line) {
+    if (--calls_left < 0) {
+        std::fputs(
+            "{\"kind\":\"error\",\"line\":0,\"text\":\"the program asks for more moves than "
+            "the limit: an endless loop?\"}\n",
+            lines);
+        std::fflush(lines);
+        _exit(1);
+    }
+    if (std::fprintf(lines, "{%s}\n", line.c_str()) < 0) _exit(1);
+}
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.17g", value);
+    return text.data();
+}
+
+template <class Numbers>
+std::string list(const Numbers& numbers) {
+    std::string text;
+    for (const double value : numbers) text += (text.empty() ? "" : ",") + number(value);
+    return "[" + text + "]";
+}
+
+bool is_angle(int axis) { return axis >= 3 && axis < 6; }
+
+/// In mm and degrees, as the program counts.
+Point in_mm(Point point) {
+    for (int i = 0; i < 9; ++i) {
+        if (!is_angle(i)) point[i] *= unit_mm;
+    }
+    return point;
+}
+
+void turn(double& x, double& y) {
+    const double before = x;
+    x = before * turn_cos - y * turn_sin;
+    y = before * turn_sin + y * turn_cos;
+}
+
+/// Of the program's point, mm.
+Point on_machine(Point point) {
+    for (int i = 0; i < 9; ++i) point[i] += shift[i];
+    turn(point[0], point[1]);
+    for (int i = 0; i < 9; ++i) point[i] += system_offset[i] + tool[i];
+    return point;
+}
+
+/// mm/s; degrees/s of a path of angles alone.
+double speed(bool of_angles) {
+    const double rate = per_turn > 0       ? per_turn * spindle
+                        : feed_is_per_turn ? feed * spindle
+                                           : feed;
+    return rate * (of_angles ? 1 : unit_mm) / 60;
+}
+
+bool only_angles_change(const Point& target) {
+    for (int i = 0; i < 9; ++i) {
+        if (!is_angle(i) && target[i] != at[i]) return false;
+    }
+    return true;
+}
+
+void write_move(const char* kind, int line, const Point& target, const std::string& more) {
+    write("\"kind\":\"" + std::string(kind) + "\",\"line\":" + std::to_string(line) +
+          ",\"to\":" + list(target) + more);
+    at = target;
+}
+
+std::string feed_text(bool of_angles = false) { return ",\"feed\":" + number(speed(of_angles)); }
+
+void write_line(int line, const Point& target) {
+    write_move("line", line, target, feed_text(only_angles_change(target)));
+}
+
+void write_stop() { write("\"kind\":\"stop\""); }
+
+void warn(int line, const char* text) {
+    write("\"kind\":\"warning\",\"line\":" + std::to_string(line) + ",\"text\":\"" + text + "\"");
+}
+
+Point point_of(const EmcPose& pose) {
+    return {pose.tran.x, pose.tran.y, pose.tran.z, pose.a, pose.b, pose.c, pose.u, pose.v, pose.w};
+}
+
+}  // namespace
+
+/// Begins to write to the file descriptor, `most` lines.
+extern "C" void record(const char* gcode, int file, long most) {
+    module = dlopen(gcode, RTLD_NOW | RTLD_NOLOAD);
+    lines = fdopen(file, "w");
+    calls_left = most;
+}
+
+extern "C" void flush_record() { std::fflush(lines); }
+
+// State
+
+void USE_LENGTH_UNITS(CANON_UNITS units) {
+    unit_mm = units == CANON_UNITS_INCHES ? 25.4 : units == CANON_UNITS_CM ? 10 : 1;
+    next(USE_LENGTH_UNITS)(units);
+}
+
+void SET_G5X_OFFSET(int origin, double x, double y, double z, double a, double b, double c,
+                    double u, double v, double w) {
+    system_offset = in_mm({x, y, z, a, b, c, u, v, w});
+    next(SET_G5X_OFFSET)(origin, x, y, z, a, b, c, u, v, w);
+}
+
+void SET_G92_OFFSET(double x, double y, double z, double a, double b, double c, double u, double v,
+                    double w) {
+    shift = in_mm({x, y, z, a, b, c, u, v, w});
+    next(SET_G92_OFFSET)(x, y, z, a, b, c, u, v, w);
+}
+
+void SET_XY_ROTATION(double degrees) {
+    const double angle = degrees * M_PI / 180;
+    turn_cos = std::cos(angle);
+    turn_sin = std::sin(angle);
+    next(SET_XY_ROTATION)(degrees);
+}
+
+void USE_TOOL_LENGTH_OFFSET(EmcPose offset) {
+    tool = in_mm(point_of(offset));
+    next(USE_TOOL_LENGTH_OFFSET)(offset);
+}
+
+void SELECT_PLANE(CANON_PLANE selected) {
+    plane = static_cast<int>(selected);
+    next(SELECT_PLANE)(selected);
+}
+
+void SET_FEED_RATE(double rate) {
+    feed = rate;
+    next(SET_FEED_RATE)(rate);
+}
+
+void SET_FEED_MODE(int of_spindle, int mode) {
+    feed_is_per_turn = mode != 0;
+    next(SET_FEED_MODE)(of_spindle, mode);
+}
+
+void SET_SPINDLE_SPEED(int of_spindle, double turns) {
+    if (of_spindle == 0) spindle = std::abs(turns);
+    next(SET_SPINDLE_SPEED)(of_spindle, turns);
+}
+
+void START_SPEED_FEED_SYNCH(int of_spindle, double feed_per_turn, bool velocity_mode) {
+    per_turn = feed_per_turn;
+    next(static_cast<void (*)(int, double, bool)>(START_SPEED_FEED_SYNCH))(
+        of_spindle, feed_per_turn, velocity_mode);
+}
+
+void STOP_SPEED_FEED_SYNCH() {
+    per_turn = 0;
+    next(STOP_SPEED_FEED_SYNCH)();
+}
+
+void SET_MOTION_CONTROL_MODE(CANON_MOTION_MODE mode, double tolerance) {
+    const char* const name = mode == CANON_EXACT_STOP   ? "exact stop"
+                             : mode == CANON_EXACT_PATH ? "exact path"
+                                                        : "continuous";
+    write("\"kind\":\"path\",\"mode\":\"" + std::string(name) +
+          "\",\"tolerance\":" + number(tolerance * unit_mm));
+    next(SET_MOTION_CONTROL_MODE)(mode, tolerance);
+}
+
+/// interpret.py's own comment says that the program begins, here.
+void COMMENT(const char* text) {
+    if (std::string(text) == "curvecore begins") {
+        at = on_machine({});
+        write("\"kind\":\"start\",\"at\":" + list(at));
+    }
+    next(COMMENT)(text);
+}
+
+// Motion
+
+void STRAIGHT_TRAVERSE(int line, double x, double y, double z, double a, double b, double c,
+                       double u, double v, double w) {
+    write_move("rapid", line, on_machine(in_mm({x, y, z, a, b, c, u, v, w})), "");
+    next(STRAIGHT_TRAVERSE)(line, x, y, z, a, b, c, u, v, w);
+}
+
+void STRAIGHT_FEED(int line, double x, double y, double z, double a, double b, double c, double u,
+                   double v, double w) {
+    if (!in_nurbs) write_line(line, on_machine(in_mm({x, y, z, a, b, c, u, v, w})));
+    next(STRAIGHT_FEED)(line, x, y, z, a, b, c, u, v, w);
+}
+
+void STRAIGHT_PROBE(int line, double x, double y, double z, double a, double b, double c, double u,
+                    double v, double w, unsigned char type) {
+    warn(line, "a probing move is drawn to its end");
+    write_line(line, on_machine(in_mm({x, y, z, a, b, c, u, v, w})));
+    write_stop();
+    next(STRAIGHT_PROBE)(line, x, y, z, a, b, c, u, v, w, type);
+}
+
+void RIGID_TAP(int line, double x, double y, double z, double scale) {
+    const Point back = at;
+    Point down = on_machine(in_mm({x, y, z}));
+    for (int i = 3; i < 9; ++i) down[i] = at[i];
+    write_line(line, down);
+    write_stop();
+    write_line(line, back);
+    write_stop();
+    next(RIGID_TAP)(line, x, y, z, scale);
+}
+
+void ARC_FEED(int line, double first_end, double second_end, double first_axis, double second_axis,
+              int rotation, double axis_end, double a, double b, double c, double u, double v,
+              double w) {
+    if (plane < 1 || plane > 3) {
+        warn(line, "an arc of U V W is left out");
+        return;
+    }
+    const int first = plane == 1 ? 0 : plane == 2 ? 1 : 2;  // XY, YZ, ZX
+    const int second = (first + 1) % 3;
+    const int third = (first + 2) % 3;
+    Point end{0, 0, 0, a, b, c, u, v, w};
+    Point centre{};
+    end[first] = first_end;
+    end[second] = second_end;
+    end[third] = axis_end;
+    centre[first] = first_axis;
+    centre[second] = second_axis;
+    const Point target = on_machine(in_mm(end));
+    centre = on_machine(in_mm(centre));
+    std::array<double, 3> normal{};
+    normal[third] = rotation < 0 ? -1 : 1;
+    turn(normal[0], normal[1]);
+    const std::array<double, 3> place{centre[0], centre[1], centre[2]};
+    write_move("arc", line, target,
+               ",\"centre\":" + list(place) + ",\"normal\":" + list(normal) +
+                   ",\"turns\":" + std::to_string(std::abs(rotation)) + feed_text());
+    next(ARC_FEED)(line, first_end, second_end, first_axis, second_axis, rotation, axis_end, a, b,
+                   c, u, v, w);
+}
+
+void NURBS_FEED(int line, std::vector<CONTROL_POINT> points, unsigned order) {
+    const double z = at[2] - system_offset[2] - tool[2] - shift[2];  // stays
+    std::string places;
+    std::string weights;
+    Point target = at;
+    for (const CONTROL_POINT& point : points) {
+        target = on_machine({point.X * unit_mm, point.Y * unit_mm, z});
+        const std::array<double, 3> place{target[0], target[1], target[2]};
+        places += (places.empty() ? "" : ",") + list(place);
+        weights += (weights.empty() ? "" : ",") + number(point.W);
+    }
+    for (int i = 3; i < 9; ++i) target[i] = at[i];
+    write_move("nurbs", line, target,
+               ",\"points\":[" + places + "],\"weights\":[" + weights +
+                   "],\"order\":" + std::to_string(order) + feed_text());
+    in_nurbs = true;
+    next(NURBS_FEED)(line, points, order);
+    in_nurbs = false;
+}
+
+void DWELL(double seconds) {
+    write("\"kind\":\"dwell\",\"seconds\":" + number(seconds));
+    next(DWELL)(seconds);
+}
+
+// What the machine stands still for
+
+void CHANGE_TOOL(int slot) {
+    write_stop();
+    next(CHANGE_TOOL)(slot);
+}
+
+void PROGRAM_STOP() {
+    write_stop();
+    next(PROGRAM_STOP)();
+}
+
+void OPTIONAL_PROGRAM_STOP() {
+    write_stop();
+    next(OPTIONAL_PROGRAM_STOP)();
+}
+
+void PALLET_SHUTTLE() {
+    write_stop();
+    next(PALLET_SHUTTLE)();
+}
+
+void START_SPINDLE_CLOCKWISE(int of_spindle, int wait) {
+    write_stop();
+    next(START_SPINDLE_CLOCKWISE)(of_spindle, wait);
+}
+
+void START_SPINDLE_COUNTERCLOCKWISE(int of_spindle, int wait) {
+    write_stop();
+    next(START_SPINDLE_COUNTERCLOCKWISE)(of_spindle, wait);
+}
+
+void STOP_SPINDLE_TURNING(int of_spindle) {
+    write_stop();
+    next(STOP_SPINDLE_TURNING)(of_spindle);
+}
+
+void ORIENT_SPINDLE(int of_spindle, double angle, int mode) {
+    write_stop();
+    next(ORIENT_SPINDLE)(of_spindle, angle, mode);
+}

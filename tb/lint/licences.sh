@@ -1,0 +1,31 @@
+#!/bin/sh
+# SPDX-License-Identifier: Apache-2.0
+# licences.sh ROOT : what runs inside LinuxCNC stands in sysc/linuxcnc under LinuxCNC's licence, and
+# shares no source with the rest, which talks to it through a pipe.
+set -u
+cd "$1" || exit 1
+inside=sysc/linuxcnc
+status=0
+complain() {
+  echo "$*"
+  status=1
+}
+head -n 2 $inside/COPYING | grep -q 'GNU GENERAL PUBLIC LICENSE' || complain "$inside: no licence"
+for file in $inside/*.py $inside/*.cpp; do
+  head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-2.0-or-later' ||
+    complain "$file: not under LinuxCNC's licence"
+done
+# Nothing of the rest in it
+grep -nE '#include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
+  $inside/*.py $inside/*.cpp &&
+  complain "$inside uses the rest"
+# Nothing of it in the rest
+grep -rnE --include='*.[ch]pp' --exclude-dir=linuxcnc \
+  '#include.*(sysc/linuxcnc/|<(linuxcnc|canon\.hh|emc|rs274|interp_))' \
+  ref hls rtl sysc tb scripts && complain "the rest includes it"
+grep -rnE --include='*.py' '^ *(import|from) +(linuxcnc|gcode|rs274|interpret|callbacks)\b' \
+  hls tb scripts && complain "the rest imports it"
+grep -rnE --include=CMakeLists.txt --include='*.cmake' \
+  '(add_|target_sources|target_link_libraries).*(linuxcnc|canon_recorder|rs274)' \
+  ref hls rtl sysc && complain "the rest builds or links it"
+exit $status
