@@ -27,6 +27,9 @@ arithmetic/multiplier_portable.sv
 arithmetic/multiplier_up5k.sv
 arithmetic/product_sum.sv
 arithmetic/step_scale.sv
+bus/machine_state.sv
+bus/paced_motion.sv
+bus/queue_room.sv
 bus/register_file.sv
 control/digit_source.sv
 control/local_copy.sv
@@ -41,6 +44,7 @@ curve_interpolator.sv
 curve_interpolator_serial.sv
 hyperbola_interpolator.sv
 motion_interpolator.sv
+motion_system.sv
 network/anchor_opening.sv
 network/anchor_program.sv
 network/anchor_words.sv
@@ -87,6 +91,7 @@ pulse/place_scaler.sv
 pulse/pulse_times.sv
 pulse/sample_period.sv
 pulse/step_axis.sv
+pulse/step_counter.sv
 pulse/step_generator.sv
 pulse/step_phase.sv
 pulse/step_pulse.sv

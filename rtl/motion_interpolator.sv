@@ -63,6 +63,8 @@ module motion_interpolator #(
     input  wire logic        profile_valid_i,
     output logic             profile_ready_o,
     input  wire logic [47:0] profile_data_i,
+    output logic             segment_leaves_o,  // a word its queue
+    output logic             profile_leaves_o,
 
     // Requests
     input  wire logic        sample_request_valid_i,
@@ -126,6 +128,8 @@ module motion_interpolator #(
   logic word_ready;
   logic [47:0] word;
   logic queued;
+  assign segment_leaves_o = core_segment_valid && core_segment_ready;
+  assign profile_leaves_o = word_valid && word_ready;
   logic take;
   logic [19:0] take_ticks;
   logic take_final;

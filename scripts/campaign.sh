@@ -57,6 +57,8 @@ for bench in build/release/tb/step_pins_*; do
   CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps,"
 done
 CURVECORE_PART=demo.ngc build/release/tb/motion_steps_serial | grep "steps$"
+CURVECORE_PART=demo.ngc build/release/tb/motion_system_serial --gtest_filter=*.Draws* |
+  grep "clocks$"
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json

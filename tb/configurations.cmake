@@ -272,3 +272,10 @@ endforeach()
 illegal_parameter_test(register_file Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(register_file ScaleBits=57 "ScaleBits must be in .33, 56.")
 illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
+
+# A board's motion, from its registers to its pins.
+core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host
+          PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
+                 ClockHertz=2560000)
+target_compile_definitions(motion_system_serial
+                           PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")

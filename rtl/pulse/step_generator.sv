@@ -24,8 +24,8 @@
 //
 // reference_i: the next sample says where the axis stands; before that it gives no steps. estop_i
 // (all axes) and limit_i (each) come from outside: two clocks of a synchroniser and one more, and
-// the step pin is low. The axis then needs a reference, and so it does after a refused rate: half a
-// step per clock or more.
+// the step pin is low; of stop_i one clock. The axis then needs a reference, and so it does after a
+// refused rate: half a step per clock or more.
 //
 // The flags of an axis stay until its next reference, late_o until that of any axis: a sample was
 // not there in time while the axes were moving.
@@ -60,9 +60,13 @@ module step_generator #(
     input  wire logic [Axes*FineBits-1:0] sample_i,
     input  wire logic [         Axes-1:0] reference_i,
 
-    // From outside
-    input wire logic            estop_i,
-    input wire logic [Axes-1:0] limit_i,
+    // From outside, and behind the synchroniser
+    input  wire logic            estop_i,
+    input  wire logic [Axes-1:0] limit_i,
+    output logic                 estop_o,
+    output logic      [Axes-1:0] limit_o,
+    input  wire logic [Axes-1:0] limit_masked_i,  // not obeyed
+    input  wire logic            stop_i,          // all axes, on this clock
 
     // Pins
     output logic [Axes-1:0] step_o,
@@ -157,15 +161,13 @@ module step_generator #(
       .none_o(none)
   );
 
-  logic estop;
-  logic [Axes-1:0] limit;
   synchroniser #(
       .Bits(Axes + 1)
   ) u_synchroniser (
       .clk_i,
       .rst_ni,
       .input_i ({estop_i, limit_i}),
-      .output_o({estop, limit})
+      .output_o({estop_o, limit_o})
   );
 
   logic [TimeBits-1:0] length;
@@ -211,7 +213,7 @@ module step_generator #(
         .fresh_i(fresh),
         .moves_i(moves),
         .rate_i(rate),
-        .stop_i(estop || limit[a]),
+        .stop_i(estop_o || stop_i || (limit_o[a] && !limit_masked_i[a])),
         .refused_i(refused),
         .step_o(step[a]),
         .direction_o(back_o[a]),

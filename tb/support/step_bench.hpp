@@ -39,6 +39,8 @@ class StepBench {
         dut_->reference_i = 0;
         dut_->estop_i = 0;
         dut_->limit_i = 0;
+        dut_->limit_masked_i = 0;
+        dut_->stop_i = 0;
         dut_->step_inverted_i = 0;
         dut_->direction_inverted_i = 0;
         set_times({});

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// May the machine move: enable, hold, flush, references and faults, as the registers CONTROL, STATE
+// and REFERENCE of hls/registers/registers.rdl say.
+//
+//   clock         0          1
+//   source        1
+//   enable_o      1          0      of a fault that stops the steps: all but bus and watchdog
+//   state_o                  fault
+//
+// While enable_o is 0, and at the end of a flush, ends_o: the motion gets empty (empty_i) when the
+// sample that is offered (offered_i) has been taken.
+`default_nettype none
+module machine_state #(
+    parameter int Axes = 3  // [1, 9]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Registers
+    input  wire logic        control_write_i,
+    output logic             control_ready_o,
+    input  wire logic        state_write_i,
+    input  wire logic        reference_write_i,
+    output logic             reference_ready_o,
+    input  wire logic [31:0] command_i,
+    input  wire logic        access_i,           // any, answered
+    input  wire logic        error_i,            // with an error
+    input  wire logic [15:0] watchdog_i,         // samples without access
+    output logic      [31:0] state_o,
+
+    // Motion
+    input  wire logic       active_i,
+    input  wire logic       standing_i,
+    input  wire logic       underrun_i,
+    input  wire logic [7:0] motion_fault_i,
+    input  wire logic       word_i,          // one was taken
+    input  wire logic       offered_i,       // a sample
+    input  wire logic       empty_i,
+    input  wire logic       sample_i,        // that was taken
+    output logic            hold_o,
+    output logic            ends_o,
+    output logic            words_o,         // may be taken
+
+    // Steps
+    input  wire logic            tick_i,
+    input  wire logic            estop_i,       // behind the synchroniser
+    input  wire logic [Axes-1:0] limit_i,       // and not masked
+    input  wire logic [Axes-1:0] referenced_i,
+    input  wire logic            overrun_i,     // of any axis
+    input  wire logic            refused_i,
+    input  wire logic            late_i,
+    output logic      [Axes-1:0] reference_o,
+    output logic                 enable_o
+);
+
+  localparam int FirstMotion = registers_pkg::StateMotionLow;
+  localparam int NoSample = FirstMotion + 7;  // fault_o[7] of motion_interpolator
+
+  // Faults: those of steps count as they begin, for they stay until the next reference.
+  logic [2:0] steps;
+  logic [2:0] steps_q;
+  logic [15:0] faults_q;
+  logic [15:0] sources;
+  logic silent;
+  logic estop;
+  assign steps = {late_i, refused_i, overrun_i};
+  assign estop = control_write_i && command_i[registers_pkg::ControlEstopLow];
+  always_comb begin
+    sources = 16'd0;
+    sources[registers_pkg::StateBusLow] = error_i;
+    sources[registers_pkg::StateWatchdogLow] = silent;
+    sources[registers_pkg::StateEstopLow] = estop;
+    sources[registers_pkg::StateEstopInputLow] = estop_i && enable_o;
+    sources[registers_pkg::StateLimitLow] = limit_i != '0 && enable_o;
+    sources[registers_pkg::StateOverrunLow+:3] = enable_o ? steps & ~steps_q : 3'd0;
+    sources[FirstMotion+:8] = motion_fault_i;
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      faults_q <= '0;
+      steps_q  <= '0;
+    end else begin
+      faults_q <= (faults_q & ~(state_write_i ? command_i[15:0] : 16'd0)) | sources;
+      steps_q  <= steps;
+    end
+  end
+
+  // Enable
+  localparam logic [15:0] Stops = 16'(8'b1111_1100) | (16'd1 << NoSample);
+  logic stops;
+  logic stopped;
+  logic asks;
+  logic may_enable;
+  logic turned_off;
+  assign stops = (sources & Stops) != '0;
+  assign stopped = (faults_q & Stops) != '0 || estop_i || limit_i != '0;
+  assign asks = command_i[registers_pkg::ControlEnableLow];
+  assign may_enable = enable_o || (!stopped && empty_i);
+  assign turned_off = stops || (control_write_i && !asks && enable_o);
+  assign control_ready_o = !asks || may_enable;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || stops) enable_o <= 1'b0;
+    else if (control_write_i) enable_o <= asks;
+  end
+
+  // Hold and flush. Samples before the first of a program do not move, and may wait for its words.
+  logic hold_q;
+  logic flush_q;
+  logic moved_q;
+  logic clean_q;
+  logic rests;
+  assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow];
+  assign rests  = standing_i || !moved_q;
+  assign ends_o = !enable_o || (flush_q && rests);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      hold_q  <= 1'b0;
+      flush_q <= 1'b0;
+    end else begin
+      if (control_write_i) hold_q <= command_i[registers_pkg::ControlHoldLow];
+      if (empty_i) flush_q <= 1'b0;
+      else if (control_write_i && command_i[registers_pkg::ControlFlushLow]) flush_q <= 1'b1;
+    end
+    if (!rst_ni || empty_i) begin
+      moved_q <= 1'b0;
+      clean_q <= 1'b1;
+    end else begin
+      if (sample_i) moved_q <= 1'b1;
+      if (word_i) clean_q <= 1'b0;
+    end
+  end
+
+  // References: the next sample is that of the next program, if none came since the queues were
+  // emptied.
+  logic [Axes-1:0] next_q;
+  logic ready;
+  assign reference_ready_o = clean_q && !offered_i;
+  assign reference_o = reference_write_i ? command_i[Axes-1:0] : '0;
+  assign ready = &(referenced_i | next_q);
+  assign words_o = enable_o && ready && !flush_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || turned_off) next_q <= '0;
+    else next_q <= (next_q & ~referenced_i) | reference_o;
+  end
+
+  // The host's silence, in samples
+  logic [15:0] silence_q;
+  assign silent = tick_i && active_i && watchdog_i != '0 && silence_q == watchdog_i;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || access_i || !active_i) silence_q <= '0;
+    else if (tick_i) silence_q <= silence_q + 1'b1;
+  end
+
+  always_comb begin
+    state_o = 32'd0;
+    state_o[15:0] = faults_q;
+    state_o[registers_pkg::StateEnabledLow] = enable_o;
+    state_o[registers_pkg::StateHoldingLow] = hold_o;
+    state_o[registers_pkg::StateActiveLow] = active_i;
+    state_o[registers_pkg::StateStandingLow] = standing_i;
+    state_o[registers_pkg::StateUnderrunLow] = underrun_i;
+    state_o[registers_pkg::StateFlushingLow] = flush_q || (!enable_o && offered_i);
+    state_o[registers_pkg::StateCleanLow] = clean_q;
+    state_o[registers_pkg::StateReadyLow] = ready;
+    state_o[registers_pkg::StateEstopPinLow] = estop_i;
+  end
+
+endmodule
+`default_nettype wire

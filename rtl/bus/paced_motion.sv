@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+// A motion_interpolator that gives samples as they are taken, and can be emptied between two of
+// them.
+//
+//   words -> motion_interpolator -> samples that are offered, each until it is taken
+//                   ^ SamplesAhead requests
+//
+// ends_i: no sample more is offered. Once none is, empty_o resets the motion, as long as ends_i is.
+`default_nettype none
+module paced_motion #(
+    parameter int Build             = 1,
+    parameter int Order             = 6,
+    parameter int CoefBits          = 36,
+    parameter int PositionBits      = 32,
+    parameter int GuardBits         = 10,
+    parameter int AuxAxes           = 0,
+    parameter int Splines           = 1,
+    parameter int Mode              = 1,
+    parameter int SampleInterval    = 8,
+    parameter int MultiplierForm    = 0,
+    parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 256,   // [16, 4096], a power of two
+    parameter int SamplesAhead      = 4      // [1, 15]
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Words, and how many of them the queues still take
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic        profile_valid_i,
+    output logic             profile_ready_o,
+    input  wire logic [47:0] word_i,
+    output logic      [15:0] segment_room_o,
+    output logic      [15:0] profile_room_o,
+
+    // Time: rtl/motion_interpolator.sv
+    input wire logic        hold_i,
+    input wire logic [16:0] override_i,
+    input wire logic [ 3:0] samples_per_tick_log2_i,
+    input wire logic [31:0] hold_acceleration_i,
+    input wire logic [32:0] hold_slope_i,
+    input wire logic [31:0] stop_ticks_i,
+
+    // Samples, axis 0 in the low bits
+    input  wire logic                                            ends_i,
+    output logic                                                 empty_o,
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_o,
+
+    // Telemetry
+    output logic [16:0] path_rate_o,
+    output logic [63:0] path_o,
+    output logic        active_o,
+    output logic        underrun_o,
+    output logic        standing_o,
+    output logic [ 7:0] fault_o
+);
+
+  initial if (SamplesAhead < 1 || SamplesAhead > 15) $fatal(1, "SamplesAhead must be in [1, 15]");
+
+  // A sample that was offered stays.
+  logic rst_n;
+  logic made;
+  logic taken;
+  logic offered_q;
+  assign rst_n = rst_ni && !empty_o;
+  assign sample_valid_o = made && (offered_q || !ends_i);
+  assign taken = sample_valid_o && sample_ready_i;
+  assign empty_o = ends_i && !sample_valid_o;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) offered_q <= 1'b0;
+    else offered_q <= sample_valid_o && !sample_ready_i;
+  end
+
+  // Requests
+  logic [3:0] ahead_q;  // samples asked for and not taken
+  logic request;
+  logic request_ready;
+  assign request = ahead_q != 4'(SamplesAhead);
+  always_ff @(posedge clk_i) begin
+    if (!rst_n) ahead_q <= '0;
+    else ahead_q <= ahead_q + {3'b0, request && request_ready} - {3'b0, taken};
+  end
+
+  // Words: no more than there is room for.
+  logic segment_ready;
+  logic profile_ready;
+  logic segment_valid;
+  logic profile_valid;
+  assign segment_ready_o = segment_ready && segment_room_o != '0;
+  assign profile_ready_o = profile_ready && profile_room_o != '0;
+  assign segment_valid   = segment_valid_i && segment_room_o != '0;
+  assign profile_valid   = profile_valid_i && profile_room_o != '0;
+  logic segment_leaves;
+  queue_room #(
+      .Words(SegmentQueueWords)
+  ) u_segment_room (
+      .clk_i,
+      .rst_ni (rst_n),
+      .put_i  (segment_valid_i && segment_ready_o),
+      .leave_i(segment_leaves),
+      .room_o (segment_room_o)
+  );
+  logic profile_leaves;
+  queue_room #(
+      .Words(ProfileQueueWords)
+  ) u_profile_room (
+      .clk_i,
+      .rst_ni (rst_n),
+      .put_i  (profile_valid_i && profile_ready_o),
+      .leave_i(profile_leaves),
+      .room_o (profile_room_o)
+  );
+
+  logic [(3+AuxAxes)*PositionBits-1:0] unused_position;
+  logic unused_path_valid;
+  logic [47:0] unused_path_ds;
+  logic unused_path_active;
+  logic unused_killed;
+  logic [15:0] unused_empty_segments;
+  motion_interpolator #(
+      .Build(Build),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Splines(Splines),
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .MultiplierForm(MultiplierForm),
+      .SegmentQueueWords(SegmentQueueWords),
+      .ProfileQueueWords(ProfileQueueWords)
+  ) u_motion (
+      .clk_i,
+      .rst_ni(rst_n),
+      .segment_valid_i(segment_valid),
+      .segment_ready_o(segment_ready),
+      .segment_data_i(word_i),
+      .profile_valid_i(profile_valid),
+      .profile_ready_o(profile_ready),
+      .profile_data_i(word_i),
+      .segment_leaves_o(segment_leaves),
+      .profile_leaves_o(profile_leaves),
+      .sample_request_valid_i(request),
+      .sample_request_ready_o(request_ready),
+      .hold_i,
+      .override_i,
+      .kill_i(1'b0),
+      .samples_per_tick_log2_i,
+      .hold_acceleration_i,
+      .hold_slope_i,
+      .stop_ticks_i,
+      .sample_valid_o(made),
+      .sample_ready_i(taken),
+      .sample_position_o(unused_position),
+      .sample_fine_o(sample_o),
+      .path_valid_o(unused_path_valid),
+      .path_ds_o(unused_path_ds),
+      .path_rate_o,
+      .path_active_o(unused_path_active),
+      .path_o,
+      .active_o,
+      .underrun_o,
+      .killed_o(unused_killed),
+      .standing_o,
+      .fault_o,
+      .empty_segments_o(unused_empty_segments)
+  );
+
+endmodule
+`default_nettype wire

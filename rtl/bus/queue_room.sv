@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// How many words a queue of the motion still takes, of those that were put.
+`default_nettype none
+module queue_room #(
+    parameter int Words = 1024  // [16, 65536]
+) (
+    input  wire logic        clk_i,
+    input  wire logic        rst_ni,
+    input  wire logic        put_i,
+    input  wire logic        leave_i,
+    output logic      [15:0] room_o
+);
+
+  localparam int First = (Words < 65536) ? Words : 65535;
+  logic [15:0] change;
+  assign change = put_i ? 16'hffff : 16'h0001;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) room_o <= 16'(First);
+    else if (put_i != leave_i) room_o <= room_o + change;
+  end
+
+endmodule
+`default_nettype wire

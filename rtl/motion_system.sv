@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+// A board's motion: words and settings in through registers, step and direction pins out.
+//
+//   requests -> register_file -> words, settings -> motion_interpolator -> samples
+//                  ^ v                                    ^ one per period   v
+//               machine_state <- faults <---------------- step_generator -> pins
+//
+// A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are asked for before they are due. A
+// request is answered in two clocks, whatever the motion does: rtl/bus/register_file.sv.
+//
+// After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
+// writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words as ROOM lets
+// it; the first sample of the program says where the axes stand. After CONTROL.flush the next
+// program has to begin where they stand, or they are referenced anew.
+//
+//   clock             0       1       2       3       4
+//   estop_i, limit_i  1
+//   .. synchronised                   1
+//   step_o                                    low: of all axes; of that axis
+//   enable_o                                  0
+//   step_o                                            low: of the other axes
+`default_nettype none
+module motion_system #(
+    parameter int Build             = 1,     // 0 parallel, 1 serial
+    parameter int Order             = 6,     // [2, 12]
+    parameter int CoefBits          = 36,    // [18, 36]
+    parameter int PositionBits      = 32,    // [16, 32]
+    parameter int GuardBits         = 10,    // [2, 12]
+    parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Splines           = 1,     // 0, 1
+    parameter int Mode              = 1,     // 0 series, 1 polynomial
+    parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
+    parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 256,   // [16, 4096], a power of two
+    parameter int ScaleBits         = 44,    // [40, 56]
+    parameter int PeriodLog2        = 13,    // [6, 20]
+    parameter int TimeBits          = 12,    // [4, 16]
+    parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int ClockHertz        = 0      // for CLOCK
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Requests: rtl/bus/register_file.sv
+    input  wire logic        valid_i,
+    input  wire logic        write_i,
+    input  wire logic [ 6:0] word_i,
+    input  wire logic [31:0] data_i,
+    output logic             done_o,
+    output logic             error_o,
+    output logic      [31:0] data_o,
+
+    // Pins
+    input  wire logic                 estop_i,
+    input  wire logic [3+AuxAxes-1:0] limit_i,
+    output logic      [3+AuxAxes-1:0] step_o,
+    output logic      [3+AuxAxes-1:0] direction_o,
+    output logic                      enable_o
+);
+
+  localparam int Axes = 3 + AuxAxes;
+  localparam int FineBits = PositionBits + GuardBits;
+
+  // Registers
+  localparam int Capability = (Axes << registers_pkg::CapabilityAxesLow) +
+      (PeriodLog2 << registers_pkg::CapabilityPeriodLog2Low) +
+      (Build << registers_pkg::CapabilityBuildLow) +
+      (Splines << registers_pkg::CapabilitySplinesLow) +
+      ($clog2(
+      SegmentQueueWords
+  ) << registers_pkg::CapabilitySegmentQueueLog2Low) + ($clog2(
+      ProfileQueueWords
+  ) << registers_pkg::CapabilityProfileQueueLog2Low);
+  localparam int Core = (Order << registers_pkg::CoreOrderLow) +
+      (Mode << registers_pkg::CoreModeLow) + (CoefBits << registers_pkg::CoreCoefBitsLow) +
+      (PositionBits << registers_pkg::CorePositionBitsLow) +
+      (GuardBits << registers_pkg::CoreGuardBitsLow);
+  logic [16:0] override_rate;
+  logic [15:0] watchdog;
+  logic [3:0] samples_per_tick_log2;
+  logic [31:0] hold_acceleration;
+  logic [32:0] hold_slope;
+  logic [31:0] stop_ticks;
+  logic [TimeBits-1:0] steplen;
+  logic [TimeBits-1:0] stepspace;
+  logic [TimeBits-1:0] dirsetup;
+  logic [TimeBits-1:0] dirhold;
+  logic [Axes-1:0] step_inverted;
+  logic [Axes-1:0] direction_inverted;
+  logic [Axes-1:0] limit_masked;
+  logic scale_write;
+  logic [3:0] scale_axis;
+  logic [ScaleBits-1:0] scale;
+  logic segment_valid;
+  logic segment_ready;
+  logic profile_valid;
+  logic profile_ready;
+  logic [47:0] motion_word;
+  logic control_write;
+  logic control_ready;
+  logic state_write;
+  logic reference_write;
+  logic reference_ready;
+  logic [31:0] command;
+  logic [31:0] state;
+  logic [31:0] axes;
+  logic [31:0] room;
+  logic [63:0] path;
+  logic [16:0] rate;
+  logic [3:0] steps_axis;
+  logic [31:0] steps;
+  logic words;  // may be taken
+  register_file #(
+      .Axes      (Axes),
+      .ScaleBits (ScaleBits),
+      .TimeBits  (TimeBits),
+      .Capability(Capability),
+      .Core      (Core),
+      .ClockHertz(ClockHertz)
+  ) u_registers (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .write_i,
+      .word_i,
+      .data_i,
+      .done_o,
+      .error_o,
+      .data_o,
+      .override_o(override_rate),
+      .watchdog_o(watchdog),
+      .samples_per_tick_log2_o(samples_per_tick_log2),
+      .hold_acceleration_o(hold_acceleration),
+      .hold_slope_o(hold_slope),
+      .stop_ticks_o(stop_ticks),
+      .steplen_o(steplen),
+      .stepspace_o(stepspace),
+      .dirsetup_o(dirsetup),
+      .dirhold_o(dirhold),
+      .step_inverted_o(step_inverted),
+      .direction_inverted_o(direction_inverted),
+      .limit_masked_o(limit_masked),
+      .scale_ready_i(!enable_o),
+      .scale_write_o(scale_write),
+      .scale_axis_o(scale_axis),
+      .scale_o(scale),
+      .segment_valid_o(segment_valid),
+      .segment_ready_i(segment_ready && words),
+      .profile_valid_o(profile_valid),
+      .profile_ready_i(profile_ready && words),
+      .motion_word_o(motion_word),
+      .control_write_o(control_write),
+      .control_ready_i(control_ready),
+      .state_write_o(state_write),
+      .reference_write_o(reference_write),
+      .reference_ready_i(reference_ready),
+      .command_o(command),
+      .state_i(state),
+      .axes_i(axes),
+      .room_i(room),
+      .path_i(path),
+      .rate_i(rate),
+      .steps_axis_o(steps_axis),
+      .steps_i(steps)
+  );
+
+  // What may be
+  logic hold;
+  logic ends;
+  logic empty;
+  logic active;
+  logic standing;
+  logic underrun;
+  logic [7:0] motion_fault;
+  logic sample_valid;
+  logic sample_ready;
+  logic [Axes*FineBits-1:0] sample;
+  logic tick;
+  logic estop;
+  logic [Axes-1:0] limit;
+  logic [Axes-1:0] referenced;
+  logic [Axes-1:0] uncertain;
+  logic [Axes-1:0] overrun;
+  logic [Axes-1:0] refused;
+  logic late;
+  logic [Axes-1:0] reference_axes;
+  machine_state #(
+      .Axes(Axes)
+  ) u_state (
+      .clk_i,
+      .rst_ni,
+      .control_write_i(control_write),
+      .control_ready_o(control_ready),
+      .state_write_i(state_write),
+      .reference_write_i(reference_write),
+      .reference_ready_o(reference_ready),
+      .command_i(command),
+      .access_i(done_o),
+      .error_i(done_o && error_o),
+      .watchdog_i(watchdog),
+      .state_o(state),
+      .active_i(active),
+      .standing_i(standing),
+      .underrun_i(underrun),
+      .motion_fault_i(motion_fault),
+      .word_i((segment_valid && segment_ready || profile_valid && profile_ready) && words),
+      .offered_i(sample_valid),
+      .empty_i(empty),
+      .sample_i(sample_valid && sample_ready),
+      .hold_o(hold),
+      .ends_o(ends),
+      .words_o(words),
+      .tick_i(tick),
+      .estop_i(estop),
+      .limit_i(limit & ~limit_masked),
+      .referenced_i(referenced),
+      .overrun_i(overrun != '0),
+      .refused_i(refused != '0),
+      .late_i(late),
+      .reference_o(reference_axes),
+      .enable_o
+  );
+  always_comb begin
+    axes = 32'd0;
+    axes[registers_pkg::AxesReferencedLow+:Axes] = referenced;
+    axes[registers_pkg::AxesUncertainLow+:Axes] = uncertain;
+    axes[registers_pkg::AxesLimitLow+:Axes] = limit;
+  end
+
+  // Motion
+  paced_motion #(
+      .Build(Build),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Splines(Splines),
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .MultiplierForm(MultiplierForm),
+      .SegmentQueueWords(SegmentQueueWords),
+      .ProfileQueueWords(ProfileQueueWords),
+      .SamplesAhead(SamplesAhead)
+  ) u_motion (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i(segment_valid && words),
+      .segment_ready_o(segment_ready),
+      .profile_valid_i(profile_valid && words),
+      .profile_ready_o(profile_ready),
+      .word_i(motion_word),
+      .segment_room_o(room[registers_pkg::RoomSegmentLow+:16]),
+      .profile_room_o(room[registers_pkg::RoomProfileLow+:16]),
+      .hold_i(hold),
+      .override_i(override_rate),
+      .samples_per_tick_log2_i(samples_per_tick_log2),
+      .hold_acceleration_i(hold_acceleration),
+      .hold_slope_i(hold_slope),
+      .stop_ticks_i(stop_ticks),
+      .ends_i(ends),
+      .empty_o(empty),
+      .sample_valid_o(sample_valid),
+      .sample_ready_i(sample_ready),
+      .sample_o(sample),
+      .path_rate_o(rate),
+      .path_o(path),
+      .active_o(active),
+      .underrun_o(underrun),
+      .standing_o(standing),
+      .fault_o(motion_fault)
+  );
+
+  // Steps
+  logic [Axes-1:0] rise;
+  logic [Axes-1:0] back;
+  step_generator #(
+      .Axes(Axes),
+      .FineBits(FineBits),
+      .ScaleBits(ScaleBits),
+      .PeriodLog2(PeriodLog2),
+      .TimeBits(TimeBits)
+  ) u_steps (
+      .clk_i,
+      .rst_ni,
+      .scale_write_i(scale_write),
+      .scale_axis_i(scale_axis),
+      .scale_i(scale),
+      .steplen_i(steplen),
+      .stepspace_i(stepspace),
+      .dirsetup_i(dirsetup),
+      .dirhold_i(dirhold),
+      .step_inverted_i(step_inverted),
+      .direction_inverted_i(direction_inverted),
+      .sample_valid_i(sample_valid),
+      .sample_ready_o(sample_ready),
+      .sample_i(sample),
+      .reference_i(reference_axes),
+      .estop_i,
+      .limit_i,
+      .estop_o(estop),
+      .limit_o(limit),
+      .limit_masked_i(limit_masked),
+      .stop_i(!enable_o),
+      .step_o,
+      .direction_o,
+      .tick_o(tick),
+      .rise_o(rise),
+      .back_o(back),
+      .referenced_o(referenced),
+      .uncertain_o(uncertain),
+      .overrun_o(overrun),
+      .refused_o(refused),
+      .late_o(late)
+  );
+
+  logic [31:0] counts[16];
+  for (genvar a = 0; a < 16; a++) begin : gen_counts
+    if (a < Axes) begin : g_axis
+      step_counter u_counter (
+          .clk_i,
+          .rst_ni,
+          .rise_i (rise[a]),
+          .back_i (back[a]),
+          .count_o(counts[a])
+      );
+    end else begin : g_none
+      assign counts[a] = 32'd0;
+    end
+  end
+  assign steps = counts[steps_axis];
+
+endmodule
+`default_nettype wire

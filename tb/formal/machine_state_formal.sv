@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/bus/machine_state.sv: what stops the machine stops it on the next clock, and it comes on only
+// when it is told to and nothing is wrong; words are taken of referenced axes alone; the motion
+// ends only switched off or at rest; a fault stays until it is cleared.
+// control: ESTOP_PASSES s/= estop_i \&\& enable_o/= 1'b0/
+// control: LIMIT_PASSES s/= limit_i != '0 \&\& enable_o/= 1'b0/
+// control: COMES_ON_FAULTY s/(!stopped \&\& empty_i)/empty_i/
+// control: COMES_ON_FULL s/(!stopped \&\& empty_i)/!stopped/
+// control: KEEPS_REFERENCE s/!rst_ni || turned_off/!rst_ni/
+// control: WORDS_UNREFERENCED s/enable_o \&\& ready/enable_o/
+// control: FLUSHES_MOVING s/(flush_q \&\& rests)/flush_q/
+// control: FORGETS_FAULT s/(faults_q \& ~/(16'd0 \& ~/
+// control: SLEEPS s/silence_q == watchdog_i/1'b0/
+`default_nettype none
+module machine_state_formal (
+    input wire logic        clk_i,
+    input wire logic        rst_ni,
+    input wire logic        write_i,
+    input wire logic [ 1:0] where_i,
+    input wire logic [31:0] command_i,
+    input wire logic        error_i,
+    input wire logic        active_i,
+    input wire logic        standing_i,
+    input wire logic [ 7:0] motion_fault_i,
+    input wire logic        sample_i,
+    input wire logic        offered_i,
+    input wire logic        tick_i,
+    input wire logic        access_i,
+    input wire logic        estop_i,
+    input wire logic [ 1:0] limit_i,
+    input wire logic [ 1:0] referenced_i,
+    input wire logic        late_i
+);
+
+  logic control;
+  logic control_ready;
+  logic state_write;
+  logic reference;
+  logic reference_ready;
+  logic [31:0] state;
+  logic hold;
+  logic ends;
+  logic empty;
+  logic words;
+  logic enable;
+  assign control = write_i && where_i == 2'd0 && control_ready;
+  assign state_write = write_i && where_i == 2'd1;
+  assign reference = write_i && where_i == 2'd2 && reference_ready;
+  assign empty = ends && !offered_i;
+  machine_state #(
+      .Axes(2)
+  ) u_dut (
+      .clk_i,
+      .rst_ni,
+      .control_write_i(control),
+      .control_ready_o(control_ready),
+      .state_write_i(state_write),
+      .reference_write_i(reference),
+      .reference_ready_o(reference_ready),
+      .command_i,
+      .access_i,
+      .error_i,
+      .watchdog_i(16'd2),
+      .state_o(state),
+      .active_i,
+      .standing_i,
+      .underrun_i(1'b0),
+      .motion_fault_i,
+      .word_i(1'b0),
+      .offered_i,
+      .empty_i(empty),
+      .sample_i,
+      .hold_o(hold),
+      .ends_o(ends),
+      .words_o(words),
+      .tick_i,
+      .estop_i,
+      .limit_i,
+      .referenced_i,
+      .overrun_i(1'b0),
+      .refused_i(1'b0),
+      .late_i,
+      .enable_o(enable)
+  );
+
+  logic started_q = 1'b0;
+  logic ran_q;  // no reset in the clock before
+  logic wrong_q;  // in the clock before: a source that stops the machine
+  logic asked_q;  // to come on
+  logic empty_q;
+  logic enable_q;
+  logic [15:0] faults_q;
+  logic [15:0] cleared_q;
+  logic [1:0] known_q;  // axes that are or will be referenced, since the machine went off
+  logic flush_q;  // asked for, and not done
+  logic moved_q;  // a sample came since it was empty
+  logic [1:0] silence_q;  // samples, 3 at most
+  logic silent_q;  // the watchdog's time is over
+  always_ff @(posedge clk_i) begin
+    started_q <= 1'b1;
+    ran_q     <= rst_ni;
+    wrong_q   <= estop_i || limit_i != 2'd0 || motion_fault_i[7];
+    asked_q   <= control && command_i[0];
+    empty_q   <= empty;
+    enable_q  <= enable;
+    faults_q  <= state[15:0];
+    cleared_q <= state_write ? command_i[15:0] : 16'd0;
+    if (!rst_ni) begin
+      known_q   <= 2'd0;
+      flush_q   <= 1'b0;
+      moved_q   <= 1'b0;
+      silence_q <= '0;
+      silent_q  <= 1'b0;
+    end else begin
+      if (reference) known_q <= known_q | command_i[1:0];
+      if (enable_q && !enable) known_q <= reference ? command_i[1:0] : 2'd0;
+      if (control && command_i[2]) flush_q <= 1'b1;
+      if (empty) flush_q <= 1'b0;
+      if (sample_i) moved_q <= 1'b1;
+      if (empty) moved_q <= 1'b0;
+      silent_q <= tick_i && active_i && silence_q == 2'd2;
+      if (access_i || !active_i) silence_q <= '0;
+      else if (tick_i && silence_q != 2'd3) silence_q <= silence_q + 1'b1;
+    end
+  end
+
+  always_comb begin
+    if (!started_q) assume (!rst_ni);
+    if (started_q && rst_ni) begin
+      Stops : assert (!(wrong_q && enable));
+      Comes_on : assert (!(enable && !enable_q) || (asked_q && empty_q && faults_q[7:2] == 6'd0));
+      Words : assert (!words || (enable && (referenced_i | known_q) == 2'b11));
+      Ends : assert (!(ends && enable) || (flush_q && (standing_i || !moved_q)));
+      Stay : assert (!ran_q || (faults_q & ~cleared_q & ~state[15:0]) == 16'd0);
+      Watches : assert (!silent_q || (state[1] && hold));
+      On : cover (enable && words);
+      Off : cover (enable_q && !enable && wrong_q);
+      Flushed : cover (enable && ends && moved_q);
+      Silent : cover (silent_q && enable);
+    end
+  end
+
+endmodule
+`default_nettype wire

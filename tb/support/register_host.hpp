@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// A host of motion_system: it knows the registers alone (hls/registers/registers.h). A drive at
+// every axis' pins watches, on every clock.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "Vmotion_system.h"
+#include "hls/registers/registers.h"
+#include "sysc/board/clocked_dut.hpp"
+#include "sysc/host/bus_words.hpp"
+#include "sysc/host/feeder.hpp"
+#include "sysc/host/job.hpp"
+#include "tb/support/pulse_monitor.hpp"
+
+namespace curvecore::tb {
+
+constexpr int kSystemAxes = 3;
+constexpr int64_t kStepsPerMm = 400;
+constexpr int64_t kSystemPeriod = int64_t{1} << CFG_PeriodLog2;
+constexpr int kFineBits = 42;
+constexpr hls::PulseTimes kDrive{2, 2, 4, 4};
+constexpr uint32_t kEveryAxis = (1U << kSystemAxes) - 1;
+constexpr uint32_t kEnable = CURVECORE_CONTROL_ENABLE_MASK;
+constexpr uint32_t kHold = CURVECORE_CONTROL_HOLD_MASK;
+constexpr uint32_t kFlush = CURVECORE_CONTROL_FLUSH_MASK;
+constexpr uint32_t kFaults = 0xffff;
+constexpr uint32_t kMotionFaults = CURVECORE_STATE_MOTION_MASK;
+
+/// A plan for the board under test, and its words.
+struct Part {
+    Part(const std::string& file, ref::Holds holds) {
+        sysc::Options options;
+        options.holds = holds;
+        options.file = std::string(DATA_DIR) + "/" + file;
+        options.core.build = sysc::Build::kSerial;
+        options.core.splines = 1;
+        options.core.mode = 1;
+        options.splines_set = true;
+        options.clock_hz = static_cast<double>(kSystemPeriod) / options.sample_period_s;
+        job = sysc::read_job(options);
+        sysc::plan_job(job);
+        settings = sysc::board_settings(job);
+        for (std::size_t n = 0; n < job.plan.segments.size(); ++n) {
+            add(segments, sysc::segment_bus_words(job.plan.segments[n], n, job.options.core));
+        }
+        for (std::size_t n = 0; n < job.plan.pieces.size(); ++n) {
+            add(pieces, sysc::profile_bus_words(job.plan, n, n));
+        }
+    }
+    /// 2^-16 steps in 2^42 units of 2^-10 nm.
+    int64_t scale() const {
+        return std::llround(static_cast<double>(kStepsPerMm) * job.options.unit_mm *
+                            std::exp2(kFineBits + 16 - 10));
+    }
+    int64_t end(int axis) const {
+        return std::llround(job.program.moves.back().end[axis] * kStepsPerMm);
+    }
+
+    sysc::Job job;
+    sysc::BoardSettings settings;
+    std::vector<uint64_t> segments;
+    std::vector<uint64_t> pieces;
+
+  private:
+    static void add(std::vector<uint64_t>& all, const std::vector<uint64_t>& words) {
+        all.insert(all.end(), words.begin(), words.end());
+    }
+};
+
+class RegisterHost {
+  public:
+    RegisterHost() {
+        dut_.limit_cycles(UINT64_MAX);
+        dut_->valid_i = 0;
+        dut_->estop_i = 0;
+        dut_->limit_i = 0;
+        for (int a = 0; a < kSystemAxes; ++a) drives_.emplace_back(kDrive);
+        dut_.reset();
+    }
+
+    void clock() {
+        dut_.tick();
+        ++clock_;
+        for (int a = 0; a < kSystemAxes; ++a) {
+            drives_[a].watch(clock_, dut_->step_o >> a & 1, dut_->direction_o >> a & 1);
+        }
+    }
+    void clocks(int64_t n) {
+        while (n-- > 0) clock();
+    }
+    void samples(int64_t n) { clocks(n * kSystemPeriod); }
+
+    /// A request; false: it was an error.
+    bool write(uint32_t address, uint32_t data) { return ask(true, address, data); }
+    uint32_t read(uint32_t address) {
+        EXPECT_TRUE(ask(false, address, 0)) << "reading " << address;
+        return dut_->data_o;
+    }
+    bool push(uint32_t low_address, uint64_t word) {
+        return write(low_address, static_cast<uint32_t>(word)) &&
+               write(low_address + 4, static_cast<uint32_t>(word >> 32));
+    }
+    uint32_t state() { return read(CURVECORE_STATE); }
+    bool is(uint32_t mask) { return (state() & mask) != 0; }
+
+    /// All that stands still while a part is drawn; the machine comes on, referenced.
+    void prepare(const Part& part, uint32_t control = kEnable) {
+        for (int a = 0; a < kSystemAxes; ++a) {
+            const uint32_t axis = static_cast<uint32_t>(a) * CURVECORE_AXIS_STRIDE;
+            EXPECT_TRUE(write(CURVECORE_AXIS_SCALE_LO + axis, static_cast<uint32_t>(part.scale())));
+            EXPECT_TRUE(
+                write(CURVECORE_AXIS_SCALE_HI + axis, static_cast<uint32_t>(part.scale() >> 32)));
+        }
+        write(CURVECORE_PULSE, pair(kDrive.steplen, kDrive.stepspace));
+        write(CURVECORE_DIRECTION, pair(kDrive.dirsetup, kDrive.dirhold));
+        write(CURVECORE_OVERRIDE, static_cast<uint32_t>(part.settings.override_word));
+        write(CURVECORE_TIMING, static_cast<uint32_t>(part.settings.samples_per_tick_log2));
+        write(CURVECORE_HOLD_ACCELERATION, part.settings.hold_acceleration);
+        write(CURVECORE_HOLD_SLOPE, static_cast<uint32_t>(part.settings.hold_slope));
+        write(CURVECORE_STOP_TICKS, part.settings.stop_ticks);
+        EXPECT_TRUE(write(CURVECORE_REFERENCE, kEveryAxis));
+        EXPECT_TRUE(write(CURVECORE_CONTROL, control));
+    }
+
+    /// Writes words as ROOM lets it until all are written and the machine stands still at the end;
+    /// `between` is called between two words.
+    void draw(
+        const Part& part, const std::function<void()>& between = [] {}) {
+        std::size_t segment = 0;
+        std::size_t piece = 0;
+        while ((segment < part.segments.size() || piece < part.pieces.size()) &&
+               !testing::Test::HasFailure()) {
+            const uint32_t room = read(CURVECORE_ROOM);
+            feed(CURVECORE_SEGMENT_LO, part.segments, segment, room & 0xffff, between);
+            feed(CURVECORE_PROFILE_LO, part.pieces, piece, room >> 16, between);
+            clocks(200);
+            EXPECT_EQ(state() & kMotionFaults, 0U);
+        }
+        finish(part);
+    }
+    /// Until the part's path is drawn since `from`, and its last sample is out.
+    void finish(const Part& part, uint64_t from = 0) {
+        while (path() != from + part.job.path_length() && !testing::Test::HasFailure()) {
+            samples(1);
+            EXPECT_EQ(state() & kMotionFaults, 0U);
+        }
+        samples(CFG_SamplesAhead + 4);
+    }
+    uint64_t path() {
+        const uint64_t low = read(CURVECORE_PATH_LO);
+        return uint64_t{read(CURVECORE_PATH_HI)} << 32 | low;
+    }
+
+    const PulseMonitor& drive(int axis) const { return drives_[axis]; }
+    int64_t now() const { return clock_; }
+    Vmotion_system* operator->() { return dut_.operator->(); }
+
+  private:
+    static uint32_t pair(int low, int high) { return static_cast<uint32_t>(low | high << 16); }
+
+    bool ask(bool write, uint32_t address, uint32_t data) {
+        dut_->valid_i = 1;
+        dut_->write_i = write;
+        dut_->word_i = address / 4;
+        dut_->data_i = data;
+        int waited = 0;
+        do {
+            clock();
+            ++waited;
+        } while (!dut_->done_o && waited < 1000);
+        EXPECT_LE(waited, first_ ? 2 + 128 : 2) << "address " << address;
+        first_ = false;
+        const bool good = !dut_->error_o;
+        clock();
+        dut_->valid_i = 0;
+        return good;
+    }
+
+    void feed(uint32_t address, const std::vector<uint64_t>& words, std::size_t& next,
+              uint32_t room, const std::function<void()>& between) {
+        for (; room > 0 && next < words.size() && !testing::Test::HasFailure(); --room) {
+            between();
+            ASSERT_TRUE(push(address, words[next])) << "word " << next << " at " << address;
+            ++next;
+        }
+    }
+
+    sysc::ClockedDut<Vmotion_system> dut_;
+    std::vector<PulseMonitor> drives_;
+    int64_t clock_ = 0;
+    bool first_ = true;
+};
+
+}  // namespace curvecore::tb

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/motion_system.sv from its registers to its pins: programs, silence, stops, nonsense.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "tb/support/register_host.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+/// Of an empty queue, as ROOM can say it.
+constexpr uint32_t kSegmentRoom = CFG_SegmentQueueWords < 65536 ? CFG_SegmentQueueWords : 65535;
+
+/// CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo), without stop branches,
+/// which are too many words for short queues.
+Part part_to_draw() {
+    const char* part = std::getenv("CURVECORE_PART");
+    return part == nullptr ? Part("pulses.ngc", ref::Holds::kBranches)
+                           : Part(part, ref::Holds::kBounds);
+}
+
+class MotionSystem : public testing::Test {
+  protected:
+    /// The drives have counted the part, and the registers say the same, from `start` on.
+    void expect_drawn(const std::vector<int64_t>& start = {0, 0, 0}) {
+        EXPECT_EQ(host_.state() & kFaults, 0U);
+        for (int a = 0; a < kSystemAxes; ++a) {
+            EXPECT_EQ(host_.drive(a).complaint(), "") << "axis " << a;
+            EXPECT_EQ(host_.drive(a).count(), start[a] + part_.end(a)) << "axis " << a;
+        }
+        expect_counted();
+    }
+    void expect_counted() {
+        for (int a = 0; a < kSystemAxes; ++a) {
+            const uint32_t axis = static_cast<uint32_t>(a) * CURVECORE_AXIS_STRIDE;
+            EXPECT_EQ(static_cast<int32_t>(host_.read(CURVECORE_AXIS_STEPS + axis)),
+                      host_.drive(a).count());
+        }
+    }
+    std::vector<int64_t> counts() const {
+        std::vector<int64_t> all;
+        for (int a = 0; a < kSystemAxes; ++a) all.push_back(host_.drive(a).count());
+        return all;
+    }
+    int64_t steps() const {
+        int64_t sum = 0;
+        for (int a = 0; a < kSystemAxes; ++a) sum += host_.drive(a).steps();
+        return sum;
+    }
+    void clear_faults() { host_.write(CURVECORE_STATE, kFaults); }
+
+    /// Words until the queues are full or all are in; the machine moves for so many samples.
+    void begin(int64_t samples) {
+        host_.prepare(part_);
+        std::size_t segment = 0;
+        std::size_t piece = 0;
+        for (bool more = true; more;) {
+            const uint32_t room = host_.read(CURVECORE_ROOM);
+            more = false;
+            if ((room & 0xffff) > 0 && segment < part_.segments.size()) {
+                more = host_.push(CURVECORE_SEGMENT_LO, part_.segments[segment++]);
+            }
+            if (room >> 16 > 0 && piece < part_.pieces.size()) {
+                more = host_.push(CURVECORE_PROFILE_LO, part_.pieces[piece++]) || more;
+            }
+        }
+        host_.samples(samples);
+        ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
+    }
+
+    std::mt19937 random_{1};
+    Part part_ = part_to_draw();
+    RegisterHost host_;
+};
+
+TEST_F(MotionSystem, SaysWhatItIs) {
+    EXPECT_EQ(host_.read(CURVECORE_ID), CURVECORE_ID_ID_VALUE);
+    const uint32_t capability = host_.read(CURVECORE_CAPABILITY);
+    EXPECT_EQ(capability & CURVECORE_CAPABILITY_AXES_MASK, uint32_t{kSystemAxes});
+    EXPECT_EQ((capability & CURVECORE_CAPABILITY_PERIOD_LOG2_MASK) >>
+                  CURVECORE_CAPABILITY_PERIOD_LOG2_LOW,
+              uint32_t{CFG_PeriodLog2});
+    EXPECT_EQ(host_.read(CURVECORE_ROOM), uint32_t{CFG_ProfileQueueWords} << 16 | kSegmentRoom);
+    EXPECT_EQ(host_.read(CURVECORE_CLOCK), uint32_t{CFG_ClockHertz});
+    EXPECT_EQ(host_.state(), uint32_t{CURVECORE_STATE_STANDING_MASK | CURVECORE_STATE_CLEAN_MASK});
+}
+
+TEST_F(MotionSystem, DrawsAProgramThatIsWrittenToRegisters) {
+    host_.prepare(part_);
+    host_.draw(part_);
+    expect_drawn();
+    EXPECT_FALSE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
+    printf("%ld steps, %ld clocks\n", steps(), host_.now());
+}
+
+TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
+    host_.prepare(part_);
+    int stalls = 0;
+    host_.draw(part_, [&] {
+        if (random_() % 400 != 0) return;
+        ++stalls;
+        host_.samples(random_() % 8000);
+    });
+    expect_drawn();
+    EXPECT_GT(stalls, 2);
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
+}
+
+TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
+    host_.prepare(part_);
+    host_.write(CURVECORE_WATCHDOG, 500);
+    int silences = 0;
+    std::size_t words = 0;
+    host_.draw(part_, [&] {
+        if (++words % 1000 != 0) return;
+        host_.samples(499);
+        EXPECT_FALSE(host_.is(CURVECORE_STATE_WATCHDOG_MASK));
+        if (!host_.is(CURVECORE_STATE_ACTIVE_MASK)) return;
+        host_.samples(8000);
+        const uint32_t state = host_.state();
+        EXPECT_TRUE(state & CURVECORE_STATE_WATCHDOG_MASK);
+        EXPECT_TRUE(state & CURVECORE_STATE_HOLDING_MASK);
+        EXPECT_TRUE(state & CURVECORE_STATE_STANDING_MASK);
+        EXPECT_TRUE(state & CURVECORE_STATE_ENABLED_MASK);
+        const auto stands = counts();
+        host_.samples(10);
+        EXPECT_EQ(counts(), stands);
+        clear_faults();
+        ++silences;
+    });
+    expect_drawn();
+    EXPECT_GT(silences, 0);
+}
+
+TEST_F(MotionSystem, TakesNoWordUntilEveryAxisIsReferenced) {
+    EXPECT_FALSE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
+    EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_BUS_MASK});
+    clear_faults();
+    host_.write(CURVECORE_CONTROL, kEnable);
+    EXPECT_FALSE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
+    host_.write(CURVECORE_REFERENCE, kEveryAxis >> 1);
+    EXPECT_FALSE(host_.is(CURVECORE_STATE_READY_MASK));
+    EXPECT_FALSE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
+    EXPECT_FALSE(host_.push(CURVECORE_PROFILE_LO, part_.pieces[0]));
+    host_.write(CURVECORE_REFERENCE, kEveryAxis & ~(kEveryAxis >> 1));
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_READY_MASK));
+    EXPECT_TRUE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
+    // Its word may be on the way to the first sample.
+    EXPECT_FALSE(host_.write(CURVECORE_REFERENCE, kEveryAxis));
+}
+
+TEST_F(MotionSystem, RefusesAWordThatDoesNotFitAndLosesNone) {
+    host_.prepare(part_, kEnable | kHold);
+    std::size_t segment = 0;
+    std::size_t piece = 0;
+    // No program begins under a hold. The pieces' queue is the smaller one.
+    while (piece < part_.pieces.size() && host_.push(CURVECORE_PROFILE_LO, part_.pieces[piece])) {
+        ++piece;
+    }
+    EXPECT_GE(piece, std::size_t{CFG_ProfileQueueWords});  // some have left for the generator
+    ASSERT_LT(piece, part_.pieces.size()) << "a longer program is needed";
+    EXPECT_EQ(host_.read(CURVECORE_ROOM) >> 16, 0U);
+    EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_BUS_MASK});
+    clear_faults();
+    host_.write(CURVECORE_CONTROL, kEnable);
+    int refused = 0;
+    while ((segment < part_.segments.size() || piece < part_.pieces.size()) && !HasFailure()) {
+        if (segment < part_.segments.size()) {
+            const bool good = host_.push(CURVECORE_SEGMENT_LO, part_.segments[segment]);
+            segment += good ? 1 : 0;
+            refused += good ? 0 : 1;
+        }
+        if (piece < part_.pieces.size()) {
+            const bool good = host_.push(CURVECORE_PROFILE_LO, part_.pieces[piece]);
+            piece += good ? 1 : 0;
+            refused += good ? 0 : 1;
+        }
+    }
+    EXPECT_GT(refused, 0);
+    clear_faults();
+    host_.finish(part_);
+    expect_drawn();
+}
+
+TEST_F(MotionSystem, EstopReachesThePinsOneClockAfterTheSynchroniser) {
+    for (int repeat = 0; repeat < 4 && !HasFailure(); ++repeat) {
+        begin(500 + random_() % 500);
+        while (host_->step_o == 0) host_.clock();
+        host_.clocks(random_() % kSystemPeriod);
+        const auto before = steps();
+        host_->estop_i = 1;
+        host_.clocks(2);
+        EXPECT_TRUE(host_->enable_o);
+        host_.clock();
+        EXPECT_EQ(host_->step_o, 0);
+        EXPECT_FALSE(host_->enable_o);
+        const auto after = steps();
+        EXPECT_LE(after, before + 2 * kSystemAxes);
+        host_.samples(10);
+        EXPECT_EQ(steps(), after);
+        expect_counted();
+        EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_ESTOP_INPUT_MASK});
+        EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_REFERENCED_MASK, 0U);
+        EXPECT_EQ(host_.read(CURVECORE_ROOM) & 0xffff, kSegmentRoom);
+        // It comes on when the pin is free and the fault was cleared, not before.
+        EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));
+        host_->estop_i = 0;
+        host_.clocks(4);
+        EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));
+        clear_faults();
+    }
+    const auto start = counts();
+    host_.prepare(part_);
+    host_.draw(part_);
+    expect_drawn(start);
+}
+
+TEST_F(MotionSystem, LimitSwitchesStopAllAxesUnlessTheyAreMasked) {
+    host_.write(CURVECORE_PINS, 2U << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    host_->limit_i = 2;
+    begin(600);
+    EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_LIMIT_MASK,
+              2U << CURVECORE_AXES_LIMIT_LOW);
+    host_->limit_i = 1;
+    host_.clocks(3);
+    EXPECT_EQ(host_->step_o & 1, 0);
+    host_.clock();
+    EXPECT_EQ(host_->step_o, 0);
+    EXPECT_EQ(host_.state() & (kFaults | CURVECORE_STATE_ENABLED_MASK),
+              uint32_t{CURVECORE_STATE_LIMIT_MASK});
+    clear_faults();
+    EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));
+    host_.write(CURVECORE_PINS, 1U << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
+    EXPECT_TRUE(host_.write(CURVECORE_CONTROL, kEnable));
+}
+
+TEST_F(MotionSystem, FlushStopsOnThePathEmptiesAndKeepsThePosition) {
+    begin(700);
+    const auto moving = steps();
+    host_.write(CURVECORE_CONTROL, kEnable | kFlush);
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_FLUSHING_MASK));
+    EXPECT_FALSE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
+    while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
+    EXPECT_GT(steps(), moving + 100) << "it has stopped at once";
+    clear_faults();
+    const uint32_t state = host_.state();
+    EXPECT_EQ(state & (kFaults | CURVECORE_STATE_ACTIVE_MASK), 0U);
+    EXPECT_TRUE(state & CURVECORE_STATE_CLEAN_MASK);
+    EXPECT_TRUE(state & CURVECORE_STATE_READY_MASK) << "positions are kept";
+    EXPECT_EQ(host_.read(CURVECORE_ROOM) & 0xffff, kSegmentRoom);
+    const auto stands = counts();
+    host_.samples(20);
+    EXPECT_EQ(counts(), stands);
+    // The host declares this place to be the program's start.
+    EXPECT_TRUE(host_.write(CURVECORE_REFERENCE, kEveryAxis));
+    host_.draw(part_);
+    expect_drawn(stands);
+}
+
+TEST_F(MotionSystem, RandomAccessesHangNothingAndGiveNoStep) {
+    int errors = 0;
+    for (int n = 0; n < 10000 && !HasFailure(); ++n) {
+        const auto address = static_cast<uint32_t>(random_() % 128 * 4);
+        errors += host_.write(address, random_() >> random_() % 32) ? 0 : 1;
+    }
+    EXPECT_GT(errors, 1000);
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_BUS_MASK));
+    for (int a = 0; a < kSystemAxes; ++a) {
+        const uint32_t axis = static_cast<uint32_t>(a) * CURVECORE_AXIS_STRIDE;
+        EXPECT_EQ(host_.read(CURVECORE_AXIS_STEPS + axis), 0U);
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
