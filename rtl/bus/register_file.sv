@@ -6,7 +6,7 @@
 //   valid_i     request           until done_o
 //   .._o                 writes
 //   done_o                        1
-//   error_o, data_o               of it
+//   error_o, data_o               of it, until the next one's
 //
 // A request is answered in two clocks, whatever it asks for: a word that does not fit is an error,
 // not a wait. Only after a reset the first answer takes 2^7 clocks more, in which a memory gets its
@@ -259,11 +259,13 @@ module register_file #(
     endcase
   end
   always_ff @(posedge clk_i) begin
-    error_o <= !exists || (write_i && !taken);
-    data_o  <= answer;
-    if (works_q && !write_i && word_i == registers_pkg::PathLo) begin
-      high_q <= path_i[63:32];
-      rate_q <= rate_i;
+    if (works_q) begin
+      error_o <= !exists || (write_i && !taken);
+      data_o  <= answer;
+      if (!write_i && word_i == registers_pkg::PathLo) begin
+        high_q <= path_i[63:32];
+        rate_q <= rate_i;
+      end
     end
   end
 

@@ -128,20 +128,27 @@ class RegisterHost {
         EXPECT_TRUE(write(CURVECORE_CONTROL, control));
     }
 
-    /// Writes words as ROOM lets it until all are written and the machine stands still at the end;
-    /// `between` is called between two words.
+    /// The words of a part that have gone.
+    struct Sent {
+        std::size_t segments = 0;
+        std::size_t pieces = 0;
+        bool all(const Part& part) const {
+            return segments == part.segments.size() && pieces == part.pieces.size();
+        }
+    };
+    /// Writes as many words as ROOM says; `between` is called before each.
+    void feed(const Part& part, Sent& sent, const std::function<void()>& between) {
+        const uint32_t room = read(CURVECORE_ROOM);
+        feed(CURVECORE_SEGMENT_LO, part.segments, sent.segments, room & 0xffff, between);
+        feed(CURVECORE_PROFILE_LO, part.pieces, sent.pieces, room >> 16, between);
+        clocks(200);
+        EXPECT_EQ(state() & kMotionFaults, 0U);
+    }
+    /// All words, until the machine stands at the end.
     void draw(
         const Part& part, const std::function<void()>& between = [] {}) {
-        std::size_t segment = 0;
-        std::size_t piece = 0;
-        while ((segment < part.segments.size() || piece < part.pieces.size()) &&
-               !testing::Test::HasFailure()) {
-            const uint32_t room = read(CURVECORE_ROOM);
-            feed(CURVECORE_SEGMENT_LO, part.segments, segment, room & 0xffff, between);
-            feed(CURVECORE_PROFILE_LO, part.pieces, piece, room >> 16, between);
-            clocks(200);
-            EXPECT_EQ(state() & kMotionFaults, 0U);
-        }
+        Sent sent;
+        while (!sent.all(part) && !testing::Test::HasFailure()) feed(part, sent, between);
         finish(part);
     }
     /// Until the part's path is drawn since `from`, and its last sample is out.
