@@ -115,18 +115,24 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     subject.options.effort = Effort::kRules;
     std::optional<PlannedWindow> rules = plan_covered(subject, 0, plan);
     if (effort == Effort::kRules || !rules) return rules;
-    // More pieces want more queue: where that costs more than the optimum gains, the rules stay.
+    // More pieces want more queue, and so do stop branches: where that costs more than the optimum
+    // gains, it does without them, or the rules stay.
+    std::optional<PlannedWindow> best = std::move(rules);
+    const std::size_t cut = best->cut;
     subject.options.effort = effort;
-    Plan faster = plan;
-    std::optional<PlannedWindow> optimum;
-    try {
-        optimum = plan_covered(subject, rules->cut, faster);
-    } catch (const InputError&) {
-        return rules;
+    for (;; subject.options.holds = Holds::kBounds) {
+        Plan found = plan;
+        try {
+            std::optional<PlannedWindow> optimum = plan_covered(subject, cut, found);
+            if (optimum && found.duration_s <= plan.duration_s) {
+                plan = found;
+                best = std::move(optimum);
+            }
+        } catch (const InputError&) {
+            found.slowed_moves = 1;
+        }
+        if (found.slowed_moves == 0 || !subject.options.has_branches()) return best;
     }
-    if (!optimum || faster.duration_s > plan.duration_s) return rules;
-    plan = std::move(faster);
-    return optimum;
 }
 
 }  // namespace

@@ -112,6 +112,20 @@ TEST(PlannedBranches, OfRandomProgramsStopWithinTheLimits) {
     EXPECT_GT(looked_at, 80);
 }
 
+TEST(PlannedBranches, GiveWayWhereTheQueueIsShort) {
+    std::size_t without = 0;
+    for (const Curve& curve : curves()) {
+        ref::PlanOptions options;
+        options.profile_queue_words = 512;
+        const Plan plan = make_plan(curve.program, curve.machine, options);
+        options.holds = ref::Holds::kBounds;
+        const Plan bounds = make_plan(curve.program, curve.machine, options);
+        EXPECT_LE(plan.duration_s, bounds.duration_s) << curve.name;
+        without += plan.branches.empty() ? 1 : 0;
+    }
+    EXPECT_GT(without, 0U);
+}
+
 TEST(PlannedBranches, FitTheirWordsAndTheCore) {
     for (const Curve& curve : curves()) {
         const Plan plan = make_plan(curve.program, curve.machine, {});
