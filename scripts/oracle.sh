@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How far the planner is from the time optimum of an independent oracle: tables, and
-# build/figures/oracle.json, drawn.json. Some minutes.
+# How far the planner is from the time optimum of an independent oracle: tables,
+# build/figures/oracle.json, drawn.json, and a figure. Some minutes.
 set -euo pipefail
 case ${1:-} in
   -h | --help)
@@ -17,3 +17,4 @@ cmake --build --preset release -j "$(nproc)" --target curvecore
 mkdir -p build/figures
 python3 tb/oracle/time_over_optimum.py --program build/curvecore -o build/figures/oracle.json
 python3 tb/oracle/drawn_over_optimum.py --program build/curvecore -o build/figures/drawn.json
+python3 scripts/time_figure.py

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""ref/README's figure of cycle times over the optimum: build/figures/oracle.json ->
+scripts/figures/time_over_optimum.svg."""
+
+import json
+import pathlib
+
+import matplotlib
+
+matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "curvecore"  # the same figures, the same file
+import matplotlib.pyplot as plt  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FEED = 500.0  # mm/s, the machine's highest
+
+
+def main():
+    rows = json.loads((ROOT / "build/figures/oracle.json").read_text())["rows"]
+    rows = [row for row in rows if row["feed_mm_s"] == FEED]
+    figure, axes = plt.subplots(figsize=(8, 3.4))
+    for number, effort in enumerate(("rules", "optimum")):
+        places = [place + 0.4 * number for place in range(len(rows))]
+        bars = axes.bar(places, [row[f"{effort}_s"] / row["oracle_s"] for row in rows], 0.38,
+                        label=f"--effort {effort}")
+        axes.bar_label(bars, fmt="%.2f", fontsize=6)
+    axes.axhline(1, color="0.3", lw=1)
+    axes.set_xticks([place + 0.2 for place in range(len(rows))], [row["path"] for row in rows],
+                    rotation=30, ha="right")
+    axes.set(ylim=(0.9, None), ylabel=f"time / shortest possible, {FEED:.0f} mm/s")
+    axes.legend(fontsize=8)
+    figure.savefig(ROOT / "scripts/figures/time_over_optimum.svg", bbox_inches="tight",
+                   metadata={"Date": None})
+
+
+if __name__ == "__main__":
+    main()
