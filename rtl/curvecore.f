@@ -27,10 +27,12 @@ arithmetic/multiplier_portable.sv
 arithmetic/multiplier_up5k.sv
 arithmetic/product_sum.sv
 arithmetic/step_scale.sv
+bus/axi_lite_port.sv
 bus/machine_state.sv
 bus/paced_motion.sv
 bus/queue_room.sv
 bus/register_file.sv
+bus/wishbone_port.sv
 control/digit_source.sv
 control/local_copy.sv
 control/order_digits.sv

@@ -59,6 +59,12 @@ done
 CURVECORE_PART=demo.ngc build/release/tb/motion_steps_serial | grep "steps$"
 CURVECORE_PART=demo.ngc build/release/tb/motion_system_serial --gtest_filter=*.Draws* |
   grep "clocks$"
+# 20,000 accesses by others' masters on each bus.
+for bus in axi_lite wishbone; do
+  mkdir -p build/campaign/$bus
+  .venv/bin/python tb/bus/run_bus.py $bus 20000 build/release/tb/bus/registers/registers.json \
+    "$PWD/build/campaign/$bus" 2>&1 | tee "build/campaign/$bus.log" | grep "as described"
+done
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
