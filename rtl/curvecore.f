@@ -32,6 +32,7 @@ bus/machine_state.sv
 bus/paced_motion.sv
 bus/queue_room.sv
 bus/register_file.sv
+bus/spi_port.sv
 bus/wishbone_port.sv
 control/digit_source.sv
 control/local_copy.sv

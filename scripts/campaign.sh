@@ -60,7 +60,7 @@ CURVECORE_PART=demo.ngc build/release/tb/motion_steps_serial | grep "steps$"
 CURVECORE_PART=demo.ngc build/release/tb/motion_system_serial --gtest_filter=*.Draws* |
   grep "clocks$"
 # 20,000 accesses by others' masters on each bus.
-for bus in axi_lite wishbone; do
+for bus in axi_lite wishbone spi; do
   mkdir -p build/campaign/$bus
   .venv/bin/python tb/bus/run_bus.py $bus 20000 build/release/tb/bus/registers/registers.json \
     "$PWD/build/campaign/$bus" 2>&1 | tee "build/campaign/$bus.log" | grep "as described"

@@ -25,6 +25,7 @@ def main():
     version = re.search(r"int Version = (\d+)", packages[0].read_text())[1]
     runner = get_runner("icarus")
     runner.build(sources=[*packages, RTL / "bus/register_file.sv", port,
+                          RTL / "pulse/synchroniser.sv",
                           HERE / "bench_registers.sv", HERE / f"{bus}_bench.sv"],
                  hdl_toplevel=f"{bus}_bench", build_dir=folder, always=True,
                  build_args=["-g2012"], timescale=("1ns", "1ps"))
