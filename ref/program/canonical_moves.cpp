@@ -35,6 +35,7 @@ void check_range(double value, const char* what, const Place& place) {
 }  // namespace
 
 void CanonicalMoves::start(const Point& at) {
+    if (moved_) refuse("the machine is said to stand elsewhere after its first motion", 0);
     for (const double value : at) check_range(value, "the start", place(0));
     at_ = at;
 }
@@ -58,6 +59,7 @@ Move CanonicalMoves::move_to(const Target& target) const {
 void CanonicalMoves::add(const Move& move, const Place& place) {
     if (!moves_.moves(move, place)) return;
     moves_.append(move);
+    moved_ = true;
     for (int i = 0; i < 3; ++i) at_[i] = move.end[i];
     std::copy(move.aux_end.begin(), move.aux_end.end(), at_.begin() + 3);
 }

@@ -25,7 +25,7 @@ class CanonicalMoves {
     CanonicalMoves(const std::string& file, double fit_tolerance)
         : fit_tolerance_(fit_tolerance), moves_(file) {}
 
-    /// Where the machine stands before the first motion; 0 when nobody says.
+    /// Where the machine stands before the first motion; 0 when nobody says. @throws InputError
     void start(const Point& at);
     /// All motions throw InputError for what cannot be drawn.
     void line(const Target& target);
@@ -52,6 +52,7 @@ class CanonicalMoves {
     double fit_tolerance_;  // mm
     MoveList moves_;
     Point at_{};
+    bool moved_ = false;
     bool exact_stop_ = false;
     double tolerance_ = kPathTolerance;  // mm
 };

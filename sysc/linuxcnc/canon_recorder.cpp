@@ -26,12 +26,13 @@ long calls_left = 0;
 double unit_mm = 25.4;  // the program's unit
 Point system_offset{}, shift{}, tool{};
 double turn_cos = 1, turn_sin = 0;
-int plane = 1;
+int plane = 1;        // LinuxCNC's number: arcs are in XY, YZ or ZX
 double feed = 0;      // per minute, in the program's unit
 double per_turn = 0;  // feed of a turn of the spindle, where that counts
 bool feed_is_per_turn = false;
-double spindle = 0;     // turns a minute
-Point at{};             // on the machine
+double spindle = 0;  // turns a minute
+Point at{};          // on the machine
+bool begun = false;
 bool in_nurbs = false;  // the module makes chords of it, which nobody wants
 
 /// The module's function behind one of this file.
@@ -212,7 +213,8 @@ void SET_MOTION_CONTROL_MODE(CANON_MOTION_MODE mode, double tolerance) {
 
 /// interpret.py's own comment says that the program begins, here.
 void COMMENT(const char* text) {
-    if (std::string(text) == "curvecore begins") {
+    if (!begun && std::string(text) == "curvecore begins") {
+        begun = true;
         at = on_machine({});
         write("\"kind\":\"start\",\"at\":" + list(at));
     }
@@ -255,10 +257,6 @@ void RIGID_TAP(int line, double x, double y, double z, double scale) {
 void ARC_FEED(int line, double first_end, double second_end, double first_axis, double second_axis,
               int rotation, double axis_end, double a, double b, double c, double u, double v,
               double w) {
-    if (plane < 1 || plane > 3) {
-        warn(line, "an arc of U V W is left out");
-        return;
-    }
     const int first = plane == 1 ? 0 : plane == 2 ? 1 : 2;  // XY, YZ, ZX
     const int second = (first + 1) % 3;
     const int third = (first + 2) % 3;

@@ -133,6 +133,8 @@ TEST_F(Linuxcnc, LinesThatAreWrongAreRefused) {
                    "4: error: the weight 0 is not above 0\n");
     expect_refused(third("{\"kind\":\"dwell\",\"seconds\":-1}\n"),
                    " error: a dwell must be 0 to 86400 seconds, not -1\n");
+    expect_refused(third(kStart),
+                   " error: the machine is said to stand elsewhere after its first motion\n");
     expect_refused(std::string(kStart) + kEnd, " error: the program has no moves\n");
 }
 
