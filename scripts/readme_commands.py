@@ -26,6 +26,7 @@ LONG = {
     "scripts/test.sh": "runs this test",
     "scripts/campaign.sh": "three hours",
     "scripts/oracle.sh": "some minutes",
+    "scripts/linuxcnc.sh": "a quarter of an hour, and a package",
     "scripts/coverage.sh": "half an hour",
     "scripts/real_parts.sh": "fetches a package; a test of its own",
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",

@@ -22,6 +22,7 @@ from choose_tables import choose, choose_impossible, order_words, parameter_guar
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
 from parameter_table import parameter_rows
+from linuxcnc_table import linuxcnc
 from placed_tables import (cost_model, hls, networks, order_words_placed, parameter_guard_placed,
                            sizes, synthesis)
 from readme_table import PAGES, ROOT, Table, git, sources
@@ -60,6 +61,7 @@ TABLES = {
     "minimal_orders": Table(minimal_orders, BENCH, exact=True),
     "oracle": Table(oracle, "scripts/oracle.sh"),
     "drawn": Table(drawn, "scripts/oracle.sh"),
+    "linuxcnc": Table(linuxcnc, "scripts/linuxcnc.sh"),
     "forms": Table(bench("form_tables", "forms"), BENCH, exact=True),
     "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
     "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),
