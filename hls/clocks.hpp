@@ -142,6 +142,15 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
             network + sample + 3 * core.aux_axes + 162};
 }
 
+/// Serial build, rtl/path/path_sequencer.sv: from a tick of time to the next, at most. A product
+/// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 where a piece begins.
+constexpr int kSerialTickClocks = 3 * (16 + 19 + 5) + (34 - 0 + 3) + 26;
+
+/// From a tick of time to the next.
+constexpr int tick_clocks(const TimedCore& core) {
+    return core.serial ? kSerialTickClocks : core.sample_interval;
+}
+
 /// Along lines, arcs and helices.
 constexpr Clocks arc_clocks(const TimedCore& core) {
     if (core.serial) return serial_arc_clocks(core);

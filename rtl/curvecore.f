@@ -6,6 +6,7 @@ network/spline_pkg.sv
 node/riemann_pkg.sv
 node/scaler_pkg.sv
 node/series_pkg.sv
+path/path_control_pkg.sv
 pulse/pulse_pkg.sv
 queue/words_pkg.sv
 sampler/bank_pkg.sv
@@ -72,9 +73,11 @@ node/series_state.sv
 node/square_integrator.sv
 node/stieltjes_integrator.sv
 path/motion_settings.sv
+path/path_datapath.sv
 path/path_generator.sv
 path/path_increment.sv
 path/path_meter.sv
+path/path_sequencer.sv
 path/piece_clock.sv
 path/piece_entry.sv
 path/piece_ledger.sv

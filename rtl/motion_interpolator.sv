@@ -15,7 +15,8 @@
 // run; they are reported when a program waits for them, and so is a change while one is under way.
 //
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
-//   request to path increment, clocks    about 60; to sample: plus the core's
+//   request to path increment, clocks    about 60 (Build 1: 40 to 220); to sample: plus the core's
+//   tick of time to tick, clocks         SampleInterval (Build 1: kSerialTickClocks, at most)
 //
 // A reset empties the queues.
 //
@@ -106,9 +107,7 @@ module motion_interpolator #(
     if (Build == 1 && ParameterGuard != 0) $fatal(1, "Build 1 works with ParameterGuard 0 only");
   initial if (Build == 1 && TurnBits != 0) $fatal(1, "Build 1 works with TurnBits 0 only");
 
-  // A serial core takes its time: one multiplier does for its path.
-  localparam int TickInterval = (Build == 1) ? 8 : SampleInterval;
-  localparam int Room = (TickInterval <= 2) ? 128 : (TickInterval == 4) ? 32 : 16;
+  localparam int Room = (Build == 1 || SampleInterval == 8) ? 16 : (SampleInterval == 4) ? 32 : 128;
 
   logic rst_n;
   reset_stretcher u_reset (
@@ -235,7 +234,8 @@ module motion_interpolator #(
   logic [16:0] ds_rate;
   logic ds_active;
   path_generator #(
-      .Interval(TickInterval),
+      .Build(Build),
+      .Interval(SampleInterval),
       .MultiplierForm(MultiplierForm)
   ) u_path (
       .clk_i,

@@ -218,9 +218,12 @@ endforeach()
 core_test(time_scaler default TOP time_scaler)
 core_test(rate_generator default TOP rate_generator PARAMS Room=128)
 foreach(interval 1 2 4 8)
-  core_test(path_generator interval_${interval} TOP path_generator PARAMS Interval=${interval})
+  core_test(path_generator interval_${interval} TOP path_generator
+            PARAMS Build=0 Interval=${interval})
 endforeach()
+core_test(path_generator serial TOP path_generator PARAMS Build=1 Interval=8)
 illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 65536.")
+illegal_parameter_test(path_generator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 

@@ -55,8 +55,8 @@ ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz) {
     return time;
 }
 
-double least_period_clocks(const CoreParameters& parameters, bool splines) {
-    double least = 0;
+double least_period_clocks(const CoreParameters& parameters, bool splines, int samples_per_tick) {
+    double least = hls::tick_clocks(timed_core(parameters)) / double(samples_per_tick);
     for (const bool spline : {false, true}) {
         if (spline && !splines) continue;
         const hls::Clocks clocks = core_clocks(parameters, spline);
@@ -71,9 +71,9 @@ double least_period_clocks(const CoreParameters& parameters, bool splines) {
     return least;
 }
 
-void check_period(const CoreParameters& parameters, bool splines, double period_s,
-                  double clock_hz) {
-    const double least = least_period_clocks(parameters, splines);
+void check_period(const CoreParameters& parameters, bool splines, double period_s, double clock_hz,
+                  int samples_per_tick) {
+    const double least = least_period_clocks(parameters, splines, samples_per_tick);
     if (period_s * clock_hz >= least * (1 - 1e-9)) return;
     throw UsageError(fmt::format(
         "a sample period has {:.4g} clocks, and this {} core needs {:.4g}: --sample-period must be "

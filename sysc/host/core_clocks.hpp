@@ -21,9 +21,11 @@ hls::Clocks change_clocks(const CoreParameters& parameters, bool spline);
 ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz);
 
 /// Fewest clocks in a sample period with which a program can keep time, however slow it is.
-double least_period_clocks(const CoreParameters& parameters, bool splines);
+double least_period_clocks(const CoreParameters& parameters, bool splines,
+                           int samples_per_tick = 1);
 
 /// @throws UsageError: the period is shorter than that
-void check_period(const CoreParameters& parameters, bool splines, double period_s, double clock_hz);
+void check_period(const CoreParameters& parameters, bool splines, double period_s, double clock_hz,
+                  int samples_per_tick = 1);
 
 }  // namespace curvecore::sysc

@@ -108,7 +108,8 @@ namespace {
 
 void plan_path(Job& job) {
     const bool splines = first_spline(job.program).has_value();
-    check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz);
+    check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz,
+                 job.options.samples_per_tick);
     job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
     if (job.plan.segments.empty()) {
         throw ref::InputError(job.program.file, 0, "the program does not move");

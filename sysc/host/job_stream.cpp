@@ -127,7 +127,8 @@ bool JobStream::take(ref::Move& move) {
 const Job* JobStream::next() {
     if (!plan_) {
         const Options& options = job_.options;
-        check_period(options.core, splines_, options.sample_period_s, options.clock_hz);
+        check_period(options.core, splines_, options.sample_period_s, options.clock_hz,
+                     options.samples_per_tick);
         plan_.emplace([this](ref::Move& move) { return take(move); },
                       ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
                       job_.machine, options.plan_options());

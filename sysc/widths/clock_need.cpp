@@ -31,6 +31,7 @@ ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, bool
 ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
                      double sample_period_s) {
     ClockNeed need;
+    need.samples = hls::tick_clocks(timed_core(parameters)) / sample_period_s;
     for (const bool splines : {false, true}) {
         const Load& load = splines ? demand.splines : demand.arcs;
         if (load.segments == 0) continue;

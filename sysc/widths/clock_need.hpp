@@ -12,7 +12,7 @@ namespace curvecore::sysc {
 ///   parallel   samples: SampleInterval clocks each
 ///              steps:   a step while the path goes through the one before; a segment's words while
 ///                       the segment before is drawn
-///   serial     samples: the clocks of a sample
+///   serial     samples: the clocks of a sample, or of a tick of time
 ///              steps:   within the sample periods that the samples ahead make up for, these
 ///                       samples and the pauses of as many steps and segments as there may be, at
 ///                       least one of each

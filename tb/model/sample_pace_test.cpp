@@ -140,6 +140,12 @@ TEST(SamplePace, APeriodShorterThanTheCoresClocksIsRefused) {
     EXPECT_NO_THROW(check_period(core, false, kPeriod, least / kPeriod));
     EXPECT_THROW(check_period(core, false, kPeriod, 0.999 * least / kPeriod), UsageError);
     EXPECT_THROW(check_period(core, true, kPeriod, least / kPeriod), UsageError);
+    // Ticks of time are shared by samples.
+    EXPECT_EQ(least, hls::tick_clocks(timed_core(core)));
+    const double shared = least_period_clocks(core, false, 2);
+    EXPECT_LT(shared, least);
+    EXPECT_NO_THROW(check_period(core, false, kPeriod, shared / kPeriod, 2));
+    EXPECT_THROW(check_period(core, false, kPeriod, 0.999 * shared / kPeriod, 2), UsageError);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "hls/quantise.hpp"
 #include "ref/feed/planned_branches.hpp"
 #include "ref/feed/planner.hpp"
+#include "sysc/host/core_clocks.hpp"
 #include "tb/support/motion_bench.hpp"
 #include "tb/support/program_builder.hpp"
 
@@ -56,8 +57,8 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
     for (int round = 0; round < 30; ++round) {
         program(pieces(static_cast<uint32_t>(500 + round), 60, 10, 60, 3 << 16));
         fill();
-        const auto every =
-            static_cast<unsigned>(50 << round % 4) * static_cast<unsigned>(core_.sample_interval);
+        const auto every = static_cast<unsigned>(50 << round % 4) *
+                           static_cast<unsigned>(hls::tick_clocks(timed_core(core_)));
         run([&] {
             if (random_() % every == 0) dut_->hold_i = random_() % 2;
             if (random_() % (8 * every) == 0) {
