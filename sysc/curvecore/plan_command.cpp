@@ -20,7 +20,7 @@ struct Foreseen {
 
 /// What the samples will show, from the exact curve.
 Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
-    PredictedPace pace(job.plan, job.options.core);
+    PredictedPace pace(job.plan, job.options.core, job.options.samples_per_tick);
     PathSource source(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());
     PathCursor cursor(job.plan);
     ref::CurveFollower curve;

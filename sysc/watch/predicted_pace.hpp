@@ -14,13 +14,14 @@ namespace curvecore::sysc {
 /// three ahead of the one that the last sample lies in.
 class PredictedPace {
   public:
-    PredictedPace(const ref::Plan& plan, const CoreParameters& core)
+    PredictedPace(const ref::Plan& plan, const CoreParameters& core, int samples_per_tick = 1)
         : walk_(plan),
           serial_(core.build == Build::kSerial),
           latency_(hls::sample_latency(timed_core(core))),
           change_{change_clocks(core, false), change_clocks(core, true)},
           sample_clocks_(change_[plan.segments.front().kind == ref::Segment::Kind::kSpline].sample),
-          pace_(hls::samples_ahead(timed_core(core))) {}
+          pace_(hls::samples_ahead(timed_core(core))),
+          tick_share_(double(hls::tick_clocks(timed_core(core))) / samples_per_tick) {}
 
     /// The next sample, `s` quanta along the path.
     void sample(std::uint64_t s) {
@@ -37,7 +38,7 @@ class PredictedPace {
         ++samples_;
     }
 
-    double period() const { return pace_.period(); }
+    double period() const { return std::max(pace_.period(), tick_share_); }
 
   private:
     /// Clock at which the next sample could be one of this step.
@@ -56,6 +57,7 @@ class PredictedPace {
     std::array<hls::Clocks, 2> change_;
     int sample_clocks_;  // along the present segment
     SamplePace pace_;
+    double tick_share_;             // clocks of a tick of time, of each of its samples
     double clock_ = 0;              // of the last sample
     double made_ = 0;               // the last step
     std::array<double, 3> free_{};  // when the samples have left the step before
