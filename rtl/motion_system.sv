@@ -32,7 +32,7 @@ module motion_system #(
     parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
-    parameter int ProfileQueueWords = 256,   // [16, 4096], a power of two
+    parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int ScaleBits         = 44,    // [40, 56]
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]

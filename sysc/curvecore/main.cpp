@@ -96,6 +96,9 @@ void add_timed_core(CLI::App& command, RawOptions& raw) {
              "time between samples; default 100us");
     add_text(command, "--samples-per-tick", raw.samples_per_tick, "N",
              "samples that share a tick of the feed profile, 2^n");
+    add_text(command, "--segment-queue", raw.segment_queue, "WORDS",
+             "SegmentQueueWords of the core: what is queued outlasts a stop, or moves are slowed");
+    add_text(command, "--profile-queue", raw.profile_queue, "WORDS", "ProfileQueueWords of it");
     add_text(command, "--effort", raw.effort, "NAME",
              fmt::format("of the feed: {}", fmt::join(ref::kEffortNames, ", ")));
     add_text(command, "--holds", raw.holds, "NAME",

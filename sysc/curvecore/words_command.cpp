@@ -121,6 +121,8 @@ class WordFiles {
                            {"words_each", hls::kProfileBusWords},
                            {"branches", branches_},
                            {"words", profile_words_}};
+        json["queue_words"] = {{"segments", job.options.segment_queue_words},
+                               {"profile", job.options.profile_queue_words}};
         // Ports of motion_interpolator
         json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
         json["hold_acceleration"] = job.plan.hold_acceleration;

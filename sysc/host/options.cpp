@@ -30,6 +30,15 @@ std::uint64_t whole(const std::string& option, const std::string& text) {
     return value;
 }
 
+int power_of_two(const std::string& option, const std::string& text, int low, int high) {
+    const std::uint64_t number = whole(option, text);
+    const bool inside = number >= std::uint64_t(low) && number <= std::uint64_t(high);
+    if (!inside || (number & (number - 1)) != 0) {
+        throw UsageError(fmt::format("{} must be a power of two in [{}, {}]", option, low, high));
+    }
+    return static_cast<int>(number);
+}
+
 /// Whether the core is built, with or without splines as long as that is open.
 void check_built(const Options& options) {
     CoreParameters core = options.core;
@@ -134,6 +143,8 @@ ref::PlanOptions Options::plan_options() const {
     plan.core = core_time(core, clock_hz);
     plan.effort = effort;
     plan.holds = holds;
+    plan.segment_queue_words = segment_queue_words;
+    plan.profile_queue_words = profile_queue_words;
     return plan;
 }
 
@@ -164,11 +175,11 @@ void interpret(const RawOptions& raw, Options& options) {
     if (!(options.sample_period_s >= 1e-8 && options.sample_period_s <= 1)) {
         throw UsageError("--sample-period must be in [10ns, 1s]");
     }
-    const std::uint64_t per_tick = whole("--samples-per-tick", raw.samples_per_tick);
-    if (per_tick < 1 || per_tick > 32768 || (per_tick & (per_tick - 1)) != 0) {
-        throw UsageError("--samples-per-tick must be a power of two in [1, 32768]");
-    }
-    options.samples_per_tick = static_cast<int>(per_tick);
+    options.samples_per_tick = power_of_two("--samples-per-tick", raw.samples_per_tick, 1, 32768);
+    options.segment_queue_words =
+        power_of_two("--segment-queue", raw.segment_queue, 64, ref::kSegmentQueueWords);
+    options.profile_queue_words =
+        power_of_two("--profile-queue", raw.profile_queue, 16, ref::kProfileQueueWords);
     if (!raw.device.empty()) options.device = raw.device;
     if (core.clock_hz && raw.device.empty()) set_clock(*core.clock_hz, options);
     if (!raw.clock.empty()) set_clock(frequency("--clock", raw.clock, 1e3, 1e10), options);

@@ -32,6 +32,8 @@ struct Options {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
+    int segment_queue_words = ref::kSegmentQueueWords;  // of the core, not more than boards have
+    int profile_queue_words = ref::kProfileQueueWords;
     double clock_hz = 100e6;
     bool clock_set = false;    // by --clock or --core; otherwise the device's
     std::string device;        // empty: any
@@ -73,6 +75,8 @@ struct RawOptions {
     std::string unit;
     std::string sample_period;
     std::string samples_per_tick = "1";
+    std::string segment_queue = std::to_string(ref::kSegmentQueueWords);
+    std::string profile_queue = std::to_string(ref::kProfileQueueWords);
     std::string device;
     std::string clock;
     std::string build;

@@ -82,6 +82,28 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
                                              "PositionBits=20"}));
 
+/// Words for a core with short queues are fewer, or the motion is slower.
+TEST(WordsOfShortQueues, OutlastAStop) {
+    const ProgramRun program;
+    program.write("part.ngc", "G21 G90 F30000\nG1 X50\nG3 X50 Y20 I0 J10\nG1 X0\nM2\n");
+    const auto words = [&](const std::string& queue) {
+        const ProgramResult result =
+            program.run({"words", "part.ngc", "-q", "-o", queue, "--profile-queue", queue});
+        EXPECT_EQ(result.status, 0) << result.err;
+        const Json json = Json::parse(program.read(queue + "/words.json"));
+        EXPECT_EQ(json["queue_words"]["profile"], std::stoi(queue));
+        // Frames of as many words as count, 3/4 of the queue, last for a stop, on the average.
+        const double last = 0.75 * std::stoi(queue) * json["samples"].get<double>() /
+                            json["profile"]["words"].get<double>();
+        EXPECT_GT(last, json["stop_ticks"].get<double>()) << queue;
+        return json;
+    };
+    const Json few = words("256");
+    const Json many = words("4096");
+    EXPECT_LT(few["profile"]["words"], many["profile"]["words"]);
+    EXPECT_GE(few["samples"], many["samples"]);
+}
+
 /// FNV-1a, 64 bits.
 std::uint64_t digest(const std::vector<std::string>& words) {
     std::uint64_t hash = 0xcbf29ce484222325;
