@@ -18,7 +18,8 @@ constexpr int kCoverRounds = 12;
 constexpr double kCutFrom = 0.4;  // of the time that is planned: the rest is looked at again
 // Of the rules' speeds where an optimum joins them at a cut: it begins and ends within its limits.
 constexpr double kPace = 0.95;
-constexpr double kGiven = 8;  // of the longest window: twice what FeedWindow sees
+constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
+constexpr double kGiven = 8;               // of the longest window: twice what FeedWindow sees
 
 /// What is planned.
 struct Subject {
@@ -115,16 +116,16 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     subject.options.effort = Effort::kRules;
     std::optional<PlannedWindow> rules = plan_covered(subject, 0, plan);
     if (effort == Effort::kRules || !rules) return rules;
-    // More pieces want more queue, and so do stop branches: where that costs more than the optimum
-    // gains, it does without them, or the rules stay.
+    // More pieces want more queue, and so do stop branches: where that costs time, the optimum does
+    // without them, and where it costs more than the optimum gains the rules stay.
     std::optional<PlannedWindow> best = std::move(rules);
     const std::size_t cut = best->cut;
     subject.options.effort = effort;
-    for (;; subject.options.holds = Holds::kBounds) {
+    for (double worth = 1;; worth = kWithoutBranches, subject.options.holds = Holds::kBounds) {
         Plan found = plan;
         try {
             std::optional<PlannedWindow> optimum = plan_covered(subject, cut, found);
-            if (optimum && found.duration_s <= plan.duration_s) {
+            if (optimum && found.duration_s <= worth * plan.duration_s) {
                 plan = found;
                 best = std::move(optimum);
             }
