@@ -82,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
                                              "PositionBits=20"}));
 
-/// Words for a core with short queues are fewer, or the motion is slower.
-TEST(WordsOfShortQueues, OutlastAStop) {
+/// So that they outlast a stop; how far: QueueCover of tb/model.
+TEST(WordsOfShortQueues, AreFewer) {
     const ProgramRun program;
     program.write("part.ngc", "G21 G90 F30000\nG1 X50\nG3 X50 Y20 I0 J10\nG1 X0\nM2\n");
     const auto words = [&](const std::string& queue) {
@@ -92,10 +92,6 @@ TEST(WordsOfShortQueues, OutlastAStop) {
         EXPECT_EQ(result.status, 0) << result.err;
         const Json json = Json::parse(program.read(queue + "/words.json"));
         EXPECT_EQ(json["queue_words"]["profile"], std::stoi(queue));
-        // Frames of as many words as count, 3/4 of the queue, last for a stop, on the average.
-        const double last = 0.75 * std::stoi(queue) * json["samples"].get<double>() /
-                            json["profile"]["words"].get<double>();
-        EXPECT_GT(last, json["stop_ticks"].get<double>()) << queue;
         return json;
     };
     const Json few = words("256");
