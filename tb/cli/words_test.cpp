@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
                                              "PositionBits=20"}));
 
-/// So that they outlast a stop; how far: QueueCover of tb/model.
+/// So that they outlast a stop; how far: PlannedBranches of tb/model.
 TEST(WordsOfShortQueues, AreFewer) {
     const ProgramRun program;
     program.write("part.ngc", "G21 G90 F30000\nG1 X50\nG3 X50 Y20 I0 J10\nG1 X0\nM2\n");

@@ -6,6 +6,7 @@
 
 #include "hls/words.hpp"
 #include "ref/feed/stop_branch.hpp"
+#include "ref/format/path_words.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/even_paths.hpp"
 #include "tb/support/hold_run.hpp"
@@ -110,6 +111,38 @@ TEST(PlannedBranches, OfRandomProgramsStopWithinTheLimits) {
         }
     }
     EXPECT_GT(looked_at, 80);
+}
+
+/// Fewest ticks that 3/4 of a queue hold, from any piece that is so far from the end.
+std::uint64_t least_cover(const Plan& plan, std::size_t queue) {
+    std::vector<std::size_t> words{0};
+    std::vector<std::uint64_t> ticks{0};
+    auto branch = plan.branches.begin();
+    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+        words.push_back(words.back() + ref::kProfileBusWords);
+        ticks.push_back(ticks.back() + plan.pieces[i].ticks);
+        if (branch == plan.branches.end() || branch->piece != i) continue;
+        words.back() += branch_words(*branch++);
+    }
+    std::uint64_t least = UINT64_MAX;
+    for (std::size_t from = 0, to = 0; from < words.size(); ++from) {
+        while (to + 1 < words.size() && words[to + 1] - words[from] <= queue * 3 / 4) ++to;
+        if (to + 1 == words.size()) break;
+        least = std::min(least, ticks[to] - ticks[from]);
+    }
+    return least;
+}
+
+TEST(PlannedBranches, LeaveAStopInTheQueue) {
+    for (const Curve& curve : curves()) {
+        for (const int queue : {512, 1024, 2048}) {
+            ref::PlanOptions options;
+            options.profile_queue_words = queue;
+            const Plan plan = make_plan(curve.program, curve.machine, options);
+            EXPECT_GE(least_cover(plan, static_cast<std::size_t>(queue)), plan.stop_ticks)
+                << curve.name << " " << queue;
+        }
+    }
 }
 
 TEST(PlannedBranches, GiveWayWhereTheQueueIsShort) {
