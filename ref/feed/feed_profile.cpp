@@ -121,19 +121,27 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     std::optional<PlannedWindow> best = std::move(rules);
     const std::size_t cut = best->cut;
     subject.options.effort = effort;
-    for (double worth = 1;; worth = kWithoutBranches, subject.options.holds = Holds::kBounds) {
+    // False: it was slowed for the queues, or could not be had.
+    const auto improve = [&](double worth) {
         Plan found = plan;
+        std::optional<PlannedWindow> optimum;
         try {
-            std::optional<PlannedWindow> optimum = plan_covered(subject, cut, found);
-            if (optimum && found.duration_s <= worth * plan.duration_s) {
-                plan = found;
-                best = std::move(optimum);
-            }
+            optimum = plan_covered(subject, cut, found);
         } catch (const InputError&) {
-            found.slowed_moves = 1;
+            return false;
         }
-        if (found.slowed_moves == 0 || !subject.options.has_branches()) return best;
+        const bool fits = found.slowed_moves == 0;
+        if (optimum && found.duration_s <= worth * plan.duration_s) {
+            plan = std::move(found);
+            best = std::move(optimum);
+        }
+        return fits;
+    };
+    if (!improve(1) && subject.options.has_branches()) {
+        subject.options.holds = Holds::kBounds;
+        improve(kWithoutBranches);
     }
+    return best;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ module paced_motion #(
     parameter int SampleInterval    = 8,
     parameter int MultiplierForm    = 0,
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
-    parameter int ProfileQueueWords = 256,   // [16, 4096], a power of two
+    parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int SamplesAhead      = 4      // [1, 15]
 ) (
     input wire logic clk_i,

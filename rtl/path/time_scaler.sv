@@ -90,6 +90,9 @@ module time_scaler (
 
   // The bounds on this side of 7/8
   localparam logic [16:0] FineFrom = 17'h0e000;
+  function automatic logic is_fine(input logic [16:0] rate);
+    is_fine = rate[16] || rate[15:13] == FineFrom[15:13];
+  endfunction
   logic fine_q;
   logic signed [35:0] a;
   logic signed [35:0] a2;
@@ -197,11 +200,11 @@ module time_scaler (
   logic        high;
   logic [16:0] aim;
   assign wish = room ? obeyed : target_q;
-  assign high = wish[16] || wish[15:13] == FineFrom[15:13];
+  assign high = is_fine(wish);
   assign aim  = high == fine_q ? wish : FineFrom;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) fine_q <= 1'b0;
-    else if (anew) fine_q <= target_q[16] || target_q[15:13] == FineFrom[15:13];
+    else if (anew) fine_q <= is_fine(target_q);
     else if (swap) fine_q <= !fine_q;
     if (anew) goal_q <= target_q;
     else if (change) goal_q <= aim;
