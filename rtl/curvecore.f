@@ -1,5 +1,6 @@
 arithmetic/digits_pkg.sv
 bus/registers_pkg.sv
+bus/slip_pkg.sv
 curvecore_pkg.sv
 network/anchor_pkg.sv
 network/spline_pkg.sv
@@ -29,11 +30,18 @@ arithmetic/multiplier_up5k.sv
 arithmetic/product_sum.sv
 arithmetic/step_scale.sv
 bus/axi_lite_port.sv
+bus/frame_buffer.sv
+bus/frame_port.sv
+bus/frame_reader.sv
 bus/machine_state.sv
 bus/paced_motion.sv
 bus/queue_room.sv
 bus/register_file.sv
+bus/serial_crc.sv
+bus/slip_receiver.sv
+bus/slip_sender.sv
 bus/spi_port.sv
+bus/uart_line.sv
 bus/wishbone_port.sv
 control/digit_source.sv
 control/local_copy.sv
@@ -47,6 +55,7 @@ control/word_digits.sv
 curve_interpolator.sv
 curve_interpolator_serial.sv
 hyperbola_interpolator.sv
+motion_board.sv
 motion_interpolator.sv
 motion_system.sv
 network/anchor_opening.sv

@@ -275,6 +275,7 @@ endforeach()
 illegal_parameter_test(register_file Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(register_file ScaleBits=57 "ScaleBits must be in .33, 56.")
 illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
+illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
 core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host

@@ -178,6 +178,11 @@
 #define CURVECORE_ROOM_PROFILE_LOW 16
 #define CURVECORE_ROOM_PROFILE_MASK 0xffff0000u
 
+/* Number of the next frame whose writes are obeyed: those behind a write of this number here, which makes it one more. Buses without frames only keep it. */
+#define CURVECORE_SEQUENCE 0x04c
+#define CURVECORE_SEQUENCE_FRAME_LOW 0
+#define CURVECORE_SEQUENCE_FRAME_MASK 0xffffffffu
+
 /* Low 32 bits of the next word; both addresses write the same. */
 #define CURVECORE_SEGMENT_LO 0x050
 #define CURVECORE_SEGMENT_LO_WORD_LOW 0
@@ -212,6 +217,11 @@
 #define CURVECORE_RATE 0x068
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu
+
+/* Sets SEQUENCE: a host takes a number that no frame under way has. */
+#define CURVECORE_SESSION 0x06c
+#define CURVECORE_SESSION_FRAME_LOW 0
+#define CURVECORE_SESSION_FRAME_MASK 0xffffffffu
 
 /* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100

@@ -23,6 +23,7 @@ package registers_pkg;
   localparam logic [6:0] Direction = 7'd16;
   localparam logic [6:0] Pins = 7'd17;
   localparam logic [6:0] Room = 7'd18;
+  localparam logic [6:0] Sequence = 7'd19;
   localparam logic [6:0] SegmentLo = 7'd20;
   localparam logic [6:0] SegmentHi = 7'd21;
   localparam logic [6:0] ProfileLo = 7'd22;
@@ -30,6 +31,7 @@ package registers_pkg;
   localparam logic [6:0] PathLo = 7'd24;
   localparam logic [6:0] PathHi = 7'd25;
   localparam logic [6:0] Rate = 7'd26;
+  localparam logic [6:0] Session = 7'd27;
 
   // Of axes: the first one's words, and how many each has
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -151,6 +153,8 @@ package registers_pkg;
   localparam int RoomSegmentBits = 16;
   localparam int RoomProfileLow = 16;
   localparam int RoomProfileBits = 16;
+  localparam int SequenceFrameLow = 0;
+  localparam int SequenceFrameBits = 32;
   localparam int SegmentLoWordLow = 0;
   localparam int SegmentLoWordBits = 32;
   localparam int SegmentHiWordLow = 0;
@@ -165,6 +169,8 @@ package registers_pkg;
   localparam int PathHiPathBits = 32;
   localparam int RateRateLow = 0;
   localparam int RateRateBits = 17;
+  localparam int SessionFrameLow = 0;
+  localparam int SessionFrameBits = 32;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleLoScaleBits = 32;
   localparam int ScaleHiScaleLow = 0;
@@ -192,6 +198,7 @@ package registers_pkg;
       Direction,
       Pins,
       Room,
+      Sequence,
       PathLo,
       PathHi,
       Rate:
@@ -215,10 +222,12 @@ package registers_pkg;
       Pulse,
       Direction,
       Pins,
+      Sequence,
       SegmentLo,
       SegmentHi,
       ProfileLo,
-      ProfileHi:
+      ProfileHi,
+      Session:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A bus port under Icarus, driven by a master that is not of this project:
 
-    run_bus.py axi_lite|wishbone ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
+    run_bus.py axi_lite|wishbone|spi|uart ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
 
-PORT_SOURCE takes the place of rtl/bus/<bus>_port.sv.
+PORT_SOURCE takes the place of the file of its bus.
 """
 
 import pathlib
@@ -16,16 +16,25 @@ from cocotb_tools.runner import get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
+FILES = {
+    "axi_lite": ["bus/axi_lite_port.sv"],
+    "wishbone": ["bus/wishbone_port.sv"],
+    "spi": ["bus/spi_port.sv", "pulse/synchroniser.sv"],
+    "uart": ["bus/frame_reader.sv", "bus/slip_pkg.sv", "bus/serial_crc.sv", "bus/slip_receiver.sv",
+             "bus/slip_sender.sv", "bus/frame_buffer.sv", "bus/frame_port.sv", "bus/uart_line.sv",
+             "pulse/synchroniser.sv"],
+}
 
 
 def main():
     bus, number, registers, folder = sys.argv[1:5]
-    port = sys.argv[5] if len(sys.argv) > 5 else RTL / f"bus/{bus}_port.sv"
+    first = FILES[bus][0]
+    port = sys.argv[5] if len(sys.argv) > 5 else RTL / first
     packages = [RTL / "queue/words_pkg.sv", RTL / "bus/registers_pkg.sv"]
     version = re.search(r"int Version = (\d+)", packages[0].read_text())[1]
     runner = get_runner("icarus")
-    runner.build(sources=[*packages, RTL / "bus/register_file.sv", port,
-                          RTL / "pulse/synchroniser.sv",
+    runner.build(sources=[*packages, *(RTL / file for file in FILES[bus][1:]),
+                          port, RTL / "bus/register_file.sv",
                           HERE / "bench_registers.sv", HERE / f"{bus}_bench.sv"],
                  hdl_toplevel=f"{bus}_bench", build_dir=folder, always=True,
                  build_args=["-g2012"], timescale=("1ns", "1ps"))

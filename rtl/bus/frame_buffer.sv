@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole frames: what arrived of a frame can be read when it has ended and is good, and is forgotten
+// otherwise. A frame has at most 2^8 - 1 bytes with its CRC; one that is longer or does not fit is
+// not good. What is read: its number of bytes without the CRC, then these.
+//
+//   clock        0     1
+//   next_i       1
+//   read_valid_o 1     0     the next byte, one clock later at best
+`default_nettype none
+module frame_buffer (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // What arrives: rtl/bus/slip_receiver.sv
+    input wire logic       data_valid_i,
+    input wire logic [7:0] data_i,
+    input wire logic       end_valid_i,
+    input wire logic       good_i,
+
+    // What is read
+    output logic            read_valid_o,
+    output logic      [7:0] read_o,
+    input  wire logic       next_i
+);
+
+  localparam int Log2 = 9;
+  localparam logic [7:0] CrcBytes = 8'd4;
+
+  // A ring: frames, each behind its number of bytes
+  logic [Log2-1:0] first_q;  // place for the number of bytes of the frame that arrives
+  logic [Log2-1:0] read_q;
+  logic [7:0] bytes_q;
+  logic lost_q;
+  logic full;
+  logic kept;
+  logic [Log2-1:0] write_at;
+  logic [7:0] write_data;
+  logic write;
+  assign write_at = first_q + (end_valid_i ? '0 : Log2'(bytes_q) + 1'b1);
+  assign full = bytes_q == '1 || write_at + 1'b1 == read_q;
+  assign kept = end_valid_i && good_i && !lost_q && bytes_q > CrcBytes;
+  assign write = data_valid_i && !full || kept;
+  assign write_data = end_valid_i ? bytes_q - CrcBytes : data_i;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      first_q <= '0;
+      bytes_q <= '0;
+      lost_q  <= 1'b0;
+    end else if (end_valid_i) begin
+      if (kept) first_q <= first_q + Log2'(write_data) + 1'b1;
+      bytes_q <= '0;
+      lost_q  <= 1'b0;
+    end else if (data_valid_i) begin
+      if (full) lost_q <= 1'b1;
+      else bytes_q <= bytes_q + 1'b1;
+    end
+  end
+
+  (* no_rw_check *)
+  logic [7:0] memory[2**Log2];
+  logic there_q;
+  always_ff @(posedge clk_i) begin
+    if (write) memory[write_at] <= write_data;
+    read_o <= memory[read_q];
+    if (!rst_ni) begin
+      read_q  <= '0;
+      there_q <= 1'b0;
+    end else begin
+      if (read_valid_o && next_i) read_q <= read_q + 1'b1;
+      there_q <= read_q != first_q && !(read_valid_o && next_i);
+    end
+  end
+  assign read_valid_o = there_q;
+
+endmodule
+`default_nettype wire

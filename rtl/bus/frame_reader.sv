@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Accesses to registers out of frames: commands of LBP16 (Mesa's, of its space 0), low byte first.
+//
+//   command   2 bytes: 15 write, 14 an address follows, 13:10 zero, 9:8 width, 7 increment,
+//             6:0 number
+//   address   2 bytes, of a word, in bytes; without it those words that follow the last ones
+//   data      of a write
+//
+// Width 2: words of 32 bits. Width 3: pairs of words, the low one first, at an address that is a
+// multiple of 8. With the increment each goes to the next address, otherwise all to the same one.
+//
+// Writes are obeyed behind a write of SEQUENCE that says the board's number, which is one more from
+// then on; so a frame that begins with its number is obeyed once and in order, however often it
+// comes, and its reads are answered always. SESSION sets the number.
+//
+// What is not such a command ends its frame, with an access that the registers refuse.
+`default_nettype none
+module frame_reader (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Frames: rtl/bus/frame_buffer.sv
+    input  wire logic       read_valid_i,
+    input  wire logic [7:0] read_i,
+    output logic            next_o,
+
+    // Answers: rtl/bus/slip_sender.sv
+    output logic            data_valid_o,
+    output logic      [7:0] data_o,
+    output logic            close_o,
+    input  wire logic       ready_i,
+
+    // Requests: rtl/bus/register_file.sv
+    output logic             valid_o,
+    output logic             write_o,
+    output logic      [ 6:0] word_o,
+    output logic      [31:0] data32_o,
+    input  wire logic        done_i,
+    input  wire logic [31:0] data32_i
+);
+
+  typedef enum logic [3:0] {
+    Length,
+    CommandLow,
+    CommandHigh,
+    AddressLow,
+    AddressHigh,
+    Data,
+    Access,
+    Answer,
+    Refuse,
+    Finish
+  } state_t;
+  state_t state_q;
+
+  // Bytes
+  logic [7:0] left_q;  // of the frame
+  logic last;
+  logic [7:0] low_q;  // the one before
+  logic takes;
+  assign last = left_q == '0;
+  always_comb begin
+    case (state_q)
+      Length: takes = 1'b1;
+      Data: takes = write_o && words_q != '0 && !last;
+      CommandLow, CommandHigh, AddressLow, AddressHigh, Refuse: takes = !last;
+      default: takes = 1'b0;
+    endcase
+  end
+  assign next_o = takes && read_valid_i;
+  always_ff @(posedge clk_i) begin
+    if (next_o) low_q <= read_i;
+    if (next_o) left_q <= (state_q == Length) ? read_i : left_q - 1'b1;
+  end
+
+  // The command
+  logic pair_q;
+  logic increment_q;
+  logic [7:0] words_q;  // to come
+  logic [1:0] part_q;  // of a word
+  logic known;  // a command whose high byte is read
+  logic aligned;  // an address
+  assign known   = read_i[5:1] == 5'b00001;
+  assign aligned = read_i[7:1] == '0 && low_q[1:0] == '0 && !(pair_q && low_q[2]);
+
+  // The access, and which frames are obeyed
+  logic [31:0] word_q;  // to write, or read
+  logic [31:0] sequence_q;
+  logic obeyed_q;
+  logic is_sequence;
+  logic is_next;
+  logic asks;
+  logic accessed;
+  logic answers;
+  logic done;  // with a word
+  assign is_sequence = word_o == registers_pkg::Sequence;
+  assign is_next     = word_q == sequence_q;
+  assign asks        = !is_sequence && (!write_o || obeyed_q);
+  assign accessed    = state_q == Access && (!asks || done_i);
+  assign answers     = state_q == Answer && ready_i;
+  assign done        = write_o ? accessed : answers && part_q == '1;
+  assign valid_o     = state_q == Access && asks;
+  assign data32_o    = word_q;
+
+  // Answers
+  logic answered_q;
+  assign data_valid_o = state_q == Answer;
+  assign data_o       = word_q[7:0];
+  assign close_o      = state_q == Finish && answered_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      state_q <= Length;
+    end else begin
+      case (state_q)
+        Length:  if (next_o) state_q <= CommandLow;
+        CommandLow: begin
+          if (last) state_q <= Finish;
+          else if (next_o) state_q <= CommandHigh;
+        end
+        CommandHigh: begin
+          if (last || (next_o && !known)) state_q <= Refuse;
+          else if (next_o) state_q <= read_i[6] ? AddressLow : Data;
+        end
+        AddressLow: begin
+          if (last) state_q <= Refuse;
+          else if (next_o) state_q <= AddressHigh;
+        end
+        AddressHigh: begin
+          if (last || (next_o && !aligned)) state_q <= Refuse;
+          else if (next_o) state_q <= Data;
+        end
+        Data: begin
+          if (words_q == '0) state_q <= CommandLow;
+          else if (!write_o || (next_o && part_q == '1)) state_q <= Access;
+          else if (last) state_q <= Refuse;
+        end
+        Access:  if (accessed) state_q <= write_o ? Data : Answer;
+        Answer:  if (done) state_q <= Data;
+        Refuse:  if (last) state_q <= Access;
+        default: if (!answered_q || ready_i) state_q <= Length;
+      endcase
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (state_q == Length) {obeyed_q, answered_q} <= '0;
+    if (state_q == Length || state_q == CommandLow) part_q <= '0;
+    else if (answers || (state_q == Data && next_o)) part_q <= part_q + 1'b1;
+
+    if (state_q == CommandHigh && next_o) begin
+      write_o     <= read_i[7];
+      pair_q      <= read_i[0];
+      increment_q <= low_q[7];
+      words_q     <= read_i[0] ? {low_q[6:0], 1'b0} : {1'b0, low_q[6:0]};
+    end
+    if (state_q == AddressHigh && next_o) word_o <= {read_i[0], low_q[7:2]};
+    if (state_q == Refuse) begin  // what cannot be written
+      write_o  <= 1'b1;
+      word_o   <= registers_pkg::Id;
+      words_q  <= 8'd1;
+      obeyed_q <= 1'b1;
+    end
+    if (done) begin
+      words_q <= words_q - 1'b1;
+      word_o  <= increment_q ? word_o + 1'b1 : word_o ^ {6'd0, pair_q};
+    end
+
+    if (state_q == Data && next_o) word_q <= {read_i, word_q[31:8]};
+    else if (accessed && !write_o) word_q <= is_sequence ? sequence_q : data32_i;
+    else if (answers) word_q <= word_q >> 8;
+    if (answers) answered_q <= 1'b1;
+
+    if (!rst_ni) sequence_q <= '0;
+    else if (accessed && write_o && is_sequence) begin
+      obeyed_q <= is_next;
+      if (is_next) sequence_q <= sequence_q + 1'b1;
+    end else if (accessed && write_o && obeyed_q && word_o == registers_pkg::Session) begin
+      sequence_q <= word_q;
+    end
+  end
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// motion_system behind a stream of bytes: frames in, answers out (rtl/bus/frame_port.sv). What
+// carries the bytes is the board's: rtl/bus/uart_line.sv, a FIFO, a socket.
+`default_nettype none
+module motion_board #(
+    parameter int Build             = 1,     // 0 parallel, 1 serial
+    parameter int Order             = 6,     // [2, 12]
+    parameter int CoefBits          = 36,    // [18, 36]
+    parameter int PositionBits      = 32,    // [16, 32]
+    parameter int GuardBits         = 10,    // [2, 12]
+    parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Splines           = 1,     // 0, 1
+    parameter int Mode              = 1,     // 0 series, 1 polynomial
+    parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
+    parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
+    parameter int ScaleBits         = 44,    // [40, 56]
+    parameter int PeriodLog2        = 13,    // [6, 20]
+    parameter int TimeBits          = 12,    // [4, 16]
+    parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int ClockHertz        = 0      // for CLOCK
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Bytes
+    input  wire logic       byte_valid_i,
+    output logic            byte_ready_o,
+    input  wire logic [7:0] byte_i,
+    output logic            byte_valid_o,
+    input  wire logic       byte_ready_i,
+    output logic      [7:0] byte_o,
+
+    // Pins: rtl/motion_system.sv
+    input  wire logic                 estop_i,
+    input  wire logic [3+AuxAxes-1:0] limit_i,
+    output logic      [3+AuxAxes-1:0] step_o,
+    output logic      [3+AuxAxes-1:0] direction_o,
+    output logic                      enable_o
+);
+
+  logic valid;
+  logic write;
+  logic [6:0] word;
+  logic [31:0] data;
+  logic done;
+  logic [31:0] answer;
+  frame_port u_frames (
+      .clk_i,
+      .rst_ni,
+      .byte_valid_i,
+      .byte_ready_o,
+      .byte_i,
+      .byte_valid_o,
+      .byte_ready_i,
+      .byte_o,
+      .valid_o(valid),
+      .write_o(write),
+      .word_o (word),
+      .data_o (data),
+      .done_i (done),
+      .data_i (answer)
+  );
+  logic unused_error;
+  motion_system #(
+      .Build(Build),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Splines(Splines),
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .MultiplierForm(MultiplierForm),
+      .SegmentQueueWords(SegmentQueueWords),
+      .ProfileQueueWords(ProfileQueueWords),
+      .ScaleBits(ScaleBits),
+      .PeriodLog2(PeriodLog2),
+      .TimeBits(TimeBits),
+      .SamplesAhead(SamplesAhead),
+      .ClockHertz(ClockHertz)
+  ) u_system (
+      .clk_i,
+      .rst_ni,
+      .valid_i(valid),
+      .write_i(write),
+      .word_i (word),
+      .data_i (data),
+      .done_o (done),
+      .error_o(unused_error),
+      .data_o (answer),
+      .estop_i,
+      .limit_i,
+      .step_o,
+      .direction_o,
+      .enable_o
+  );
+
+endmodule
+`default_nettype wire
