@@ -57,8 +57,10 @@ for bench in build/release/tb/step_pins_*; do
   CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps,"
 done
 CURVECORE_PART=demo.ngc build/release/tb/motion_steps_serial | grep "steps$"
-CURVECORE_PART=demo.ngc build/release/tb/motion_system_serial --gtest_filter=*.Draws* |
-  grep "clocks$"
+for form in serial flat; do
+  CURVECORE_PART=demo.ngc build/release/tb/motion_system_$form --gtest_filter=*.Draws* |
+    grep "clocks$"
+done
 # 20,000 accesses by others' masters on each bus.
 for bus in axi_lite wishbone spi; do
   mkdir -p build/campaign/$bus

@@ -103,8 +103,8 @@ illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 
-# The cores: of each every legal pair of values stands in configurations.csv
-# (lint/configurations.py says of which classes).
+# The cores: of each every legal pair of values stands in configurations.csv in the short form
+# (lint/configurations.py says of which classes); the flat form is scripts/flat.sh's file.
 option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
 foreach(bench spherical_interpolator spherical_interpolator_serial curve_interpolator_serial
               spline_interpolator curve_interpolator empty_segments)
@@ -168,6 +168,8 @@ foreach(size 2,18 6,36 7,29 12,33)
   core_test(sine_cosine_interpolator p${order}_w${bits} TOP sine_cosine_interpolator
             PARAMS Order=${order} CoefBits=${bits})
 endforeach()
+core_test(sine_cosine_interpolator flat TOP sine_cosine_interpolator PARAMS Order=6 CoefBits=36
+          FLAT)
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
 # The hyperbola: order, word length, anchor, form.
@@ -177,6 +179,8 @@ foreach(size 2,18,1,0 6,36,1,0 6,36,1,1 7,29,1,0 12,33,1,1 2,36,0,1 6,36,0,0 5,1
             TOP hyperbola_interpolator
             PARAMS Order=${order} CoefBits=${bits} Anchor=${anchor} MultiplierForm=${form})
 endforeach()
+core_test(hyperbola_interpolator flat TOP hyperbola_interpolator
+          PARAMS Order=6 CoefBits=36 Anchor=1 MultiplierForm=0 FLAT)
 illegal_parameter_test(hyperbola_interpolator Order=1 "Order must be in .2, 12.")
 illegal_parameter_test(hyperbola_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
 illegal_parameter_test(hyperbola_interpolator Anchor=2 "Anchor must be 0 or 1")
@@ -278,8 +282,14 @@ illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
 illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
-core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host
-          PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
-                 ClockHertz=2560000)
-target_compile_definitions(motion_system_serial
-                           PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
+set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
+                  ClockHertz=2560000)
+core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${system})
+# The same beside its flat file, clock by clock.
+verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${system})
+core_test(motion_system flat TOP motion_system LIBRARIES curvecore_host flat_motion_system
+          ${system})
+target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
+foreach(test motion_system_serial motion_system_flat)
+  target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
+endforeach()

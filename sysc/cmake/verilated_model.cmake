@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # verilated_model(<target> TOP <module> [PREFIX V<module>] [TRACE] [PARAMS Name=Value ...]
-#                 [SOURCES <file or flag> ...])
+#                 [SOURCES <file or flag> ...] [FLAT])
 # A library: one module as a C++ class PREFIX in PREFIX.h.  Verilator runs at build time, and again
 # only when a source that this model reads has changed (it writes the dependency file).
+# FLAT: of the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
@@ -31,15 +32,30 @@ find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
 function(verilated_model target)
-  cmake_parse_arguments(ARG "TRACE" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "TRACE;FLAT" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
   if(NOT ARG_PREFIX)
     set(ARG_PREFIX V${ARG_TOP})
   endif()
   rtl_file(${ARG_TOP} top_file)
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/model/${target})
   set(archive ${dir}/${ARG_PREFIX}__ALL.a)
-  list(TRANSFORM ARG_PARAMS PREPEND -G)
-  set(flags --top-module ${ARG_TOP} --prefix ${ARG_PREFIX} ${ARG_PARAMS} ${RTL_SEARCH})
+  set(flags --top-module ${ARG_TOP} --prefix ${ARG_PREFIX})
+  set(flat "")
+  if(ARG_FLAT)
+    set(flat ${dir}/${ARG_TOP}.v)
+    add_custom_command(
+      OUTPUT ${flat}
+      COMMAND ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${ARG_TOP} ${ARG_PARAMS} -o ${flat}
+      DEPENDS ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${RTL_PACKAGES} ${RTL_MODULES}
+      VERBATIM)
+    set(sources ${flat})
+    # Words of the levels of a hierarchy become one, of which a part may depend on another.
+    list(APPEND flags --language 1364-2005 -Wno-lint -Wno-UNOPTFLAT)
+  else()
+    list(TRANSFORM ARG_PARAMS PREPEND -G)
+    list(APPEND flags ${ARG_PARAMS} ${RTL_SEARCH})
+    set(sources ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file})
+  endif()
   if(ARG_TRACE)
     list(APPEND flags --trace-fst)
   endif()
@@ -52,8 +68,8 @@ function(verilated_model target)
     COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}"
             "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
             ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
-            ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file}
-    DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh
+            ${sources}
+    DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${flat}
     DEPFILE ${dir}/model.d
     COMMENT "Verilating ${target}"
     VERBATIM COMMAND_EXPAND_LISTS)

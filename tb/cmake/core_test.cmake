@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
-#           [LIBRARIES target ...])
+#           [LIBRARIES target ...] [FLAT])
 # builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
 # unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
-# reaches the test as CFG_Name.
+# reaches the test as CFG_Name.  FLAT: the model is made of scripts/flat.sh's file.
 #
 # core_test(<bench> <configuration> TOP <module> PORTS curve|motion [PARAMS ...] [SOURCES ...])
 # the same for a bench of any widths, compiled once: bench_objects(<bench>).
@@ -45,12 +45,16 @@ function(core_bench target bench)
 endfunction()
 
 function(core_test test configuration)
-  cmake_parse_arguments(ARG "" "TOP;PORTS" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "FLAT" "TOP;PORTS" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
   set(target ${test}_${configuration})
   # Tests of one module in one configuration share the model.
-  string(REGEX REPLACE "[=;]" "_" model "${ARG_TOP};${ARG_PARAMS};model")
+  set(flat "")
+  if(ARG_FLAT)
+    set(flat FLAT)
+  endif()
+  string(REGEX REPLACE "[=;]" "_" model "${ARG_TOP};${ARG_PARAMS};${flat}model")
   if(NOT TARGET ${model})
-    verilated_model(${model} TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES})
+    verilated_model(${model} TOP ${ARG_TOP} PARAMS ${ARG_PARAMS} SOURCES ${ARG_SOURCES} ${flat})
   endif()
   if(ARG_PORTS)
     core_bench(${target} ${test} MODEL ${model} TOP ${ARG_TOP} PORTS ${ARG_PORTS}
@@ -70,7 +74,8 @@ endfunction()
 
 # core_tests(<bench> TOP <module> PORTS curve|motion [PARAMS Name=Value ...])
 # A core_test for every row of the bench in configurations.csv, of the long form with
-# CURVECORE_FULL_CAMPAIGN too; it is called by its values, each after its name's capitals.
+# CURVECORE_FULL_CAMPAIGN too; it is called by its values, each after its name's capitals, of the
+# flat form by "flat" before them.
 set(table ${CMAKE_CURRENT_SOURCE_DIR}/configurations.csv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${table})
 file(STRINGS ${table} core_rows)
@@ -78,9 +83,9 @@ list(POP_FRONT core_rows core_columns)
 string(REPLACE "," ";" core_columns ${core_columns})
 function(core_tests bench)
   cmake_parse_arguments(ARG "" "TOP;PORTS" "PARAMS" ${ARGN})
-  set(form short)
+  set(form "short|flat")
   if(CURVECORE_FULL_CAMPAIGN)
-    set(form "short|long")
+    set(form "short|flat|long")
   endif()
   set(rows ${core_rows})
   list(FILTER rows INCLUDE REGEX "^${bench},(${form}),")
@@ -88,6 +93,11 @@ function(core_tests bench)
     string(REPLACE "," ";" values ${row})
     set(params ${ARG_PARAMS})
     set(name "")
+    set(flat "")
+    if(row MATCHES "^${bench},flat,")
+      set(name flat)
+      set(flat FLAT)
+    endif()
     foreach(column value IN ZIP_LISTS core_columns values)
       if(value MATCHES "^[0-9]+$")
         list(APPEND params ${column}=${value})
@@ -97,7 +107,7 @@ function(core_tests bench)
     endforeach()
     list(JOIN name _ name)
     string(TOLOWER ${name} name)
-    core_test(${bench} ${name} TOP ${ARG_TOP} PORTS ${ARG_PORTS} PARAMS ${params})
+    core_test(${bench} ${name} TOP ${ARG_TOP} PORTS ${ARG_PORTS} PARAMS ${params} ${flat})
   endforeach()
 endfunction()
 

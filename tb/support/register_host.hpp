@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A host of motion_system: it knows the registers alone (hls/registers/registers.h). A drive at
-// every axis' pins watches, on every clock.
+// every axis' pins watches, on every clock. With FLAT_TWIN the flat file runs beside the sources.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,6 +17,9 @@
 #include "sysc/host/feeder.hpp"
 #include "sysc/host/job.hpp"
 #include "tb/support/pulse_monitor.hpp"
+#ifdef FLAT_TWIN
+#include "tb/support/flat_twin.hpp"
+#endif
 
 namespace curvecore::tb {
 
@@ -87,6 +90,9 @@ class RegisterHost {
     void clock() {
         dut_.tick();
         ++clock_;
+#ifdef FLAT_TWIN
+        twin_.follow(*dut_, clock_);
+#endif
         for (int a = 0; a < kSystemAxes; ++a) {
             drives_[a].watch(clock_, dut_->step_o >> a & 1, dut_->direction_o >> a & 1);
         }
@@ -199,6 +205,9 @@ class RegisterHost {
     }
 
     sysc::ClockedDut<Vmotion_system> dut_;
+#ifdef FLAT_TWIN
+    FlatTwin twin_;
+#endif
     std::vector<PulseMonitor> drives_;
     int64_t clock_ = 0;
     bool first_ = true;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// motion_system made of scripts/flat.sh's file: it gets what the sources get, and must give what
+// they give, on every clock.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "Vflat_motion_system.h"
+#include "Vmotion_system.h"
+#include "sysc/board/clocked_dut.hpp"
+
+namespace curvecore::tb {
+
+class FlatTwin {
+  public:
+    FlatTwin() {
+        dut_.limit_cycles(UINT64_MAX);
+        dut_->valid_i = 0;
+        dut_->estop_i = 0;
+        dut_->limit_i = 0;
+        dut_.reset();
+    }
+
+    /// One clock, after which both have had the same.
+    void follow(const Vmotion_system& source, int64_t clock) {
+        dut_->rst_ni = source.rst_ni;
+        dut_->valid_i = source.valid_i;
+        dut_->write_i = source.write_i;
+        dut_->word_i = source.word_i;
+        dut_->data_i = source.data_i;
+        dut_->estop_i = source.estop_i;
+        dut_->limit_i = source.limit_i;
+        dut_.tick();
+        const bool reads = source.done_o && !source.error_o && !source.write_i;
+        const bool equal =
+            dut_->done_o == source.done_o && (!source.done_o || dut_->error_o == source.error_o) &&
+            (!reads || dut_->data_o == source.data_o) && dut_->step_o == source.step_o &&
+            dut_->direction_o == source.direction_o && dut_->enable_o == source.enable_o;
+        if (!equal && !testing::Test::HasFailure()) ADD_FAILURE() << "differs at clock " << clock;
+    }
+
+  private:
+    sysc::ClockedDut<Vflat_motion_system> dut_;
+};
+
+}  // namespace curvecore::tb
