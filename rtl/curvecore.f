@@ -8,6 +8,7 @@ node/riemann_pkg.sv
 node/scaler_pkg.sv
 node/series_pkg.sv
 path/path_control_pkg.sv
+path/time_control_pkg.sv
 pulse/pulse_pkg.sv
 queue/words_pkg.sv
 sampler/bank_pkg.sv
@@ -99,7 +100,10 @@ path/standstill.sv
 path/stop_memory.sv
 path/stop_taker.sv
 path/tau_shift.sv
+path/time_datapath.sv
 path/time_scaler.sv
+path/time_scaler_serial.sv
+path/time_sequencer.sv
 path/underrun_guard.sv
 path/word_streams.sv
 pulse/place_scaler.sv

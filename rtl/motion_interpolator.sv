@@ -15,7 +15,7 @@
 // run; they are reported when a program waits for them, and so is a change while one is under way.
 //
 //   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
-//   request to path increment, clocks    about 60 (Build 1: 40 to 220); to sample: plus the core's
+//   request to path increment, clocks    about 60 (Build 1: 60 to 270); to sample: plus the core's
 //   tick of time to tick, clocks         SampleInterval (Build 1: kSerialTickClocks, at most)
 //
 // A reset empties the queues.
@@ -191,7 +191,8 @@ module motion_interpolator #(
   logic [16:0] rate;
   logic held;
   rate_generator #(
-      .Room(Room)
+      .Build(Build),
+      .Room (Room)
   ) u_rate (
       .clk_i,
       .rst_ni(rst_n),

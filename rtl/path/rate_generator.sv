@@ -9,7 +9,8 @@
 // is 0. Twin: TimeScaler of hls/time_scaler.hpp.
 `default_nettype none
 module rate_generator #(
-    parameter int Room = 64  // [8, 128] samples between request and sent_i
+    parameter int Build = 0,  // 0 parallel, 1 serial
+    parameter int Room  = 64  // [8, 128] samples between request and sent_i
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -131,25 +132,47 @@ module rate_generator #(
   logic [16:0] scaled;
   logic scaled_held;
   logic scaled_still;
-  time_scaler u_scaler (
-      .clk_i,
-      .rst_ni(rst_ni && !restart),
-      .acceleration_i(hold_acceleration),
-      .slope_i(hold_slope),
-      .valid_i(next_valid),
-      .ready_o(next_ready),
-      .target_i(next_target),
-      .next_wait_i,
-      .step_valid_i,
-      .step_ready_o,
-      .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
-      .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
-      .step_last_i(step_i[words_pkg::StepLastLow]),
-      .valid_o(scaled_valid),
-      .rate_o(scaled),
-      .held_o(scaled_held),
-      .still_o(scaled_still)
-  );
+  if (Build == 0) begin : g_parallel
+    time_scaler u_scaler (
+        .clk_i,
+        .rst_ni(rst_ni && !restart),
+        .acceleration_i(hold_acceleration),
+        .slope_i(hold_slope),
+        .valid_i(next_valid),
+        .ready_o(next_ready),
+        .target_i(next_target),
+        .next_wait_i,
+        .step_valid_i,
+        .step_ready_o,
+        .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
+        .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
+        .step_last_i(step_i[words_pkg::StepLastLow]),
+        .valid_o(scaled_valid),
+        .rate_o(scaled),
+        .held_o(scaled_held),
+        .still_o(scaled_still)
+    );
+  end else begin : g_serial
+    time_scaler_serial u_scaler (
+        .clk_i,
+        .rst_ni(rst_ni && !restart),
+        .acceleration_i(hold_acceleration),
+        .slope_i(hold_slope),
+        .valid_i(next_valid),
+        .ready_o(next_ready),
+        .target_i(next_target),
+        .next_wait_i,
+        .step_valid_i,
+        .step_ready_o,
+        .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
+        .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
+        .step_last_i(step_i[words_pkg::StepLastLow]),
+        .valid_o(scaled_valid),
+        .rate_o(scaled),
+        .held_o(scaled_held),
+        .still_o(scaled_still)
+    );
+  end
 
   standstill u_standstill (
       .clk_i,

@@ -44,7 +44,6 @@ module stop_taker (
   logic stopping_q;
   logic new_step;
   logic [10:0] left_q;  // ticks of the present step
-  logic [31:0] change_q;
   logic last_q;
   logic [10:0] left;
   logic ends;
@@ -76,12 +75,11 @@ module stop_taker (
     if (taken_o) begin
       left_q <= stopping_o ? left : '0;
       if (stopping_o && new_step) begin
-        change_q <= step_change_i;
+        change_o <= step_change_i;
         last_q   <= step_last_i;
       end
-      stop_o   <= stopping_o;
-      ends_o   <= ends;
-      change_o <= new_step ? step_change_i : change_q;
+      stop_o <= stopping_o;
+      ends_o <= ends;
     end
   end
 

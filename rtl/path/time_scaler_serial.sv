@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/path/time_scaler.sv for the serial build: the same ports and the same rates, one tick after
+// the other, by the program of rtl/path/time_sequencer.sv on one adder.
+//
+//   clock      0        n
+//   valid_i    1
+//   ready_o    1        1    at the latest, but for steps that are not there yet
+//   target_i   target
+//   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp
+//   rate_o              rate
+//   held_o              target is 0
+//
+// The bounds stand still while ticks come.
+`default_nettype none
+module time_scaler_serial (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Bounds, in 2^-32 per tick
+    input wire logic [31:0] acceleration_i,  // [8, 2^31]
+    input wire logic [32:0] slope_i,         // [acceleration_i, 2^32]
+
+    input  wire logic        valid_i,
+    output logic             ready_o,
+    input  wire logic [16:0] target_i, // 16 fraction bits, up to 1
+
+    // Of target_i: a stop branch begins here; for how long a stop waits for the next one, or 0
+    input  wire logic [19:0] next_wait_i,
+    input  wire logic        step_valid_i,
+    output logic             step_ready_o,
+    input  wire logic [10:0] step_ticks_i,   // [1, 2047]
+    input  wire logic [31:0] step_change_i,  // of the slope, each tick
+    input  wire logic        step_last_i,
+
+    output logic        valid_o,
+    output logic [16:0] rate_o,
+    output logic        held_o,
+    output logic        still_o   // the rate rests at 0, and does until a target is not 0
+);
+
+  // The tick at hand
+  logic room;
+  logic takes;
+  logic one_q;  // before it the rate rests on 1, again
+  logic [16:0] obeyed;
+  logic stops;
+  logic ends;
+  logic [31:0] change;
+  logic unused;
+  stop_taker u_stop (
+      .clk_i,
+      .rst_ni,
+      .valid_i,
+      .room_i(room),
+      .ready_o,
+      .taken_o(takes),
+      .one_i(one_q),
+      .target_i,
+      .obeyed_o(obeyed),
+      .stopping_o(unused),
+      .next_wait_i,
+      .step_valid_i,
+      .step_ready_o,
+      .step_ticks_i,
+      .step_change_i,
+      .step_last_i,
+      .stop_o(stops),
+      .ends_o(ends),
+      .change_o(change)
+  );
+
+  logic fresh_q;  // no tick came yet
+  logic first_q;
+  logic same_q;  // its target is that of the tick before
+  logic [16:0] target_q;
+  logic rests;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      fresh_q <= 1'b1;
+      one_q   <= 1'b0;
+    end else begin
+      if (takes) fresh_q <= 1'b0;
+      if (takes) one_q <= 1'b0;
+      else if (rests) one_q <= same_q && target_q[16];
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (takes) begin
+      first_q  <= fresh_q;
+      same_q   <= obeyed == target_q && !fresh_q;
+      target_q <= obeyed;
+      held_o   <= target_i == '0;
+    end
+  end
+
+  localparam logic [16:0] FineFrom = 17'h0e000;
+  logic high;
+  logic border;
+  logic [16:0] goal;
+  assign high = target_q[16] || target_q[15:13] == FineFrom[15:13];
+  assign goal = border ? FineFrom : target_q;
+
+  logic [time_control_pkg::Bits-1:0] control;
+  logic fine;
+  logic zero;
+  logic moves;
+  logic [35:0] sum;
+  time_sequencer u_sequencer (
+      .clk_i,
+      .rst_ni,
+      .ready_o(room),
+      .tick_i(takes),
+      .first_i(first_q),
+      .stops_i(stops),
+      .ends_i(ends),
+      .high_i(high),
+      .sent_o(valid_o),
+      .control_o(control),
+      .fine_o(fine),
+      .border_o(border),
+      .negative_i(sum[35]),
+      .zero_i(zero),
+      .rests_o(rests),
+      .moves_o(moves)
+  );
+
+  time_datapath u_datapath (
+      .clk_i,
+      .rst_ni,
+      .control_i(control),
+      .fine_i(fine),
+      .sum_o(sum),
+      .zero_o(zero),
+      .acceleration_i,
+      .slope_i,
+      .goal_i(goal),
+      .change_i(change)
+  );
+
+  // In a stop below 1, whatever its steps.
+  logic stopping;
+  assign stopping = stops && !ends;
+  assign rate_o   = stopping ? {1'b0, sum[34:19] | {16{sum[35]}}} : fine ? sum[35:19] : sum[32:16];
+  assign still_o  = held_o && zero && !moves && !stopping;
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/path/time_sequencer.sv, whatever the datapath's sum is: every tick that comes gives one rate,
+// one after the other, within its clocks; the sum is 0 when the next one comes, and nothing is
+// written between them. The sum may be anything, but a way that was turned is ahead and not 0.
+// control: LOSES_TICK s/ready_o  = .*;/ready_o = 1'b1;/
+// control: TWICE s/{Clear, Always, Wait}/{Clear, Always, Out}/
+// control: NO_RATE s/{write(StopSlope), Always, KeepRate}/{write(StopSlope), Always, Wait}/
+// control: SWAPS_ON s/(border_o \&\& zero_i)/zero_i/
+// control: KEEPS_SUM s/{Clear, Always, Wait}/{write(Way), Always, Wait}/
+// control: NO_RESET s/state_q <= Start/state_q <= state_q/
+`default_nettype none
+module time_sequencer_formal (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+    input wire logic tick_i,
+    input wire logic first_i,
+    input wire logic stops_i,
+    input wire logic ends_i,
+    input wire logic high_i,
+    input wire logic negative_i,
+    input wire logic zero_i
+);
+
+  localparam int Most = 48;  // kSerialScaleClocks
+
+  logic ready;
+  logic sent;
+  logic [time_control_pkg::Bits-1:0] control;
+  logic fine;
+  logic border;
+  logic rests;
+  logic moves;
+  time_sequencer u_dut (
+      .clk_i,
+      .rst_ni,
+      .ready_o(ready),
+      .tick_i(tick_i && ready),
+      .first_i,
+      .stops_i,
+      .ends_i,
+      .high_i,
+      .sent_o(sent),
+      .control_o(control),
+      .fine_o(fine),
+      .border_o(border),
+      .negative_i,
+      .zero_i,
+      .rests_o(rests),
+      .moves_o(moves)
+  );
+  logic unused;
+  assign unused = ^{fine, border, rests, moves};
+
+  logic started_q = 1'b0;
+  logic owed_q;  // a tick came that gave no rate yet
+  logic empty_q;  // the sum is 0
+  logic [5:0] clocks_q;
+  logic kept_high_q;
+  logic mirrors;  // the rate is turned: the way's sign counts 5 clocks later, that it is 0 after 7
+  logic [6:0] mirrors_q;
+  assign mirrors = empty_q && control[time_control_pkg::Read+:4] == 4'd0 &&
+      control[time_control_pkg::Minus];
+  always_ff @(posedge clk_i) begin
+    started_q   <= 1'b1;
+    kept_high_q <= high_i;
+    mirrors_q   <= {mirrors_q[5:0], mirrors};
+    if (!rst_ni || control[time_control_pkg::Clear]) empty_q <= 1'b1;
+    else if (control[time_control_pkg::Add]) empty_q <= 1'b0;
+    if (!rst_ni) begin
+      owed_q    <= 1'b0;
+      clocks_q  <= '0;
+      mirrors_q <= '0;
+    end else begin
+      if (tick_i && ready) owed_q <= 1'b1;
+      else if (sent) owed_q <= 1'b0;
+      clocks_q <= owed_q ? clocks_q + 1'b1 : '0;
+    end
+  end
+
+  always_comb begin
+    if (!started_q) begin
+      assume (!rst_ni);
+    end else if (rst_ni) begin
+      if (owed_q && clocks_q != '0) assume (high_i == kept_high_q);
+      assume (!(negative_i && zero_i));
+      if (mirrors_q[4]) assume (!negative_i);
+      if (mirrors_q[6]) assume (!zero_i);
+
+      if (ready) OneAtATime : assert (!owed_q);
+      if (ready) Begins : assert (empty_q);
+      if (ready) Keeps : assert (!control[time_control_pkg::Store]);
+      if (sent) RatePerTick : assert (owed_q);
+      InTime : assert (clocks_q < 6'(Most));
+
+      Sends : cover (sent && stops_i);
+      Longest : cover (clocks_q == 6'(Most - 1));
+    end
+  end
+
+endmodule
+`default_nettype wire
