@@ -162,7 +162,7 @@
 #define CURVECORE_DIRECTION_DIRHOLD_LOW 16
 #define CURVECORE_DIRECTION_DIRHOLD_MASK 0xffff0000u
 
-/* Pins, bit n of each field is axis n. */
+/* Pins, bit n of each field is axis n. A write that changes a polarity is refused while STATE.enabled. */
 #define CURVECORE_PINS 0x044
 #define CURVECORE_PINS_STEP_INVERTED_LOW 0
 #define CURVECORE_PINS_STEP_INVERTED_MASK 0x000001ffu

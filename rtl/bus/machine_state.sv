@@ -24,7 +24,7 @@ module machine_state #(
     output logic             reference_ready_o,
     input  wire logic [31:0] command_i,
     input  wire logic        access_i,           // any, answered
-    input  wire logic        error_i,            // with an error
+    input  wire logic        error_i,            // a write, with an error
     input  wire logic [15:0] watchdog_i,         // samples without access
     output logic      [31:0] state_o,
 

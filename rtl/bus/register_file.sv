@@ -47,8 +47,8 @@ module register_file #(
     output logic [    Axes-1:0] direction_inverted_o,
     output logic [    Axes-1:0] limit_masked_o,
 
-    // Scales
-    input  wire logic                 scale_ready_i,
+    // Scales; like polarities, they change while the drives are off only
+    input  wire logic                 off_i,
     output logic                      scale_write_o,
     output logic      [          3:0] scale_axis_o,
     output logic      [ScaleBits-1:0] scale_o,
@@ -112,7 +112,7 @@ module register_file #(
   assign axis_exists  = scale_axis_o < 4'(Axes);
   assign axis_scale   = axis_exists && !axis_word[1];
   always_comb begin
-    if (of_axis && write_i) exists = axis_scale && scale_ready_i;
+    if (of_axis && write_i) exists = axis_scale && off_i;
     else if (of_axis) exists = axis_scale || (axis_exists && axis_word == registers_pkg::AxisSteps);
     else exists = write_i ? registers_pkg::can_write(word_i) : registers_pkg::can_read(word_i);
   end
@@ -120,12 +120,16 @@ module register_file #(
   // Whether
   logic taken;
   logic writes;
+  logic turns;  // a polarity
+  assign turns = data_i[registers_pkg::PinsStepInvertedLow+:Axes] != step_inverted_o ||
+      data_i[registers_pkg::PinsDirectionInvertedLow+:Axes] != direction_inverted_o;
   always_comb begin
     case (word_i)
       registers_pkg::SegmentHi: taken = segment_ready_i;
       registers_pkg::ProfileHi: taken = profile_ready_i;
       registers_pkg::Control:   taken = control_ready_i;
       registers_pkg::Reference: taken = reference_ready_i;
+      registers_pkg::Pins:      taken = off_i || !turns;
       default:                  taken = 1'b1;
     endcase
   end

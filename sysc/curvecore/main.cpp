@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words | cam | join | compare | choose: parts through the cores, from the
-// command line.
+// curvecore run | plan | words | stream | board | cam | join | compare | choose: parts through the
+// cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
 // wrong, and nothing was written; 3 choose: no configuration keeps what is asked; 130 interrupted,
@@ -13,12 +13,14 @@
 #include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
 #include "ref/program/input_error.hpp"
+#include "sysc/curvecore/board_command.hpp"
 #include "sysc/curvecore/cam_command.hpp"
 #include "sysc/curvecore/choose_command.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
 #include "sysc/curvecore/join_command.hpp"
 #include "sysc/curvecore/nearest.hpp"
+#include "sysc/curvecore/stream_command.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
 
@@ -89,6 +91,26 @@ void add_core(CLI::App& command, RawOptions& raw) {
                          kDefaultBound + CoreParameters().rounding()));
 }
 
+/// How a program is planned.
+void add_planning(CLI::App& command, RawOptions& raw) {
+    add_text(command, "--effort", raw.effort, "NAME",
+             fmt::format("of the feed: {}", fmt::join(ref::kEffortNames, ", ")));
+    add_text(command, "--holds", raw.holds, "NAME",
+             fmt::format("how a hold stops, by words for every place or slowly: {}",
+                         fmt::join(ref::kHoldNames, ", ")));
+    add_text(command, "--path", raw.path, "NAME",
+             "program: within the tolerance that G64 allows; exact");
+}
+
+void add_override(CLI::App& command, RawOptions& raw) {
+    command
+        .add_option("--override", raw.override_percent,
+                    "feed override, 1 to 200: up to 100 time is "
+                    "scaled, above it feeds are planned higher, as far as limits allow")
+        ->type_name("PERCENT")
+        ->capture_default_str();
+}
+
 /// The core and its clocks.
 void add_timed_core(CLI::App& command, RawOptions& raw) {
     add_core(command, raw);
@@ -99,13 +121,7 @@ void add_timed_core(CLI::App& command, RawOptions& raw) {
     add_text(command, "--segment-queue", raw.segment_queue, "WORDS",
              "SegmentQueueWords of the core: what is queued outlasts a stop, or moves are slowed");
     add_text(command, "--profile-queue", raw.profile_queue, "WORDS", "ProfileQueueWords of it");
-    add_text(command, "--effort", raw.effort, "NAME",
-             fmt::format("of the feed: {}", fmt::join(ref::kEffortNames, ", ")));
-    add_text(command, "--holds", raw.holds, "NAME",
-             fmt::format("how a hold stops, by words for every place or slowly: {}",
-                         fmt::join(ref::kHoldNames, ", ")));
-    add_text(command, "--path", raw.path, "NAME",
-             "program: within the tolerance that G64 allows; exact");
+    add_planning(command, raw);
     add_text(command, "--clock", raw.clock, "FREQUENCY",
              "the core's clock, which its steps are timed by; default 100MHz, or with --device its "
              "estimate there");
@@ -154,12 +170,7 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         .add_option("--stall", raw.stall_seed,
                     "random stalls on every handshake of the RTL; the samples must not change")
         ->type_name("SEED");
-    command
-        .add_option("--override", raw.override_percent,
-                    "feed override, 1 to 200: up to 100 time is "
-                    "scaled, above it feeds are planned higher, as far as limits allow")
-        ->type_name("PERCENT")
-        ->capture_default_str();
+    add_override(command, raw);
     command.add_flag("--trace", options.trace,
                      "of the RTL: write waves.fst, and waves.gtkw that arranges it");
     command
@@ -273,7 +284,7 @@ void check_command(const CLI::App& app, const std::string& word) {
 
 int dispatch(int argc, char** argv) {
     CLI::App app{"Lines, arcs, helices and splines through FPGA interpolator cores", "curvecore"};
-    app.set_version_flag("--version", "curvecore " CURVECORE_VERSION);
+    app.set_version_flag("--version", "curvecore " CURVECORE_PROGRAM_VERSION);
     app.require_subcommand(1);
     RawOptions raw;
     Options options;
@@ -306,6 +317,18 @@ int dispatch(int argc, char** argv) {
     RawRequirement raw_requirement;
     ChooseOptions choose_options;
     add_choose(*choose, raw_requirement, choose_options);
+    CLI::App* stream =
+        app.add_subcommand("stream", "FILE to a board at the other end of a wire: steps and turns");
+    RawWireOptions raw_wire;
+    add_input(*stream, raw, options, raw.feed, "SPEED", kAlongPoints)->required();
+    add_planning(*stream, raw);
+    add_override(*stream, raw);
+    add_wire(*stream, raw_wire);
+    CLI::App* board = app.add_subcommand("board",
+                                         "a virtual board that stream finds: the RTL of "
+                                         "motion_board behind UDP");
+    BoardOptions board_options;
+    add_board(*board, board_options);
     if (argc < 2) {
         fmt::print("{}", app.help());
         return 0;
@@ -338,10 +361,12 @@ int dispatch(int argc, char** argv) {
         interpret(raw_cam, cam_options);
         return cam_command(cam_options);
     }
+    if (*board) return board_command(board_options);
     if (*join) options.file = "join.ngc";
     interpret(raw, options);
     if (*join) return join_command(options, raw_join);
     if (*run) return run_command(options);
+    if (*stream) return stream_command(options, raw_wire);
     return *plan ? plan_command(options) : words_command(options);
 }
 

@@ -96,7 +96,7 @@ JoinProgram join_program(const ref::Program& a, const ref::Program& b) {
 std::string join_html(const JoinFile& file, const ref::Program& a, const ref::Program& b,
                       const JoinProgram& program) {
     const double length = ref::PathTable(file.move.pieces()).length();
-    Json data{{"version", CURVECORE_VERSION}, {"join", file.json()}};
+    Json data{{"version", CURVECORE_PROGRAM_VERSION}, {"join", file.json()}};
     data["program"] = {{"head", program.head}, {"tail", program.tail}};
     data["paths"] = {polyline(a, true), polyline(b, false)};
     data["stretches"] = {stretch(a, true, kStretch * length), stretch(b, false, kStretch * length)};

@@ -58,7 +58,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     const Job& job = report.job;
     nlohmann::ordered_json head;
     head["title"] = std::filesystem::path(job.options.file).filename().string();
-    head["version"] = CURVECORE_VERSION;
+    head["version"] = CURVECORE_PROGRAM_VERSION;
     head["rtl"] = report.drawn != nullptr;
     head["held"] = report.held();
     head["unit"] = unit_text(job);

@@ -174,7 +174,7 @@ CoreFile ChooseReport::core() const {
 }
 
 Json ChooseReport::json() const {
-    Json json{{"version", CURVECORE_VERSION},
+    Json json{{"version", CURVECORE_PROGRAM_VERSION},
               {"requirement",
                {{"error_mm", requirement.error_mm},
                 {"unit_mm", requirement.unit_mm ? Json(*requirement.unit_mm) : Json(nullptr)},

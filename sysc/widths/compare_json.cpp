@@ -142,7 +142,7 @@ Json CompareReport::json() const {
     }
     return {{"title", title()},
             {"curves", curves},
-            {"version", CURVECORE_VERSION},
+            {"version", CURVECORE_PROGRAM_VERSION},
             {"unit_mm", options.common.unit_mm},
             {"moves", program.moves.size()},
             {"samples", result.samples},

@@ -26,7 +26,7 @@ module bench_registers (
       .done_o,
       .error_o,
       .data_o,
-      .scale_ready_i(1'b1),
+      .off_i(1'b1),
       .segment_ready_i(1'b1),
       .profile_ready_i(1'b0),
       .control_ready_i(1'b1),

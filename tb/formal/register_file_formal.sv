@@ -17,7 +17,7 @@ module register_file_formal (
     input wire logic       profile_ready_i,
     input wire logic       control_ready_i,
     input wire logic       reference_ready_i,
-    input wire logic       scale_ready_i
+    input wire logic       off_i
 );
 
   // A shell: a request stays until it is done.
@@ -45,7 +45,7 @@ module register_file_formal (
       .data_i(32'd0),
       .done_o(done),
       .error_o(error),
-      .scale_ready_i,
+      .off_i,
       .segment_valid_o(segment_valid),
       .segment_ready_i,
       .profile_valid_o(profile_valid),

@@ -71,7 +71,7 @@ class RegisterFile : public testing::Test {
         dut_->room_i = any();
         dut_->path_i = uint64_t{any()} << 32 | any();
         dut_->rate_i = any() % (1 << 17);
-        dut_->scale_ready_i = any() % 2;
+        dut_->off_i = any() % 2;
         dut_->segment_ready_i = any() % 2;
         dut_->profile_ready_i = any() % 2;
         dut_->control_ready_i = any() % 2;
@@ -123,13 +123,18 @@ class RegisterFile : public testing::Test {
 
     uint32_t any() { return random_(); }
 
-    /// Whether the motion takes a write to a word of that name now.
-    bool ready(const Word& word) {
+    /// Whether a write of `data` to a word of that name is taken now.
+    bool ready(const Word& word, uint32_t data) {
         if (word.name == "SEGMENT_HI") return dut_->segment_ready_i;
         if (word.name == "PROFILE_HI") return dut_->profile_ready_i;
         if (word.name == "CONTROL") return dut_->control_ready_i;
         if (word.name == "REFERENCE") return dut_->reference_ready_i;
-        return !word.axis || dut_->scale_ready_i;
+        if (word.name == "PINS") {
+            constexpr uint32_t kAxes = (1U << CFG_Axes) - 1;
+            constexpr uint32_t kPolarities = kAxes << 9 | kAxes;
+            return dut_->off_i || ((data ^ word.value) & kPolarities) == 0;
+        }
+        return !word.axis || dut_->off_i;
     }
 
     uint32_t read_value(const Word& word, int address) {
@@ -195,7 +200,7 @@ TEST_F(RegisterFile, HasItsResetValuesAndAnswersInTwoClocks) {
         check_settings(words);
         // A reset undoes what was written.
         for (const auto& [address, word] : words) {
-            dut_->scale_ready_i = 1;
+            dut_->off_i = 1;
             if (word.setting) ask(true, address, any());
         }
         dut_.reset();
@@ -222,7 +227,7 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         const Word none{};
         const Word& word = found == words.end() ? none : found->second;
         SCOPED_TRACE((write ? "write " : "read ") + word.name + " " + std::to_string(address));
-        const bool good = write ? word.write && ready(word) : word.read;
+        const bool good = write ? word.write && ready(word, data) : word.read;
         const uint32_t expected = read_value(word, address);
         const Answer answer = ask(write, address, data);
         EXPECT_EQ(answer.clocks, kAnswer);

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/curvecore/board_command.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/wire/board_server.hpp"
+
+namespace curvecore::sysc {
+
+void add_board(CLI::App& command, BoardOptions& options) {
+    command
+        .add_option("--listen", options.listen, "where; port 27181 when left out, 0: any free one")
+        ->type_name("ADDRESS[:PORT]")
+        ->capture_default_str();
+    command.add_flag("--fast", options.fast,
+                     "as fast as it is fed; otherwise its clock is that of the wall");
+    command
+        .add_option("-o,--output", options.folder, "folder for steps.csv: every step of its pins")
+        ->type_name("DIR");
+    command.footer("It ends when it is interrupted (Ctrl-C).");
+}
+
+int board_command(const BoardOptions& options) {
+    std::optional<OutputFolder> folder;
+    std::optional<OutputFile> steps;
+    if (!options.folder.empty()) {
+        folder.emplace(options.folder);
+        steps.emplace(*folder, "steps.csv");
+        steps->write("clock,axis,direction\n");
+    }
+    std::uint64_t count = 0;
+    BoardServer server({options.listen, options.fast}, [&](const VirtualStep& step) {
+        ++count;
+        if (steps)
+            steps->write(fmt::format("{},{},{}\n", step.clock, step.axis, step.back ? -1 : 1));
+    });
+    fmt::print("listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
+               server.where(), VirtualBoard::kAxes, VirtualBoard::kClockHertz / 1e6,
+               std::exp2(VirtualBoard::kPeriodLog2) / VirtualBoard::kClockHertz * 1e6,
+               options.fast ? ", as fast as it is fed" : "");
+    std::fflush(stdout);
+    const InterruptGuard guard;
+    try {
+        for (;;) {
+            server.work();
+            InterruptGuard::check();
+        }
+    } catch (const Interrupted&) {
+    }
+    if (folder) {
+        steps->close();
+        folder->commit();
+    }
+    fmt::print("{} steps in {:.3f} s of its clock", count,
+               static_cast<double>(server.clocks()) / VirtualBoard::kClockHertz);
+    if (!options.fast) fmt::print(", which held {:.1f} % of real time", 100 * server.pace());
+    fmt::print("\n");
+    return 0;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// `curvecore board`: a virtual board that listens.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "sysc/wire/link.hpp"
+
+namespace curvecore::sysc {
+
+struct BoardOptions {
+    std::string listen = kWireAddress;
+    std::string folder;  // empty: no steps.csv
+    bool fast = false;
+};
+
+void add_board(CLI::App& command, BoardOptions& options);
+
+/// Until it is interrupted.
+int board_command(const BoardOptions& options);
+
+}  // namespace curvecore::sysc

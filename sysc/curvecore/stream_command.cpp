@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/curvecore/stream_command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hls/registers/registers.h"
+#include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/wire/wire_stream.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr double kQuantaPerUnit = 65536;
+constexpr auto kStatusPeriod = std::chrono::milliseconds(200);
+
+/// One line on a terminal, gone when done.
+class StatusLine {
+  public:
+    explicit StatusLine(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) == 1) {}
+    ~StatusLine() {
+        if (on_) fmt::print(stderr, "\r\033[K");
+    }
+    StatusLine(const StatusLine&) = delete;
+    StatusLine& operator=(const StatusLine&) = delete;
+
+    void show(const WireStream& stream, const RemoteMachine& machine, double unit_mm) {
+        const WireClock::time_point now = WireClock::now();
+        if (!on_ || now < shown_ + kStatusPeriod) return;
+        const double passed = std::chrono::duration<double>(now - shown_).count();
+        const double mm = static_cast<double>(stream.path()) / kQuantaPerUnit * unit_mm;
+        const double feed = shown_ == WireClock::time_point() ? 0 : (mm - mm_) / passed * 60;
+        const PlannedWords& planned = stream.planned();
+        fmt::print(
+            stderr, "\r\033[K{:3.0f} %{}  {:.3f} mm  {:.0f} mm/min  time {:.0f} %  room {} + {}{}",
+            100.0 * static_cast<double>(stream.path()) /
+                static_cast<double>(std::max<std::uint64_t>(planned.path, 1)),
+            planned.all ? "" : " of what is planned", mm, feed, 100 * machine.telemetry().rate,
+            machine.telemetry().segment_room, machine.telemetry().profile_room,
+            machine.is(CURVECORE_STATE_HOLDING_MASK) ? "  HOLD" : "");
+        std::fflush(stderr);
+        shown_ = now;
+        mm_ = mm;
+    }
+
+  private:
+    bool on_;
+    WireClock::time_point shown_;
+    double mm_ = 0;
+};
+
+/// What was planned and what the board saw.
+nlohmann::ordered_json report(const Options& options, const RemoteMachine& machine,
+                              const WireStream& stream, const std::vector<std::int32_t>& steps,
+                              double seconds, const std::string& end) {
+    const PlannedWords& planned = stream.planned();
+    const LinkFigures& link = machine.figures();
+    const RemoteBuild& build = machine.build();
+    nlohmann::ordered_json json;
+    json["input"] = options.file;
+    json["end"] = end;
+    json["faults"] = fault_names(stream.faults());
+    json["board"] = {{"axes", build.axes},
+                     {"clock_hz", build.clock_hz},
+                     {"sample_period_s", build.sample_period_s},
+                     {"parameters", parameters_json(build.core)}};
+    json["planned"] = {{"path_quanta", planned.path},
+                       {"samples", planned.samples},
+                       {"duration_s", static_cast<double>(planned.samples) * build.sample_period_s},
+                       {"words", planned.words}};
+    json["drawn"] = {{"path_quanta", stream.path()}, {"steps", steps}, {"held", stream.held()}};
+    json["link"] = {{"duration_s", seconds},
+                    {"frames", link.frames},
+                    {"repeated", link.repeated},
+                    {"round_trip_s", link.round_trip_s}};
+    return json;
+}
+
+}  // namespace
+
+void add_wire(CLI::App& command, RawWireOptions& raw) {
+    const auto add = [&command](const char* name, std::string& text, const char* type,
+                                const char* help) {
+        return command.add_option(name, text, help)->type_name(type)->capture_default_str();
+    };
+    add("--to", raw.to, "BOARD", "udp:ADDRESS[:PORT], or serial:DEVICE[@BAUD]")->required();
+    add("--steps-per-mm", raw.steps_per_mm, "LIST", "of the drives, one value or one an axis");
+    add("--steplen", raw.steplen, "TIME", "a pulse is so long");
+    add("--stepspace", raw.stepspace, "TIME", "and the pause behind it");
+    add("--dirsetup", raw.dirsetup, "TIME", "from a turn to the next pulse");
+    add("--dirhold", raw.dirhold, "TIME", "from a pulse to a turn");
+    add("--watchdog", raw.watchdog, "TIME", "silence of this program that is a hold; 0: none");
+    add("--control", raw.control, "FILE",
+        "lines that are added to it are obeyed: hold, resume, override 50, stop, estop");
+    command.footer(
+        "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path.\n"
+        "The axes stand where the program begins.");
+}
+
+int stream_command(Options options, const RawWireOptions& wire) {
+    const std::unique_ptr<Link> link = open_link(wire.to);
+    try {
+        RemoteMachine machine(*link);
+        const RemoteBuild& build = machine.build();
+        options.core = build.core;
+        options.splines_set = options.aux_axes_set = true;
+        options.sample_period_s = build.sample_period_s;
+        options.clock_hz = build.clock_hz;
+        options.segment_queue_words = build.segment_queue_words;
+        options.profile_queue_words = build.profile_queue_words;
+        const Drives drives = drives_of(wire, build.axes);
+        const double silence = duration_of("--watchdog", wire.watchdog);
+        Console console(wire.control, static_cast<int>(std::min(options.override_percent, 100.0)));
+        const InterruptGuard guard;
+        WordSource words(options);
+        machine.prepare(drives, options.unit_mm, words.settings(),
+                        static_cast<int>(std::ceil(silence / build.sample_period_s)));
+        WireStream stream(machine, words, console);
+        StatusLine status(options.quiet);
+        const WireClock::time_point begin = WireClock::now();
+        std::string end = "drawn";
+        int exit = 0;
+        try {
+            const StreamEnd seen = stream.run([&] {
+                status.show(stream, machine, options.unit_mm);
+                InterruptGuard::check();
+            });
+            if (seen == StreamEnd::kFault) {
+                end = "fault";
+                exit = 1;
+            } else if (seen == StreamEnd::kStopped) {
+                end = "stopped";
+                exit = 130;
+            }
+        } catch (const Interrupted&) {
+            stream.stop();
+            end = "stopped";
+            exit = 130;
+        }
+        const double seconds = std::chrono::duration<double>(WireClock::now() - begin).count();
+        const std::vector<std::int32_t> steps = machine.steps();
+        machine.disable();
+        machine.finish();
+        if (!options.folder.empty()) {
+            OutputFolder folder(options.folder);
+            folder.write("report.json",
+                         report(options, machine, stream, steps, seconds, end).dump(2) + "\n");
+            folder.commit();
+        }
+        if (exit == 1) fmt::print(stderr, "the board stopped: {}\n", fault_names(stream.faults()));
+        if (!options.quiet) {
+            fmt::print(
+                "{} {:.3f} of {:.3f} mm, steps {}, {} frames, {} repeated, round trip {:.2f} ms\n",
+                end, static_cast<double>(stream.path()) / kQuantaPerUnit * options.unit_mm,
+                static_cast<double>(stream.planned().path) / kQuantaPerUnit * options.unit_mm,
+                fmt::join(steps, " "), machine.figures().frames, machine.figures().repeated,
+                1e3 * machine.figures().round_trip_s);
+        }
+        for (const std::string& warning : words.warnings()) fmt::print(stderr, "{}\n", warning);
+        return exit;
+    } catch (const BoardLost& lost) {
+        fmt::print(stderr, "{}: {}\n", wire.to, lost.what());
+        return 1;
+    }
+}
+
+}  // namespace curvecore::sysc

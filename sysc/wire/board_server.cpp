@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/board_server.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+
+#include <algorithm>
+#include <boost/asio/ip/udp.hpp>
+#include <cmath>
+
+#include "sysc/host/usage_error.hpp"
+#include "sysc/wire/frame.hpp"
+#include "sysc/wire/link.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+namespace asio = boost::asio;
+using Udp = asio::ip::udp;
+using std::chrono::milliseconds;
+
+/// A master that is silent for so long is one no more.
+constexpr auto kMasterLeaves = std::chrono::seconds(1);
+/// What a frame of the master gives the clock of a fast board, s of the board.
+constexpr double kTimeOfFrame = 0.005;
+/// Silence after which a fast board's clock goes on by itself.
+constexpr auto kFastWaits = milliseconds(100);
+/// Words that a frame may read, and frames that wait, at most.
+constexpr std::size_t kMostRead = 128;
+constexpr std::size_t kMostWaiting = 256;
+/// Clocks between two looks at the socket.
+constexpr std::uint64_t kClocksAtOnce = 2000;
+
+}  // namespace
+
+struct BoardServer::State {
+    struct Waiting {
+        Bytes frame;
+        Udp::endpoint from;
+        std::size_t words_read;
+    };
+
+    State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
+        : fast(options.fast), board(std::move(step)) {}
+
+    void receive(milliseconds wait);
+    void take(const Bytes& frame, const Udp::endpoint& from);
+    void run(std::uint64_t clocks);
+    std::uint64_t due();
+
+    bool fast;
+    VirtualBoard board;
+    asio::io_context context;
+    Udp::socket socket{context};
+    std::optional<Udp::endpoint> master;
+    WireClock::time_point master_spoke;
+    std::deque<Waiting> waiting;
+    std::optional<Udp::endpoint> asks;  // whose answer is to come
+    WireClock::time_point begin = WireClock::now();
+    WireClock::time_point looked = begin;
+    double clocks_due = 0;
+    double clocks_lost = 0;  // that real time asked for and did not get
+};
+
+void BoardServer::State::receive(milliseconds wait) {
+    pollfd one{socket.native_handle(), POLLIN, 0};
+    int time = static_cast<int>(wait.count());
+    while (poll(&one, 1, time) > 0) {
+        time = 0;
+        Bytes frame(65536);
+        Udp::endpoint from;
+        boost::system::error_code gone;  // the one that the last answer went to
+        frame.resize(socket.receive_from(asio::buffer(frame), from, 0, gone));
+        if (!gone) take(frame, from);
+    }
+}
+
+void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
+    const FrameContents contents = contents_of(frame);
+    if (frame.empty() || frame.size() > kLongestFrame || contents.words_read > kMostRead ||
+        waiting.size() >= kMostWaiting) {
+        return;
+    }
+    const WireClock::time_point now = WireClock::now();
+    if (master && now > master_spoke + kMasterLeaves) master.reset();
+    if (contents.writes && !master) master = from;
+    const bool from_master = master == from;
+    if ((contents.writes || !contents.whole) && !from_master) return;
+    if (from_master) {
+        master_spoke = now;
+        if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
+    }
+    waiting.push_back({frame, from, contents.words_read});
+}
+
+/// Frames go in one after the other: the next when the last is answered.
+void BoardServer::State::run(std::uint64_t clocks) {
+    for (; clocks > 0; --clocks) {
+        if (!waiting.empty() && board.taken() && !asks) {
+            board.offer(waiting.front().frame);
+            if (waiting.front().words_read > 0) asks = waiting.front().from;
+            waiting.pop_front();
+        }
+        const std::optional<Bytes> answer = board.clock();
+        if (answer && asks) {
+            boost::system::error_code gone;
+            socket.send_to(asio::buffer(*answer), *asks, 0, gone);
+            asks.reset();
+        }
+    }
+}
+
+/// Clocks that are due, no more than at once.
+std::uint64_t BoardServer::State::due() {
+    const WireClock::time_point now = WireClock::now();
+    const double passed = std::chrono::duration<double>(now - looked).count();
+    looked = now;
+    if (!fast || now > master_spoke + kFastWaits) clocks_due += passed * VirtualBoard::kClockHertz;
+    // A board that is behind does not make up for it.
+    const double most = 0.1 * VirtualBoard::kClockHertz;
+    if (!fast && clocks_due > most) {
+        clocks_lost += clocks_due - most;
+        clocks_due = most;
+    }
+    const double whole = std::min(std::floor(clocks_due), static_cast<double>(kClocksAtOnce));
+    clocks_due -= whole;
+    return static_cast<std::uint64_t>(whole);
+}
+
+BoardServer::BoardServer(const BoardServerOptions& options,
+                         std::function<void(const VirtualStep&)> step)
+    : state_(std::make_unique<State>(options, std::move(step))) {
+    std::string address = options.address;
+    try {
+        const unsigned short port = take_port(address);
+        const Udp::endpoint here(asio::ip::make_address(address), port);
+        state_->socket.open(here.protocol());
+        state_->socket.bind(here);
+    } catch (const boost::system::system_error& error) {
+        throw UsageError(fmt::format("--listen {}: {}", options.address, error.code().message()));
+    }
+}
+
+BoardServer::~BoardServer() = default;
+
+std::string BoardServer::where() const {
+    const Udp::endpoint here = state_->socket.local_endpoint();
+    return fmt::format("{}:{}", here.address().to_string(), here.port());
+}
+
+void BoardServer::work() {
+    const std::uint64_t clocks = state_->due();
+    state_->run(clocks);
+    state_->receive(milliseconds(clocks == kClocksAtOnce ? 0 : 1));
+}
+
+std::uint64_t BoardServer::clocks() const { return state_->board.clocks(); }
+
+double BoardServer::pace() const {
+    const auto passed = static_cast<double>(clocks());
+    return passed / (passed + state_->clocks_lost);
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/frame_stream.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "hls/registers/registers.h"
+
+namespace curvecore::sysc {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+
+/// No answer for so long: there is no board.
+constexpr auto kSilence = std::chrono::seconds(3);
+/// Numbers that an answer may be late by; one that is further off is of another session.
+constexpr std::int32_t kLate = 1 << 20;
+
+/// What every frame reads at its end, in the order of take().
+Frame& add_reads(Frame& frame) {
+    return frame.read(CURVECORE_STATE, 2).read(CURVECORE_ROOM, 2).read(CURVECORE_PATH_LO, 3);
+}
+constexpr std::size_t kWordsRead = 7;
+constexpr std::size_t kQuestions = 16;
+
+WireClock::duration seconds(double s) {
+    return std::chrono::duration_cast<WireClock::duration>(duration<double>(s));
+}
+
+}  // namespace
+
+FrameStream::FrameStream(Link& link) : link_(link) {
+    const std::uint32_t id = read(CURVECORE_ID, 1)[0];
+    if (id != CURVECORE_ID_ID_VALUE) throw BoardLost("what answers is not a motion_board");
+    // A number that no frame under way has: of another host, or of this one before a restart.
+    std::random_device chance;
+    const std::uint32_t session = chance();
+    while (next_ != session) {
+        const std::uint32_t number = read(CURVECORE_SEQUENCE, 1)[0];
+        transmit(
+            Frame().write(CURVECORE_SEQUENCE, number).write(CURVECORE_SESSION, session).bytes());
+        next_ = read(CURVECORE_SEQUENCE, 1)[0];
+    }
+    work();
+}
+
+std::vector<std::uint32_t> FrameStream::read(std::uint32_t address, int words) {
+    // Answers say nothing of their question; its length, with so many words ID, tells it from the
+    // ones before.
+    question_ = (question_ + 1) % kQuestions;
+    const std::size_t marks = kWordsRead + 1 + question_;
+    Frame frame;
+    frame.read(address, words);
+    for (std::size_t n = 0; n < marks; ++n) frame.read(CURVECORE_ID, 1);
+    for (;;) {
+        transmit(frame.bytes());
+        const WireClock::time_point end = WireClock::now() + patience();
+        while (WireClock::now() < end) {
+            const std::optional<Bytes> answer = link_.receive(end - WireClock::now());
+            if (!answer) continue;
+            waits_ = false;
+            std::vector<std::uint32_t> read = words_of(*answer);
+            if (read.size() != static_cast<std::size_t>(words) + marks) continue;
+            read.resize(static_cast<std::size_t>(words));
+            return read;
+        }
+        check_silence();
+    }
+}
+
+Frame FrameStream::begin() const { return std::move(Frame().write(CURVECORE_SEQUENCE, next_)); }
+
+void FrameStream::transmit(const Bytes& frame) {
+    link_.send(frame);
+    ++figures_.frames;
+    transmitted_ = WireClock::now();
+    if (!waits_) waits_since_ = transmitted_;
+    waits_ = true;
+}
+
+void FrameStream::check_silence() const {
+    if (waits_ && WireClock::now() > waits_since_ + kSilence) {
+        throw BoardLost("the board does not answer");
+    }
+}
+
+void FrameStream::send(const Frame& frame, int segment_words, int profile_words) {
+    Frame whole = frame;
+    add_reads(whole);
+    transmit(whole.bytes());
+    under_way_.push_back(
+        {next_++, whole.bytes(), segment_words, profile_words, transmitted_, false});
+    telemetry_.segment_room -= segment_words;
+    telemetry_.profile_room -= profile_words;
+}
+
+void FrameStream::work() {
+    if (WireClock::now() >= transmitted_ + link_.poll_period()) {
+        Frame poll;
+        transmit(add_reads(poll).bytes());
+    }
+    WireClock::duration wait = link_.poll_period();
+    while (const std::optional<Bytes> answer = link_.receive(wait)) {
+        take(*answer);
+        wait = WireClock::duration::zero();
+    }
+    repeat_overdue();
+    check_silence();
+}
+
+void FrameStream::finish() {
+    while (!all_taken()) work();
+}
+
+void FrameStream::take(const Bytes& answer) {
+    const std::vector<std::uint32_t> words = words_of(answer);
+    if (words.size() != kWordsRead) return;  // of a question before
+    waits_ = false;
+    const std::uint32_t first = next_ - static_cast<std::uint32_t>(under_way_.size());
+    const auto taken = static_cast<std::int32_t>(words[3] - first);
+    if (taken < 0 && taken > -kLate) return;  // late
+    if (taken < 0 || taken > static_cast<std::int32_t>(under_way_.size())) {
+        throw BoardLost("the board was restarted, or has another master");
+    }
+    for (std::int32_t n = 0; n < taken; ++n) {
+        if (!under_way_.front().repeated) measure(WireClock::now() - under_way_.front().sent);
+        under_way_.pop_front();
+        backoff_ = 1;
+    }
+    telemetry_.state = words[0];
+    telemetry_.axes = words[1];
+    telemetry_.segment_room = static_cast<int>(words[2] & 0xffff);
+    telemetry_.profile_room = static_cast<int>(words[2] >> 16);
+    for (const UnderWay& frame : under_way_) {
+        telemetry_.segment_room -= frame.segment_words;
+        telemetry_.profile_room -= frame.profile_words;
+    }
+    telemetry_.path = std::uint64_t{words[5]} << 32 | words[4];
+    telemetry_.rate = words[6] / 65536.0;
+}
+
+/// Jacobson's and Karels' estimate.
+void FrameStream::measure(WireClock::duration round_trip) {
+    const double seen = duration<double>(round_trip).count();
+    double& mean = figures_.round_trip_s;
+    if (mean == 0) mean = seen;
+    deviation_s_ += (std::abs(seen - mean) - deviation_s_) / 4;
+    mean += (seen - mean) / 8;
+}
+
+WireClock::duration FrameStream::patience() const {
+    const double mean = figures_.round_trip_s;
+    return std::max<WireClock::duration>(2 * link_.poll_period(),
+                                         seconds(backoff_ * (mean + 4 * deviation_s_)));
+}
+
+void FrameStream::repeat_overdue() {
+    if (under_way_.empty() || WireClock::now() < under_way_.front().sent + patience()) return;
+    for (UnderWay& frame : under_way_) {
+        transmit(frame.bytes);
+        frame.sent = transmitted_;
+        frame.repeated = true;
+        ++figures_.repeated;
+    }
+    backoff_ = std::min(2 * backoff_, 4);
+}
+
+}  // namespace curvecore::sysc

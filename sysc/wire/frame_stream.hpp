@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Frames that a board obeys, each once and in order, over a link that loses, doubles and delays
+// (go-back-N): what is not known to be taken is sent again.
+#pragma once
+
+#include <array>
+#include <deque>
+#include <stdexcept>
+
+#include "sysc/wire/frame.hpp"
+#include "sysc/wire/link.hpp"
+
+namespace curvecore::sysc {
+
+/// The board is not there, or is not the one that was there.
+class BoardLost : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What the board says in every answer.
+struct Telemetry {
+    std::uint32_t state = 0;
+    std::uint32_t axes = 0;
+    int segment_room = 0;  // words, of which those of frames under way are taken off
+    int profile_room = 0;
+    std::uint64_t path = 0;
+    double rate = 0;  // of time
+};
+
+struct LinkFigures {
+    std::uint64_t frames = 0;
+    std::uint64_t repeated = 0;
+    double round_trip_s = 0;
+};
+
+class FrameStream {
+  public:
+    /// Opens a session.
+    /// @throws BoardLost: nobody answers, or not a board of this kind
+    explicit FrameStream(Link& link);
+
+    /// A frame to fill; it has its number.
+    Frame begin() const;
+    /// Whether one more may be under way.
+    bool may_send() const { return under_way_.size() < kWindow; }
+    /// With the words that it pushes. It is under way until a later answer; see all_taken().
+    void send(const Frame& frame, int segment_words = 0, int profile_words = 0);
+    bool all_taken() const { return under_way_.empty(); }
+
+    /// Works off answers and repeats what is overdue, for one wait of the link; asks for the state
+    /// when it is old.
+    /// @throws BoardLost
+    void work();
+    /// Until the board has taken all.
+    void finish();
+
+    const Telemetry& telemetry() const { return telemetry_; }
+    const LinkFigures& figures() const { return figures_; }
+    /// Words, which are read until they come.
+    std::vector<std::uint32_t> read(std::uint32_t address, int words);
+
+    /// Bytes of a frame that are not the caller's.
+    static constexpr std::size_t kOwnBytes = kCommandBytes + 4 + 3 * kCommandBytes;
+
+  private:
+    static constexpr std::size_t kWindow = 16;
+
+    struct UnderWay {
+        std::uint32_t number;
+        Bytes bytes;
+        int segment_words;
+        int profile_words;
+        WireClock::time_point sent;
+        bool repeated;
+    };
+
+    void transmit(const Bytes& frame);
+    void take(const Bytes& answer);
+    void measure(WireClock::duration round_trip);
+    void repeat_overdue();
+    WireClock::duration patience() const;
+    void check_silence() const;
+
+    Link& link_;
+    std::uint32_t next_ = 0;  // number of the next frame
+    std::deque<UnderWay> under_way_;
+    Telemetry telemetry_;
+    LinkFigures figures_;
+    WireClock::time_point transmitted_;
+    WireClock::time_point waits_since_;
+    bool waits_ = false;  // nothing was answered since then
+    std::size_t question_ = 0;
+    double deviation_s_ = 0.05;  // of the round trip
+    int backoff_ = 1;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/remote_machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hls/registers/registers.h"
+#include "hls/words.hpp"
+#include "sysc/board/faults.hpp"
+#include "sysc/host/usage_error.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr std::uint32_t kEveryFault = 0xffff;
+constexpr std::uint32_t kMostTime = (1U << 12) - 1;  // TimeBits of boards
+constexpr auto kSettles = std::chrono::seconds(2);
+
+/// A field of a register.
+std::uint32_t field(std::uint32_t word, std::uint32_t mask, int low) {
+    return (word & mask) >> low;
+}
+#define CURVECORE_FIELD(word, name) field(word, CURVECORE_##name##_MASK, CURVECORE_##name##_LOW)
+
+RemoteBuild build_of(const std::vector<std::uint32_t>& constants) {
+    const std::uint32_t version = constants[1];
+    const std::uint32_t capability = constants[2];
+    const std::uint32_t core = constants[3];
+    const std::uint32_t words = CURVECORE_FIELD(version, VERSION_WORDS);
+    if (words != hls::kWordsVersion) {
+        throw UsageError(fmt::format("the board takes words of version {}; these are of version {}",
+                                     words, hls::kWordsVersion));
+    }
+    RemoteBuild build;
+    build.axes = static_cast<int>(CURVECORE_FIELD(capability, CAPABILITY_AXES));
+    build.clock_hz = constants[4];
+    build.sample_period_s =
+        std::exp2(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2)) / build.clock_hz;
+    build.segment_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_SEGMENT_QUEUE_LOG2);
+    build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
+    build.core.build =
+        CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0 ? Build::kSerial : Build::kParallel;
+    build.core.splines = static_cast<int>(CURVECORE_FIELD(capability, CAPABILITY_SPLINES));
+    build.core.aux_axes = build.axes - 3;
+    build.core.order = static_cast<int>(CURVECORE_FIELD(core, CORE_ORDER));
+    build.core.mode = static_cast<int>(CURVECORE_FIELD(core, CORE_MODE));
+    build.core.coef_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_COEF_BITS));
+    build.core.position_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_POSITION_BITS));
+    build.core.guard_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_GUARD_BITS));
+    return build;
+}
+#undef CURVECORE_FIELD
+
+}  // namespace
+
+std::string fault_names(std::uint32_t state) {
+    static constexpr std::array<const char*, 8> kNames{
+        "a word or an access that cannot be",
+        "watchdog: the host was silent",
+        "e-stop",
+        "the e-stop input",
+        "a limit switch",
+        "a dropped step: the drive's times are too long",
+        "an axis faster than half a step a clock",
+        "a sample too late"};
+    std::string text;
+    for (std::size_t n = 0; n < kNames.size(); ++n) {
+        if ((state >> n & 1) != 0) text += (text.empty() ? "" : "; ") + std::string(kNames[n]);
+    }
+    const unsigned motion = (state & CURVECORE_STATE_MOTION_MASK) >> CURVECORE_STATE_MOTION_LOW;
+    if (motion != 0) text += (text.empty() ? "" : "; ") + fault_text(motion);
+    return text;
+}
+
+RemoteMachine::RemoteMachine(Link& link)
+    : frames_(link), build_(build_of(frames_.read(CURVECORE_ID, 5))) {}
+
+void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
+    while (!frames_.may_send()) frames_.work();
+    frames_.send(frames_.begin().write(address, word));
+}
+
+void RemoteMachine::control(std::uint32_t bits) {
+    control_ = bits;
+    write(CURVECORE_CONTROL, bits);
+}
+
+void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSettings& settings,
+                            int watchdog_samples) {
+    // Whatever another host left.
+    control(0);
+    const WireClock::time_point settled = WireClock::now() + kSettles;
+    do {
+        frames_.finish();
+        frames_.work();
+        if (WireClock::now() > settled) throw UsageError("the board does not stop what it draws");
+    } while (!is(CURVECORE_STATE_CLEAN_MASK));
+    write(CURVECORE_STATE, kEveryFault);
+
+    const auto range = std::exp2(build_.core.position_bits) * unit_mm;  // mm
+    for (int axis = 0; axis < build_.axes; ++axis) {
+        const double scale = std::round(drives.steps_per_mm[axis] * range * std::exp2(16));
+        if (scale >= std::exp2(44)) {
+            throw UsageError(fmt::format("{:g} steps per mm are too many for the board",
+                                         drives.steps_per_mm[axis]));
+        }
+        const auto word = static_cast<std::uint64_t>(scale);
+        const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
+        write(CURVECORE_AXIS_SCALE_LO + at, static_cast<std::uint32_t>(word));
+        write(CURVECORE_AXIS_SCALE_HI + at, static_cast<std::uint32_t>(word >> 32));
+    }
+    const auto clocks = [this](const char* what, double time_s) {
+        const double count = std::ceil(time_s * build_.clock_hz - 1e-6);
+        if (count > kMostTime) {
+            throw UsageError(fmt::format("--{} of {:g} us is more than {} clocks of the board",
+                                         what, time_s * 1e6, kMostTime));
+        }
+        return static_cast<std::uint32_t>(count);
+    };
+    write(CURVECORE_PULSE,
+          clocks("steplen", drives.steplen_s) | clocks("stepspace", drives.stepspace_s) << 16);
+    write(CURVECORE_DIRECTION,
+          clocks("dirsetup", drives.dirsetup_s) | clocks("dirhold", drives.dirhold_s) << 16);
+    write(CURVECORE_OVERRIDE, static_cast<std::uint32_t>(settings.override_word));
+    write(CURVECORE_WATCHDOG, static_cast<std::uint32_t>(watchdog_samples));
+    write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
+    write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
+    write(CURVECORE_HOLD_SLOPE, static_cast<std::uint32_t>(settings.hold_slope));
+    write(CURVECORE_STOP_TICKS, settings.stop_ticks);
+    write(CURVECORE_REFERENCE, (1U << build_.axes) - 1);
+    control(CURVECORE_CONTROL_ENABLE_MASK);
+    frames_.finish();
+    if (!is(CURVECORE_STATE_ENABLED_MASK)) {
+        throw UsageError("the machine does not come on: " + fault_names(telemetry().state));
+    }
+}
+
+bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces) {
+    if (!frames_.may_send()) return false;
+    Frame frame = frames_.begin();
+    // Room for what the stream adds itself.
+    std::size_t left = (kLongestFrame - FrameStream::kOwnBytes - 2 * kCommandBytes) / kPushedBytes;
+    const auto fill = [&](std::uint32_t address, std::deque<std::uint64_t>& words, int room,
+                          std::size_t most) {
+        const std::size_t count =
+            std::min({words.size(), static_cast<std::size_t>(std::max(room, 0)), most});
+        if (count == 0) return 0;
+        const auto end = words.begin() + static_cast<std::ptrdiff_t>(count);
+        frame.push(address, {words.begin(), end});
+        words.erase(words.begin(), end);
+        left -= count;
+        return static_cast<int>(count);
+    };
+    const int some = fill(CURVECORE_SEGMENT_LO, segments, telemetry().segment_room, left / 2);
+    const int profile = fill(CURVECORE_PROFILE_LO, pieces, telemetry().profile_room, left);
+    const int more = fill(CURVECORE_SEGMENT_LO, segments, telemetry().segment_room - some, left);
+    if (some + profile + more == 0) return false;
+    frames_.send(frame, some + more, profile);
+    return true;
+}
+
+void RemoteMachine::set_override(int word) {
+    write(CURVECORE_OVERRIDE, static_cast<std::uint32_t>(word));
+}
+
+void RemoteMachine::hold(bool on) {
+    constexpr std::uint32_t kHold = CURVECORE_CONTROL_HOLD_MASK;
+    control(on ? control_ | kHold : control_ & ~kHold);
+}
+
+void RemoteMachine::estop() { control(CURVECORE_CONTROL_ESTOP_MASK); }
+
+void RemoteMachine::clear_watchdog() { write(CURVECORE_STATE, CURVECORE_STATE_WATCHDOG_MASK); }
+
+void RemoteMachine::flush() { control(control_ | CURVECORE_CONTROL_FLUSH_MASK); }
+
+void RemoteMachine::disable() { control(0); }
+
+std::vector<std::int32_t> RemoteMachine::steps() {
+    std::vector<std::int32_t> counts;
+    for (int axis = 0; axis < build_.axes; ++axis) {
+        const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
+        counts.push_back(static_cast<std::int32_t>(frames_.read(CURVECORE_AXIS_STEPS + at, 1)[0]));
+    }
+    return counts;
+}
+
+}  // namespace curvecore::sysc

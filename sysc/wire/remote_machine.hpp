@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/motion_board.sv at the other end of a link, as the registers describe it.
+#pragma once
+
+#include "sysc/board/board.hpp"
+#include "sysc/host/core_parameters.hpp"
+#include "sysc/wire/frame_stream.hpp"
+
+namespace curvecore::sysc {
+
+/// What a board says of itself.
+struct RemoteBuild {
+    int axes = 0;
+    double clock_hz = 0;
+    double sample_period_s = 0;
+    int segment_queue_words = 0;
+    int profile_queue_words = 0;
+    CoreParameters core;
+};
+
+/// The drives at a board's pins.
+struct Drives {
+    std::vector<double> steps_per_mm;  // of each axis
+    double steplen_s = 2e-6;
+    double stepspace_s = 2e-6;
+    double dirsetup_s = 4e-6;
+    double dirhold_s = 4e-6;
+};
+
+class RemoteMachine {
+  public:
+    /// @throws BoardLost, UsageError: its words are of another version
+    explicit RemoteMachine(Link& link);
+
+    const RemoteBuild& build() const { return build_; }
+
+    /// Scales, times and settings; then the axes stand where the next program begins, and drives
+    /// are on.
+    /// @throws UsageError: drives that the board cannot have, a machine that cannot come on
+    void prepare(const Drives& drives, double unit_mm, const BoardSettings& settings,
+                 int watchdog_samples);
+
+    /// Takes words from the front of each while the board has room. False: none went.
+    bool push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces);
+
+    void set_override(int word);
+    void hold(bool on);
+    void estop();
+    /// Motion goes on that stopped because the host was silent.
+    void clear_watchdog();
+    /// Stops on the path, and empties the queues.
+    void flush();
+    void disable();
+    /// Answers, repetitions, state: for one wait of the link.
+    void work() { frames_.work(); }
+    void finish() { frames_.finish(); }
+
+    const Telemetry& telemetry() const { return frames_.telemetry(); }
+    const LinkFigures& figures() const { return frames_.figures(); }
+    bool is(std::uint32_t mask) const { return (telemetry().state & mask) != 0; }
+    /// Steps that were given on each axis.
+    std::vector<std::int32_t> steps();
+
+  private:
+    void write(std::uint32_t address, std::uint32_t word);
+    void control(std::uint32_t bits);
+
+    FrameStream frames_;
+    RemoteBuild build_;
+    std::uint32_t control_ = 0;
+};
+
+/// Names of the faults in a word of STATE.
+std::string fault_names(std::uint32_t state);
+
+}  // namespace curvecore::sysc

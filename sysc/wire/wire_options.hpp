@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `stream` asks for besides the program: where the board is, which drives stand at its pins.
+#pragma once
+
+#include <string>
+
+#include "sysc/wire/remote_machine.hpp"
+
+namespace curvecore::sysc {
+
+struct RawWireOptions {
+    std::string to;
+    std::string steps_per_mm = "400";
+    std::string steplen = "2us";
+    std::string stepspace = "2us";
+    std::string dirsetup = "4us";
+    std::string dirhold = "4us";
+    std::string watchdog = "200ms";
+    std::string control;
+};
+
+/// The drives of a board's axes. @throws UsageError
+Drives drives_of(const RawWireOptions& raw, int axes);
+
+/// In s; units ns, us, ms, s. @throws UsageError
+double duration_of(const std::string& option, const std::string& text);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/wire_stream.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hls/registers/registers.h"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Faults behind which the machine is off, or its words are lost.
+constexpr std::uint32_t kFaultBits = 0xffff;
+constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
+constexpr auto kStops = std::chrono::seconds(10);
+
+}  // namespace
+
+WireStream::WireStream(RemoteMachine& machine, WordSource& words, Console& console)
+    : machine_(machine), words_(words), console_(console) {}
+
+StreamEnd WireStream::run(const std::function<void()>& turn) {
+    for (;;) {
+        words_.take(planned_);
+        while (machine_.push(planned_.segments, planned_.pieces)) {
+        }
+        look();
+        if (machine_.is(kEnds)) return StreamEnd::kFault;
+        if (machine_.is(CURVECORE_STATE_WATCHDOG_MASK)) machine_.clear_watchdog();
+        if (drawn()) return StreamEnd::kDone;
+        if (!meet_wishes()) return StreamEnd::kStopped;
+        turn();
+    }
+}
+
+void WireStream::look() {
+    machine_.work();
+    path_ = std::max(path_, machine_.telemetry().path);
+    faults_ |= machine_.telemetry().state & kFaultBits;
+    held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
+}
+
+bool WireStream::drawn() const {
+    return planned_.all && planned_.segments.empty() && planned_.pieces.empty() &&
+           path() == planned_.path && !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
+}
+
+/// False: the operator ended it.
+bool WireStream::meet_wishes() {
+    while (const std::optional<Wish> wish = console_.next()) {
+        switch (wish->kind) {
+            case Wish::Kind::kHold:
+                machine_.hold(true);
+                break;
+            case Wish::Kind::kResume:
+                machine_.hold(false);
+                break;
+            case Wish::Kind::kOverride:
+                machine_.set_override(static_cast<int>(std::lround(wish->percent * 655.36)));
+                break;
+            case Wish::Kind::kStop:
+                stop();
+                return false;
+            case Wish::Kind::kEstop:
+                machine_.estop();
+                break;
+        }
+    }
+    return true;
+}
+
+void WireStream::stop() {
+    const auto until = [this](auto done) {
+        machine_.finish();
+        const WireClock::time_point end = WireClock::now() + kStops;
+        do {
+            look();
+        } while (!done() && WireClock::now() < end);
+    };
+    machine_.hold(true);
+    until([this] {
+        return machine_.is(CURVECORE_STATE_STANDING_MASK) ||
+               !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
+    });
+    machine_.flush();
+    until([this] { return !machine_.is(CURVECORE_STATE_FLUSHING_MASK); });
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program on its way to a board, and what an operator asks for on the way.
+#pragma once
+
+#include <functional>
+
+#include "sysc/wire/console.hpp"
+#include "sysc/wire/remote_machine.hpp"
+#include "sysc/wire/word_source.hpp"
+
+namespace curvecore::sysc {
+
+enum class StreamEnd { kDone, kStopped, kFault };
+
+class WireStream {
+  public:
+    WireStream(RemoteMachine& machine, WordSource& words, Console& console);
+
+    /// Sends words and works until the program has been drawn, or was ended. `turn` is called again
+    /// and again.
+    /// @throws BoardLost, Interrupted (by `turn`), what ended the planning
+    StreamEnd run(const std::function<void()>& turn);
+
+    /// Stops on the path, empties the queues: after run() was left by an exception.
+    void stop();
+
+    const PlannedWords& planned() const { return planned_; }
+    /// Quanta that the board has drawn.
+    std::uint64_t path() const { return path_; }
+    std::uint32_t faults() const { return faults_; }
+    bool held() const { return held_; }
+
+  private:
+    bool meet_wishes();
+    bool drawn() const;
+    void look();
+
+    RemoteMachine& machine_;
+    WordSource& words_;
+    Console& console_;
+    PlannedWords planned_;
+    std::uint64_t path_ = 0;
+    std::uint32_t faults_ = 0;
+    bool held_ = false;  // time stood still or went slower, for whatever reason
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/word_source.hpp"
+
+#include <utility>
+
+#include "sysc/host/bus_words.hpp"
+#include "sysc/host/feeder.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Words that may wait for the link; then planning does.
+constexpr std::size_t kMostWords = 200'000;
+
+void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
+    all.insert(all.end(), words.begin(), words.end());
+}
+
+void move_to(std::deque<std::uint64_t>& held, std::deque<std::uint64_t>& planned) {
+    held.insert(held.end(), planned.begin(), planned.end());
+    planned.clear();
+}
+
+}  // namespace
+
+WordSource::WordSource(const Options& options) : stream_(options) {
+    thread_ = std::thread([this] { plan(); });
+}
+
+WordSource::~WordSource() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void WordSource::plan() {
+    try {
+        while (const Job* part = stream_.next()) {
+            add(*part);
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, [this] {
+                return stop_ || planned_.segments.size() + planned_.pieces.size() < kMostWords;
+            });
+            if (stop_) return;
+        }
+    } catch (...) {
+        failed_ = std::current_exception();
+    }
+    const std::lock_guard lock(mutex_);
+    planned_.all = true;
+    changed_.notify_all();
+}
+
+void WordSource::add(const Job& part) {
+    PlannedWords words;
+    for (const ref::Segment& segment : part.plan.segments) {
+        append(words.segments, segment_bus_words(segment, segments_++, part.options.core));
+    }
+    for (std::size_t i = 0; i < part.plan.pieces.size(); ++i) {
+        append(words.pieces, profile_bus_words(part.plan, i, pieces_++));
+    }
+    const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
+    const std::lock_guard lock(mutex_);
+    planned_.words += words.segments.size() + words.pieces.size();
+    planned_.samples += ticks << part.options.samples_per_tick_log2();
+    planned_.path = part.path_length();
+    move_to(planned_.segments, words.segments);
+    move_to(planned_.pieces, words.pieces);
+    if (!settings_) settings_ = board_settings(part);
+    changed_.notify_all();
+}
+
+BoardSettings WordSource::settings() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return settings_ || planned_.all; });
+    if (!settings_) std::rethrow_exception(failed_);
+    return *settings_;
+}
+
+void WordSource::take(PlannedWords& held) {
+    const std::lock_guard lock(mutex_);
+    move_to(held.segments, planned_.segments);
+    move_to(held.pieces, planned_.pieces);
+    held.words = planned_.words;
+    held.samples = planned_.samples;
+    held.path = planned_.path;
+    held.all = planned_.all;
+    changed_.notify_all();
+    if (planned_.all && failed_ && held.segments.empty() && held.pieces.empty()) {
+        std::rethrow_exception(failed_);
+    }
+}
+
+}  // namespace curvecore::sysc

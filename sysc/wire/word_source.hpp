@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program's words, planned by a thread of its own while they are sent.
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sysc/board/board.hpp"
+#include "sysc/host/job_stream.hpp"
+
+namespace curvecore::sysc {
+
+/// Of the words that were planned so far.
+struct PlannedWords {
+    std::deque<std::uint64_t> segments;
+    std::deque<std::uint64_t> pieces;
+    std::uint64_t words = 0;
+    std::uint64_t samples = 0;
+    std::uint64_t path = 0;  // quanta
+    bool all = false;
+};
+
+class WordSource {
+  public:
+    /// @throws ref::InputError, UsageError: as JobStream does
+    explicit WordSource(const Options& options);
+    ~WordSource();
+    WordSource(const WordSource&) = delete;
+    WordSource& operator=(const WordSource&) = delete;
+
+    /// Waits for the first part, which says what the board is to be set to.
+    BoardSettings settings();
+    /// Adds what is new to the words that are held; what was planned is as of now.
+    /// @throws what ended the planning, when its words are taken
+    void take(PlannedWords& held);
+    /// When take() says that all is there.
+    const std::vector<std::string>& warnings() const { return stream_.job().program.warnings; }
+
+  private:
+    void plan();
+    void add(const Job& part);
+
+    JobStream stream_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    PlannedWords planned_;
+    std::size_t segments_ = 0;
+    std::size_t pieces_ = 0;
+    std::optional<BoardSettings> settings_;
+    std::exception_ptr failed_;
+    bool stop_ = false;
+    std::thread thread_;  // the last: it uses the others
+};
+
+}  // namespace curvecore::sysc
