@@ -71,12 +71,15 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
     json["planned"] = {{"path_quanta", planned.path},
                        {"samples", planned.samples},
                        {"duration_s", static_cast<double>(planned.samples) * build.sample_period_s},
-                       {"words", planned.words}};
+                       {"words", planned.words},
+                       {"words_of_busiest_second", planned.busiest}};
     json["drawn"] = {{"path_quanta", stream.path()}, {"steps", steps}, {"held", stream.held()}};
     json["link"] = {{"duration_s", seconds},
                     {"frames", link.frames},
                     {"repeated", link.repeated},
-                    {"round_trip_s", link.round_trip_s}};
+                    {"round_trip_s", link.round_trip_s},
+                    {"words_per_s", machine.words_per_s()},
+                    {"rate", stream.link_rate()}};
     return json;
 }
 
@@ -119,7 +122,7 @@ int stream_command(Options options, const RawWireOptions& wire) {
         WordSource words(options);
         machine.prepare(drives, options.unit_mm, words.settings(),
                         static_cast<int>(std::ceil(silence / build.sample_period_s)));
-        WireStream stream(machine, words, console);
+        WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
         StatusLine status(options.quiet);
         const WireClock::time_point begin = WireClock::now();
         std::string end = "drawn";
@@ -159,6 +162,13 @@ int stream_command(Options options, const RawWireOptions& wire) {
                 static_cast<double>(stream.planned().path) / kQuantaPerUnit * options.unit_mm,
                 fmt::join(steps, " "), machine.figures().frames, machine.figures().repeated,
                 1e3 * machine.figures().round_trip_s);
+        }
+        if (stream.link_rate() < 1) {
+            fmt::print(
+                stderr,
+                "{}: warning: time went at {:.0f} %: the link carries {:.0f} words a second, "
+                "and the program has up to {}; --holds bounds has fewer\n",
+                wire.to, 100 * stream.link_rate(), machine.words_per_s(), stream.planned().busiest);
         }
         for (const std::string& warning : words.warnings()) fmt::print(stderr, "{}\n", warning);
         return exit;

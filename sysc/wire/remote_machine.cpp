@@ -18,6 +18,12 @@ constexpr std::uint32_t kEveryFault = 0xffff;
 constexpr std::uint32_t kMostTime = (1U << 12) - 1;  // TimeBits of boards
 constexpr auto kSettles = std::chrono::seconds(2);
 
+/// Words in two commands of a frame, beside what the stream adds itself.
+constexpr std::size_t kWordsOfFrame =
+    (kLongestFrame - FrameStream::kOwnBytes - 2 * kCommandBytes) / kPushedBytes;
+/// Bytes on a line of such a frame: CRC, end, and one in 64 that is escaped.
+constexpr double kLineBytes = (kLongestFrame + 4 + 1) * (1 + 1.0 / 64);
+
 /// A field of a register.
 std::uint32_t field(std::uint32_t word, std::uint32_t mask, int low) {
     return (word & mask) >> low;
@@ -75,7 +81,7 @@ std::string fault_names(std::uint32_t state) {
 }
 
 RemoteMachine::RemoteMachine(Link& link)
-    : frames_(link), build_(build_of(frames_.read(CURVECORE_ID, 5))) {}
+    : link_(link), frames_(link), build_(build_of(frames_.read(CURVECORE_ID, 5))) {}
 
 void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
     while (!frames_.may_send()) frames_.work();
@@ -140,8 +146,7 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSet
 bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces) {
     if (!frames_.may_send()) return false;
     Frame frame = frames_.begin();
-    // Room for what the stream adds itself.
-    std::size_t left = (kLongestFrame - FrameStream::kOwnBytes - 2 * kCommandBytes) / kPushedBytes;
+    std::size_t left = kWordsOfFrame;
     const auto fill = [&](std::uint32_t address, std::deque<std::uint64_t>& words, int room,
                           std::size_t most) {
         const std::size_t count =
@@ -159,6 +164,10 @@ bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::ui
     if (some + profile + more == 0) return false;
     frames_.send(frame, some + more, profile);
     return true;
+}
+
+double RemoteMachine::words_per_s() const {
+    return link_.bytes_per_s() / kLineBytes * kWordsOfFrame;
 }
 
 void RemoteMachine::set_override(int word) {

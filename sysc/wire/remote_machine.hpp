@@ -56,6 +56,8 @@ class RemoteMachine {
     void finish() { frames_.finish(); }
 
     const Telemetry& telemetry() const { return frames_.telemetry(); }
+    /// Words a second that the link carries, 0: not known.
+    double words_per_s() const;
     const LinkFigures& figures() const { return frames_.figures(); }
     bool is(std::uint32_t mask) const { return (telemetry().state & mask) != 0; }
     /// Steps that were given on each axis.
@@ -65,6 +67,7 @@ class RemoteMachine {
     void write(std::uint32_t address, std::uint32_t word);
     void control(std::uint32_t bits);
 
+    Link& link_;
     FrameStream frames_;
     RemoteBuild build_;
     std::uint32_t control_ = 0;

@@ -12,16 +12,20 @@ namespace {
 /// Faults behind which the machine is off, or its words are lost.
 constexpr std::uint32_t kFaultBits = 0xffff;
 constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
+/// Of the words a second that a link carries: the rest is for repetitions.
+constexpr double kOfLink = 0.9;
 constexpr auto kStops = std::chrono::seconds(10);
 
 }  // namespace
 
-WireStream::WireStream(RemoteMachine& machine, WordSource& words, Console& console)
-    : machine_(machine), words_(words), console_(console) {}
+WireStream::WireStream(RemoteMachine& machine, WordSource& words, Console& console,
+                       double override_rate)
+    : machine_(machine), words_(words), console_(console), wished_rate_(override_rate) {}
 
 StreamEnd WireStream::run(const std::function<void()>& turn) {
     for (;;) {
         words_.take(planned_);
+        keep_to_link();
         while (machine_.push(planned_.segments, planned_.pieces)) {
         }
         look();
@@ -40,6 +44,21 @@ void WireStream::look() {
     held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
 }
 
+/// Time goes no faster than words come.
+void WireStream::keep_to_link() {
+    const double carried = kOfLink * machine_.words_per_s();
+    const auto busiest = static_cast<double>(planned_.busiest);
+    if (carried == 0 || busiest * link_rate_ <= carried) return;
+    link_rate_ = carried / busiest;
+    set_rate(wished_rate_);
+}
+
+void WireStream::set_rate(double wished) {
+    wished_rate_ = wished;
+    const double rate = std::min(wished_rate_, link_rate_);
+    machine_.set_override(std::max(1, static_cast<int>(std::lround(rate * 65536))));
+}
+
 bool WireStream::drawn() const {
     return planned_.all && planned_.segments.empty() && planned_.pieces.empty() &&
            path() == planned_.path && !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
@@ -56,7 +75,7 @@ bool WireStream::meet_wishes() {
                 machine_.hold(false);
                 break;
             case Wish::Kind::kOverride:
-                machine_.set_override(static_cast<int>(std::lround(wish->percent * 655.36)));
+                set_rate(wish->percent / 100.0);
                 break;
             case Wish::Kind::kStop:
                 stop();

@@ -14,7 +14,7 @@ enum class StreamEnd { kDone, kStopped, kFault };
 
 class WireStream {
   public:
-    WireStream(RemoteMachine& machine, WordSource& words, Console& console);
+    WireStream(RemoteMachine& machine, WordSource& words, Console& console, double override_rate);
 
     /// Sends words and works until the program has been drawn, or was ended. `turn` is called again
     /// and again.
@@ -29,16 +29,22 @@ class WireStream {
     std::uint64_t path() const { return path_; }
     std::uint32_t faults() const { return faults_; }
     bool held() const { return held_; }
+    /// Rate of time that the link's words a second allow, at most 1.
+    double link_rate() const { return link_rate_; }
 
   private:
     bool meet_wishes();
     bool drawn() const;
     void look();
+    void keep_to_link();
+    void set_rate(double wished);
 
     RemoteMachine& machine_;
     WordSource& words_;
     Console& console_;
     PlannedWords planned_;
+    double wished_rate_;
+    double link_rate_ = 1;
     std::uint64_t path_ = 0;
     std::uint32_t faults_ = 0;
     bool held_ = false;  // time stood still or went slower, for whatever reason

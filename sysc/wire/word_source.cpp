@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/wire/word_source.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sysc/host/bus_words.hpp"
@@ -56,21 +58,47 @@ void WordSource::plan() {
 
 void WordSource::add(const Job& part) {
     PlannedWords words;
+    const double tick_s = part.options.sample_period_s * part.options.samples_per_tick;
+    std::size_t next = 0;  // segment to be counted
+    double segment_s = 0;  // its begin, from the part's
+    double piece_s = 0;
     for (const ref::Segment& segment : part.plan.segments) {
         append(words.segments, segment_bus_words(segment, segments_++, part.options.core));
     }
+    const std::size_t each =
+        words.segments.size() / std::max<std::size_t>(part.plan.segments.size(), 1);
     for (std::size_t i = 0; i < part.plan.pieces.size(); ++i) {
-        append(words.pieces, profile_bus_words(part.plan, i, pieces_++));
+        const std::vector<std::uint64_t> piece = profile_bus_words(part.plan, i, pieces_++);
+        append(words.pieces, piece);
+        for (; next < part.plan.segments.size() && segment_s <= piece_s; ++next) {
+            segment_s += part.plan.segments[next].ticks * tick_s;
+            count_words(each);
+        }
+        count_words(piece.size());
+        piece_s += part.plan.pieces[i].ticks * tick_s;
+        pass(part.plan.pieces[i].ticks * tick_s);
     }
     const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
     const std::lock_guard lock(mutex_);
     planned_.words += words.segments.size() + words.pieces.size();
     planned_.samples += ticks << part.options.samples_per_tick_log2();
     planned_.path = part.path_length();
+    planned_.busiest = busiest_;
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
     if (!settings_) settings_ = board_settings(part);
     changed_.notify_all();
+}
+
+void WordSource::count_words(std::size_t words) {
+    words_of_second_ += words;
+    busiest_ = std::max(busiest_, words_of_second_);
+}
+
+void WordSource::pass(double time_s) {
+    const double second = std::floor(time_s_);
+    time_s_ += time_s;
+    if (std::floor(time_s_) != second) words_of_second_ = 0;
 }
 
 BoardSettings WordSource::settings() {
@@ -87,6 +115,7 @@ void WordSource::take(PlannedWords& held) {
     held.words = planned_.words;
     held.samples = planned_.samples;
     held.path = planned_.path;
+    held.busiest = planned_.busiest;
     held.all = planned_.all;
     changed_.notify_all();
     if (planned_.all && failed_ && held.segments.empty() && held.pieces.empty()) {

@@ -7,6 +7,7 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -22,7 +23,8 @@ struct PlannedWords {
     std::deque<std::uint64_t> pieces;
     std::uint64_t words = 0;
     std::uint64_t samples = 0;
-    std::uint64_t path = 0;  // quanta
+    std::uint64_t path = 0;     // quanta
+    std::uint64_t busiest = 0;  // words in a second of the program, at most
     bool all = false;
 };
 
@@ -45,6 +47,8 @@ class WordSource {
   private:
     void plan();
     void add(const Job& part);
+    void count_words(std::size_t words);
+    void pass(double time_s);
 
     JobStream stream_;
     std::mutex mutex_;
@@ -52,6 +56,9 @@ class WordSource {
     PlannedWords planned_;
     std::size_t segments_ = 0;
     std::size_t pieces_ = 0;
+    double time_s_ = 0;  // of the program, as far as it is planned
+    std::uint64_t words_of_second_ = 0;
+    std::uint64_t busiest_ = 0;
     std::optional<BoardSettings> settings_;
     std::exception_ptr failed_;
     bool stop_ = false;

@@ -305,12 +305,28 @@ class WireTest(unittest.TestCase):
         self.assertEqual(board.end(), [])
 
     def test_serial_line(self):
-        board = self.board("--fast")
+        board = self.board()
         master, device = pty.openpty()
         tty.setraw(master)
         threading.Thread(target=bridge, args=(master, board.port), daemon=True).start()
         self.finish(self.stream(f"serial:{os.ttyname(device)}@115200"))
         self.assertEqual(counts(board.end()), [STEPS_PER_MM * mm for mm in END])
+
+
+    def test_slow_line_slows_time(self):
+        board = self.board()
+        master, device = pty.openpty()
+        tty.setraw(master)
+        threading.Thread(target=bridge, args=(master, board.port), daemon=True).start()
+        self.finish(self.stream(f"serial:{os.ttyname(device)}@38400"), text="warning: time went at")
+        report = self.report()
+        self.assertLess(report["link"]["rate"], 0.9)
+        self.assertGreater(report["planned"]["words_of_busiest_second"] * 0.95,
+                           report["link"]["words_per_s"])
+        steps = board.end()
+        self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
+        seconds = (steps[-1][0] - steps[0][0]) / 2.56e6
+        self.assertGreater(seconds, 0.8 * report["planned"]["duration_s"] / report["link"]["rate"])
 
 
 def bridge(line, port):
