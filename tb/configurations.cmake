@@ -251,6 +251,12 @@ core_test(motion_steps serial TOP step_generator LIBRARIES motion_steps_core cur
           PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=8 TimeBits=12)
 target_compile_definitions(motion_steps_serial
                            PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
+# The system's step blocks.
+foreach(size 3,8 9,9 3,13)
+  read_row(${size} axes period)
+  core_test(step_blocks a${axes}_k${period} TOP step_generator LIBRARIES curvecore_system
+            PARAMS Axes=${axes} PeriodLog2=${period} FineBits=44 ScaleBits=56 TimeBits=16)
+endforeach()
 illegal_parameter_test(step_generator Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(step_generator FineBits=45 "FineBits must be in .18, 44.")
 illegal_parameter_test(step_generator ScaleBits=39 "ScaleBits must be in .40, 56.")

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ref/format/queues.hpp"
@@ -42,12 +43,32 @@ struct BoardSettings {
     std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs
 };
 
+/// An axis behind the board's step pins.
+struct AxisStatus {
+    std::uint64_t steps = 0;
+    std::uint64_t turns = 0;
+    std::int64_t count = 0;  // steps up less down
+    std::int64_t due = 0;    // that its first and last sample are apart
+    bool overrun = false;    // a step was dropped
+    bool refused = false;    // it was too fast
+    double following_error_mm = 0;
+};
+
+/// What a board with step pins moved.
+struct StepStatus {
+    double clock_hz = 0;
+    std::uint64_t pins = 0;  // digest of all their changes and times
+    std::vector<AxisStatus> axes;
+};
+
 struct BoardStatus {
     std::uint64_t clocks = 0;  // of the core; 0: it has none
     bool underrun = false;
     unsigned fault = 0;  // fault_o of rtl/motion_interpolator.sv
     std::uint64_t empty_segments = 0;
     std::uint64_t late_samples = 0;  // sample periods that ended without their sample
+    std::uint64_t starved = 0;       // how often the queues held less than a stop takes
+    std::optional<StepStatus> steps{};
 };
 
 class Board {

@@ -5,10 +5,13 @@
 
 namespace curvecore::sysc {
 
-KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settings)
+KernelBoard::KernelBoard(const CoreParameters& core, const BoardSettings& settings,
+                         const QueueDepths& depths)
     : core_(core),
       target_(settings.override_word),
       segment_words_(static_cast<std::size_t>(ref::segment_bus_words(core.aux_axes))),
+      segments_{static_cast<std::size_t>(depths.segments), {}},
+      profile_{static_cast<std::size_t>(depths.profile), {}},
       scaler_(settings.hold_acceleration, static_cast<std::int64_t>(settings.hold_slope)),
       share_(settings.samples_per_tick_log2),
       ranges_(core.coef_bits),

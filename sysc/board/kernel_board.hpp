@@ -13,9 +13,16 @@
 
 namespace curvecore::sysc {
 
+/// Words of 48 bits.
+struct QueueDepths {
+    int segments = ref::kSegmentQueueWords;
+    int profile = ref::kProfileQueueWords;
+};
+
 class KernelBoard : public Board {
   public:
-    KernelBoard(const CoreParameters& core, const BoardSettings& settings);
+    KernelBoard(const CoreParameters& core, const BoardSettings& settings,
+                const QueueDepths& depths = {});
 
     std::size_t write(Stream stream, const std::uint64_t* words, std::size_t count) override;
     bool full(Stream stream) const override;
@@ -49,8 +56,8 @@ class KernelBoard : public Board {
     const CoreParameters core_;
     const std::int32_t target_;  // rate of time, 2^16 = 1
     const std::size_t segment_words_;
-    Queue segments_{kSegmentQueueWords, {}};
-    Queue profile_{kProfileQueueWords, {}};
+    Queue segments_;
+    Queue profile_;
     hls::TimeScaler scaler_;
     hls::StopSchedule stops_;
     hls::PathKernel path_;

@@ -166,6 +166,11 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("--on", raw.on, fmt::format("board: {}", fmt::join(kBoardNames, ", ")))
         ->type_name("BOARD")
         ->capture_default_str();
+    command.add_option("--system", raw.system, "of --on systemc: " + system_names())
+        ->type_name("NAME=VALUE,..")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all();
     command
         .add_option("--stall", raw.stall_seed,
                     "random stalls on every handshake of the RTL; the samples must not change")

@@ -5,13 +5,13 @@
 #include "sysc/board/compiled_core.hpp"
 #include "sysc/board/core_cache.hpp"
 #include "sysc/board/kernel_board.hpp"
-#include "sysc/board/systemc_board.hpp"
 #include "sysc/curvecore/planned_job.hpp"
 #include "sysc/curvecore/publish.hpp"
 #include "sysc/host/feeder.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/host/progress_bar.hpp"
+#include "sysc/system/system_board.hpp"
 #include "sysc/watch/gtkw_writer.hpp"
 
 namespace curvecore::sysc {
@@ -23,15 +23,14 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
     const BoardSettings settings = board_settings(job);
     std::unique_ptr<Board> board;
     if (make == nullptr) {
-        board = std::make_unique<KernelBoard>(options.core, settings);
+        const QueueDepths asked{options.segment_queue_words, options.profile_queue_words};
+        board = std::make_unique<KernelBoard>(options.core, settings,
+                                              options.in_system() ? asked : QueueDepths());
     } else {
         board.reset(make({settings, options.stall_seed, waveform, options.trace_clocks}));
     }
-    if (options.board == BoardKind::kKernel || options.board == BoardKind::kRtl) return board;
-    SystemTimes times;
-    times.sample_s = options.sample_period_s;
-    times.clock_s = 1 / options.clock_hz;
-    return make_systemc_board(std::move(board), times);
+    if (!options.in_system()) return board;
+    return make_system_board(job, std::move(board), make_machine(job));
 }
 
 }  // namespace

@@ -52,6 +52,19 @@ void set_clock(double hz, Options& options) {
     options.clock_set = true;
 }
 
+/// The system's blocks; that of the interpolator is the board's.
+void set_system(const std::vector<std::string>& given, Options& options) {
+    if (!given.empty() && !options.in_system()) {
+        throw UsageError("--system is for --on systemc and systemc-rtl");
+    }
+    if (options.needs_rtl()) options.system.interpolator = BlockKind::kRtl;
+    for (const std::string& text : given) set_system(options.system, text);
+    if (options.in_system()) {
+        options.board = options.system.interpolator == BlockKind::kRtl ? BoardKind::kSystemcRtl
+                                                                       : BoardKind::kSystemc;
+    }
+}
+
 ref::PointsOptions points_options(const RawOptions& raw, const std::string& file) {
     ref::PointsOptions points;
     points.fit = static_cast<ref::Fit>(choice("--fit", raw.fit, ref::kFitNames));
@@ -201,6 +214,7 @@ void interpret(const RawOptions& raw, Options& options) {
     if (!raw.rows.empty()) options.most_rows = whole("--rows", raw.rows);
     if (options.most_rows == 0) throw UsageError("--rows must be at least 1");
     options.board = static_cast<BoardKind>(choice("--on", raw.on, kBoardNames));
+    set_system(raw.system, options);
     if (!options.needs_rtl() && (options.trace || !raw.stall_seed.empty())) {
         throw UsageError("--stall and --trace are for --on rtl and systemc-rtl");
     }

@@ -12,6 +12,7 @@
 #include "ref/feed/planner.hpp"
 #include "ref/program/program_stream.hpp"
 #include "sysc/host/core_parameters.hpp"
+#include "sysc/host/system_settings.hpp"
 
 namespace curvecore::sysc {
 
@@ -45,12 +46,16 @@ struct Options {
 
     // `run` alone
     BoardKind board = BoardKind::kRtl;
+    SystemSettings system;
     std::optional<std::uint64_t> stall_seed;
     double override_percent = 100;
     bool trace = false;
     std::uint64_t trace_clocks = 20000;
     std::uint64_t most_rows = 4000000;  // of samples.csv
 
+    bool in_system() const {
+        return board == BoardKind::kSystemc || board == BoardKind::kSystemcRtl;
+    }
     /// A Verilated core draws.
     bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
     int samples_per_tick_log2() const;
@@ -87,6 +92,7 @@ struct RawOptions {
     std::string trace_clocks = "20000";
     std::string rows;
     std::vector<std::string> set;
+    std::vector<std::string> system;
 };
 
 /// Worst error of a position on any axis, before rounding, that plans keep where nothing else is

@@ -10,6 +10,7 @@
 #include "sysc/board/faults.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/watch/limit_text.hpp"
+#include "sysc/watch/step_text.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -201,6 +202,10 @@ std::vector<Check> Report::checks() const {
             {"no late sample", drawn->status.late_samples == 0,
              fmt::format("{} periods without their sample", drawn->status.late_samples)},
         };
+        if (const std::optional<StepStatus>& steps = drawn->status.steps) {
+            checks.push_back({"every step given", every_step_given(*steps),
+                              steps_text(*steps, axis_names(job))});
+        }
     }
     checks.push_back({"time kept", !period_clocks || *period_clocks <= clocks_available(),
                       period_clocks ? fmt::format("{:.1f} of {:.1f} clocks of a sample period",
@@ -287,6 +292,9 @@ nlohmann::ordered_json Report::json() const {
         json["fault"] = drawn->status.fault;
         json["empty_segments"] = drawn->status.empty_segments;
         json["late_samples"] = drawn->status.late_samples;
+        json["starved"] = drawn->status.starved;
+        const std::optional<StepStatus>& steps = drawn->status.steps;
+        json["pulses"] = steps ? steps_json(*steps, axis_names(job)) : Json();
     }
     json["duration_s"] = duration_s();
     if (drawn != nullptr) {
@@ -345,6 +353,11 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
                         unbounded_text(job)));
         row("landing", fmt::format("{} units at {} exact stops", check.landing, check.stops));
         if (has_clock()) row("clocks/sample", fmt::format("{:.3f}", clocks_per_sample()));
+        if (const std::optional<StepStatus>& steps = drawn->status.steps) {
+            row("steps", steps_text(*steps, axis_names(job)));
+            row("following error", following_error_text(*steps, axis_names(job)));
+            row("host", fmt::format("the queues starved {} times", drawn->status.starved));
+        }
     } else {
         row("derived bound", fmt::format("{:.4f} units of {} before rounding{}", job.bound(),
                                          unit_text(job), unbounded_text(job)));

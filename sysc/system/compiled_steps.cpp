@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+// One Verilated step generator as a block: compiled once for each model.
+#include CFG_HEADER
+#include "sysc/system/rtl_steps.hpp"
+
+namespace curvecore::sysc {
+
+StepBlock* CFG_FUNCTION(const StepSetup& setup) { return new RtlSteps<CFG_MODEL>(setup, CFG_Axes); }
+
+}  // namespace curvecore::sysc

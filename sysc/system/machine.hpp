@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// What samples move: step generator, drives, axes.
+//
+//     samples -> StepBlock -> pins -> DriveAxis
+//
+// Once per sample period, and ahead of the time of its pins.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sysc/board/board.hpp"
+#include "sysc/host/system_settings.hpp"
+#include "sysc/system/drive_axis.hpp"
+#include "sysc/system/step_block.hpp"
+
+namespace curvecore::sysc {
+
+/// The core's positions and clock.
+struct MachineSetup {
+    int axes = 3;
+    double fine_mm = 1e-6 / 1024;  // a unit of Sample::fine
+    double sample_s = 100e-6;
+    double clock_hz = 100e6;
+};
+
+class Machine {
+  public:
+    /// @throws UsageError: scale, times or clocks that no step generator has
+    Machine(const MachineSetup& setup, const SystemSettings& settings);
+
+    /// A sample period; null: its sample is late. The changes of pins in it.
+    const std::vector<PinChange>& period(const Sample* sample);
+
+    StepStatus status() const;
+
+  private:
+    struct Axis {
+        DriveAxis drive;
+        AxisStatus status;
+        std::int64_t first = 0;  // samples, in units of fine positions
+        std::int64_t last = 0;
+        bool level[2] = {false, false};  // of the pins
+    };
+
+    void note(const PinChange& change);
+
+    std::int64_t scale_;
+    double clock_s_;  // of the step generator: 2^n a sample, the most that the core's clock has
+    std::unique_ptr<StepBlock> steps_;
+    std::vector<Axis> axes_;
+    std::vector<PinChange> changes_;
+    bool begun_ = false;
+    std::uint64_t digest_ = 0xcbf29ce484222325;  // of all pins and times: FNV-1a
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/system/system_board.hpp"
+
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "sysc/system/host_port.hpp"
+#include "sysc/system/timed_board.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+struct Modules {
+    Modules() {
+        host.bus.bind(bus.host);
+        bus.board.bind(board.bus);
+        sc_core::sc_start(sc_core::SC_ZERO_TIME);  // every thread waits for its event
+    }
+
+    HostPort host{"host"};
+    Bus bus{"bus"};
+    TimedBoard board{"board"};
+};
+
+/// A simulation that has begun takes no more modules. They last as long as it.
+Modules& modules() {
+    static Modules& only = *new Modules;
+    return only;
+}
+
+class SystemBoard : public Board {
+  public:
+    SystemBoard(const Job& job, std::unique_ptr<Board> core, std::unique_ptr<Machine> machine)
+        : settings_(job.options.system),
+          core_(std::move(core)),
+          machine_(std::move(machine)),
+          guard_(job) {
+        bus_.set_word_time(settings_.word_s);
+        const double period = job.options.sample_period_s;
+        // Each turn of the kernel is a sample, of a Verilated core a clock.
+        const double turns = rtl() ? std::floor(period * job.options.clock_hz + 1e-9) : kAhead;
+        board_.begin(
+            {core_.get(), machine_.get(), &guard_, period, static_cast<std::uint64_t>(turns)});
+    }
+    ~SystemBoard() override { board_.end(); }
+    SystemBoard(const SystemBoard&) = delete;
+    SystemBoard& operator=(const SystemBoard&) = delete;
+
+    std::size_t write(Stream stream, const std::uint64_t* words, std::size_t count) override {
+        return host_.write(stream == Stream::kSegments ? kSegmentWords : kProfileWords, words,
+                           count);
+    }
+    bool arrived(Stream stream) const override { return core_->arrived(stream); }
+    bool full(Stream stream) const override { return core_->full(stream); }
+    bool paced() const override { return true; }
+    void request(std::uint64_t samples) override { host_.write(kRequest, &samples, 1); }
+
+    void work(std::vector<Sample>& samples) override {
+        sc_core::sc_start(seconds(settings_.host_s + settings_.jitter_s * draw()));
+        while (board_.comes_to_rest()) sc_core::sc_start(seconds(settings_.host_s));
+        std::vector<Sample>& came = board_.samples();
+        samples.insert(samples.end(), came.begin(), came.end());
+        came.clear();
+    }
+
+    BoardStatus status() const override {
+        BoardStatus status = core_->status();
+        status.late_samples = board_.late_samples();
+        status.starved = guard_.times();
+        if (!rtl()) status.underrun = guard_.times() > 0;
+        if (machine_) status.steps = machine_->status();
+        return status;
+    }
+
+  private:
+    bool rtl() const { return settings_.interpolator == BlockKind::kRtl; }
+    /// In [0, 1)
+    double draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+
+    const SystemSettings settings_;
+    std::unique_ptr<Board> core_;
+    std::unique_ptr<Machine> machine_;
+    QueueGuard guard_;
+    std::mt19937_64 random_{1};
+    HostPort& host_ = modules().host;
+    Bus& bus_ = modules().bus;
+    TimedBoard& board_ = modules().board;
+};
+
+}  // namespace
+
+std::unique_ptr<Machine> make_machine(const Job& job) {
+    const Options& options = job.options;
+    MachineSetup setup;
+    setup.axes = 3 + job.plan.aux_axes;  // which the report names
+    setup.fine_mm = std::ldexp(options.unit_mm, -options.core.guard_bits);
+    setup.sample_s = options.sample_period_s;
+    setup.clock_hz = options.clock_hz;
+    return std::make_unique<Machine>(setup, options.system);
+}
+
+std::unique_ptr<Board> make_system_board(const Job& job, std::unique_ptr<Board> core,
+                                         std::unique_ptr<Machine> machine) {
+    return std::make_unique<SystemBoard>(job, std::move(core), std::move(machine));
+}
+
+}  // namespace curvecore::sysc
+
+/// SystemC's library wants one; the program has a main() of its own.
+int sc_main(int /*argc*/, char** /*argv*/) { return 0; }
