@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/frame_reader.sv with any bytes, behind registers that answer in two clocks: it goes on
-// whatever they are; a request stays until it is answered, and is no number of a frame; an answer is
-// closed once, behind a byte of it.
+// whatever they are; a request stays until it is answered, and is no number of a frame; an answer
+// is closed once, behind a byte of it.
 // control: HANGS_ON_A_BYTE s/takes = !last;/takes = !last \&\& !low_q[7];/
 // control: LEAVES_EARLY s/(!asks || done_i)/1/
 // control: ASKS_NUMBERS s/ = !is_sequence \&\& / = /
