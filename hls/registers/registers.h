@@ -171,18 +171,6 @@
 #define CURVECORE_PINS_LIMIT_MASKED_LOW 18
 #define CURVECORE_PINS_LIMIT_MASKED_MASK 0x07fc0000u
 
-/* Words that fit into the queues. A program's words do not enter before the other stream has ended the one before. */
-#define CURVECORE_ROOM 0x048
-#define CURVECORE_ROOM_SEGMENT_LOW 0
-#define CURVECORE_ROOM_SEGMENT_MASK 0x0000ffffu
-#define CURVECORE_ROOM_PROFILE_LOW 16
-#define CURVECORE_ROOM_PROFILE_MASK 0xffff0000u
-
-/* Number of the next frame whose writes are obeyed: those behind a write of this number here, which makes it one more. Buses without frames only keep it. */
-#define CURVECORE_SEQUENCE 0x04c
-#define CURVECORE_SEQUENCE_FRAME_LOW 0
-#define CURVECORE_SEQUENCE_FRAME_MASK 0xffffffffu
-
 /* Low 32 bits of the next word; both addresses write the same. */
 #define CURVECORE_SEGMENT_LO 0x050
 #define CURVECORE_SEGMENT_LO_WORD_LOW 0
@@ -218,10 +206,22 @@
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu
 
-/* Sets SEQUENCE: a host takes a number that no frame under way has. */
-#define CURVECORE_SESSION 0x06c
-#define CURVECORE_SESSION_FRAME_LOW 0
-#define CURVECORE_SESSION_FRAME_MASK 0xffffffffu
+/* Words that fit into the queues. A program's words do not enter before the other stream has ended the one before. */
+#define CURVECORE_ROOM 0x06c
+#define CURVECORE_ROOM_SEGMENT_LOW 0
+#define CURVECORE_ROOM_SEGMENT_MASK 0x0000ffffu
+#define CURVECORE_ROOM_PROFILE_LOW 16
+#define CURVECORE_ROOM_PROFILE_MASK 0xffff0000u
+
+/* The number that SEQUENCE has: writes behind this one, in its frame, are obeyed if it is so. Buses without frames only keep it. */
+#define CURVECORE_EXPECT 0x070
+#define CURVECORE_EXPECT_FRAME_LOW 0
+#define CURVECORE_EXPECT_FRAME_MASK 0xffffffffu
+
+/* Number of the last frame whose writes were obeyed, as that frame wrote it here. Buses without frames only keep it. */
+#define CURVECORE_SEQUENCE 0x074
+#define CURVECORE_SEQUENCE_FRAME_LOW 0
+#define CURVECORE_SEQUENCE_FRAME_MASK 0xffffffffu
 
 /* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100

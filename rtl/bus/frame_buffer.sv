@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whole frames: what arrived of a frame can be read when it has ended and is good, and is forgotten
 // otherwise. A frame has at most 2^8 - 1 bytes with its CRC; one that is longer or does not fit is
-// not good. What is read: its number of bytes without the CRC, then these.
+// not good. What is read: its number of bytes, then these.
 //
 //   clock        0     1
 //   next_i       1
@@ -24,30 +24,38 @@ module frame_buffer (
 );
 
   localparam int Log2 = 9;
-  localparam logic [7:0] CrcBytes = 8'd4;
 
   // A ring: frames, each behind its number of bytes
   logic [Log2-1:0] first_q;  // place for the number of bytes of the frame that arrives
+  logic [Log2-1:0] next_q;  // and for its next byte; in the clock behind an end one less
+  logic [Log2-1:0] behind;
   logic [Log2-1:0] read_q;
   logic [7:0] bytes_q;
+  logic ended_q;
   logic lost_q;
   logic full;
   logic kept;
+  logic write;
   logic [Log2-1:0] write_at;
   logic [7:0] write_data;
-  logic write;
-  assign write_at = first_q + (end_valid_i ? '0 : Log2'(bytes_q) + 1'b1);
-  assign full = bytes_q == '1 || write_at + 1'b1 == read_q;
-  assign kept = end_valid_i && good_i && !lost_q && bytes_q > CrcBytes;
-  assign write = data_valid_i && !full || kept;
-  assign write_data = end_valid_i ? bytes_q - CrcBytes : data_i;
+  assign behind     = next_q + 1'b1;
+  assign full       = bytes_q == '1 || behind == read_q;
+  assign kept       = end_valid_i && good_i && !lost_q;
+  assign write      = (data_valid_i && !full) || kept;
+  assign write_at   = end_valid_i ? first_q : next_q;
+  assign write_data = end_valid_i ? bytes_q : data_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       first_q <= '0;
-      bytes_q <= '0;
-      lost_q  <= 1'b0;
-    end else if (end_valid_i) begin
-      if (kept) first_q <= first_q + Log2'(write_data) + 1'b1;
+      next_q  <= '0;
+      ended_q <= 1'b1;
+    end else begin
+      ended_q <= end_valid_i;
+      if (end_valid_i && !kept) next_q <= first_q;
+      else if (ended_q || (data_valid_i && !full)) next_q <= behind;
+      if (kept) first_q <= next_q;
+    end
+    if (!rst_ni || end_valid_i) begin
       bytes_q <= '0;
       lost_q  <= 1'b0;
     end else if (data_valid_i) begin

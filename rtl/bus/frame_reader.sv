@@ -9,9 +9,9 @@
 // Width 2: words of 32 bits. Width 3: pairs of words, the low one first, at an address that is a
 // multiple of 8. With the increment each goes to the next address, otherwise all to the same one.
 //
-// Writes are obeyed behind a write of SEQUENCE that says the board's number, which is one more from
-// then on; so a frame that begins with its number is obeyed once and in order, however often it
-// comes, and its reads are answered always. SESSION sets the number.
+// Writes are obeyed behind a write of EXPECT that says the number that SEQUENCE has. A frame that
+// begins so, and then gives SEQUENCE a number of its own, is obeyed once and in order, however
+// often it comes; its reads are answered always.
 //
 // What is not such a command ends its frame, with an access that the registers refuse.
 `default_nettype none
@@ -49,20 +49,23 @@ module frame_reader (
     Access,
     Answer,
     Refuse,
-    Finish
+    Finish,
+    Crc
   } state_t;
   state_t state_q;
 
   // Bytes
+  localparam logic [7:0] CrcBytes = 8'd4;
   logic [7:0] left_q;  // of the frame
   logic last;
   logic [7:0] low_q;  // the one before
   logic takes;
-  assign last = left_q == '0;
+  assign last = left_q == CrcBytes;
   always_comb begin
     case (state_q)
       Length: takes = 1'b1;
-      Data: takes = write_o && words_q != '0 && !last;
+      Crc: takes = left_q != '0;
+      Data: takes = writes_q && words_q != '0 && !last;
       CommandLow, CommandHigh, AddressLow, AddressHigh, Refuse: takes = !last;
       default: takes = 1'b0;
     endcase
@@ -85,22 +88,23 @@ module frame_reader (
 
   // The access, and which frames are obeyed
   logic [31:0] word_q;  // to write, or read
-  logic [31:0] sequence_q;
+  logic [6:0] place_q;
   logic obeyed_q;
-  logic is_sequence;
-  logic is_next;
+  logic writes_q;  // as the command says
+  logic expects;  // reads SEQUENCE for it
   logic asks;
   logic accessed;
   logic answers;
   logic done;  // with a word
-  assign is_sequence = word_o == registers_pkg::Sequence;
-  assign is_next     = word_q == sequence_q;
-  assign asks        = !is_sequence && (!write_o || obeyed_q);
-  assign accessed    = state_q == Access && (!asks || done_i);
-  assign answers     = state_q == Answer && ready_i;
-  assign done        = write_o ? accessed : answers && part_q == '1;
-  assign valid_o     = state_q == Access && asks;
-  assign data32_o    = word_q;
+  assign expects  = writes_q && place_q == registers_pkg::Expect;
+  assign asks     = !writes_q || expects || obeyed_q;
+  assign accessed = state_q == Access && (!asks || done_i);
+  assign answers  = state_q == Answer && ready_i;
+  assign done     = writes_q ? accessed : answers && part_q == '1;
+  assign valid_o  = state_q == Access && asks;
+  assign write_o  = writes_q && !expects;
+  assign word_o   = {place_q[6:1], place_q[0] || expects};
+  assign data32_o = word_q;
 
   // Answers
   logic answered_q;
@@ -132,13 +136,14 @@ module frame_reader (
         end
         Data: begin
           if (words_q == '0) state_q <= CommandLow;
-          else if (!write_o || (next_o && part_q == '1)) state_q <= Access;
+          else if (!writes_q || (next_o && part_q == '1)) state_q <= Access;
           else if (last) state_q <= Refuse;
         end
-        Access:  if (accessed) state_q <= write_o ? Data : Answer;
+        Access:  if (accessed) state_q <= writes_q ? Data : Answer;
         Answer:  if (done) state_q <= Data;
         Refuse:  if (last) state_q <= Access;
-        default: if (!answered_q || ready_i) state_q <= Length;
+        Finish:  if (!answered_q || ready_i) state_q <= Crc;
+        default: if (left_q == '0) state_q <= Length;
       endcase
     end
   end
@@ -149,35 +154,27 @@ module frame_reader (
     else if (answers || (state_q == Data && next_o)) part_q <= part_q + 1'b1;
 
     if (state_q == CommandHigh && next_o) begin
-      write_o     <= read_i[7];
+      writes_q    <= read_i[7];
       pair_q      <= read_i[0];
       increment_q <= low_q[7];
       words_q     <= read_i[0] ? {low_q[6:0], 1'b0} : {1'b0, low_q[6:0]};
     end
-    if (state_q == AddressHigh && next_o) word_o <= {read_i[0], low_q[7:2]};
+    if (state_q == AddressHigh && next_o) place_q <= {read_i[0], low_q[7:2]};
     if (state_q == Refuse) begin  // what cannot be written
-      write_o  <= 1'b1;
-      word_o   <= registers_pkg::Id;
+      writes_q <= 1'b1;
+      place_q  <= registers_pkg::Id;
       words_q  <= 8'd1;
       obeyed_q <= 1'b1;
     end
     if (done) begin
       words_q <= words_q - 1'b1;
-      word_o  <= increment_q ? word_o + 1'b1 : word_o ^ {6'd0, pair_q};
+      place_q <= increment_q ? place_q + 1'b1 : place_q ^ {6'd0, pair_q};
     end
 
-    if (state_q == Data && next_o) word_q <= {read_i, word_q[31:8]};
-    else if (accessed && !write_o) word_q <= is_sequence ? sequence_q : data32_i;
-    else if (answers) word_q <= word_q >> 8;
+    if (accessed && !writes_q) word_q <= data32_i;
+    else if (answers || (state_q == Data && next_o)) word_q <= {read_i, word_q[31:8]};
+    if (accessed && expects) obeyed_q <= word_q == data32_i;
     if (answers) answered_q <= 1'b1;
-
-    if (!rst_ni) sequence_q <= '0;
-    else if (accessed && write_o && is_sequence) begin
-      obeyed_q <= is_next;
-      if (is_next) sequence_q <= sequence_q + 1'b1;
-    end else if (accessed && write_o && obeyed_q && word_o == registers_pkg::Session) begin
-      sequence_q <= word_q;
-    end
   end
 
 endmodule

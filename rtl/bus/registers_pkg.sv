@@ -22,8 +22,6 @@ package registers_pkg;
   localparam logic [6:0] Pulse = 7'd15;
   localparam logic [6:0] Direction = 7'd16;
   localparam logic [6:0] Pins = 7'd17;
-  localparam logic [6:0] Room = 7'd18;
-  localparam logic [6:0] Sequence = 7'd19;
   localparam logic [6:0] SegmentLo = 7'd20;
   localparam logic [6:0] SegmentHi = 7'd21;
   localparam logic [6:0] ProfileLo = 7'd22;
@@ -31,7 +29,9 @@ package registers_pkg;
   localparam logic [6:0] PathLo = 7'd24;
   localparam logic [6:0] PathHi = 7'd25;
   localparam logic [6:0] Rate = 7'd26;
-  localparam logic [6:0] Session = 7'd27;
+  localparam logic [6:0] Room = 7'd27;
+  localparam logic [6:0] Expect = 7'd28;
+  localparam logic [6:0] Sequence = 7'd29;
 
   // Of axes: the first one's words, and how many each has
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -149,12 +149,6 @@ package registers_pkg;
   localparam int PinsDirectionInvertedBits = 9;
   localparam int PinsLimitMaskedLow = 18;
   localparam int PinsLimitMaskedBits = 9;
-  localparam int RoomSegmentLow = 0;
-  localparam int RoomSegmentBits = 16;
-  localparam int RoomProfileLow = 16;
-  localparam int RoomProfileBits = 16;
-  localparam int SequenceFrameLow = 0;
-  localparam int SequenceFrameBits = 32;
   localparam int SegmentLoWordLow = 0;
   localparam int SegmentLoWordBits = 32;
   localparam int SegmentHiWordLow = 0;
@@ -169,8 +163,14 @@ package registers_pkg;
   localparam int PathHiPathBits = 32;
   localparam int RateRateLow = 0;
   localparam int RateRateBits = 17;
-  localparam int SessionFrameLow = 0;
-  localparam int SessionFrameBits = 32;
+  localparam int RoomSegmentLow = 0;
+  localparam int RoomSegmentBits = 16;
+  localparam int RoomProfileLow = 16;
+  localparam int RoomProfileBits = 16;
+  localparam int ExpectFrameLow = 0;
+  localparam int ExpectFrameBits = 32;
+  localparam int SequenceFrameLow = 0;
+  localparam int SequenceFrameBits = 32;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleLoScaleBits = 32;
   localparam int ScaleHiScaleLow = 0;
@@ -197,11 +197,11 @@ package registers_pkg;
       Pulse,
       Direction,
       Pins,
-      Room,
-      Sequence,
       PathLo,
       PathHi,
-      Rate:
+      Rate,
+      Room,
+      Sequence:
       can_read = 1'b1;
       default: can_read = 1'b0;
     endcase
@@ -222,12 +222,12 @@ package registers_pkg;
       Pulse,
       Direction,
       Pins,
-      Sequence,
       SegmentLo,
       SegmentHi,
       ProfileLo,
       ProfileHi,
-      Session:
+      Expect,
+      Sequence:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

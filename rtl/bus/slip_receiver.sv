@@ -5,7 +5,7 @@
 //   data_valid_o       a  b  c  d  crc0 .. crc3
 //   end_valid_o                                  1    good_o: all of it arrived, unbroken
 //
-// A byte takes 9 clocks at most.
+// A byte takes 9 clocks at most, an END 2. A frame without a byte is not good.
 `default_nettype none
 module slip_receiver (
     input  wire logic       clk_i,
@@ -23,10 +23,11 @@ module slip_receiver (
   logic ends;
   logic escapes;
   logic busy;
+  logic ended_q;
   logic escaped_q;
   logic broken_q;
   logic crc_good;
-  assign byte_ready_o = !busy;
+  assign byte_ready_o = !busy && !ended_q;
   assign taken        = byte_valid_i && byte_ready_o;
   assign ends         = byte_i == slip_pkg::End;
   assign escapes      = byte_i == slip_pkg::Escape;
@@ -41,20 +42,25 @@ module slip_receiver (
   assign breaks = escaped_q && byte_i != slip_pkg::EscapedEnd && byte_i != slip_pkg::EscapedEscape;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      ended_q   <= 1'b1;
       escaped_q <= 1'b0;
       broken_q  <= 1'b0;
-    end else if (taken) begin
+    end else begin
+      ended_q <= end_valid_o;
+    end
+    if (rst_ni && taken) begin
       escaped_q <= escapes;
       broken_q  <= !ends && (broken_q || breaks);
     end
   end
 
-  logic [31:0] unused_crc;
+  logic [7:0] unused_crc;
   serial_crc u_crc (
       .clk_i,
       .rst_ni,
       .start_i(end_valid_o),
       .valid_i(data_valid_o),
+      .drain_i(1'b0),
       .byte_i (data_o),
       .busy_o (busy),
       .crc_o  (unused_crc),

@@ -22,61 +22,49 @@ module slip_sender (
   logic [7:0] held_q;  // goes out next, if waits_q
   logic waits_q;
   logic escaped_q;  // its escape is out
-  logic must_escape;
+  logic is_end;
+  logic escapes;
   logic leaves;  // all of it
-  assign must_escape = part_q != Close && (held_q == slip_pkg::End || held_q == slip_pkg::Escape);
+  assign is_end       = held_q == slip_pkg::End;
+  assign escapes      = part_q != Close && !escaped_q && (is_end || held_q == slip_pkg::Escape);
   assign byte_valid_o = waits_q;
-  assign leaves = waits_q && byte_ready_i && (!must_escape || escaped_q);
-  always_comb begin
-    byte_o = held_q;
-    if (must_escape && !escaped_q) byte_o = slip_pkg::Escape;
-    else if (must_escape) begin
-      byte_o = (held_q == slip_pkg::End) ? slip_pkg::EscapedEnd : slip_pkg::EscapedEscape;
-    end
-  end
+  assign byte_o       = escapes ? slip_pkg::Escape : held_q;
+  assign leaves       = waits_q && byte_ready_i && !escapes;
 
   logic busy;
-  logic [31:0] crc;
-  logic [7:0] crc_part;
+  logic [7:0] crc;
   logic unused_good;
+  logic takes;
+  logic goes_on;  // to the next part
   assign ready_o = part_q == Open && !waits_q && !busy;
-  always_comb begin
-    case (part_q)
-      Open:    crc_part = crc[7:0];
-      3'd1:    crc_part = crc[15:8];
-      3'd2:    crc_part = crc[23:16];
-      default: crc_part = crc[31:24];
-    endcase
-  end
+  assign takes   = ready_o && data_valid_i && !close_i;
+  assign goes_on = !waits_q && !busy && (part_q != Open || close_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      part_q    <= Open;
-      waits_q   <= 1'b0;
-      escaped_q <= 1'b0;
-    end else if (ready_o && close_i) begin
-      part_q  <= 3'd1;
-      waits_q <= 1'b1;
-    end else if (ready_o && data_valid_i) begin
-      waits_q <= 1'b1;
+      part_q  <= Open;
+      waits_q <= 1'b0;
     end else if (leaves) begin
-      escaped_q <= 1'b0;
-      waits_q   <= part_q != Open && part_q != Close;
+      waits_q <= 1'b0;
       if (part_q == Close) part_q <= Open;
-      else if (part_q != Open) part_q <= part_q + 1'b1;
-    end else if (waits_q && byte_ready_i) begin
-      escaped_q <= 1'b1;
+    end else if (takes || goes_on) begin
+      waits_q <= 1'b1;
+      if (goes_on) part_q <= part_q + 1'b1;
     end
-    if (ready_o && !close_i) held_q <= data_i;
-    else if (part_q == LastCrc) begin
-      if (leaves) held_q <= slip_pkg::End;
-    end else if (ready_o || leaves) held_q <= crc_part;
+    if (!waits_q) escaped_q <= 1'b0;
+    else if (byte_ready_i) escaped_q <= escapes;
+    if (takes) held_q <= data_i;
+    else if (!waits_q) held_q <= (part_q == LastCrc) ? slip_pkg::End : crc;
+    else if (byte_ready_i && escapes) begin
+      held_q <= is_end ? slip_pkg::EscapedEnd : slip_pkg::EscapedEscape;
+    end
   end
 
   serial_crc u_crc (
       .clk_i,
       .rst_ni,
       .start_i(leaves && part_q == Close),
-      .valid_i(ready_o && data_valid_i && !close_i),
+      .valid_i(takes),
+      .drain_i(leaves && part_q != Open && part_q != Close),
       .byte_i (data_i),
       .busy_o (busy),
       .crc_o  (crc),

@@ -19,10 +19,17 @@ constexpr std::int32_t kLate = 1 << 20;
 
 /// What every frame reads at its end, in the order of take().
 Frame& add_reads(Frame& frame) {
-    return frame.read(CURVECORE_STATE, 2).read(CURVECORE_ROOM, 2).read(CURVECORE_PATH_LO, 3);
+    return frame.read(CURVECORE_STATE, 2).read(CURVECORE_PATH_LO, 4).read(CURVECORE_SEQUENCE, 1);
 }
 constexpr std::size_t kWordsRead = 7;
 constexpr std::size_t kQuestions = 16;
+
+/// A frame that is obeyed if the board's number is `before`, which becomes `after`.
+Frame numbered(std::uint32_t before, std::uint32_t after) {
+    Frame frame;
+    frame.write(CURVECORE_EXPECT, before).write(CURVECORE_SEQUENCE, after);
+    return frame;
+}
 
 WireClock::duration seconds(double s) {
     return std::chrono::duration_cast<WireClock::duration>(duration<double>(s));
@@ -38,8 +45,7 @@ FrameStream::FrameStream(Link& link) : link_(link) {
     const std::uint32_t session = chance();
     while (next_ != session) {
         const std::uint32_t number = read(CURVECORE_SEQUENCE, 1)[0];
-        transmit(
-            Frame().write(CURVECORE_SEQUENCE, number).write(CURVECORE_SESSION, session).bytes());
+        transmit(numbered(number, session).bytes());
         next_ = read(CURVECORE_SEQUENCE, 1)[0];
     }
     work();
@@ -69,7 +75,7 @@ std::vector<std::uint32_t> FrameStream::read(std::uint32_t address, int words) {
     }
 }
 
-Frame FrameStream::begin() const { return std::move(Frame().write(CURVECORE_SEQUENCE, next_)); }
+Frame FrameStream::begin() const { return numbered(next_, next_ + 1); }
 
 void FrameStream::transmit(const Bytes& frame) {
     link_.send(frame);
@@ -118,7 +124,7 @@ void FrameStream::take(const Bytes& answer) {
     if (words.size() != kWordsRead) return;  // of a question before
     waits_ = false;
     const std::uint32_t first = next_ - static_cast<std::uint32_t>(under_way_.size());
-    const auto taken = static_cast<std::int32_t>(words[3] - first);
+    const auto taken = static_cast<std::int32_t>(words[6] - first);
     if (taken < 0 && taken > -kLate) return;  // late
     if (taken < 0 || taken > static_cast<std::int32_t>(under_way_.size())) {
         throw BoardLost("the board was restarted, or has another master");
@@ -130,14 +136,14 @@ void FrameStream::take(const Bytes& answer) {
     }
     telemetry_.state = words[0];
     telemetry_.axes = words[1];
-    telemetry_.segment_room = static_cast<int>(words[2] & 0xffff);
-    telemetry_.profile_room = static_cast<int>(words[2] >> 16);
+    telemetry_.segment_room = static_cast<int>(words[5] & 0xffff);
+    telemetry_.profile_room = static_cast<int>(words[5] >> 16);
     for (const UnderWay& frame : under_way_) {
         telemetry_.segment_room -= frame.segment_words;
         telemetry_.profile_room -= frame.profile_words;
     }
-    telemetry_.path = std::uint64_t{words[5]} << 32 | words[4];
-    telemetry_.rate = words[6] / 65536.0;
+    telemetry_.path = std::uint64_t{words[3]} << 32 | words[2];
+    telemetry_.rate = words[4] / 65536.0;
 }
 
 /// Jacobson's and Karels' estimate.

@@ -61,7 +61,7 @@ class FrameStream {
     std::vector<std::uint32_t> read(std::uint32_t address, int words);
 
     /// Bytes of a frame that are not the caller's.
-    static constexpr std::size_t kOwnBytes = kCommandBytes + 4 + 3 * kCommandBytes;
+    static constexpr std::size_t kOwnBytes = 2 * (kCommandBytes + 4) + 3 * kCommandBytes;
 
   private:
     static constexpr std::size_t kWindow = 16;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/frame_reader.sv with any bytes, behind registers that answer in two clocks: it goes on
-// whatever they are; a request stays until it is answered, and is no number of a frame; an answer
+// whatever they are; a request stays until it is answered, and is no write of EXPECT; an answer
 // is closed once, behind a byte of it.
 // control: HANGS_ON_A_BYTE s/takes = !last;/takes = !last \&\& !low_q[7];/
 // control: LEAVES_EARLY s/(!asks || done_i)/1/
-// control: ASKS_NUMBERS s/ = !is_sequence \&\& / = /
+// control: WRITES_NUMBERS s/writes_q \&\& !expects/writes_q/; s/ || expects}/}/
 // control: CLOSES_NOTHING s/Finish \&\& answered_q/Finish/
 // control: CLOSES_TWICE s/(!answered_q || ready_i) state_q/(write_o) state_q/
 `default_nettype none
@@ -76,7 +76,7 @@ module frame_reader_formal (
     if (started_q && ran_q && rst_ni) begin
       Goes_on : assert (waits_q < 4'd8);
       Stays : assert (!asked_q || (valid && request_q == {write, word, written}));
-      No_number : assert (!valid || word != registers_pkg::Sequence);
+      No_number : assert (!(valid && write) || word != registers_pkg::Expect);
       Closed_behind_a_byte : assert (!close || said_q);
       One : assert (!(close && data_valid));
       Reads : cover (valid && done_q && !write);

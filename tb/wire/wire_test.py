@@ -32,7 +32,7 @@ RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
 PART = f"G21 G90 G61\nG1 X20 F2400\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
 END = (40, 40, 0)
-STATE, SEQUENCE, CONTROL = 0x18, 0x4C, 0x14
+STATE, EXPECT, SEQUENCE, CONTROL = 0x18, 0x70, 0x74, 0x14
 WATCHDOG, STANDING, ENABLED = 1 << 1, 1 << 19, 1 << 16
 
 
@@ -78,6 +78,12 @@ def read(port, address):
         host.settimeout(5)
         host.sendto(command(0x200, 1, address), ("127.0.0.1", port))
         return int.from_bytes(host.recv(100), "little")
+
+
+def numbered(port):
+    """The beginning of a frame that is obeyed."""
+    number = read(port, SEQUENCE)
+    return command(0x8300, 1, EXPECT, number, (number + 1) % 2**32)
 
 
 def counts(steps):
@@ -281,8 +287,7 @@ class WireTest(unittest.TestCase):
             for n in range(2000):
                 data = chance.randbytes(chance.randrange(1, 300))
                 if n % 2:
-                    data = (command(0x8200, 1, SEQUENCE, read(board.port, SEQUENCE)) +
-                            command(0x8200, 1, CONTROL, chance.randrange(16)))
+                    data = numbered(board.port) + command(0x8200, 1, CONTROL, chance.randrange(16))
                 stranger.sendto(data, ("127.0.0.1", board.port))
                 if n % 20 == 0:
                     time.sleep(0.01)
@@ -297,7 +302,7 @@ class WireTest(unittest.TestCase):
             host.settimeout(5)
             host.connect(("127.0.0.1", board.port))
             for n in range(number):
-                sequence = command(0x8200, 1, SEQUENCE, read(board.port, SEQUENCE))
+                sequence = numbered(board.port)
                 data = chance.randbytes(chance.randrange(1, 200)) if n % 2 else command(
                     0x8200, 1, 4 * chance.randrange(128), chance.getrandbits(32))
                 host.send(sequence + data)
