@@ -146,9 +146,9 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
 /// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 where a piece begins.
 constexpr int kSerialTickClocks = 3 * (16 + 19 + 5) + (34 - 0 + 3) + 26;
 
-/// Serial build, rtl/path/time_sequencer.sv: from a tick's target to its rate, at most. The tick
-/// before is evaluated meanwhile.
-constexpr int kSerialScaleClocks = 48;
+/// Serial build, rtl/path/time_scaler_serial.sv: from a tick's target to its rate, at most. The
+/// tick before is evaluated meanwhile.
+constexpr int kSerialScaleClocks = 49;
 
 /// From a tick of time to the next.
 constexpr int tick_clocks(const TimedCore& core) {

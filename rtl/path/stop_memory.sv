@@ -6,7 +6,7 @@
 //             bank of the present one -> steps -> time scaler, which takes them from the tick on
 //                                        that is StopLead after that; some are on their way already
 //
-// step_valid_o comes 2 clocks after the step before was taken.
+// step_valid_o comes 3 clocks after the step before was taken.
 `default_nettype none
 module stop_memory #(
     parameter int Steps = words_pkg::StopSteps  // of a branch, a power of two
@@ -93,21 +93,26 @@ module stop_memory #(
     else if (tick_i && left_q != '0) left_q <= left_q - 1'b1;
   end
 
-  // Steps
+  // Steps: block RAM is slow, a register follows it.
   logic [43:0] steps[2**(Address+1)];
+  logic [43:0] step_q;
   logic [Address-1:0] read_q;
   logic reads_q;
+  logic read_valid_q;
   always_ff @(posedge clk_i) begin
     if (step_write_i) steps[{bank_q, write_q}] <= word_i;
-    step_o <= steps[{!bank_q, read_q}];
+    step_q <= steps[{!bank_q, read_q}];
+    step_o <= step_q;
   end
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       reads_q      <= 1'b0;
+      read_valid_q <= 1'b0;
       step_valid_o <= 1'b0;
     end else begin
       reads_q      <= accept || (step_valid_o && step_ready_i);
-      step_valid_o <= reads_q || (step_valid_o && !step_ready_i && !accept);
+      read_valid_q <= reads_q && !accept;
+      step_valid_o <= (read_valid_q || (step_valid_o && !step_ready_i)) && !accept;
     end
   end
   always_ff @(posedge clk_i) begin

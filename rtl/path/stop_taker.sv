@@ -47,13 +47,17 @@ module stop_taker (
   logic last_q;
   logic [10:0] left;
   logic ends;
+  logic new_ends;
+  logic old_ends;
+  assign new_ends     = step_last_i && step_ticks_i == 11'd1;
+  assign old_ends     = last_q && left_q == 11'd1;
   assign held         = one_i && target_i == '0;
   assign waits        = held && wait_q != '0;
   assign begins       = held && next_wait_i != '0 && !stopping_q;
   assign stopping_o   = stopping_q || begins;
   assign new_step     = begins || left_q == '0;
   assign left         = (new_step ? step_ticks_i : left_q) - 1'b1;
-  assign ends         = stopping_o && (new_step ? step_last_i : last_q) && left == '0;
+  assign ends         = stopping_o && (new_step ? new_ends : old_ends);
   assign obeyed_o     = stopping_o ? '0 : waits ? One : target_i;
 
   assign ready_o      = room_i && !(stopping_o && new_step && !step_valid_i);

@@ -38,9 +38,10 @@ module time_scaler_serial (
     output logic        still_o   // the rate rests at 0, and does until a target is not 0
 );
 
-  // The tick at hand
-  logic room;
+  // The tick at hand; it comes through many gates, and to the program a clock later.
+  logic idle;
   logic takes;
+  logic taken_q;
   logic one_q;  // before it the rate rests on 1, again
   logic [16:0] obeyed;
   logic stops;
@@ -51,7 +52,7 @@ module time_scaler_serial (
       .clk_i,
       .rst_ni,
       .valid_i,
-      .room_i(room),
+      .room_i(idle && !taken_q),
       .ready_o,
       .taken_o(takes),
       .one_i(one_q),
@@ -76,9 +77,11 @@ module time_scaler_serial (
   logic rests;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      taken_q <= 1'b0;
       fresh_q <= 1'b1;
       one_q   <= 1'b0;
     end else begin
+      taken_q <= takes;
       if (takes) fresh_q <= 1'b0;
       if (takes) one_q <= 1'b0;
       else if (rests) one_q <= same_q && target_q[16];
@@ -108,8 +111,8 @@ module time_scaler_serial (
   time_sequencer u_sequencer (
       .clk_i,
       .rst_ni,
-      .ready_o(room),
-      .tick_i(takes),
+      .ready_o(idle),
+      .tick_i(taken_q),
       .first_i(first_q),
       .stops_i(stops),
       .ends_i(ends),

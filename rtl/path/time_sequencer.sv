@@ -5,7 +5,7 @@
 //   clock        0    1             n
 //   tick_i       1
 //   first_i, ..       of the tick   until sent_o
-//   sent_o                          1        n < kSerialScaleClocks of hls/clocks.hpp
+//   sent_o                          1        n < kSerialScaleClocks - 1 of hls/clocks.hpp
 //
 // The rate is kept as it is seen in the direction that it has: falling, it and its goal are
 // negative. So the way that is left is positive, and every step an addition.

@@ -21,7 +21,7 @@ module time_sequencer_formal (
     input wire logic zero_i
 );
 
-  localparam int Most = 48;  // kSerialScaleClocks
+  localparam int Most = 48;  // kSerialScaleClocks, less one to hand it over
 
   logic ready;
   logic sent;
