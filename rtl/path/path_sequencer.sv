@@ -263,7 +263,7 @@ module path_sequencer (
   assign next_take_o  = state_q == Take;
   assign tick_taken_o = runs || stops || next_take_o;
   assign ds_valid_o   = state_q == Send;
-  assign look_o       = state_q == Inside || state_q == Whole || (state_q == Stop && ds_active_o);
+  assign look_o       = runs || next_take_o || (stops && active_o);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -7,8 +7,9 @@
 //   finals_o           with it
 //   ticks_o                                  with the piece
 //
-// A piece is counted from put_i, its last word's entry, until take_i; ticks_o follows take_i by 3
-// clocks as well.
+// A piece is counted from put_i, its last word's entry, until take_i. ticks_o follows take_i by 2
+// clocks: so the ticks of a piece are never counted here and as those of the present one, which is
+// told in the clock after take_i and read a clock later (rtl/path/underrun_guard.sv).
 `default_nettype none
 module piece_ledger #(
     parameter int QueueWords = 512  // [16, 4096]
@@ -58,19 +59,18 @@ module piece_ledger #(
   assign finals_o = 10'(finals_q);
 
   logic [19:0] put_ticks_q;
-  logic [19:0] take_ticks_q;
+  logic [19:0] taken_ticks;
   logic signed [31:0] change_q;
+  assign taken_ticks = take_i ? take_ticks_i : '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      put_ticks_q  <= '0;
-      take_ticks_q <= '0;
-      change_q     <= '0;
-      ticks_o      <= '0;
+      put_ticks_q <= '0;
+      change_q    <= '0;
+      ticks_o     <= '0;
     end else begin
-      put_ticks_q  <= put_i ? put_ticks_i : '0;
-      take_ticks_q <= take_i ? take_ticks_i : '0;
-      change_q     <= $signed({12'b0, put_ticks_q}) - $signed({12'b0, take_ticks_q});
-      ticks_o      <= ticks_o + change_q;
+      put_ticks_q <= put_i ? put_ticks_i : '0;
+      change_q    <= $signed({12'b0, put_ticks_q}) - $signed({12'b0, taken_ticks});
+      ticks_o     <= ticks_o + change_q;
     end
   end
 

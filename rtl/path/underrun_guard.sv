@@ -38,11 +38,13 @@ module underrun_guard (
     output logic fault_o      // a full queue did not cover a stop
 );
 
-  localparam logic [33:0] Age = 34'd10;
+  localparam logic [5:0] Age = 6'd10;
 
-  logic signed [33:0] stop_q;
-  logic signed [33:0] go_q;
-  logic signed [33:0] present_q;
+  // Those that are kept are as if they were started.
+  logic signed [33:0] stop;
+  logic signed [33:0] go;
+  logic [5:0] gone;
+  logic signed [22:0] present_q;
   logic signed [33:0] pieces_q;
   logic signed [33:0] segments_q;
   logic signed [31:0] lead_q;
@@ -50,20 +52,21 @@ module underrun_guard (
   logic signed [33:0] pieces_over_go;
   logic signed [33:0] segments_over_stop;
   logic signed [33:0] segments_over_go;
-  assign pieces_over_stop   = stop_q - pieces_q;
-  assign pieces_over_go     = go_q - pieces_q;
-  assign segments_over_stop = stop_q - segments_q;
-  assign segments_over_go   = go_q - segments_q;
+  assign stop               = {2'b0, stop_ticks_i};
+  assign go                 = {1'b0, stop_ticks_i, 1'b0};
+  assign gone               = {1'b0, started_i} + Age;
+  assign pieces_over_stop   = stop - pieces_q;
+  assign pieces_over_go     = go - pieces_q;
+  assign segments_over_stop = stop - segments_q;
+  assign segments_over_go   = go - segments_q;
 
   logic [1:0] complete_q[2];
   logic [1:0] full_q[2];
   logic [1:0] low;
   logic [1:0] enough;
   always_ff @(posedge clk_i) begin
-    stop_q        <= {2'b0, stop_ticks_i} + Age;
-    go_q          <= {1'b0, stop_ticks_i, 1'b0} + Age;
-    present_q     <= 34'(present_ticks_i) - $signed({29'b0, started_i});
-    pieces_q      <= $signed({2'b0, ticks_i}) + present_q;
+    present_q     <= 23'(present_ticks_i) - $signed({17'b0, gone});
+    pieces_q      <= $signed({2'b0, ticks_i}) + 34'(present_q);
     lead_q        <= lead_i;  // as old as the ticks in pieces_q
     segments_q    <= pieces_q + 34'(lead_q);
     complete_q[0] <= {segments_complete_i, pieces_complete_i};

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
-// and takes that the queue allows; ticks follow two clocks later. Pieces are of one or two ticks.
+// and takes that the queue allows; ticks follow puts two clocks later, takes one. Pieces are of one
+// or two ticks.
 // control: LOSES_PIECE s/!take_i) pieces_q/!take_i \&\& finals_q == '0) pieces_q/
 // control: BOTH_AT_ONCE s/if (put_i \&\& !take_i)/if (put_i)/
 // control: FINAL_STAYS s/if (takes_final \&\& !enters_final)/if (takes_final \&\& !put_i)/
 // control: NARROW s/PieceWords + 1/PieceWords - 1/
-// control: LOSES_TICKS s/put_ticks_q  <= put_i ?/put_ticks_q  <= (put_i \&\& !take_i) ?/
+// control: LOSES_TICKS s/put_ticks_q <= put_i ?/put_ticks_q <= (put_i \&\& !take_i) ?/
+// control: KEEPS_TAKEN s/ - \$signed({12'b0, taken_ticks})//
 // control: NO_RESET s/finals_q <= '0;//
 `default_nettype none
 module piece_ledger_formal (
@@ -75,7 +77,10 @@ module piece_ledger_formal (
     end
   end
   logic [3:0] waiting_q[2];
+  logic [1:0] taken_q  [2];
   always_ff @(posedge clk_i) begin
+    taken_q[0]   <= rst_ni && take_i ? {double_q[0], !double_q[0]} : '0;
+    taken_q[1]   <= rst_ni ? taken_q[0] : '0;
     waiting_q[0] <= rst_ni ? waiting : '0;
     waiting_q[1] <= rst_ni ? waiting_q[0] : '0;
   end
@@ -94,7 +99,7 @@ module piece_ledger_formal (
 
       Queued : assert (queued == (pieces_q != '0));
       Finals : assert (finals == {7'b0, finals_now});
-      Ticks : assert (ticks == {28'b0, waiting_q[1]});
+      Ticks : assert (ticks == {28'b0, waiting_q[1] - {2'b0, taken_q[1]}});
 
       Full : cover (pieces_q == 3'(Pieces) && final_q == 4'b1010 && ticks == 32'd7);
       TakesLast : cover (!queued && ticks == 32'd2 && waiting == '0);

@@ -4,11 +4,11 @@
 // many + 10, or a full queue's exceed a stop, or nothing can run out; it stays otherwise. A program
 // begins where a hold would go; underrun and fault are sticky; after reset there is neither. Counts
 // are small ones.
-// control: LATE s/pieces_over_stop   = stop_q - pieces_q;/pieces_over_stop   = go_q - pieces_q;/
-// control: NO_HYSTERESIS s/{1'b0, stop_ticks_i, 1'b0} + Age/{2'b0, stop_ticks_i} + Age/
+// control: LATE s/pieces_over_stop   = stop - pieces_q;/pieces_over_stop   = go - pieces_q;/
+// control: NO_HYSTERESIS s/{1'b0, stop_ticks_i, 1'b0}/{2'b0, stop_ticks_i}/
 // control: FORGETS_SEGMENTS s/pieces_q + 34'(lead_q)/pieces_q/
 // control: HOLDS_COMPLETE s/(low \& ~complete_q\[1\]) != 2'b00/low != 2'b00/
-// control: FORGETS_STARTED s/ - \$signed({29'b0, started_i})//
+// control: FORGETS_STARTED s/{1'b0, started_i} + Age/Age/
 // control: TRUSTS_FULL s/(full_q\[1\] \& ~low)/full_q[1]/
 // control: NO_RESET s/underrun_o <= 1'b0;//
 `default_nettype none
