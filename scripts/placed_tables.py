@@ -5,7 +5,7 @@ import csv
 import json
 import re
 
-from readme_table import ROOT, measured, sources, table
+from readme_table import ROOT, load, measured, sources, table
 
 
 def finished(path):
@@ -60,6 +60,28 @@ def networks():
     ]
     head = ["core", "device", "Order / CoefBits", "Anchor", "MHz", "LUT4", "FF", "DSP", "BRAM"]
     return table([*head, "seeds"], rows) if rows else None
+
+
+def boards():
+    """What `scripts/synth.sh --board NAME` has made of each."""
+    files = sorted((ROOT / "scripts/boards").glob("*.json"))
+    found = [load(f"synth/boards/{file.stem}/board.json") for file in files]
+    rows = [
+        (
+            f"`{r['board']}`",
+            r["part"],
+            "serial" if r["parameters"]["Build"] == "1" else "parallel",
+            f"{r['clock_mhz']:g}",
+            f"{r['fmax_mhz']:.0f}",
+            *(r[fact] for fact in ("lut4", "ff", "dsp", "bram", "axes")),
+            f"{r['samples_s']:,}",
+            f"{r['steps_s'] / 1e6:.4g} M",
+            sources()[0],
+        )
+        for r in found if r
+    ]
+    head = ["board", "part", "build", "clock, MHz", "placed, MHz", "LUT4", "FF", "DSP", "BRAM"]
+    return table([*head, "axes", "samples/s", "steps/s and axis", "tree"], rows) if rows else None
 
 
 def hls():

@@ -23,8 +23,8 @@ from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, ot
                           paper_table)
 from parameter_table import parameter_rows
 from linuxcnc_table import linuxcnc
-from placed_tables import (cost_model, hls, networks, order_words_placed, parameter_guard_placed,
-                           sizes, synthesis)
+from placed_tables import (boards, cost_model, hls, networks, order_words_placed,
+                           parameter_guard_placed, sizes, synthesis)
 from readme_table import PAGES, ROOT, Table, git, sources
 
 BENCH = "scripts/bench.sh"
@@ -50,6 +50,7 @@ TABLES = {
     "parameter_guard_placed": Table(parameter_guard_placed, SWEEP + "parameter_guard.csv"),
     "synthesis": Table(synthesis, SWEEP + "readme.csv"),
     "networks": Table(networks, SWEEP + "networks.csv"),
+    "boards": Table(boards, "scripts/synth.sh --board NAME"),
     "hls": Table(hls, "scripts/hls.sh --sweep scripts/sweeps/hls.csv"),
     "accuracy": Table(accuracy, CAMPAIGN),
     "splines": Table(splines, CAMPAIGN),

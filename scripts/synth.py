@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Place and route of a core, or of a table of configurations.
+"""Place and route of a core, or of a table of configurations; bitstreams of boards.
 
     scripts/synth.sh --core curve --build serial --device up5k    one, by default of 3 seeds
     scripts/synth.sh --core answer/core.json                      one that curvecore choose found
     scripts/synth.sh --sweep scripts/sweeps/readme.csv            a table, started again: the rest
+    scripts/synth.sh --board colorlight_i5                        motion_board with its pins
 
 One prints a row and writes build/synth/<core>-<build>-<device>.json, with the speed grade and the
 parameters in its name where these are not the default; a table becomes build/synth/<table>.csv.
@@ -12,6 +13,9 @@ Each placement is kept in build/synth/store and not repeated as long as sources 
 The core gets a harness that feeds its inputs from one shift register and reads its outputs through
 another, so that it needs few pins; LUTs, flip-flops, DSP and RAM blocks are counted in the core
 alone.  The frequency is the best of several seeds, over all paths, the harness' included.
+
+A board becomes build/synth/boards/NAME: its bitstream, the files that it was made of, board.json.
+The first seed that keeps the board's clock is taken.
 
 Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the input is wrong.
 """
@@ -23,6 +27,7 @@ import signal
 import sys
 from pathlib import Path
 
+from synthesis import bitstream, boards
 from synthesis.command_line import Parser, number_of_seeds, settings
 from synthesis.configuration import configuration
 from synthesis.core_file import CoreFile, core_file
@@ -30,7 +35,7 @@ from synthesis.cores import BUILDS, CORES, ROOT
 from synthesis.devices import DEVICES
 from synthesis.placement import best
 from synthesis.refused import Refused
-from synthesis.result import sentence
+from synthesis.result import cells_of, sentence
 from synthesis.sweep import Sweep
 from synthesis.tools import write_whole
 
@@ -38,8 +43,9 @@ from synthesis.tools import write_whole
 def arguments():
     parser = Parser(prog="synth.sh", description=__doc__,
                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--core", metavar="CORE", default="spherical",
-                        help=", ".join(CORES) + ", or a file (.json) of curvecore choose")
+    parser.add_argument("--core", metavar="CORE",
+                        help="spherical unless given, " + ", ".join(CORES)
+                        + ", or a file (.json) of curvecore choose")
     parser.add_argument("--build", metavar="BUILD", help=", ".join(BUILDS))
     parser.add_argument("--device", metavar="DEVICE", help=", ".join(DEVICES))
     parser.add_argument("--speed", metavar="GRADE",
@@ -50,6 +56,10 @@ def arguments():
     parser.add_argument("--at-least", type=float, default=0, metavar="MHZ",
                         help="fail below this frequency")
     parser.add_argument("--top", metavar="MODULE", help="another module instead of a core")
+    parser.add_argument("--board", metavar="BOARD",
+                        help=", ".join(boards.names()) + ", or a file (.json) like theirs")
+    parser.add_argument("--pins-alone", action="store_true",
+                        help="of a board: whether its pins are there, without the motion")
     parser.add_argument("--sweep", metavar="FILE", help="a table of configurations (.csv)")
     parser.add_argument("--jobs", type=int, default=2, metavar="N",
                         help="of a sweep: at a time (2)")
@@ -65,8 +75,9 @@ def arguments():
 def one(given, output):
     """Returns the exit status."""
     seeds = number_of_seeds("seeds", given.seeds)
-    core = (core_file(given.core) if given.core.endswith(".json")
-            else CoreFile(given.core, "parallel", "ecp5-25", {}))
+    name = given.core or "spherical"
+    core = (core_file(name) if name.endswith(".json")
+            else CoreFile(name, "parallel", "ecp5-25", {}))
     wanted = configuration(core.name, given.build or core.build, given.device or core.device,
                          given.speed, core.settings | settings(given.set), given.top)
     try:
@@ -86,11 +97,38 @@ def one(given, output):
     return 0
 
 
+def board(given, output):
+    """Returns the exit status."""
+    others = ("core", "build", "device", "speed", "top", "at_least", "sweep")
+    if any(getattr(given, other) for other in others):
+        raise Refused("--board has all of it in its table: leave out "
+                      + ", ".join(f"--{other}".replace("_", "-") for other in others))
+    wanted = boards.board_named(given.board, settings(given.set))
+    folder = output / "boards" / (wanted.name + ("-pins" if given.pins_alone else ""))
+    try:
+        found = bitstream.make(wanted, folder, number_of_seeds("seeds", given.seeds),
+                               given.minutes, given.pins_alone)
+    except Refused as error:
+        print(f"synth: {wanted.name}: {error}", file=sys.stderr)
+        return 1
+    if given.pins_alone:
+        print(f"{wanted.name}: {len(list(wanted.ports()))} pins are there")
+        return 0
+    print(f"{wanted.name}: {found['fmax_mhz']} MHz of {found['clock_mhz']:g}, {cells_of(found)},"
+          f" {found['axes']} axes, {found['samples_s']} samples/s, {found['steps_s']} steps/s;"
+          f" {os.path.relpath(folder / found['bitstream'])}")
+    return 0
+
+
 def main():
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         given = arguments()
         output = Path(given.output).resolve()
+        if given.board:
+            return board(given, output)
+        if given.pins_alone:
+            raise Refused("--pins-alone is of a --board")
         if given.sweep:
             if given.set or given.top or given.speed or given.at_least:
                 raise Refused("--sweep takes its configurations from the table: leave out --set,"

@@ -7,7 +7,7 @@ import subprocess
 
 from synthesis.cores import ROOT
 from synthesis.refused import Refused
-from synthesis.tools import last_error, run, tool
+from synthesis.tools import error_of, run, tool
 
 
 class Differs(Exception):
@@ -28,7 +28,7 @@ def simulate(made, wanted, samples, folder):
          made.module, "--Mdir", str(folder / "model"), "-o", "bench", "-CFLAGS", " ".join(flags),
          "-MAKEFLAGS", " ".join(["OPT_FAST=-O1", "OPT_SLOW=-O0", "OPT_GLOBAL=-O1", *cache]),
          str(made.file), str(bench)],
-        folder / "verilator.log", lambda lines: f"the bench does not build: {last_error(lines)}")
+        folder / "verilator.log", lambda lines: f"the bench does not build: {error_of(lines)}")
     done = subprocess.run([folder / "model" / "bench", str(samples)], capture_output=True,
                           text=True)
     if done.returncode not in (0, 1):

@@ -11,7 +11,7 @@ import subprocess
 from hls_flow.translate import Function
 from synthesis.cores import ROOT
 from synthesis.refused import Refused
-from synthesis.tools import last_error, run
+from synthesis.tools import error_of, run
 
 CLANG = "clang++-14"
 # Everything in line and unrolled, one word at a time; sums wrap, as they do in hardware.
@@ -61,7 +61,7 @@ def tools():
 
 def first_error(lines):
     errors = [line for line in lines if " error: " in line]
-    return errors[0] if errors else last_error(lines)
+    return errors[0] if errors else error_of(lines)
 
 
 def pipeline(package, module, stages):

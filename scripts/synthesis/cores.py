@@ -41,15 +41,16 @@ def top_of(core, build):
     return TOPS[core, build]
 
 
-def sources(top):
-    """Files of a module and of all that it names, packages first.
+def sources(*tops):
+    """Files of some modules and of all that they name, packages first.
 
     A word that is the name of a module counts as a use of it, so that the list may be longer
     than needed, never shorter.
     """
-    if top not in files():
-        raise Refused(f"unknown module '{top}'")
-    found, new = set(), {top}
+    for top in tops:
+        if top not in files():
+            raise Refused(f"unknown module '{top}'")
+    found, new = set(), set(tops)
     while new:
         found |= new
         new = {word for module in new for word in re.findall(r"\w+", text_of(module))

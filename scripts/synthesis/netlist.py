@@ -9,7 +9,7 @@ import shutil
 
 from synthesis.cores import ROOT
 from synthesis.harness import harness
-from synthesis.tools import alone, last_error, run, tool, work_folder, write_whole
+from synthesis.tools import alone, error_of, run, tool, work_folder, write_whole
 
 
 def number(value):
@@ -21,7 +21,7 @@ def number(value):
 
 def explain(lines):
     """Yosys stops at a core's own refusal without its words: these stand in the source."""
-    error = last_error(lines)
+    error = error_of(lines)
     refusal = re.match(r"(\S+):(\d+): ERROR: ?Can't resolve task name `\$fatal'", error)
     if refusal:
         line = (ROOT / refusal[1]).read_text().splitlines()[int(refusal[2]) - 1]
@@ -44,8 +44,8 @@ class Yosys:
             shutil.copy(file, folder)
 
     def __call__(self, log, *commands):
-        read = "read_verilog -sv -defer " + " ".join(map(str, self.paths))
-        run([tool("yosys"), "-p", "; ".join([read, *commands])], log, explain, cwd=self.folder)
+        read = ["read_verilog -sv -defer " + " ".join(map(str, self.paths))] if self.paths else []
+        run([tool("yosys"), "-p", "; ".join([*read, *commands])], log, explain, cwd=self.folder)
 
     def elaborate(self, core, log):
         """Elaborates the core alone; returns its ports and parameters."""

@@ -12,13 +12,13 @@ from synthesis.devices import DEVICES, check_fit
 from synthesis.netlist import synthesise
 from synthesis.refused import Refused
 from synthesis.result import reports, result
-from synthesis.tools import (alone, end_all, last_error, run, tool, version, work_folder,
+from synthesis.tools import (alone, end_all, error_of, run, tool, version, work_folder,
                              write_whole)
 
 
 def explain(lines):
     """Names what a user can act on: another device, or another seed."""
-    error = last_error(lines)
+    error = error_of(lines)
     if re.search(r"no bels|[Uu]nable to (find|place)|[Ff]ailed to place|too many", error, re.I):
         return f"does not fit: {error}"
     if re.search(r"\brout", error, re.I):

@@ -57,9 +57,12 @@ def run(command, log, explain, minutes=None, cwd=None):
         raise Refused(f"{explain(lines)}, see {log}")
 
 
-def last_error(lines):
-    errors = [line for line in lines if "error" in line.lower()] or lines[-1:] or ["no output"]
-    return re.sub(r"^ERROR: *", "", errors[-1].strip()).rstrip(".")
+def error_of(lines):
+    """The first ERROR (nextpnr counts its errors at the end), or what else says most."""
+    said = ([line for line in lines if "ERROR:" in line]
+            or [line for line in lines if "error" in line.lower()][-1:]
+            or lines[-1:] or ["no output"])
+    return re.sub(r"^ERROR: *", "", said[0].strip()).rstrip(".")
 
 
 def write_whole(path, text):

@@ -62,6 +62,12 @@ const std::vector<BadCommand> kBadCommands{
      {"--sweep", "t.csv", "--profile", "none"},
      "synth: --profile none: there is no config.yaml in it"},
     {"UnknownOption", {"--devices", "up5k"}, "synth: unrecognized arguments: --devices"},
+    {"UnknownBoard", {"--board", "de0"}, "synth: unknown board 'de0': one of colorlight_i5, "},
+    {"BoardWithoutFile", {"--board", "none.json"}, "synth: none.json: No such file or directory"},
+    {"DeviceBesideABoard",
+     {"--board", "icebreaker", "--device", "up5k"},
+     "synth: --board has all of it in its table: leave out --core, --build, --device, "},
+    {"PinsOfNoBoard", {"--pins-alone"}, "synth: --pins-alone is of a --board"},
     {"NoTable", {"--sweep", "none.csv"}, "none.csv: error: No such file or directory"},
 };
 

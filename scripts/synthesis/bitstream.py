@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A bitstream of a board: netlist, placement that keeps the clock, packed."""
+
+import json
+import re
+import shutil
+
+from synthesis import placement
+from synthesis.board_files import top
+from synthesis.board_tools import command, tools_of
+from synthesis.boards import TOP
+from synthesis.cores import sources
+from synthesis.devices import counts
+from synthesis.netlist import Yosys
+from synthesis.refused import Refused, TooLarge
+from synthesis.tools import alone, error_of, run, tool, version, work_folder, write_whole
+
+# As nextpnr has packed it: what it needs of what there is.
+USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%", re.M)
+
+
+def check_fit(board, log):
+    over = [f"{used} {cell} of {there}" for cell, used, there in USED.findall(log)
+            if int(used) > int(there)]
+    if over:
+        raise TooLarge(f"does not fit {board.part}: {', '.join(over)}")
+
+
+def make(board, folder, seeds, minutes, pins_alone=False):
+    """Writes the bitstream and all that it was made of into `folder`; returns what it is."""
+    tools = tools_of(board)
+    folder.mkdir(parents=True, exist_ok=True)
+    with alone(folder / ".lock"), work_folder(folder / ".work") as work:
+        for file in ("board.json", tools.bitstream):
+            (folder / file).unlink(missing_ok=True)
+        (work / "top.v").write_text(top(board, pins_alone))
+        (work / tools.constraints_file).write_text(tools.constraints(board))
+        cells = synthesise(board, tools, work, folder, pins_alone)
+        placed = place(board, tools, work, folder, seeds, minutes)
+        pack = command(tools.pack, board)
+        run([tool(pack[0]), *pack[1:]], folder / "pack.log", error_of, cwd=work)
+        for file in ("top.v", tools.constraints_file, tools.bitstream):
+            shutil.copy(work / file, folder)
+    facts = {"board": board.name, "title": board.board, "part": board.part, **board.figures(),
+             **placed, **counts(tools.family, cells),
+             "bitstream": tools.bitstream, "parameters": board.settings,
+             "tools": [version(tool("yosys")), version(tool(tools.family.nextpnr))]}
+    write_whole(folder / "board.json", json.dumps(facts, indent=2) + "\n")
+    return facts
+
+
+def synthesise(board, tools, work, folder, pins_alone):
+    """netlist.json; returns the number of cells by type."""
+    read = ["read_verilog top.v"]
+    if board.clock_hz != board.oscillator_hz:
+        pll = command(tools.pll, board)
+        run([tool(pll[0]), *pll[1:]], folder / "pll.log", error_of, cwd=work)
+        read.append("read_verilog pll.v")
+    yosys = Yosys([] if pins_alone else sources("uart_line", TOP), tools.family, work)
+    commands = command([f"{tools.synthesis} -json netlist.json"], board)
+    yosys(folder / "synthesise.log", *read, *commands, "tee -o stat.json stat -json")
+    return json.loads((work / "stat.json").read_text())["design"]["num_cells_by_type"]
+
+
+def place(board, tools, work, folder, seeds, minutes):
+    """By the first seed that keeps the board's clock."""
+    nextpnr = tool(tools.family.nextpnr)
+    wanted = board.clock_hz / 1e6
+    reached = {}
+    for seed in range(1, seeds + 1):
+        log = folder / "place.log"
+        try:
+            run([nextpnr, "--json", "netlist.json", *command(tools.flags, board), "--freq",
+                 f"{wanted:g}", "--timing-allow-fail", "--seed", str(seed), "--report",
+                 "report.json"], log, placement.explain, minutes=minutes, cwd=work)
+        except Refused:
+            check_fit(board, log.read_text(errors="replace"))
+            raise
+        report = json.loads((work / "report.json").read_text())
+        check_clock(board, report)
+        reached[seed] = round(placement.frequency(tools.family, report, log), 1)
+        if reached[seed] >= wanted:
+            return {"fmax_mhz": reached[seed], "seed": seed}
+    raise Refused(f"{max(reached.values())} MHz is less than its clock of"
+                  f" {wanted:g} MHz (best of {seeds})")
+
+
+def check_clock(board, report):
+    """A PLL that cannot make the clock makes another one."""
+    asked = {clock["constraint"] for clock in report["fmax"].values()}
+    if board.clock_hz != board.oscillator_hz and not any(
+            abs(mhz * 1e6 / board.clock_hz - 1) < 1e-3 for mhz in asked):
+        raise Refused(f"the PLL gives {', '.join(f'{mhz:g}' for mhz in asked)} MHz"
+                      f" instead of {board.clock_hz / 1e6:g}")

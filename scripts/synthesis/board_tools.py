@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the tools of a family make a bitstream of a board."""
+
+import dataclasses
+
+from synthesis.board_files import cst, lpf, pcf
+from synthesis.devices import ECP5, GOWIN, UP5K, Family
+from synthesis.refused import Refused
+
+
+@dataclasses.dataclass(frozen=True)
+class BoardTools:
+    """Commands have {part}, and {..} of what is in the board's `device`."""
+
+    family: Family
+    synthesis: str  # of Yosys
+    constraints: callable  # text of a board
+    constraints_file: str
+    flags: tuple  # of nextpnr
+    pack: tuple
+    bitstream: str
+    pll: tuple = ()  # what writes pll.v, with {clkin} and {clkout} in MHz
+
+
+TOOLS = {
+    "ecp5": BoardTools(
+        ECP5, "synth_ecp5 -top top", lpf, "board.lpf",
+        ("--{size}", "--package", "{package}", "--speed", "{speed}", "--lpf", "board.lpf",
+         "--textcfg", "board.config"),
+        ("ecppack", "board.config", "board.bit"), "board.bit",
+        ("ecppll", "-n", "pll", "-i", "{clkin}", "-o", "{clkout}", "--clkin_name", "clkin",
+         "--clkout0_name", "clkout", "-f", "pll.v")),
+    "ice40": BoardTools(
+        UP5K, "synth_ice40 -top top", pcf, "board.pcf",
+        ("--{size}", "--package", "{package}", "--pcf", "board.pcf", "--asc", "board.asc"),
+        ("icepack", "board.asc", "board.bin"), "board.bin"),
+    "gowin": BoardTools(
+        GOWIN, "synth_gowin -family {yosys} -top top", cst, "board.cst",
+        ("--device", "{part}", "--vopt", "family={die}", "--vopt", "cst=board.cst",
+         "--write", "placed.json"),
+        ("gowin_pack", "-d", "{die}", "-o", "board.fs", "placed.json"), "board.fs"),
+}
+
+
+def tools_of(board):
+    """Raises Refused where they cannot make this board."""
+    if board.family not in TOOLS:
+        raise Refused(f"unknown family '{board.family}': one of {', '.join(TOOLS)}")
+    tools = TOOLS[board.family]
+    try:
+        command((tools.synthesis, *tools.flags, *tools.pack), board)
+    except KeyError as error:
+        raise Refused(f"device: there is no {error}") from None
+    if board.clock_hz != board.oscillator_hz and not tools.pll:
+        raise Refused(f"there is no PLL for {board.family} here: clock_hz must be oscillator_hz")
+    return tools
+
+
+def command(words, board):
+    mhz = {"clkin": f"{board.oscillator_hz / 1e6:g}", "clkout": f"{board.clock_hz / 1e6:g}"}
+    return [word.format(part=board.part, **board.device, **mhz) for word in words]

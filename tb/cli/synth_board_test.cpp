@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// scripts/synth.sh --board with tools that do as told: every table, what is made of one, what is
+// refused. That the pins are in the package is for the real tools to say: system.Board.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/synth_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using testing::IsSubstring;
+using Json = nlohmann::json;
+
+const std::vector<std::string> kTools{
+    "yosys",   "nextpnr-ecp5", "nextpnr-ice40", "nextpnr-himbaechel-gowin",
+    "ecppack", "icepack",      "gowin_pack",    "ecppll"};
+
+Json table_of(const std::string& board) {
+    std::ifstream file(SYNTH_FOLDER "/boards/" + board + ".json");
+    return Json::parse(file);
+}
+
+TEST(SynthBoard, EveryTableBecomesABitstream) {
+    int boards = 0;
+    for (const auto& file : std::filesystem::directory_iterator(SYNTH_FOLDER "/boards")) {
+        const SynthRun synth(kTools);
+        const std::string board = file.path().stem();
+        const ProgramResult result = synth.synth({"--board", board});
+        EXPECT_EQ(result.status, 0) << board << ": " << result.err;
+        const std::string folder = "out/boards/" + board + "/";
+        const Json facts = Json::parse(synth.read(folder + "board.json"));
+        EXPECT_EQ(synth.read(folder + facts["bitstream"].get<std::string>()), "bits");
+        EXPECT_EQ(facts["samples_s"].get<double>(),
+                  std::round(table_of(board)["clock_hz"].get<double>() /
+                             (1 << table_of(board)["parameters"]["PeriodLog2"].get<int>())));
+        ++boards;
+    }
+    EXPECT_GE(boards, 5);
+}
+
+TEST(SynthBoard, ConstraintsAndTopFollowFromTheTable) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "icebreaker"}).status, 0);
+    EXPECT_EQ(synth.read("out/boards/icebreaker/board.pcf"),
+              "set_frequency clk 12\n"
+              "set_io clk 35\nset_io -pullup yes uart_rx 6\nset_io uart_tx 9\n"
+              "set_io step[0] 4\nset_io step[1] 2\nset_io step[2] 47\n"
+              "set_io direction[0] 3\nset_io direction[1] 48\nset_io direction[2] 46\n"
+              "set_io enable 45\nset_io -pullup yes estop 43\n"
+              "set_io -pullup yes limit[0] 38\nset_io -pullup yes limit[1] 34\n"
+              "set_io -pullup yes limit[2] 31\n");
+    const std::string top = synth.read("out/boards/icebreaker/top.v");
+    EXPECT_PRED_FORMAT2(IsSubstring, "wire clock = clk;", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".BitClocks(12)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".PeriodLog2(10)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".ClockHertz(12000000)", top);
+
+    EXPECT_EQ(synth.synth({"--board", "ulx3s_85"}).status, 0);
+    const std::string lpf = synth.read("out/boards/ulx3s_85/board.lpf");
+    EXPECT_PRED_FORMAT2(IsSubstring, "FREQUENCY PORT \"clk\" 25 MHZ;\n", lpf);
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "LOCATE COMP \"step[1]\" SITE \"A10\";\n"
+                        "IOBUF PORT \"step[1]\" IO_TYPE=LVCMOS33 PULLMODE=NONE;\n",
+                        lpf);
+    EXPECT_PRED_FORMAT2(IsSubstring, "IOBUF PORT \"estop\" IO_TYPE=LVCMOS33 PULLMODE=UP;", lpf);
+    EXPECT_PRED_FORMAT2(IsSubstring, "pll u_pll", synth.read("out/boards/ulx3s_85/top.v"));
+    EXPECT_EQ(synth.runs("ecppll"), 1);
+
+    EXPECT_EQ(synth.synth({"--board", "tang_nano_9k"}).status, 0);
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "IO_LOC \"limit[2]\" 41;\n"
+                        "IO_PORT \"limit[2]\" IO_TYPE=LVCMOS33 PULL_MODE=UP;\n",
+                        synth.read("out/boards/tang_nano_9k/board.cst"));
+}
+
+TEST(SynthBoard, AParameterGivenIsInTheTop) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "icebreaker", "--set", "Order=4"}).status, 0);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".Order(4)", synth.read("out/boards/icebreaker/top.v"));
+}
+
+struct BadBoard {
+    const char* name;
+    const char* change;  // RFC 7396
+    const char* message;
+};
+
+void PrintTo(const BadBoard& bad, std::ostream* out) { *out << bad.name; }
+
+const std::vector<BadBoard> kBadBoards{
+    {"PinTwice", R"({"pins": {"estop": "C17"}})", "pin C17 is step[0] and estop"},
+    {"PinMissing", R"({"pins": {"estop": null}})", "pins must be clk, uart_rx, uart_tx, "},
+    {"AxesWithoutPins", R"({"parameters": {"AuxAxes": 1}})", "step has 3 pins for 4 axes"},
+    {"UnknownParameter", R"({"parameters": {"Degree": 3}})", "motion_board has no parameter Deg"},
+    {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",
+     "Axes (FineBits + 7) + 4 clocks must fit"},
+    {"BaudTooFast", R"({"baud": 5000000})", "5000000 baud: a bit has 5 clocks, and not 8"},
+    {"BaudOff", R"({"baud": 2380000})", "2380000 baud: 11 clocks a bit are -4.5% off"},
+    {"UnknownFamily", R"({"family": "max10"})", "unknown family 'max10': one of ecp5, ice40"},
+    {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
+    {"PllThatIsNotMade", R"({"family": "ice40", "clock_hz": 30000000})",
+     "there is no PLL for ice40 here"},
+    {"UnknownEntry", R"({"colour": "green"})", "is no board: "},
+    {"EntryMissing", R"({"baud": null})", "is no board: "},
+};
+
+class SynthBadBoard : public testing::TestWithParam<BadBoard> {};
+
+TEST_P(SynthBadBoard, IsRefusedBeforeAnythingRuns) {
+    const SynthRun synth(kTools);
+    Json table = table_of("colorlight_i5");
+    table.merge_patch(Json::parse(GetParam().change));
+    synth.write("mine.json", table.dump());
+    const ProgramResult result = synth.synth({"--board", "mine.json"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.err.substr(0, 18), "synth: mine.json: ");
+    EXPECT_PRED_FORMAT2(IsSubstring, GetParam().message, result.err);
+    EXPECT_FALSE(synth.exists("log"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SynthBadBoard, testing::ValuesIn(kBadBoards),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(SynthBoard, PinsAloneLeaveNoBitstreamOfTheBoard) {
+    const SynthRun synth(kTools);
+    const ProgramResult result = synth.synth({"--board", "icebreaker", "--pins-alone"});
+    EXPECT_EQ(result.out, "icebreaker: 14 pins are there\n");
+    EXPECT_FALSE(synth.exists("out/boards/icebreaker"));
+}
+
+TEST(SynthBoard, OneThatDoesNotFitSaysByHowMuchAndLeavesNothingOld) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "colorlight_i5"}).status, 0);
+    const ProgramResult result = synth.synth({"--board", "colorlight_i5", "--set", "Order=12"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err,
+              "synth: colorlight_i5: does not fit LFE5U-25F-6BG381C: 30000 TRELLIS_COMB of "
+              "24288\n");
+    EXPECT_FALSE(synth.exists("out/boards/colorlight_i5/board.json"));
+    EXPECT_FALSE(synth.exists("out/boards/colorlight_i5/board.bit"));
+}
+
+TEST(SynthBoard, APllThatMakesAnotherClockIsAnError) {
+    const SynthRun synth(kTools);
+    Json table = table_of("ulx3s_85");
+    table["clock_hz"] = 71'000'000;
+    synth.write("odd.json", table.dump());
+    const ProgramResult result = synth.synth({"--board", "odd.json"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "synth: odd: the PLL gives 70 MHz instead of 71\n");
+}
+
+// The placement with seed n reaches 100 + n MHz.
+TEST(SynthBoard, TakesTheFirstSeedThatKeepsTheClockOrSaysWhatWasReached) {
+    const SynthRun synth(kTools);
+    Json table = table_of("colorlight_i5");
+    table["oscillator_hz"] = table["clock_hz"] = 102'000'000;
+    synth.write("fast.json", table.dump());
+    const ProgramResult good = synth.synth({"--board", "fast.json", "--seeds", "5"});
+    EXPECT_EQ(good.status, 0) << good.err;
+    EXPECT_EQ(synth.runs("nextpnr-ecp5"), 2);
+    EXPECT_EQ(Json::parse(synth.read("out/boards/fast/board.json"))["seed"], 2);
+
+    table["oscillator_hz"] = table["clock_hz"] = 150'000'000;
+    synth.write("slow.json", table.dump());
+    const ProgramResult bad = synth.synth({"--board", "slow.json", "--seeds", "2"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_EQ(bad.err, "synth: slow: 102 MHz is less than its clock of 150 MHz (best of 2)\n");
+    EXPECT_FALSE(synth.exists("out/boards/slow/board.json"));
+}
+
+}  // namespace
+}  // namespace curvecore::tb
