@@ -292,7 +292,9 @@ module motion_interpolator #(
   logic move_ready;
   logic [47:0] move_ds;
   logic [17:0] move_rate;
-  sample_share u_share (
+  sample_share #(
+      .Build(Build)
+  ) u_share (
       .clk_i,
       .rst_ni(rst_n),
       .samples_per_tick_log2_i(samples_per_tick_log2),
