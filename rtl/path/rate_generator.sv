@@ -174,6 +174,9 @@ module rate_generator #(
     );
   end
 
+  // A clock later, as the tick is told, too.
+  logic asked_q;
+  always_ff @(posedge clk_i) asked_q <= rst_ni && request_valid_i && request_ready_o;
   standstill u_standstill (
       .clk_i,
       .rst_ni,
@@ -182,7 +185,7 @@ module rate_generator #(
       .scaled_i(scaled_valid),
       .held_i  (scaled_held),
       .still_i (scaled_still),
-      .asked_i (request_valid_i && request_ready_o),
+      .asked_i (asked_q),
       .leaves_i,
       .standing_o
   );
