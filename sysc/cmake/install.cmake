@@ -42,6 +42,8 @@ if(CURVECORE_PROGRAM)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/linuxcnc
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/scripts/boards
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/scripts COMPONENT program)
   install(FILES ${PROJECT_SOURCE_DIR}/ref/format/queues.hpp
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/ref/format COMPONENT program)
 endif()

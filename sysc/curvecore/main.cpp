@@ -114,6 +114,8 @@ void add_override(CLI::App& command, RawOptions& raw) {
 /// The core and its clocks.
 void add_timed_core(CLI::App& command, RawOptions& raw) {
     add_core(command, raw);
+    add_text(command, "--board", raw.board, "NAME",
+             "one of scripts/boards, or a file of such: its core, clock, sample period and queues");
     add_text(command, "--sample-period", raw.sample_period, "TIME",
              "time between samples; default 100us");
     add_text(command, "--samples-per-tick", raw.samples_per_tick, "N",

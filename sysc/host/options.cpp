@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
+#include "sysc/host/board_file.hpp"
 #include "sysc/host/choice.hpp"
 #include "sysc/host/core_clocks.hpp"
 #include "sysc/host/core_file.hpp"
@@ -171,12 +172,25 @@ void interpret(const RawOptions& raw, Options& options) {
     options.exact_path = choice("--path", raw.path, kPathNames) == 1;
     options.open_program = open_program(raw.interpreter, options);
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
+    if (!raw.core.empty() && !raw.board.empty()) {
+        throw UsageError("--core or --board: a board has its core");
+    }
     CoreFile core;
     if (!raw.core.empty()) {
         core = read_core_file(raw.core);
         options.core = core.parameters;
         options.splines_set = options.aux_axes_set = true;
         options.device = core.device;
+    }
+    std::string segment_queue = raw.segment_queue;
+    std::string profile_queue = raw.profile_queue;
+    if (!raw.board.empty()) {
+        const BoardFile board = read_board_file(raw.board);
+        core = board.core;
+        options.core = core.parameters;
+        options.splines_set = options.aux_axes_set = true;
+        segment_queue = std::to_string(board.segment_queue_words);
+        profile_queue = std::to_string(board.profile_queue_words);
     }
     if (!raw.unit.empty()) core.unit_mm = unit_of(raw.unit);
     options.unit_mm = core.unit_mm.value_or(options.unit_mm);
@@ -190,9 +204,9 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     options.samples_per_tick = power_of_two("--samples-per-tick", raw.samples_per_tick, 1, 32768);
     options.segment_queue_words =
-        power_of_two("--segment-queue", raw.segment_queue, 64, ref::kSegmentQueueWords);
+        power_of_two("--segment-queue", segment_queue, 64, ref::kSegmentQueueWords);
     options.profile_queue_words =
-        power_of_two("--profile-queue", raw.profile_queue, 16, ref::kProfileQueueWords);
+        power_of_two("--profile-queue", profile_queue, 16, ref::kProfileQueueWords);
     if (!raw.device.empty()) options.device = raw.device;
     if (core.clock_hz && raw.device.empty()) set_clock(*core.clock_hz, options);
     if (!raw.clock.empty()) set_clock(frequency("--clock", raw.clock, 1e3, 1e10), options);

@@ -68,6 +68,7 @@ struct Options {
 /// The command line as text; empty: not given, so the core's file says it, or the default stands.
 struct RawOptions {
     std::string core;
+    std::string board;
     std::string fit = "bessel";
     std::string tolerance;
     std::string ends = "natural";

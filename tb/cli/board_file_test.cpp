@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// --board: what a board's table says is what is planned for.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+
+class BoardFile : public testing::Test {
+  protected:
+    void SetUp() override { program_.write("part.ngc", "G21 G90 F900\nG1 X5\nG3 X7 Y2 J2\nM2\n"); }
+
+    Json words(const std::string& board) {
+        const ProgramResult result =
+            program_.run({"words", "part.ngc", "-q", "-o", "words", "--board", board});
+        EXPECT_EQ(result.status, 0) << result.err;
+        return Json::parse(program_.read("words/words.json"));
+    }
+    void refuse(const std::vector<std::string>& options, const std::string& message) {
+        std::vector<std::string> arguments{"words", "part.ngc"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 2);
+        EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    }
+
+    const ProgramRun program_;
+};
+
+TEST_F(BoardFile, SaysCorePeriodAndQueues) {
+    const Json json = words("tang_nano_20k");
+    EXPECT_EQ(json["sample_period_s"].get<double>(), 2048 / 27e6);
+    EXPECT_EQ(json["parameters"]["Splines"], 1);
+    EXPECT_EQ(json["queue_words"]["segments"], 1024);
+    EXPECT_EQ(json["queue_words"]["profile"], 1024);
+}
+
+TEST_F(BoardFile, OfOnesOwnIsRead) {
+    program_.write("mine.json",
+                   R"({"clock_hz": 50e6, "parameters": {"PeriodLog2": 12, "Order": 5,
+                       "ProfileQueueWords": 2048, "MultiplierForm": 1}})");
+    const Json json = words("mine.json");
+    EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 50e6);
+    EXPECT_EQ(json["parameters"]["Order"], 5);
+    EXPECT_EQ(json["queue_words"]["profile"], 2048);
+}
+
+TEST_F(BoardFile, EveryBoardOfTheTreeIsRead) {
+    for (const char* name :
+         {"tang_nano_9k", "tang_nano_20k", "icebreaker", "colorlight_i5", "ulx3s_85"}) {
+        EXPECT_GT(words(name)["samples"].get<int>(), 0) << name;
+    }
+}
+
+TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
+    refuse({"--board", "arty"}, "--board: there is no 'arty': colorlight_i5, icebreaker, ");
+    refuse({"--board", "icebreaker", "--core", "core.json"}, "--core or --board");
+    program_.write("bad.json", "{\"parameters\": {}}");
+    refuse({"--board", "bad.json"}, "bad.json: error: is no board");
+    program_.write("worse.json", R"({"clock_hz": 1e6, "parameters": {"Length": 3}})");
+    refuse({"--board", "worse.json"}, "motion_board has no parameter Length");
+    refuse({"--board", "none.json"}, "none.json");
+}
+
+}  // namespace
+}  // namespace curvecore::tb
