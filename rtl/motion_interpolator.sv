@@ -231,6 +231,7 @@ module motion_interpolator #(
 
   // Ticks into path increments
   logic ds_valid;
+  logic ds_ready;
   logic [47:0] ds;
   logic [16:0] ds_rate;
   logic ds_active;
@@ -257,6 +258,7 @@ module motion_interpolator #(
       .step_ready_i(step_ready),
       .step_o(step),
       .ds_valid_o(ds_valid),
+      .ds_ready_i(ds_ready),
       .ds_o(ds),
       .ds_rate_o(ds_rate),
       .ds_active_o(ds_active),
@@ -268,25 +270,28 @@ module motion_interpolator #(
       .next_final_o(take_final)
   );
 
-  logic ds_room;
   logic share_valid;
   logic share_ready;
   logic [65:0] share;
-  word_queue #(
-      .Bits (66),
-      .Depth(Room)
-  ) u_ds_queue (
-      .clk_i,
-      .rst_ni (rst_n),
-      .valid_i(ds_valid),
-      .ready_o(ds_room),
-      .data_i ({ds_active, ds_rate, ds}),
-      .valid_o(share_valid),
-      .ready_i(share_ready),
-      .data_o (share)
-  );
-  logic unused_room;
-  assign unused_room = ds_room;
+  if (Build == 1) begin : g_direct
+    assign share_valid = ds_valid;
+    assign ds_ready    = share_ready;
+    assign share       = {ds_active, ds_rate, ds};
+  end else begin : g_queue
+    word_queue #(
+        .Bits (66),
+        .Depth(Room)
+    ) u_ds_queue (
+        .clk_i,
+        .rst_ni (rst_n),
+        .valid_i(ds_valid),
+        .ready_o(ds_ready),
+        .data_i ({ds_active, ds_rate, ds}),
+        .valid_o(share_valid),
+        .ready_i(share_ready),
+        .data_o (share)
+    );
+  end
 
   logic move_valid;
   logic move_ready;

@@ -11,7 +11,8 @@
 //
 // One tick per Interval clocks; results are not held: whoever sends rates has room for them. A
 // piece boundary costs no clock when the piece before was 6 clocks long and the next is queued.
-// Build 1 makes one tick after the other, at most every serial_tick_clocks() of hls/clocks.hpp.
+// Build 1 makes one tick after the other, at most every kSerialTickClocks of hls/clocks.hpp, and
+// holds an increment until it is taken.
 `default_nettype none
 module path_generator #(
     parameter int Build          = 0,  // 0 parallel, 1 serial
@@ -43,10 +44,11 @@ module path_generator #(
     output logic      [43:0] step_o,
 
     // Increments, a tick each
-    output logic        ds_valid_o,
-    output logic [47:0] ds_o,
-    output logic [16:0] ds_rate_o,
-    output logic        ds_active_o, // a program was under way
+    output logic             ds_valid_o,
+    input  wire logic        ds_ready_i,  // Build 1; whoever takes those of Build 0 has room
+    output logic      [47:0] ds_o,
+    output logic      [16:0] ds_rate_o,
+    output logic             ds_active_o, // a program was under way
 
     // The present piece; piece_take_o: the next one begins
     output logic               piece_take_o,
@@ -151,6 +153,7 @@ module path_generator #(
         .pass_o(pass),
         .negative_i(sum[47]),
         .ds_valid_o,
+        .ds_ready_i,
         .ds_active_o,
         .look_o(look),
         .active_o,
@@ -182,6 +185,8 @@ module path_generator #(
     end
   end else begin : g_pipeline
     assign writes = 1'b0;
+    logic unused;
+    assign unused = ds_ready_i;
     localparam int TagBits = BankBits + 17 + 3;
     localparam int StartPhase = (Interval == 1) ? 0 : (Interval == 2) ? 1 : 3;  // -5
     logic [2:0] phase_q;

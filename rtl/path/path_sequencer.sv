@@ -9,7 +9,8 @@
 //   tick_taken_o             1                        no piece follows
 //   tick_taken_o                  1    1              a program, a piece begins; at the earliest
 //   ds_valid_o                                1       n < kSerialTickClocks of hls/clocks.hpp, +
-//                                                     what it waited for a piece
+//   ds_ready_i                                1       what it waited for a piece; every other clock
+//                                                     until it is taken
 //
 // A tick of rate r moves time by r / 2^16 ticks; what goes beyond a piece's end is time in the next
 // piece. Time waits at the end of the last piece there is. A tick waits while its piece is queued
@@ -41,9 +42,10 @@ module path_sequencer (
     input  wire logic                              negative_i, // the sum
 
     // Increments
-    output logic ds_valid_o,   // the sum is one
-    output logic ds_active_o,  // a program was under way
-    output logic look_o,       // the sum is time in the piece less its end
+    output logic      ds_valid_o,   // the sum is one
+    input  wire logic ds_ready_i,
+    output logic      ds_active_o,  // a program was under way
+    output logic      look_o,       // the sum is time in the piece less its end
 
     // The present piece
     output logic active_o,
@@ -106,6 +108,7 @@ module path_sequencer (
     Nothing,
     AddRest,
     Send,
+    Hold,
     BackToPath
   } state_t;
 
@@ -125,7 +128,8 @@ module path_sequencer (
     IsExact,
     MoreHalves,
     MoreDoubles,
-    Negative
+    Negative,
+    Sent
   } condition_t;
 
   logic [5:0] state_q;
@@ -175,7 +179,7 @@ module path_sequencer (
     {control_o, condition, target} = {{Bits{1'b0}}, Never, Start};
     case (state_q)
       Start:         control_o = write(Zero) | Clear;
-      Wait:          {condition, target} = {NoRate, Wait};
+      Wait:          {control_o, condition, target} = {Clear, NoRate, Wait};
       TakeRate:      control_o = write(Rate) | OfRate;
       AddTime:       control_o = write(Rest) | add(Time);
       AddRate:       control_o = add(Rate);
@@ -219,7 +223,8 @@ module path_sequencer (
       NewPath:       {control_o, condition, target} = {write(Path) | less(Path), Always, AddRest};
       Nothing:       control_o = Clear;
       AddRest:       control_o = add(Rest);
-      Send:          {control_o, condition, target} = {Clear, Always, Wait};
+      Send:          {condition, target} = {Sent, Wait};
+      Hold:          {condition, target} = {Always, Send};
       BackToPath:    {control_o, condition, target} = {add(Ds), Always, Change};
       default:       ;
     endcase
@@ -246,6 +251,7 @@ module path_sequencer (
       MoreHalves:   jump = count_q != -7'd34;
       MoreDoubles:  jump = count_q != -7'd36;
       Negative:     jump = negative_i;
+      Sent:         jump = ds_ready_i;
       default:      jump = 1'b0;
     endcase
   end

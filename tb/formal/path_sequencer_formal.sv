@@ -8,6 +8,7 @@
 // control: SKIPS_QUEUED s/ || !queued_i;/ || !next_valid_i;/
 // control: BEGINS_HELD s/(held_q \&\& !active_o)/1'b0/
 // control: RUNS_ON s/active_o \&\& !last_o/active_o/
+// control: DROPS s/{Sent, Wait}/{Always, Wait}/
 // control: NO_INCREMENT s/Always, AddRest}/Always, Wait}/
 // control: LONG_PRODUCT s/-7'd15/-7'd19/
 // control: NO_RESET s/state_q <= Start/state_q <= state_q/
@@ -20,7 +21,8 @@ module path_sequencer_formal (
     input wire logic queued_i,
     input wire logic next_valid_i,
     input wire logic next_final_i,
-    input wire logic negative_i
+    input wire logic negative_i,
+    input wire logic ds_ready_i
 );
 
   logic next_take;
@@ -53,6 +55,7 @@ module path_sequencer_formal (
       .pass_o(pass),
       .negative_i,
       .ds_valid_o(ds_valid),
+      .ds_ready_i,
       .ds_active_o(ds_active),
       .look_o(look),
       .active_o(active),
@@ -93,10 +96,10 @@ module path_sequencer_formal (
       if (taken) begin
         owed_q        <= 1'b1;
         active_then_q <= active || next_take;
-      end else if (ds_valid) begin
+      end else if (ds_valid && ds_ready_i) begin
         owed_q <= 1'b0;
       end
-      if (!waiting_q && !owed_q) clocks_q <= '0;
+      if ((!waiting_q && !owed_q) || ds_valid) clocks_q <= '0;
       else if (!waiting_q || next_valid_i || !queued_i) clocks_q <= clocks_q + 1'b1;
     end
   end
