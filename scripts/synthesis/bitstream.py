@@ -19,11 +19,21 @@ from synthesis.tools import alone, error_of, run, tool, version, work_folder, wr
 USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%", re.M)
 
 
-def check_fit(board, log):
-    over = [f"{used} {cell} of {there}" for cell, used, there in USED.findall(log)
-            if int(used) > int(there)]
+NEARLY = 0.9  # full: where a placement or its routes may not end
+FEW = 8  # such as the one of GND
+
+
+def explain_fit(board, log, error):
+    """Raises what nextpnr's error, or its silence, comes from."""
+    used = [(f"{used} {cell} of {there}", int(used) / int(there))
+            for cell, used, there in USED.findall(log) if int(there) > FEW]
+    over = [text for text, share in used if share > 1]
+    nearly = [text for text, share in used if share > NEARLY]
     if over:
-        raise TooLarge(f"does not fit {board.part}: {', '.join(over)}")
+        raise TooLarge(f"does not fit {board.part}: {', '.join(over)}") from None
+    if nearly:
+        raise Refused(f"{error}; nearly full: {', '.join(nearly)}") from None
+    raise error
 
 
 def make(board, folder, seeds, minutes, pins_alone=False):
@@ -73,9 +83,8 @@ def place(board, tools, work, folder, seeds, minutes):
             run([nextpnr, "--json", "netlist.json", *command(tools.flags, board), "--freq",
                  f"{wanted:g}", "--timing-allow-fail", "--seed", str(seed), "--report",
                  "report.json"], log, placement.explain, minutes=minutes, cwd=work)
-        except Refused:
-            check_fit(board, log.read_text(errors="replace"))
-            raise
+        except Refused as error:
+            explain_fit(board, log.read_text(errors="replace"), error)
         report = json.loads((work / "report.json").read_text())
         check_clock(board, report)
         reached[seed] = round(placement.frequency(tools.family, report, log), 1)

@@ -144,6 +144,15 @@ TEST(SynthBoard, OneThatDoesNotFitSaysByHowMuchAndLeavesNothingOld) {
     EXPECT_FALSE(synth.exists("out/boards/colorlight_i5/board.bit"));
 }
 
+TEST(SynthBoard, OneThatIsNearlyFullSaysSoWhenItFails) {
+    const SynthRun synth(kTools);
+    const ProgramResult result = synth.synth({"--board", "colorlight_i5", "--set", "Order=10"});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err, "synth: colorlight_i5: unroutable: Routing design failed, see " +
+                              (synth.folder() / "out/boards/colorlight_i5/place.log").string() +
+                              "; nearly full: 24000 TRELLIS_COMB of 24288\n");
+}
+
 TEST(SynthBoard, APllThatMakesAnotherClockIsAnError) {
     const SynthRun synth(kTools);
     Json table = table_of("ulx3s_85");
