@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words | stream | board | cam | join | compare | choose: parts through the
-// cores, from the command line.
+// curvecore run | plan | words | stream | board | cam | join | compare | choose | explore: parts
+// through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// wrong, and nothing was written; 3 choose: no configuration keeps what is asked; 130 interrupted,
+// wrong, and nothing was written; 3 choose, explore: nothing keeps what is asked; 130 interrupted,
 // nothing written (compare: what was finished).
 #include <fmt/format.h>
 
@@ -18,6 +18,7 @@
 #include "sysc/curvecore/choose_command.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
+#include "sysc/curvecore/explore_command.hpp"
 #include "sysc/curvecore/join_command.hpp"
 #include "sysc/curvecore/nearest.hpp"
 #include "sysc/curvecore/stream_command.hpp"
@@ -35,9 +36,10 @@ CLI::Option* add_text(CLI::App& command, const char* name, std::string& text, co
     return command.add_option(name, text, help)->type_name(type)->capture_default_str();
 }
 
-void add_set(CLI::App& command, std::vector<std::string>& set, const char* type,
-             const std::string& help) {
-    command.add_option("--set", set, help)->type_name(type)->allow_extra_args(false)->take_all();
+CLI::Option* add_list(CLI::App& command, const char* name, std::vector<std::string>& list,
+                      const char* type, const std::string& help) {
+    CLI::Option* option = command.add_option(name, list, help)->type_name(type);
+    return option->allow_extra_args(false)->take_all();
 }
 
 void add_interpreter(CLI::App& command, RawOptions& raw) {
@@ -127,7 +129,8 @@ void add_timed_core(CLI::App& command, RawOptions& raw) {
     add_text(command, "--clock", raw.clock, "FREQUENCY",
              "the core's clock, which its steps are timed by; default 100MHz, or with --device its "
              "estimate there");
-    add_set(command, raw.set, "NAME=VALUE", "a parameter of the core: " + ref::parameter_names());
+    add_list(command, "--set", raw.set, "NAME=VALUE",
+             "a parameter of the core: " + ref::parameter_names());
 }
 
 void add_common(CLI::App& command, RawOptions& raw, Options& options) {
@@ -168,11 +171,8 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
     command.add_option("--on", raw.on, fmt::format("board: {}", fmt::join(kBoardNames, ", ")))
         ->type_name("BOARD")
         ->capture_default_str();
-    command.add_option("--system", raw.system, "of --on systemc: " + system_names())
-        ->type_name("NAME=VALUE,..")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->take_all();
+    add_list(command, "--system", raw.system, "NAME=VALUE,..", "of --on systemc: " + system_names())
+        ->delimiter(',');
     command
         .add_option("--stall", raw.stall_seed,
                     "random stalls on every handshake of the RTL; the samples must not change")
@@ -186,9 +186,7 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
                                 "all are checked",
                                 options.most_rows))
         ->type_name("N");
-    command.add_option("--trace-clocks", raw.trace_clocks, "clocks in the waveform")
-        ->type_name("N")
-        ->capture_default_str();
+    add_text(command, "--trace-clocks", raw.trace_clocks, "N", "clocks in the waveform");
 }
 
 void add_join(CLI::App& command, RawOptions& raw, Options& options, RawJoinOptions& join) {
@@ -230,9 +228,9 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     };
     add("--curves", compare.curves, "NAME",
         fmt::format("without FILE, built-in curves: {}", fmt::join(kCurveSets, ", ")));
-    add_set(command, compare.set, "NAME=LIST",
-            fmt::format("values of a parameter, 4,6 or 4:8 or 4:8:2; {} if not given: {}",
-                        fmt::join(kComparedSets, " "), ref::parameter_names()));
+    add_list(command, "--set", compare.set, "NAME=LIST",
+             fmt::format("values of a parameter, 4,6 or 4:8 or 4:8:2; {} if not given: {}",
+                         fmt::join(kComparedSets, " "), ref::parameter_names()));
     add("--scheme", compare.scheme, "LIST",
         fmt::format("of splines, side by side: {}; the last three step once a tick",
                     fmt::join(kSchemeNames, ", ")));
@@ -336,6 +334,10 @@ int dispatch(int argc, char** argv) {
                                          "motion_board behind UDP");
     BoardOptions board_options;
     add_board(*board, board_options);
+    CLI::App* explore = app.add_subcommand("explore", "the shortest queues that FILE needs");
+    RawExplore raw_explore;
+    add_common(*explore, raw_explore.common, options);
+    add_explore(*explore, raw_explore);
     if (argc < 2) {
         fmt::print("{}", app.help());
         return 0;
@@ -369,6 +371,7 @@ int dispatch(int argc, char** argv) {
         return cam_command(cam_options);
     }
     if (*board) return board_command(board_options);
+    if (*explore) return explore_command(raw_explore, options);
     if (*join) options.file = "join.ngc";
     interpret(raw, options);
     if (*join) return join_command(options, raw_join);
