@@ -16,6 +16,7 @@
 #include "sysc/curvecore/board_command.hpp"
 #include "sysc/curvecore/cam_command.hpp"
 #include "sysc/curvecore/choose_command.hpp"
+#include "sysc/curvecore/command_options.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
 #include "sysc/curvecore/explore_command.hpp"
@@ -27,116 +28,6 @@
 
 namespace curvecore::sysc {
 namespace {
-
-constexpr const char* kAlongPoints = "along points: 10m/min, 100mm/s, 40in/min";
-constexpr const char* kFileOut = "folder for the results; FILE.out when left out";
-
-CLI::Option* add_text(CLI::App& command, const char* name, std::string& text, const char* type,
-                      const std::string& help) {
-    return command.add_option(name, text, help)->type_name(type)->capture_default_str();
-}
-
-CLI::Option* add_list(CLI::App& command, const char* name, std::vector<std::string>& list,
-                      const char* type, const std::string& help) {
-    CLI::Option* option = command.add_option(name, list, help)->type_name(type);
-    return option->allow_extra_args(false)->take_all();
-}
-
-void add_interpreter(CLI::App& command, RawOptions& raw) {
-    add_text(command, "--interpreter", raw.interpreter, "NAME",
-             "of G-code: curvecore, or linuxcnc: LinuxCNC's own, which must be installed, with the "
-             "tools and parameters that --machine names");
-}
-
-/// Where results go, on which machine, in which unit.
-void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {
-    command.add_option("-o,--output", options.folder, kFileOut)->type_name("DIR");
-    add_text(command, "--unit", raw.unit, "LENGTH", "length unit: 2.5um, 1/65536in; default 1nm");
-    command.add_option("--machine", options.machine, "limits from LinuxCNC's .ini")
-        ->type_name("FILE.ini");
-    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
-}
-
-/// FILE, and what is read with it.
-CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options, std::string& feed,
-                       const char* feeds, const std::string& feed_help) {
-    CLI::Option* file = command
-                            .add_option("FILE", options.file,
-                                        "G-code (.ngc .nc .gcode .tap) or points (.csv); - reads "
-                                        "G-code from standard input")
-                            ->type_name("");
-    add_text(command, "--fit", raw.fit, "NAME",
-             fmt::format("spline through points: {}; arcs: tangent arcs instead of splines, of "
-                         "G-code too",
-                         fmt::join(ref::kFitNames, ", ")));
-    add_text(command, "--tolerance", raw.tolerance, "LENGTH",
-             "of --fit arcs: how far they may be off the splines; default 1um");
-    add_text(command, "--ends", raw.ends, "NAME",
-             fmt::format("of --fit c2: {}", fmt::join(ref::kEndsNames, ", ")));
-    add_text(command, "--parametrisation", raw.parametrisation, "NAME",
-             fmt::format("of that spline: {}", fmt::join(ref::kParametrisationNames, ", ")));
-    add_interpreter(command, raw);
-    add_text(command, "--feed", feed, feeds, feed_help);
-    add_surroundings(command, raw, options);
-    return file;
-}
-
-/// The core and what it is asked to keep.
-void add_core(CLI::App& command, RawOptions& raw) {
-    add_text(command, "--core", raw.core, "FILE.json",
-             "a core as choose writes it: parameters, unit, error, sample period, clock");
-    add_text(command, "--build", raw.build, "BUILD", "parallel (default) or serial");
-    add_text(command, "--device", raw.device, "NAME", device_names());
-    add_text(command, "--error", raw.error, "LENGTH",
-             fmt::format("worst error of a position on any axis, half a unit of rounding in it; "
-                         "default {:g} units",
-                         kDefaultBound + CoreParameters().rounding()));
-}
-
-/// How a program is planned.
-void add_planning(CLI::App& command, RawOptions& raw) {
-    add_text(command, "--effort", raw.effort, "NAME",
-             fmt::format("of the feed: {}", fmt::join(ref::kEffortNames, ", ")));
-    add_text(command, "--holds", raw.holds, "NAME",
-             fmt::format("how a hold stops, by words for every place or slowly: {}",
-                         fmt::join(ref::kHoldNames, ", ")));
-    add_text(command, "--path", raw.path, "NAME",
-             "program: within the tolerance that G64 allows; exact");
-}
-
-void add_override(CLI::App& command, RawOptions& raw) {
-    command
-        .add_option("--override", raw.override_percent,
-                    "feed override, 1 to 200: up to 100 time is "
-                    "scaled, above it feeds are planned higher, as far as limits allow")
-        ->type_name("PERCENT")
-        ->capture_default_str();
-}
-
-/// The core and its clocks.
-void add_timed_core(CLI::App& command, RawOptions& raw) {
-    add_core(command, raw);
-    add_text(command, "--board", raw.board, "NAME",
-             "one of scripts/boards, or a file of such: its core, clock, sample period and queues");
-    add_text(command, "--sample-period", raw.sample_period, "TIME",
-             "time between samples; default 100us");
-    add_text(command, "--samples-per-tick", raw.samples_per_tick, "N",
-             "samples that share a tick of the feed profile, 2^n");
-    add_text(command, "--segment-queue", raw.segment_queue, "WORDS",
-             "SegmentQueueWords of the core: what is queued outlasts a stop, or moves are slowed");
-    add_text(command, "--profile-queue", raw.profile_queue, "WORDS", "ProfileQueueWords of it");
-    add_planning(command, raw);
-    add_text(command, "--clock", raw.clock, "FREQUENCY",
-             "the core's clock, which its steps are timed by; default 100MHz, or with --device its "
-             "estimate there");
-    add_list(command, "--set", raw.set, "NAME=VALUE",
-             "a parameter of the core: " + ref::parameter_names());
-}
-
-void add_common(CLI::App& command, RawOptions& raw, Options& options) {
-    add_input(command, raw, options, raw.feed, "SPEED", kAlongPoints)->required();
-    add_timed_core(command, raw);
-}
 
 void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions& options) {
     command
@@ -165,28 +56,6 @@ void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions&
     add_text(command, "--feed", raw.feed, "SPEED", "over the surface: 1m/min, 20mm/s");
     add_surroundings(command, raw, options.common);
     add_timed_core(command, raw);
-}
-
-void add_run(CLI::App& command, RawOptions& raw, Options& options) {
-    command.add_option("--on", raw.on, fmt::format("board: {}", fmt::join(kBoardNames, ", ")))
-        ->type_name("BOARD")
-        ->capture_default_str();
-    add_list(command, "--system", raw.system, "NAME=VALUE,..", "of --on systemc: " + system_names())
-        ->delimiter(',');
-    command
-        .add_option("--stall", raw.stall_seed,
-                    "random stalls on every handshake of the RTL; the samples must not change")
-        ->type_name("SEED");
-    add_override(command, raw);
-    command.add_flag("--trace", options.trace,
-                     "of the RTL: write waves.fst, and waves.gtkw that arranges it");
-    command
-        .add_option("--rows", raw.rows,
-                    fmt::format("of samples.csv at most, default {}: of more samples every n-th; "
-                                "all are checked",
-                                options.most_rows))
-        ->type_name("N");
-    add_text(command, "--trace-clocks", raw.trace_clocks, "N", "clocks in the waveform");
 }
 
 void add_join(CLI::App& command, RawOptions& raw, Options& options, RawJoinOptions& join) {
