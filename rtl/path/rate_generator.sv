@@ -152,6 +152,23 @@ module rate_generator #(
         .held_o(scaled_held),
         .still_o(scaled_still)
     );
+
+    logic rate_room;
+    word_queue #(
+        .Bits (18),
+        .Depth(16)
+    ) u_rate_queue (
+        .clk_i,
+        .rst_ni,
+        .valid_i(scaled_valid),
+        .ready_o(rate_room),
+        .data_i ({scaled_held, scaled}),
+        .valid_o(rate_valid_o),
+        .ready_i(rate_ready_i),
+        .data_o ({held_o, rate_o})
+    );
+    logic unused_room;
+    assign unused_room = rate_room;
   end else begin : g_serial
     time_scaler_serial u_scaler (
         .clk_i,
@@ -167,11 +184,15 @@ module rate_generator #(
         .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
         .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
         .step_last_i(step_i[words_pkg::StepLastLow]),
-        .valid_o(scaled_valid),
+        .valid_o(rate_valid_o),
+        .taken_i(rate_ready_i),
         .rate_o(scaled),
         .held_o(scaled_held),
         .still_o(scaled_still)
     );
+    assign scaled_valid = rate_valid_o && rate_ready_i;
+    assign rate_o       = scaled;
+    assign held_o       = scaled_held;
   end
 
   // A clock later, as the tick is told, too.
@@ -192,22 +213,8 @@ module rate_generator #(
 
   assign scaled_o = next_valid && next_ready;
 
-  logic rate_room;
-  word_queue #(
-      .Bits (18),
-      .Depth(16)
-  ) u_rate_queue (
-      .clk_i,
-      .rst_ni,
-      .valid_i(scaled_valid),
-      .ready_o(rate_room),
-      .data_i ({scaled_held, scaled}),
-      .valid_o(rate_valid_o),
-      .ready_i(rate_ready_i),
-      .data_o ({held_o, rate_o})
-  );
-  logic unused_rooms;
-  assign unused_rooms = target_room && rate_room;
+  logic unused_room;
+  assign unused_room = target_room;
 
 endmodule
 `default_nettype wire

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/time_scaler.sv for the serial build: the same ports and the same rates, one tick after
-// the other, by the program of rtl/path/time_sequencer.sv on one adder.
+// rtl/path/time_scaler.sv for the serial build: the same rates, one tick after the other, by the
+// program of rtl/path/time_sequencer.sv on one adder; a rate waits until it is taken.
 //
 //   clock      0        n
 //   valid_i    1
 //   ready_o    1        1    at the latest, but for steps that are not there yet
 //   target_i   target
-//   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp
+//   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp, every other clock from there
+//   taken_i             1    on
 //   rate_o              rate
 //   held_o              target is 0
 //
@@ -32,10 +33,11 @@ module time_scaler_serial (
     input  wire logic [31:0] step_change_i,  // of the slope, each tick
     input  wire logic        step_last_i,
 
-    output logic        valid_o,
-    output logic [16:0] rate_o,
-    output logic        held_o,
-    output logic        still_o   // the rate rests at 0, and does until a target is not 0
+    output logic             valid_o,
+    input  wire logic        taken_i,
+    output logic      [16:0] rate_o,
+    output logic             held_o,
+    output logic             still_o   // the rate rests at 0, and does until a target is not 0
 );
 
   // The tick at hand; it comes through many gates, and to the program a clock later.
@@ -118,6 +120,7 @@ module time_scaler_serial (
       .ends_i(ends),
       .high_i(high),
       .sent_o(valid_o),
+      .taken_i,
       .control_o(control),
       .fine_o(fine),
       .border_o(border),

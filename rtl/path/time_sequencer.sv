@@ -6,6 +6,7 @@
 //   tick_i       1
 //   first_i, ..       of the tick   until sent_o
 //   sent_o                          1        n < kSerialScaleClocks - 1 of hls/clocks.hpp
+//   taken_i                         1        it is offered every other clock until then
 //
 // The rate is kept as it is seen in the direction that it has: falling, it and its goal are
 // negative. So the way that is left is positive, and every step an addition.
@@ -22,6 +23,7 @@ module time_sequencer (
     input  wire logic ends_i,   // the last one
     input  wire logic high_i,   // its target is on the fine side of 7/8
     output logic      sent_o,   // the sum is the rate
+    input  wire logic taken_i,
 
     // Datapath
     output logic      [time_control_pkg::Bits-1:0] control_o,
@@ -95,6 +97,7 @@ module time_sequencer (
     Again,
     Out,
     Send,
+    Hold,
     // A step of a stop branch
     Stop,
     StopStep,
@@ -116,7 +119,8 @@ module time_sequencer (
     Settling,
     NoSwap,
     Negative,
-    GoesOn
+    GoesOn,
+    Taken
   } condition_t;
 
   logic [5:0] state_q;
@@ -161,7 +165,7 @@ module time_sequencer (
       Start:       control = write(Slope);
       NoBraking:   control = write(Braking);
       NoStopSlope: control = write(StopSlope);
-      Wait:        {condition, target} = {NoTick, Wait};
+      Wait:        {control, condition, target} = {Clear, NoTick, Wait};
       Kind:        {condition, target} = {Stops, Stop};
       Follow:      {condition, target} = {Follows, Goal};
       First:       ;
@@ -210,7 +214,8 @@ module time_sequencer (
       KeepRate:    control = write(Rate);
       Again:       control = Clear;
       Out:         {turned, control} = {1'b1, add(Rate)};
-      Send:        {control, condition, target} = {Clear, Always, Wait};
+      Send:        {condition, target} = {Taken, Wait};
+      Hold:        {condition, target} = {Always, Send};
       Stop:        control = add(StopSlope);
       StopStep:    control = add(Change);
       StopMove:    control = write(StopSlope) | add(Rate);
@@ -240,6 +245,7 @@ module time_sequencer (
       NoSwap:   jump = !(border_o && zero_i);
       Negative: jump = negative_i;
       GoesOn:   jump = !ends_i;
+      Taken:    jump = taken_i;
       default:  jump = 1'b0;
     endcase
   end

@@ -3,10 +3,11 @@
 // one after the other, within its clocks; the sum is 0 when the next one comes, and nothing is
 // written between them. The sum may be anything, but a way that was turned is ahead and not 0.
 // control: LOSES_TICK s/ready_o  = .*;/ready_o = 1'b1;/
-// control: TWICE s/{Clear, Always, Wait}/{Clear, Always, Out}/
+// control: TWICE s/{Taken, Wait}/{Taken, Hold}/
+// control: DROPS s/{Taken, Wait}/{Always, Wait}/
 // control: NO_RATE s/{write(StopSlope), Always, KeepRate}/{write(StopSlope), Always, Wait}/
 // control: SWAPS_ON s/(border_o \&\& zero_i)/zero_i/
-// control: KEEPS_SUM s/{Clear, Always, Wait}/{write(Way), Always, Wait}/
+// control: KEEPS_SUM s/{Clear, NoTick, Wait}/{write(Way), NoTick, Wait}/
 // control: NO_RESET s/state_q <= Start/state_q <= state_q/
 `default_nettype none
 module time_sequencer_formal (
@@ -18,7 +19,8 @@ module time_sequencer_formal (
     input wire logic ends_i,
     input wire logic high_i,
     input wire logic negative_i,
-    input wire logic zero_i
+    input wire logic zero_i,
+    input wire logic taken_i
 );
 
   localparam int Most = 48;  // kSerialScaleClocks, less one to hand it over
@@ -40,6 +42,7 @@ module time_sequencer_formal (
       .ends_i,
       .high_i,
       .sent_o(sent),
+      .taken_i,
       .control_o(control),
       .fine_o(fine),
       .border_o(border),
@@ -54,6 +57,7 @@ module time_sequencer_formal (
   logic started_q = 1'b0;
   logic owed_q;  // a tick came that gave no rate yet
   logic empty_q;  // the sum is 0
+  logic sent_q;  // the rate waits
   logic [5:0] clocks_q;
   logic kept_high_q;
   logic mirrors;  // the rate is turned: the way's sign counts 5 clocks later, that it is 0 after 7
@@ -66,14 +70,15 @@ module time_sequencer_formal (
     mirrors_q   <= {mirrors_q[5:0], mirrors};
     if (!rst_ni || control[time_control_pkg::Clear]) empty_q <= 1'b1;
     else if (control[time_control_pkg::Add]) empty_q <= 1'b0;
+    sent_q <= rst_ni && owed_q && (sent_q || sent);
     if (!rst_ni) begin
       owed_q    <= 1'b0;
       clocks_q  <= '0;
       mirrors_q <= '0;
     end else begin
       if (tick_i && ready) owed_q <= 1'b1;
-      else if (sent) owed_q <= 1'b0;
-      clocks_q <= owed_q ? clocks_q + 1'b1 : '0;
+      else if (sent && taken_i) owed_q <= 1'b0;
+      clocks_q <= owed_q && !sent_q ? clocks_q + 1'b1 : '0;
     end
   end
 
@@ -87,7 +92,7 @@ module time_sequencer_formal (
       if (mirrors_q[6]) assume (!zero_i);
 
       if (ready) OneAtATime : assert (!owed_q);
-      if (ready) Begins : assert (empty_q);
+      if (ready) Begins : assert (control[time_control_pkg::Clear]);
       if (ready) Keeps : assert (!control[time_control_pkg::Store]);
       if (sent) RatePerTick : assert (owed_q);
       InTime : assert (clocks_q < 6'(Most));

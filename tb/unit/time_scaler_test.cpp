@@ -52,6 +52,7 @@ class TimeScalerBench : public testing::Test {
     /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
     bool clock(int32_t target, int32_t next_wait = 0) {
         dut_->valid_i = target >= 0 ? 1 : 0;
+        const bool room = give_way(random_() % 100 >= hold_percent_);
         dut_->target_i = to_port(target, 17);
         dut_->next_wait_i = to_port(next_wait, 20);
         const hls::StopStep offered = step(steps_);
@@ -68,7 +69,7 @@ class TimeScalerBench : public testing::Test {
             expected_.push_back({target, rate});
         }
         EXPECT_EQ(stepped, steps_ != before);
-        if (dut_->valid_o) compare();
+        if (dut_->valid_o && room) compare();
         dut_.tick();
         return taken;
     }
@@ -90,6 +91,16 @@ class TimeScalerBench : public testing::Test {
     void take(int32_t target, int32_t next_wait = 0) {
         while (!clock(target, next_wait)) {
         }
+    }
+
+    /// The serial build holds a rate until it is taken. True: it may be.
+    bool give_way([[maybe_unused]] bool taken) {
+#if __has_include("Vtime_scaler.h")
+        return true;
+#else
+        dut_->taken_i = taken ? 1 : 0;
+        return taken;
+#endif
     }
 
     /// Branches of a few steps that need not fit together.
@@ -117,6 +128,7 @@ class TimeScalerBench : public testing::Test {
     hls::TimeScaler kernel_{1, 1};
     std::deque<Tick> expected_;
     uint64_t steps_ = 0;  // taken
+    unsigned hold_percent_ = 0;
     bool stands_ = false;
     int64_t ticks_ = 0;
     std::mt19937_64 random_{1};
@@ -130,6 +142,7 @@ class TimeScaler : public TimeScalerBench, public testing::WithParamInterface<Bo
 TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
     for (const unsigned every : {1U, 2U, 7U, 50U, 400U, 4000U}) {
         int32_t target = 65536;
+        hold_percent_ = every == 7 ? 90 : 0;
         for (int n = 0; n < 40000 / kFewer; ++n) {
             if (random_() % every == 0) target = any_target();
             while (random_() % 8 == 0) clock(-1);
