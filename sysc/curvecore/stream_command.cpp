@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "hls/registers/registers.h"
 #include "sysc/curvecore/commands.hpp"
@@ -35,13 +36,15 @@ class StatusLine {
         const double mm = static_cast<double>(stream.path()) / kQuantaPerUnit * unit_mm;
         const double feed = shown_ == WireClock::time_point() ? 0 : (mm - mm_) / passed * 60;
         const PlannedWords& planned = stream.planned();
-        fmt::print(
-            stderr, "\r\033[K{:3.0f} %{}  {:.3f} mm  {:.0f} mm/min  time {:.0f} %  room {} + {}{}",
-            100.0 * static_cast<double>(stream.path()) /
-                static_cast<double>(std::max<std::uint64_t>(planned.path, 1)),
-            planned.all ? "" : " of what is planned", mm, feed, 100 * machine.telemetry().rate,
-            machine.telemetry().segment_room, machine.telemetry().profile_room,
-            machine.is(CURVECORE_STATE_HOLDING_MASK) ? "  HOLD" : "");
+        fmt::print(stderr,
+                   "\r\033[K{:3.0f} %{}  {:.3f} mm  {:.0f} mm/min  time {:.0f} %  room for {} and "
+                   "{} words{}",
+                   100.0 * static_cast<double>(stream.path()) /
+                       static_cast<double>(std::max<std::uint64_t>(planned.path, 1)),
+                   planned.all ? "" : " of what is planned", mm, feed,
+                   100 * machine.telemetry().rate, machine.telemetry().segment_room,
+                   machine.telemetry().profile_room,
+                   machine.is(CURVECORE_STATE_HOLDING_MASK) ? "  HOLD" : "");
         std::fflush(stderr);
         shown_ = now;
         mm_ = mm;
@@ -123,13 +126,13 @@ int stream_command(Options options, const RawWireOptions& wire) {
         machine.prepare(drives, options.unit_mm, words.settings(),
                         static_cast<int>(std::ceil(silence / build.sample_period_s)));
         WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
-        StatusLine status(options.quiet);
+        std::optional<StatusLine> status(options.quiet);
         const WireClock::time_point begin = WireClock::now();
         std::string end = "drawn";
         int exit = 0;
         try {
             const StreamEnd seen = stream.run([&] {
-                status.show(stream, machine, options.unit_mm);
+                status->show(stream, machine, options.unit_mm);
                 InterruptGuard::check();
             });
             if (seen == StreamEnd::kFault) {
@@ -144,6 +147,7 @@ int stream_command(Options options, const RawWireOptions& wire) {
             end = "stopped";
             exit = 130;
         }
+        status.reset();
         const double seconds = std::chrono::duration<double>(WireClock::now() - begin).count();
         const std::vector<std::int32_t> steps = machine.steps();
         machine.disable();
