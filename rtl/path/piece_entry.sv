@@ -76,19 +76,21 @@ module piece_entry (
       .fault_o
   );
 
-  // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m
+  // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m; subtracted on the way in
   localparam int FirstSpare = words_pkg::PieceSequenceLow + words_pkg::PieceSequenceBits;
   localparam int CoefBits = words_pkg::CoefBits;
-  logic [words_pkg::PieceTicksBits-1:0] ticks_less_one;
+  logic [words_pkg::PieceTicksBits-1:0] less_one_q;
   logic [words_pkg::TimeExponentBits-1:0] m;
   logic [words_pkg::ExponentBits-1:0] e;
   logic lasts;
   logic piece_word;
   logic no_rest;  // the bits above a coefficient
-  assign ticks_less_one = data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits] - 1'b1;
+  always_ff @(posedge clk_i) begin
+    if (ready_o) less_one_q <= data_i[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits] - 1'b1;
+  end
   assign m = data_o[words_pkg::TimeExponentLow+:words_pkg::TimeExponentBits];
   assign e = data_o[words_pkg::ExponentLow+:words_pkg::ExponentBits];
-  assign lasts = ticks_less_one >> m == '0;
+  assign lasts = less_one_q >> m == '0;
   assign piece_word = m <= words_pkg::MostTimeExponent && e <= words_pkg::MostExponent && lasts &&
       data_o[words_pkg::TagLow-1:FirstSpare] == '0;
   logic wait_word;
