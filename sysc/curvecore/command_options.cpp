@@ -120,13 +120,11 @@ void add_run(CLI::App& command, RawOptions& raw, Options& options) {
         ->capture_default_str();
     add_list(command, "--system", raw.system, "NAME=VALUE,..", "of --on systemc: " + system_names())
         ->delimiter(',');
-    command
-        .add_option("--stall", raw.stall_seed,
-                    "random stalls on every handshake of the RTL; the samples must not change")
-        ->type_name("SEED");
+    add_text(command, "--stall", raw.stall_seed, "SEED",
+             "random stalls on every handshake of the RTL; the samples must not change");
     add_override(command, raw);
     command.add_flag("--trace", options.trace,
-                     "of the RTL: write waves.fst, and waves.gtkw that arranges it");
+                     "waves.fst of the RTL, system.vcd of pins and axes, and their .gtkw");
     command
         .add_option("--rows", raw.rows,
                     fmt::format("of samples.csv at most, default {}: of more samples every n-th; "

@@ -11,6 +11,7 @@
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/host/progress_bar.hpp"
+#include "sysc/system/pin_gtkw.hpp"
 #include "sysc/system/system_board.hpp"
 #include "sysc/watch/gtkw_writer.hpp"
 
@@ -18,7 +19,8 @@ namespace curvecore::sysc {
 namespace {
 
 /// `make`: of a Verilated core, null for the kernel.
-std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::string& waveform) {
+std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::string& waveform,
+                                  const std::string& pins) {
     const Options& options = job.options;
     const BoardSettings settings = board_settings(job);
     std::unique_ptr<Board> board;
@@ -30,7 +32,7 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
         board.reset(make({settings, options.stall_seed, waveform, options.trace_clocks}));
     }
     if (!options.in_system()) return board;
-    return make_system_board(job, std::move(board), make_machine(job));
+    return make_system_board(job, std::move(board), make_machine(job), pins);
 }
 
 }  // namespace
@@ -59,18 +61,21 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     Pictures pictures(job_, samples / static_cast<std::uint64_t>(options.samples_per_tick));
     SamplesWriter writer(folder.path("samples.csv"), job_, samples, extras.sample);
     ProgressBar bar(samples, options.quiet);
-    const std::string waveform = options.trace ? folder.path("waves.fst") : "";
+    const std::string waveform =
+        options.trace && options.needs_rtl() ? folder.path("waves.fst") : "";
+    const std::string pins = options.trace && options.in_system() ? folder.path("system") : "";
     const auto progress = [&bar](std::uint64_t done) {
         InterruptGuard::check();
         bar.update(done);
     };
-    std::unique_ptr<Board> board = make_board(job_, make_, waveform);
+    std::unique_ptr<Board> board = make_board(job_, make_, waveform, pins);
     const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});
     board.reset();  // closes the waveform
     writer.close();
 
     const Report report{job_, samples, drawn.check.drawn, &drawn, drawn.period_clocks};
-    if (options.trace) {
+    if (!pins.empty()) folder.write("system.gtkw", pin_gtkw(options.folder, axis_names(job_)));
+    if (!waveform.empty()) {
         folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder));
     }
     const bool held = !extras.finish || extras.finish(report, folder);

@@ -229,8 +229,11 @@ void interpret(const RawOptions& raw, Options& options) {
     if (options.most_rows == 0) throw UsageError("--rows must be at least 1");
     options.board = static_cast<BoardKind>(choice("--on", raw.on, kBoardNames));
     set_system(raw.system, options);
-    if (!options.needs_rtl() && (options.trace || !raw.stall_seed.empty())) {
-        throw UsageError("--stall and --trace are for --on rtl and systemc-rtl");
+    if (!options.needs_rtl() && !raw.stall_seed.empty()) {
+        throw UsageError("--stall is for --on rtl and systemc-rtl");
+    }
+    if (options.trace && options.board == BoardKind::kKernel) {
+        throw UsageError("--trace is for --on rtl, systemc and systemc-rtl");
     }
     if (!raw.stall_seed.empty()) options.stall_seed = whole("--stall", raw.stall_seed);
 }

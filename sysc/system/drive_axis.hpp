@@ -31,6 +31,8 @@ class DriveAxis {
         worst_ = std::max(worst_, std::abs(following_error()));
     }
 
+    double command() const { return static_cast<double>(count_) * step_mm_; }
+    double place() const { return place_; }
     /// What the drive sees, mm: the steps' place less the encoder's.
     double following_error() const {
         return command() - std::floor(place_ / settings_.encoder_mm + 0.5) * settings_.encoder_mm;
@@ -40,8 +42,6 @@ class DriveAxis {
   private:
     /// Of 1 / w, in which the sums below are within a percent of the equation.
     static constexpr double kLargestPart = 0.02;
-
-    double command() const { return static_cast<double>(count_) * step_mm_; }
 
     void move() {
         const double driven =

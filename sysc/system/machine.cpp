@@ -66,6 +66,7 @@ StepSetup step_setup(const MachineSetup& setup, const SystemSettings& settings) 
 Machine::Machine(const MachineSetup& setup, const SystemSettings& settings) {
     const StepSetup steps = step_setup(setup, settings);
     scale_ = steps.scale;
+    period_clocks_ = std::uint64_t(1) << steps.period_log2;
     clock_s_ = std::ldexp(setup.sample_s, -steps.period_log2);
     steps_ = settings.steps == BlockKind::kRtl ? make_rtl_steps(steps) : make_kernel_steps(steps);
     const DriveAxis drive(settings.axis, settings.step_mm, setup.sample_s);
@@ -74,6 +75,8 @@ Machine::Machine(const MachineSetup& setup, const SystemSettings& settings) {
 
 const std::vector<PinChange>& Machine::period(const Sample* sample) {
     changes_.clear();
+    first_clock_ = next_clock_;
+    next_clock_ += period_clocks_;
     steps_->period(sample != nullptr ? sample->fine.data() : nullptr, changes_);
     for (const PinChange& change : changes_) note(change);
     for (std::size_t a = 0; a < axes_.size(); ++a) {

@@ -34,6 +34,10 @@ class Machine {
 
     StepStatus status() const;
 
+    std::uint64_t first_clock() const { return first_clock_; }  // of the last period
+    double clock_s() const { return clock_s_; }
+    const DriveAxis& drive(std::size_t axis) const { return axes_[axis].drive; }
+
   private:
     struct Axis {
         DriveAxis drive;
@@ -46,6 +50,9 @@ class Machine {
     void note(const PinChange& change);
 
     std::int64_t scale_;
+    std::uint64_t period_clocks_;
+    std::uint64_t first_clock_ = 0;
+    std::uint64_t next_clock_ = 0;
     double clock_s_;  // of the step generator: 2^n a sample, the most that the core's clock has
     std::unique_ptr<StepBlock> steps_;
     std::vector<Axis> axes_;

@@ -7,12 +7,16 @@
 
 #include "sysc/system/host_port.hpp"
 #include "sysc/system/timed_board.hpp"
+#include "sysc/watch/report.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
 struct Modules {
-    Modules() {
+    Modules(const std::string& trace_file, const std::vector<std::string>& axes) {
+        if (!trace_file.empty()) {
+            trace = std::make_unique<PinTrace>("trace", trace_file, axes);
+        }
         host.bus.bind(bus.host);
         bus.board.bind(board.bus);
         sc_core::sc_start(sc_core::SC_ZERO_TIME);  // every thread waits for its event
@@ -21,29 +25,36 @@ struct Modules {
     HostPort host{"host"};
     Bus bus{"bus"};
     TimedBoard board{"board"};
+    std::unique_ptr<PinTrace> trace;
 };
 
 /// A simulation that has begun takes no more modules. They last as long as it.
-Modules& modules() {
-    static Modules& only = *new Modules;
+Modules& modules(const std::string& trace_file, const std::vector<std::string>& axes) {
+    static Modules& only = *new Modules(trace_file, axes);
     return only;
 }
 
 class SystemBoard : public Board {
   public:
-    SystemBoard(const Job& job, std::unique_ptr<Board> core, std::unique_ptr<Machine> machine)
+    SystemBoard(const Job& job, std::unique_ptr<Board> core, std::unique_ptr<Machine> machine,
+                const std::string& trace)
         : settings_(job.options.system),
           core_(std::move(core)),
           machine_(std::move(machine)),
-          guard_(job) {
+          guard_(job),
+          modules_(modules(trace, axis_names(job))) {
         bus_.set_word_time(settings_.word_s);
         const double period = job.options.sample_period_s;
         // Each turn of the kernel is a sample, of a Verilated core a clock.
         const double turns = rtl() ? std::floor(period * job.options.clock_hz + 1e-9) : kAhead;
-        board_.begin(
-            {core_.get(), machine_.get(), &guard_, period, static_cast<std::uint64_t>(turns)});
+        board_.begin({core_.get(), machine_.get(), &guard_,
+                      trace.empty() ? nullptr : modules_.trace.get(), period,
+                      static_cast<std::uint64_t>(turns)});
     }
-    ~SystemBoard() override { board_.end(); }
+    ~SystemBoard() override {
+        board_.end();
+        if (modules_.trace) modules_.trace->close();
+    }
     SystemBoard(const SystemBoard&) = delete;
     SystemBoard& operator=(const SystemBoard&) = delete;
 
@@ -83,9 +94,10 @@ class SystemBoard : public Board {
     std::unique_ptr<Machine> machine_;
     QueueGuard guard_;
     std::mt19937_64 random_{1};
-    HostPort& host_ = modules().host;
-    Bus& bus_ = modules().bus;
-    TimedBoard& board_ = modules().board;
+    Modules& modules_;
+    HostPort& host_ = modules_.host;
+    Bus& bus_ = modules_.bus;
+    TimedBoard& board_ = modules_.board;
 };
 
 }  // namespace
@@ -101,8 +113,9 @@ std::unique_ptr<Machine> make_machine(const Job& job) {
 }
 
 std::unique_ptr<Board> make_system_board(const Job& job, std::unique_ptr<Board> core,
-                                         std::unique_ptr<Machine> machine) {
-    return std::make_unique<SystemBoard>(job, std::move(core), std::move(machine));
+                                         std::unique_ptr<Machine> machine,
+                                         const std::string& trace) {
+    return std::make_unique<SystemBoard>(job, std::move(core), std::move(machine), trace);
 }
 
 }  // namespace curvecore::sysc

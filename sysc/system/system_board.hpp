@@ -22,8 +22,10 @@ std::unique_ptr<Machine> make_machine(const Job& job);
 
 /// `core` is a board without a timer of its own: the kernel or a Verilated core. There is one
 /// SystemC simulation in a process, and so one such board at a time.
-/// `machine`: null for samples that move nothing.
+/// `machine`: null for samples that move nothing. `trace`: of pins and axes, TRACE.vcd; empty:
+/// none. Only the first board of a process can have one.
 std::unique_ptr<Board> make_system_board(const Job& job, std::unique_ptr<Board> core,
-                                         std::unique_ptr<Machine> machine);
+                                         std::unique_ptr<Machine> machine,
+                                         const std::string& trace = "");
 
 }  // namespace curvecore::sysc

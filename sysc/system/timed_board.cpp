@@ -75,12 +75,18 @@ bool TimedBoard::under_way() const {
 
 void TimedBoard::period() {
     if (run_.rest > 0) {
-        if (parts_.machine != nullptr) parts_.machine->period(&run_.last);
+        move(&run_.last);
         --run_.rest;
     } else {
         take_sample();
     }
     if (under_way()) tick_.notify(sample_time_);
+}
+
+void TimedBoard::move(const Sample* sample) {
+    if (parts_.machine == nullptr) return;
+    const std::vector<PinChange>& changes = parts_.machine->period(sample);
+    if (parts_.trace != nullptr) parts_.trace->play(*parts_.machine, changes);
 }
 
 /// Lets the core work for as long as a sample may take, and takes one.
@@ -99,7 +105,7 @@ void TimedBoard::take_sample() {
         run_.made.pop_front();
         run_.samples.push_back(run_.last);
     }
-    if (parts_.machine != nullptr) parts_.machine->period(late ? nullptr : &run_.last);
+    move(late ? nullptr : &run_.last);
     const bool last = !late && !under_way();
     if (last) run_.rest = kRest;
 }

@@ -10,6 +10,7 @@
 #include "sysc/board/board.hpp"
 #include "sysc/system/bus.hpp"
 #include "sysc/system/machine.hpp"
+#include "sysc/system/pin_trace.hpp"
 #include "sysc/system/queue_guard.hpp"
 
 namespace curvecore::sysc {
@@ -22,6 +23,7 @@ struct BoardParts {
     Board* core = nullptr;
     Machine* machine = nullptr;  // null: samples move nothing
     QueueGuard* guard = nullptr;
+    PinTrace* trace = nullptr;  // null: none
     double sample_s = 0;
     std::uint64_t turns_per_sample = 0;  // of the core's work
 };
@@ -62,6 +64,7 @@ class TimedBoard : public sc_core::sc_module {
     bool under_way() const;
     void period();
     void take_sample();
+    void move(const Sample* sample);
 
     BoardParts parts_;
     Run run_;

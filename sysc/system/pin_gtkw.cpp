@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/system/pin_gtkw.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace curvecore::sysc {
+
+std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes) {
+    const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
+    std::string text = fmt::format(
+        "[*] curvecore\n"
+        "[dumpfile] \"{}\"\n"
+        "[savefile] \"{}\"\n"
+        "[timestart] 0\n"
+        "[size] 1600 1000\n"
+        "[signals_width] 330\n",
+        (at / "system.vcd").string(), (at / "system.gtkw").string());
+    for (const std::string& axis : axes) {
+        text += fmt::format("@800200\n-{0}\n@28\nSystemC.{0}.step\nSystemC.{0}.direction\n", axis);
+        for (const char* curve : {"command", "place", "following_error"}) {
+            // Drawn as steps, three rows high.
+            text += fmt::format("@8420\nSystemC.{}.{}\n@20000\n-\n-\n", axis, curve);
+        }
+        text += fmt::format("@1000200\n-{}\n", axis);
+    }
+    return text;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// system.gtkw: GTKWave opens system.vcd (PinTrace) with pins and places axis by axis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace curvecore::sysc {
+
+/// `folder`: where both files will stand.
+std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes);
+
+}  // namespace curvecore::sysc
