@@ -5,16 +5,12 @@
     wire_test.py CURVECORE [unittest's options]
 """
 
-import csv
-import heapq
 import json
 import math
 import os
 import pathlib
 import pty
 import random
-import re
-import select
 import signal
 import socket
 import subprocess
@@ -24,15 +20,14 @@ import threading
 import time
 import tty
 import unittest
-import zlib
 
-CURVECORE = ""
-STEPS_PER_MM = 400
+from wire_parts import (CONTROL, CURVECORE, STATE, STEPS_PER_MM, Board, Wire, bridge, command,
+                        counts, numbered, read, system_steps, times)
+
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
 PART = f"G21 G90 G61\nG1 X20 F2400\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
 END = (40, 40, 0)
-STATE, EXPECT, SEQUENCE, CONTROL = 0x18, 0x70, 0x74, 0x14
 WATCHDOG, STANDING, ENABLED = 1 << 1, 1 << 19, 1 << 16
 
 
@@ -42,98 +37,6 @@ def off_path(x, y):
     arc = abs(math.hypot(x - 20, y - RADIUS) - RADIUS) if x >= 20 and y <= 20 else math.inf
     up = math.hypot(x - 40, y - min(max(y, 20), 40))
     return min(line, arc, up)
-
-
-class Board:
-    """A virtual board."""
-
-    def __init__(self, folder, *options, port=0):
-        self.folder = folder
-        self.process = subprocess.Popen(
-            [CURVECORE, "board", "--listen", f"127.0.0.1:{port}", "-o", folder, *options],
-            stdout=subprocess.PIPE, text=True)
-        self.port = int(re.search(r":(\d+):", self.process.stdout.readline())[1])
-
-    def end(self):
-        """Its steps: (clock, axis, direction)."""
-        self.process.send_signal(signal.SIGINT)
-        self.process.wait(timeout=20)
-        with open(pathlib.Path(self.folder) / "steps.csv", newline="", encoding="ascii") as file:
-            return [tuple(map(int, row)) for row in list(csv.reader(file))[1:]]
-
-    def kill(self):
-        self.process.kill()
-        self.process.wait()
-        self.process.stdout.close()
-
-
-def command(flags, number, address, *words):
-    return (flags | 0x4000 | number).to_bytes(2, "little") + address.to_bytes(2, "little") + (
-        b"".join(word.to_bytes(4, "little") for word in words))
-
-
-def read(port, address):
-    """A register, as any program may read it."""
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
-        host.settimeout(5)
-        host.sendto(command(0x200, 1, address), ("127.0.0.1", port))
-        return int.from_bytes(host.recv(100), "little")
-
-
-def numbered(port):
-    """The beginning of a frame that is obeyed."""
-    number = read(port, SEQUENCE)
-    return command(0x8300, 1, EXPECT, number, (number + 1) % 2**32)
-
-
-def counts(steps):
-    return [sum(way for _, axis, way in steps if axis == n) for n in range(3)]
-
-
-def times(steps):
-    """Steps with their times from the first."""
-    return [(clock - steps[0][0], axis, way) for clock, axis, way in steps]
-
-
-class Wire(threading.Thread):
-    """Between a host and a board: delays datagrams, loses some, doubles some, and some overtake."""
-
-    def __init__(self, port, chance, delay):
-        super().__init__(daemon=True)
-        self.board = ("127.0.0.1", port)
-        self.chance, self.delay = chance, delay
-        self.random = random.Random(7)
-        self.near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.near.bind(("127.0.0.1", 0))
-        self.far = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self.port = self.near.getsockname()[1]
-        self.lost = self.doubled = 0
-        self.start()
-
-    def run(self):
-        late, host, number = [], None, 0
-        while True:
-            wait = max(0, late[0][0] - time.monotonic()) if late else 1
-            for end in select.select([self.near, self.far], [], [], wait)[0]:
-                data, sender = end.recvfrom(65536)
-                if end is self.near:
-                    host = sender
-                copies = 1
-                if self.random.random() < self.chance:
-                    copies, self.lost = 0, self.lost + 1
-                elif self.random.random() < self.chance:
-                    copies, self.doubled = 2, self.doubled + 1
-                for _ in range(copies):
-                    number += 1
-                    quick = self.random.random() < self.chance
-                    due = time.monotonic() + self.delay * (0.5 if quick else 1)
-                    heapq.heappush(late, (due, number, end is self.near, data))
-            while late and late[0][0] <= time.monotonic():
-                _, _, to_board, data = heapq.heappop(late)
-                if to_board:
-                    self.far.sendto(data, self.board)
-                elif host:
-                    self.near.sendto(data, host)
 
 
 class WireTest(unittest.TestCase):
@@ -183,6 +86,18 @@ class WireTest(unittest.TestCase):
         self.assertEqual(report["drawn"]["steps"], counts(steps))
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
         self.assertFalse(report["drawn"]["held"])
+
+    def test_steps_are_those_of_the_system(self):
+        curves = self.folder / "curves.ngc"
+        curves.write_text("G21 G90 G61 F1800\nG1 X5 Z1\nG5 X9 Y6 I0 J3 P-2 Q0\n"
+                          "G3 X12 Y9 Z3 I3\nG64 P0.02\nG1 X14\nY4 Z2\nM2\n", encoding="ascii")
+        radii = pathlib.Path(__file__).resolve().parent.parent / "data/small_radii.ngc"
+        for part in (self.part, curves, radii):
+            self.part = part
+            steps, _ = self.draw("--fast", name=part.stem)
+            expected = system_steps(str(part), str(self.folder / "system"))
+            self.assertGreater(len(steps), 1000)
+            self.assertEqual(sorted(times(steps)), sorted(times(expected)), part.name)
 
     def test_bad_wire_changes_no_step(self):
         expected, _ = self.draw(name="good")
@@ -334,30 +249,6 @@ class WireTest(unittest.TestCase):
         self.assertGreater(seconds, 0.8 * report["planned"]["duration_s"] / report["link"]["rate"])
 
 
-def bridge(line, port):
-    """Between a serial line, of which every 50th frame is broken, and a board behind UDP."""
-    held, frames = b"", 0
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as board:
-        board.connect(("127.0.0.1", port))
-        while True:
-            for end in select.select([line, board], [], [])[0]:
-                if end is board:
-                    whole = board.recv(65536)
-                    whole += zlib.crc32(whole).to_bytes(4, "little")
-                    os.write(line, whole.replace(b"\xdb", b"\xdb\xdd").replace(b"\xc0", b"\xdb\xdc")
-                             + b"\xc0")
-                    continue
-                held += os.read(line, 4096)
-                *whole, held = held.split(b"\xc0")
-                for frame in whole:
-                    frame = frame.replace(b"\xdb\xdc", b"\xc0").replace(b"\xdb\xdd", b"\xdb")
-                    frames += 1
-                    if frames % 50 == 0:
-                        frame = frame[:1] + bytes([frame[1] ^ 4]) + frame[2:]
-                    if zlib.crc32(frame[:-4]).to_bytes(4, "little") == frame[-4:]:
-                        board.send(frame[:-4])
-
-
 if __name__ == "__main__":
-    CURVECORE = sys.argv.pop(1)
+    del sys.argv[1]
     unittest.main()
