@@ -90,14 +90,16 @@ Job read_job(const Options& options) {
     return make_job(options, ref::read_program(options.file, options.points, options.open_program));
 }
 
+void raise_feed(ref::Move& move, const Options& options) {
+    if (!move.rapid) move.feed *= options.feed_factor();
+}
+
 Job make_job(const Options& options, ref::Program program) {
     Job job;
     job.options = options;
     job.program = std::move(program);
     if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
-    for (ref::Move& move : job.program.moves) {
-        if (!move.rapid) move.feed *= options.feed_factor();
-    }
+    for (ref::Move& move : job.program.moves) raise_feed(move, options);
     make_path(job);
     set_splines(job, first_spline(job.program));
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;

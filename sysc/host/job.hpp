@@ -41,6 +41,9 @@ Job read_job(const Options& options);
 /// The same of a program that was read or made.
 Job make_job(const Options& options, ref::Program program);
 
+/// The feed of a move that an override above 100 % asks for.
+void raise_feed(ref::Move& move, const Options& options);
+
 /// Plans for the core in job.options.
 /// @throws UsageError: a sample period shorter than the core's own clocks
 /// @throws ref::InputError, also when the program does not move

@@ -58,6 +58,13 @@ JobStream::JobStream(const Options& options) {
     moves_.emplace(job_.options, job_.machine);
 }
 
+/// With the feed that an override above 100 % asks for.
+bool JobStream::read(DrawnMoves& moves, ref::Move& move) const {
+    if (!moves.next(move)) return false;
+    raise_feed(move, job_.options);
+    return true;
+}
+
 /// In constant memory.
 void JobStream::look_at_file() {
     DrawnMoves moves(job_.options, job_.machine);
@@ -71,7 +78,7 @@ void JobStream::look_at_file() {
         ref::make_geometry(batch, job_.machine, options);
         batch.moves.clear();
     };
-    for (ref::Move move; moves.next(move);) {
+    for (ref::Move move; read(moves, move);) {
         seen.add(move);
         batch.moves.push_back(move);
         if (batch.moves.size() == kBatch) look();
@@ -87,7 +94,7 @@ void JobStream::look_at_input() {
     Seen seen;
     bool more = true;
     for (ref::Move move; first_.size() < job_.options.plan_options().window;) {
-        more = moves_->next(move);
+        more = read(*moves_, move);
         if (!more) break;
         first_.push_back(move);
         seen.add(move);
@@ -110,7 +117,7 @@ bool JobStream::take(ref::Move& move) {
         move = first_[taken_++];
         return true;
     }
-    if (!moves_->next(move)) return false;
+    if (!read(*moves_, move)) return false;
     if (aux_axes_of(move) > job_.program.aux_axes) {
         throw ref::InputError(
             job_.program.file, move.line,

@@ -32,6 +32,7 @@ class JobStream {
     void look_at_file();
     void look_at_input();
     void use(const Seen& seen);
+    bool read(DrawnMoves& moves, ref::Move& move) const;
     bool take(ref::Move& move);
 
     Job job_;

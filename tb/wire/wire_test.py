@@ -99,6 +99,15 @@ class WireTest(unittest.TestCase):
             self.assertGreater(len(steps), 1000)
             self.assertEqual(sorted(times(steps)), sorted(times(expected)), part.name)
 
+    def test_override_above_100_percent_is_planned(self):
+        durations = []
+        for percent in ("100", "200"):
+            board = self.board("--fast", name=percent)
+            self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--override", percent))
+            self.assertEqual(counts(board.end()), [STEPS_PER_MM * mm for mm in END])
+            durations.append(self.report()["planned"]["duration_s"])
+        self.assertLess(durations[1], 0.7 * durations[0])
+
     def test_bad_wire_changes_no_step(self):
         expected, _ = self.draw(name="good")
         steps, wire = self.draw(through=lambda port: Wire(port, 0.1, 0.05), name="bad")
