@@ -39,7 +39,7 @@ module frame_buffer (
   logic [Log2-1:0] write_at;
   logic [7:0] write_data;
   assign behind     = next_q + 1'b1;
-  assign full       = bytes_q == '1 || behind == read_q;
+  assign full       = bytes_q == '1 || behind == read_q || next_q == read_q;
   assign kept       = end_valid_i && good_i && !lost_q;
   assign write      = (data_valid_i && !full) || kept;
   assign write_at   = end_valid_i ? first_q : next_q;

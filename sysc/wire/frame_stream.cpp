@@ -102,7 +102,8 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
 }
 
 void FrameStream::work() {
-    if (WireClock::now() >= transmitted_ + link_.poll_period()) {
+    // One question at a time: a slow board is not to drown in them.
+    if (WireClock::now() >= transmitted_ + (waits_ ? patience() : link_.poll_period())) {
         Frame poll;
         transmit(add_reads(poll).bytes());
     }
