@@ -38,11 +38,19 @@ def splines():
     return campaign("splines", "cubics", "samples")
 
 
-def throughput():
-    bench = load("bench.json")
+def rates(file, head):
+    bench = load(file)
     if bench is None:
         return None
-    return table(["what", "measured"], [(r["what"], r["measured"]) for r in bench["rows"]])
+    return table(head, [(r["what"], r["measured"]) for r in bench["rows"]])
+
+
+def throughput():
+    return rates("bench.json", ["what", "measured"])
+
+
+def system_rates():
+    return rates("figures/system_rates.json", ["what runs", "times of real time"])
 
 
 def coverage():

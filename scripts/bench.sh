@@ -55,4 +55,5 @@ for part in arcs demo; do
       --sample-period 10us -q
   done
 done
+python3 scripts/system_rates.py
 python3 scripts/bench_rows.py

@@ -17,7 +17,8 @@ import re
 import subprocess
 import sys
 
-from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, throughput
+from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, system_rates,
+                             throughput
 from choose_tables import choose, choose_impossible, order_words, parameter_guard
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
@@ -57,6 +58,7 @@ TABLES = {
     "equality": Table(equality, CAMPAIGN),
     "coverage": Table(coverage, "scripts/coverage.sh"),
     "throughput": Table(throughput, BENCH),
+    "system_rates": Table(system_rates, "scripts/system_rates.py"),
     "claims": Table(claims, BENCH, exact=True),
     "paper_table": Table(paper_table, BENCH, exact=True),
     "minimal_orders": Table(minimal_orders, BENCH, exact=True),
