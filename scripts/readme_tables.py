@@ -17,8 +17,8 @@ import re
 import subprocess
 import sys
 
-from accuracy_tables import accuracy, coverage, demo, equality, errors, splines, system_rates,
-                             throughput
+from accuracy_tables import (accuracy, coverage, demo, equality, errors, splines, system_rates,
+                             throughput)
 from choose_tables import choose, choose_impossible, order_words, parameter_guard
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
