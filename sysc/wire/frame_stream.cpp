@@ -14,6 +14,8 @@ using std::chrono::milliseconds;
 
 /// No answer for so long: there is no board.
 constexpr auto kSilence = std::chrono::seconds(3);
+/// After so long without an answer another question goes.
+constexpr WireClock::duration kUnanswered = milliseconds(25);
 /// Numbers that an answer may be late by; one that is further off is of another session.
 constexpr std::int32_t kLate = 1 << 20;
 
@@ -102,8 +104,9 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
 }
 
 void FrameStream::work() {
-    // One question at a time: a slow board is not to drown in them.
-    if (WireClock::now() >= transmitted_ + (waits_ ? patience() : link_.poll_period())) {
+    // Questions wait for answers, so that a slow board does not drown in them, but not for long: a
+    // board whose host is silent stops.
+    if (WireClock::now() >= transmitted_ + (waits_ ? kUnanswered : link_.poll_period())) {
         Frame poll;
         transmit(add_reads(poll).bytes());
     }
