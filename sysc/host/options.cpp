@@ -196,8 +196,7 @@ void interpret(const RawOptions& raw, Options& options) {
     options.unit_mm = core.unit_mm.value_or(options.unit_mm);
     options.sample_period_s = core.sample_period_s.value_or(options.sample_period_s);
     if (!raw.sample_period.empty()) {
-        options.sample_period_s = quantity("--sample-period", raw.sample_period,
-                                           {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+        options.sample_period_s = duration("--sample-period", raw.sample_period);
     }
     if (!(options.sample_period_s >= 1e-8 && options.sample_period_s <= 1)) {
         throw UsageError("--sample-period must be in [10ns, 1s]");

@@ -72,6 +72,10 @@ double speed(const std::string& option, const std::string& text) {
     return value / 60;
 }
 
+double duration(const std::string& option, const std::string& text) {
+    return quantity(option, text, {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+}
+
 double frequency(const std::string& option, const std::string& text, double low, double high) {
     const double value = quantity(option, text, kFrequencies);
     if (!(value >= low && value <= high)) {

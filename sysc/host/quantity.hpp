@@ -25,6 +25,8 @@ double quantity(const std::string& option, const std::string& text,
 double length(const std::string& option, const std::string& text, double low, double high);
 /// In mm/s, of mm/min (also without a unit), m/min, in/min, mm/s or m/s. @throws UsageError
 double speed(const std::string& option, const std::string& text);
+/// In s, of ns, us, ms or s. @throws UsageError
+double duration(const std::string& option, const std::string& text);
 /// In Hz. @throws UsageError, also when it is not in [low, high] Hz
 double frequency(const std::string& option, const std::string& text, double low, double high);
 

@@ -27,8 +27,7 @@ double within(const std::string& name, double value, double low, double high, co
 }
 
 double time_of(const std::string& name, const std::string& text, double low, double high) {
-    const double value = quantity(name, text, {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
-    return within(name, value, low, high, " s");
+    return within(name, duration(name, text), low, high, " s");
 }
 
 BlockKind block_of(const std::string& name, const std::string& text) {

@@ -14,7 +14,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::uint32_t kEveryFault = 0xffff;
 constexpr std::uint32_t kMostTime = (1U << 12) - 1;  // TimeBits of boards
 constexpr auto kSettles = std::chrono::seconds(2);
 
@@ -103,7 +102,7 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSet
         frames_.work();
         if (WireClock::now() > settled) throw UsageError("the board does not stop what it draws");
     } while (!is(CURVECORE_STATE_CLEAN_MASK));
-    write(CURVECORE_STATE, kEveryFault);
+    write(CURVECORE_STATE, kFaultBits);
 
     const auto range = std::exp2(build_.core.position_bits) * unit_mm;  // mm
     for (int axis = 0; axis < build_.axes; ++axis) {

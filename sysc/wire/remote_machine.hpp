@@ -73,6 +73,9 @@ class RemoteMachine {
     std::uint32_t control_ = 0;
 };
 
+/// All faults in a word of STATE.
+constexpr std::uint32_t kFaultBits = 0xffff;
+
 /// Names of the faults in a word of STATE.
 std::string fault_names(std::uint32_t state);
 

@@ -11,7 +11,7 @@
 namespace curvecore::sysc {
 
 double duration_of(const std::string& option, const std::string& text) {
-    const double time = quantity(option, text, {{"ns", -9}, {"us", -6}, {"ms", -3}, {"s", 0}});
+    const double time = duration(option, text);
     if (!(time >= 0 && time <= 10)) throw UsageError(option + " must be in [0, 10s]");
     return time;
 }

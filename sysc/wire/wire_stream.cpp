@@ -10,7 +10,6 @@ namespace curvecore::sysc {
 namespace {
 
 /// Faults behind which the machine is off, or its words are lost.
-constexpr std::uint32_t kFaultBits = 0xffff;
 constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
 /// Of the words a second that a link carries: the rest is for repetitions.
 constexpr double kOfLink = 0.9;
