@@ -12,8 +12,9 @@ namespace {
 using std::chrono::duration;
 using std::chrono::milliseconds;
 
-/// No answer for so long: there is no board.
-constexpr auto kSilence = std::chrono::seconds(3);
+/// No answer for so long: there is no board. A computer that is busy may be silent for seconds, and
+/// its board holds meanwhile.
+constexpr auto kSilence = std::chrono::seconds(10);
 /// After so long without an answer another question goes.
 constexpr WireClock::duration kUnanswered = milliseconds(25);
 /// Numbers that an answer may be late by; one that is further off is of another session.

@@ -44,13 +44,14 @@ class WireTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+        self.boards = []
         self.part = self.folder / "part.ngc"
         self.part.write_text(PART, encoding="ascii")
 
     def board(self, *options, name="board", port=0):
-        board = Board(str(self.folder / name), *options, port=port)
-        self.addCleanup(board.kill)
-        return board
+        self.boards.append(Board(str(self.folder / name), *options, port=port))
+        self.addCleanup(self.boards[-1].kill)
+        return self.boards[-1]
 
     def stream(self, to, *options):
         return subprocess.Popen(
@@ -60,7 +61,8 @@ class WireTest(unittest.TestCase):
 
     def finish(self, host, status=0, text=""):
         _, message = host.communicate(timeout=120)
-        self.assertEqual(host.returncode, status, message)
+        boards = [board.process.poll() for board in self.boards]  # None: it runs
+        self.assertEqual(host.returncode, status, f"{message} (boards: {boards})")
         self.assertIn(text, message)
 
     def report(self):
@@ -170,9 +172,9 @@ class WireTest(unittest.TestCase):
         steps = board.end()
         self.assertLess(sum(counts(steps)), sum(END) * STEPS_PER_MM)
         self.check_path(steps)
-        # It became slower step by step.
+        # It became slower step by step: on the arc two axes do so beside each other.
         waits = [b[0] - a[0] for a, b in zip(steps, steps[1:])]
-        self.assertGreater(min(waits[-5:]), 4 * sorted(waits)[len(waits) // 2])
+        self.assertGreater(sum(waits[-5:]) / 5, 4 * sorted(waits)[len(waits) // 2])
 
     def test_interrupted_host_stops_on_the_path(self):
         board = self.board()
