@@ -49,22 +49,18 @@ struct Ramp {
     }
 };
 
-/// Highest speed between v0 and v1, at most cap, for which both ramps fit into a length.
+struct RampLimits {
+    double acceleration, jerk;
+};
+
+/// Highest speed between v0 and v1, at most cap, for which both ramps, to it and from it, fit into
+/// a length; the larger of v0 and v1 where none does.
+double peak_speed(double v0, double v1, double length, const RampLimits& up, const RampLimits& down,
+                  double cap);
+
 inline double peak_speed(double v0, double v1, double length, double acceleration, double jerk,
                          double cap) {
-    const auto fits = [&](double peak) {
-        return Ramp(v0, peak, acceleration, jerk).length() +
-                   Ramp(peak, v1, acceleration, jerk).length() <=
-               length;
-    };
-    if (fits(cap)) return cap;
-    double low = std::max(v0, v1);
-    double high = cap;
-    for (int i = 0; i < 60 && high - low > 1e-15 * high; ++i) {
-        const double middle = 0.5 * (low + high);
-        (fits(middle) ? low : high) = middle;
-    }
-    return low;
+    return peak_speed(v0, v1, length, {acceleration, jerk}, {acceleration, jerk}, cap);
 }
 
 }  // namespace curvecore::ref

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double kWorthwhile = 1.3;  // of the least acceleration or jerk: less is not looked for
 
-struct Side {
-    double acceleration, jerk;
-};
-
 class PairSearch {
   public:
     PairSearch(const Zones& zones, const SpeedGap& gap)
@@ -22,12 +18,12 @@ class PairSearch {
           last_(zones.last_before(gap.s1)) {}
 
     RampPair run() {
-        Side up{gap_.acceleration, gap_.jerk};
-        Side down = up;
+        RampLimits up{gap_.acceleration, gap_.jerk};
+        RampLimits down = up;
         const double cap = std::max({gap_.cap, gap_.v0, gap_.v1});
         RampPair best = pair(up, down, cap);
         if (last_ == kNoZone || first_ > last_) return best;
-        Side most{0, 0};
+        RampLimits most{0, 0};
         double top = cap;
         for (std::size_t i = first_; i <= last_; ++i) {
             const Zone& zone = zones_[i];
@@ -41,55 +37,45 @@ class PairSearch {
             return best;
         }
         for (int round = 0; round < 2; ++round) {
-            for (Side* side : {&up, &down}) improve(up, down, *side, most, {cap, top}, best);
+            for (RampLimits* side : {&up, &down}) improve(up, down, *side, most, {cap, top}, best);
         }
         return best;
     }
 
   private:
-    RampPair pair(const Side& up, const Side& down, double cap) const {
-        const double length = static_cast<double>(gap_.s1 - gap_.s0);
-        const auto with = [&](double peak) {
-            RampPair pair{Ramp(gap_.v0, peak, up.acceleration, up.jerk),
-                          Ramp(peak, gap_.v1, down.acceleration, down.jerk), peak, 0};
-            pair.rest = length - pair.up.length() - pair.down.length();
-            return pair;
-        };
-        RampPair best = with(cap);
-        if (best.rest >= 0) return best;
-        double low = std::max(gap_.v0, gap_.v1);
-        double high = cap;
-        for (int i = 0; i < 60 && high - low > 1e-15 * high; ++i) {
-            const double middle = 0.5 * (low + high);
-            (with(middle).rest >= 0 ? low : high) = middle;
-        }
-        return with(low);
+    RampPair pair(const RampLimits& up, const RampLimits& down, double cap) const {
+        const auto length = static_cast<double>(gap_.s1 - gap_.s0);
+        const double peak = peak_speed(gap_.v0, gap_.v1, length, up, down, cap);
+        RampPair pair{Ramp(gap_.v0, peak, up.acceleration, up.jerk),
+                      Ramp(peak, gap_.v1, down.acceleration, down.jerk), peak, 0};
+        pair.rest = length - pair.up.length() - pair.down.length();
+        return pair;
     }
 
     /// Tries other limits for `side`, which is `up` or `down`.
-    void improve(Side& up, Side& down, Side& side, const Side& most,
+    void improve(RampLimits& up, RampLimits& down, RampLimits& side, const RampLimits& most,
                  const std::array<double, 2>& caps, RampPair& best) const {
-        const Side before = side;
-        Side found = before;
-        const auto better = [&](double acceleration, double jerk, double cap) {
+        RampLimits found = side;
+        // The lower the limits, the slower: a jerk below one that is slower is not looked at.
+        enum class Trial { kBetter, kForbidden, kSlower };
+        const auto attempt = [&](double acceleration, double jerk, double cap) {
             side = {acceleration, jerk};
             const RampPair trial = pair(up, down, cap);
-            const bool holds = trial.rest >= 0 && allowed(trial);
-            if (holds && trial.duration() < best.duration()) {
-                best = trial;
-                found = side;
-            }
-            return holds;
+            if (trial.duration() >= best.duration()) return Trial::kSlower;
+            if (trial.rest < 0 || !allowed(trial)) return Trial::kForbidden;
+            best = trial;
+            found = side;
+            return Trial::kBetter;
         };
         for (const double share : {0.0, 0.5, 1.0}) {
             const double cap = caps[0] * std::pow(caps[1] / caps[0], share);
             for (double jerk = most.jerk; jerk > most.jerk / 20; jerk /= 1.6) {
-                if (better(most.acceleration, jerk, cap)) continue;
+                if (attempt(most.acceleration, jerk, cap) != Trial::kForbidden) break;
                 double low = gap_.acceleration;
                 double high = most.acceleration;
                 for (int i = 0; i < 5; ++i) {
                     const double middle = std::sqrt(low * high);
-                    (better(middle, jerk, cap) ? low : high) = middle;
+                    (attempt(middle, jerk, cap) == Trial::kForbidden ? high : low) = middle;
                 }
             }
         }
