@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
-#           [LIBRARIES target ...] [FLAT])
+#           [LIBRARIES target ...] [FLAT] [TESTS <filter of GoogleTest>])
 # builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
 # unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
 # reaches the test as CFG_Name.  FLAT: the model is made of scripts/flat.sh's file.
@@ -45,7 +45,7 @@ function(core_bench target bench)
 endfunction()
 
 function(core_test test configuration)
-  cmake_parse_arguments(ARG "FLAT" "TOP;PORTS" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "FLAT" "TOP;PORTS;TESTS" "PARAMS;SOURCES;LIBRARIES" ${ARGN})
   set(target ${test}_${configuration})
   # Tests of one module in one configuration share the model.
   set(flat "")
@@ -68,7 +68,7 @@ function(core_test test configuration)
                                             ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   endif()
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS unit)
+                       TEST_FILTER "${ARG_TESTS}" PROPERTIES LABELS unit)
   label_needs(unit ${target})
 endfunction()
 

@@ -41,7 +41,7 @@ struct Part {
         sysc::Options options;
         options.holds = holds;
         options.file = std::string(DATA_DIR) + "/" + file;
-        options.core.build = sysc::Build::kSerial;
+        options.core.build = CFG_Build == 1 ? sysc::Build::kSerial : sysc::Build::kParallel;
         options.core.splines = 1;
         options.core.mode = 1;
         options.splines_set = true;
