@@ -115,6 +115,7 @@ pulse/step_generator.sv
 pulse/step_phase.sv
 pulse/step_pulse.sv
 pulse/synchroniser.sv
+pulse/xy2_100.sv
 queue/frame_entry.sv
 queue/frame_room.sv
 queue/sample_queue.sv

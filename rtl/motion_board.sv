@@ -19,6 +19,7 @@ module motion_board #(
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int Galvo             = 0,     // 0, 1
     parameter int ClockHertz        = 0      // for CLOCK
 ) (
     input wire logic clk_i,
@@ -37,7 +38,10 @@ module motion_board #(
     input  wire logic [3+AuxAxes-1:0] limit_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
-    output logic                      enable_o
+    output logic                      enable_o,
+    output logic                      galvo_clock_o,
+    output logic                      galvo_sync_o,
+    output logic      [          2:0] galvo_data_o
 );
 
   logic valid;
@@ -80,6 +84,7 @@ module motion_board #(
       .PeriodLog2(PeriodLog2),
       .TimeBits(TimeBits),
       .SamplesAhead(SamplesAhead),
+      .Galvo(Galvo),
       .ClockHertz(ClockHertz)
   ) u_system (
       .clk_i,
@@ -95,7 +100,10 @@ module motion_board #(
       .limit_i,
       .step_o,
       .direction_o,
-      .enable_o
+      .enable_o,
+      .galvo_clock_o,
+      .galvo_sync_o,
+      .galvo_data_o
   );
 
 endmodule

@@ -37,6 +37,7 @@ module motion_system #(
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
     parameter int ClockHertz        = 0      // for CLOCK
 ) (
     input wire logic clk_i,
@@ -56,8 +57,13 @@ module motion_system #(
     input  wire logic [3+AuxAxes-1:0] limit_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
-    output logic                      enable_o
+    output logic                      enable_o,
+    output logic                      galvo_clock_o,
+    output logic                      galvo_sync_o,
+    output logic      [          2:0] galvo_data_o
 );
+
+  initial if (Galvo != 0 && Galvo != 1) $fatal(1, "Galvo must be 0 or 1");
 
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
@@ -314,6 +320,27 @@ module motion_system #(
       .refused_o(refused),
       .late_o(late)
   );
+
+  if (Galvo == 1) begin : gen_galvo
+    xy2_100 #(
+        .Axes      (Axes),
+        .FineBits  (FineBits),
+        .PeriodLog2(PeriodLog2)
+    ) u_galvo (
+        .clk_i,
+        .rst_ni,
+        .tick_i        (tick),
+        .sample_taken_i(sample_valid && sample_ready),
+        .sample_i      (sample),
+        .clock_o       (galvo_clock_o),
+        .sync_o        (galvo_sync_o),
+        .data_o        (galvo_data_o)
+    );
+  end else begin : gen_no_galvo
+    assign galvo_clock_o = 1'b0;
+    assign galvo_sync_o  = 1'b0;
+    assign galvo_data_o  = '0;
+  end
 
   logic [31:0] counts[16];
   for (genvar a = 0; a < 16; a++) begin : gen_counts

@@ -257,6 +257,16 @@ foreach(size 3,8 9,9 3,13)
   core_test(step_blocks a${axes}_k${period} TOP step_generator LIBRARIES curvecore_system
             PARAMS Axes=${axes} PeriodLog2=${period} FineBits=44 ScaleBits=56 TimeBits=16)
 endforeach()
+# Frames of scan heads.
+foreach(size 3,42,9 4,18,7 9,44,13)
+  read_row(${size} axes fine period)
+  core_test(xy2_100 a${axes}_f${fine}_k${period} TOP xy2_100
+            PARAMS Axes=${axes} FineBits=${fine} PeriodLog2=${period})
+endforeach()
+illegal_parameter_test(xy2_100 Axes=2 "Axes must be in .3, 9.")
+illegal_parameter_test(xy2_100 FineBits=45 "FineBits must be in .18, 44.")
+illegal_parameter_test(motion_system Galvo=2 "Galvo must be 0 or 1")
+illegal_parameter_test(xy2_100 PeriodLog2=6 "PeriodLog2 must be in .7, 20.")
 illegal_parameter_test(step_generator Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(step_generator FineBits=45 "FineBits must be in .18, 44.")
 illegal_parameter_test(step_generator ScaleBits=39 "ScaleBits must be in .40, 56.")
@@ -292,13 +302,14 @@ illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 # A board's motion, from its registers to its pins.
 set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
                   ClockHertz=2560000)
-core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${system} Build=1)
-core_test(motion_system parallel TOP motion_system LIBRARIES curvecore_host ${system} Build=0)
+set(serial ${system} Build=1 Galvo=0)
+core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${serial})
+core_test(motion_system parallel TOP motion_system LIBRARIES curvecore_host
+          ${system} Build=0 Galvo=1)
 # The same beside its flat file, clock by clock.
-verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${system} Build=1)
+verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
 core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
-          LIBRARIES curvecore_host flat_motion_system
-          ${system} Build=1)
+          LIBRARIES curvecore_host flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_serial motion_system_parallel motion_system_flat)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")

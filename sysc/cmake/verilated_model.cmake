@@ -3,6 +3,7 @@
 #                 [SOURCES <file or flag> ...] [FLAT])
 # A library: one module as a C++ class PREFIX in PREFIX.h.  Verilator runs at build time, and again
 # only when a source that this model reads has changed (it writes the dependency file).
+# SOURCES may have another file of the module itself.
 # FLAT: of the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
@@ -54,7 +55,10 @@ function(verilated_model target)
   else()
     list(TRANSFORM ARG_PARAMS PREPEND -G)
     list(APPEND flags ${ARG_PARAMS} ${RTL_SEARCH})
-    set(sources ${RTL_PACKAGES} ${ARG_SOURCES} ${top_file})
+    set(sources ${RTL_PACKAGES} ${ARG_SOURCES})
+    if(NOT "${ARG_SOURCES}" MATCHES "/${ARG_TOP}\\.sv")
+      list(APPEND sources ${top_file})
+    endif()
   endif()
   if(ARG_TRACE)
     list(APPEND flags --trace-fst)

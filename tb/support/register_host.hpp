@@ -17,6 +17,7 @@
 #include "sysc/host/feeder.hpp"
 #include "sysc/host/job.hpp"
 #include "tb/support/pulse_monitor.hpp"
+#include "tb/support/xy2_receiver.hpp"
 #ifdef FLAT_TWIN
 #include "tb/support/flat_twin.hpp"
 #endif
@@ -96,6 +97,9 @@ class RegisterHost {
         for (int a = 0; a < kSystemAxes; ++a) {
             drives_[a].watch(clock_, dut_->step_o >> a & 1, dut_->direction_o >> a & 1);
         }
+        const auto frame =
+            scan_head_.look(dut_->galvo_clock_o, dut_->galvo_sync_o, dut_->galvo_data_o, clock_);
+        if (frame) galvo_frame_ = frame->words;
     }
     void clocks(int64_t n) {
         while (n-- > 0) clock();
@@ -171,6 +175,8 @@ class RegisterHost {
     }
 
     const PulseMonitor& drive(int axis) const { return drives_[axis]; }
+    /// The last frame of an axis to a scan head.
+    uint32_t galvo_frame(int axis) const { return galvo_frame_[axis]; }
     int64_t now() const { return clock_; }
     Vmotion_system* operator->() { return dut_.operator->(); }
 
@@ -209,6 +215,8 @@ class RegisterHost {
     FlatTwin twin_;
 #endif
     std::vector<PulseMonitor> drives_;
+    Xy2Receiver scan_head_;
+    std::array<uint32_t, 3> galvo_frame_{};
     int64_t clock_ = 0;
     bool first_ = true;
 };

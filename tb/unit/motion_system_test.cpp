@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "hls/xy2_frame.hpp"
 #include "tb/support/register_host.hpp"
 
 namespace curvecore::tb {
@@ -82,6 +83,11 @@ TEST_F(MotionSystem, DrawsAProgramThatIsWrittenToRegisters) {
     host_.draw(part_);
     expect_drawn();
     EXPECT_FALSE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
+    for (int a = 0; a < kSystemAxes && CFG_Galvo == 1; ++a) {
+        const double units = part_.job.program.moves.back().end[a] / part_.job.options.unit_mm;
+        const int64_t fine = std::llround(units) << (kFineBits - 32);
+        EXPECT_EQ(host_.galvo_frame(a), hls::xy2_frame(fine, kFineBits)) << "axis " << a;
+    }
     printf("%ld steps, %ld clocks\n", steps(), host_.now());
 }
 
