@@ -145,8 +145,8 @@ std::vector<std::string> axis_names(const Job& job) {
 }
 
 std::string unit_text(const Job& job) {
-    const double nm = std::round(job.plan.unit_mm * 1e6);
-    return nm < 100 ? fmt::format("{} nm", nm) : fmt::format("{} um", nm / 1000);
+    const double nm = job.plan.unit_mm * 1e6;
+    return nm < 100 ? fmt::format("{:.4g} nm", nm) : fmt::format("{:.6g} um", nm / 1000);
 }
 
 std::string time_text(double seconds) {
