@@ -44,6 +44,7 @@ bus/slip_sender.sv
 bus/spi_port.sv
 bus/uart_line.sv
 bus/wishbone_port.sv
+bus/word_sources.sv
 control/digit_source.sv
 control/local_copy.sv
 control/order_digits.sv
@@ -56,6 +57,7 @@ control/word_digits.sv
 curve_interpolator.sv
 curve_interpolator_serial.sv
 hyperbola_interpolator.sv
+motion_axi.sv
 motion_board.sv
 motion_interpolator.sv
 motion_system.sv

@@ -67,6 +67,8 @@ module motion_board #(
       .data_i (answer)
   );
   logic unused_error;
+  logic unused_segment_ready;
+  logic unused_profile_ready;
   motion_system #(
       .Build(Build),
       .Order(Order),
@@ -91,11 +93,17 @@ module motion_board #(
       .rst_ni,
       .valid_i(valid),
       .write_i(write),
-      .word_i (word),
-      .data_i (data),
-      .done_o (done),
+      .word_i(word),
+      .data_i(data),
+      .done_o(done),
       .error_o(unused_error),
-      .data_o (answer),
+      .data_o(answer),
+      .segment_valid_i(1'b0),
+      .segment_ready_o(unused_segment_ready),
+      .segment_data_i(48'd0),
+      .profile_valid_i(1'b0),
+      .profile_ready_o(unused_profile_ready),
+      .profile_data_i(48'd0),
       .estop_i,
       .limit_i,
       .step_o,

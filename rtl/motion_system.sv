@@ -52,6 +52,14 @@ module motion_system #(
     output logic             error_o,
     output logic      [31:0] data_o,
 
+    // Streams of words, beside those of registers: rtl/bus/word_sources.sv
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+    input  wire logic        profile_valid_i,
+    output logic             profile_ready_o,
+    input  wire logic [47:0] profile_data_i,
+
     // Pins
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
@@ -102,7 +110,7 @@ module motion_system #(
   logic segment_ready;
   logic profile_valid;
   logic profile_ready;
-  logic [47:0] motion_word;
+  logic [47:0] register_word;
   logic control_write;
   logic control_ready;
   logic state_write;
@@ -152,10 +160,10 @@ module motion_system #(
       .scale_axis_o(scale_axis),
       .scale_o(scale),
       .segment_valid_o(segment_valid),
-      .segment_ready_i(segment_ready && words),
+      .segment_ready_i(segment_ready),
       .profile_valid_o(profile_valid),
-      .profile_ready_i(profile_ready && words),
-      .motion_word_o(motion_word),
+      .profile_ready_i(profile_ready),
+      .motion_word_o(register_word),
       .control_write_o(control_write),
       .control_ready_i(control_ready),
       .state_write_o(state_write),
@@ -169,6 +177,31 @@ module motion_system #(
       .rate_i(rate),
       .steps_axis_o(steps_axis),
       .steps_i(steps)
+  );
+
+  logic motion_segment;
+  logic motion_segment_ready;
+  logic motion_profile;
+  logic motion_profile_ready;
+  logic [47:0] motion_word;
+  word_sources u_words (
+      .words_i(words),
+      .segment_valid_i(segment_valid),
+      .segment_ready_o(segment_ready),
+      .profile_valid_i(profile_valid),
+      .profile_ready_o(profile_ready),
+      .word_i(register_word),
+      .segment_stream_valid_i(segment_valid_i),
+      .segment_stream_ready_o(segment_ready_o),
+      .segment_stream_word_i(segment_data_i),
+      .profile_stream_valid_i(profile_valid_i),
+      .profile_stream_ready_o(profile_ready_o),
+      .profile_stream_word_i(profile_data_i),
+      .segment_valid_o(motion_segment),
+      .segment_ready_i(motion_segment_ready),
+      .profile_valid_o(motion_profile),
+      .profile_ready_i(motion_profile_ready),
+      .word_o(motion_word)
   );
 
   // What may be
@@ -210,7 +243,7 @@ module motion_system #(
       .standing_i(standing),
       .underrun_i(underrun),
       .motion_fault_i(motion_fault),
-      .word_i((segment_valid && segment_ready || profile_valid && profile_ready) && words),
+      .word_i(motion_segment && motion_segment_ready || motion_profile && motion_profile_ready),
       .offered_i(sample_valid),
       .empty_i(empty),
       .sample_i(sample_valid && sample_ready),
@@ -252,10 +285,10 @@ module motion_system #(
   ) u_motion (
       .clk_i,
       .rst_ni,
-      .segment_valid_i(segment_valid && words),
-      .segment_ready_o(segment_ready),
-      .profile_valid_i(profile_valid && words),
-      .profile_ready_o(profile_ready),
+      .segment_valid_i(motion_segment),
+      .segment_ready_o(motion_segment_ready),
+      .profile_valid_i(motion_profile),
+      .profile_ready_o(motion_profile_ready),
       .word_i(motion_word),
       .segment_room_o(room[registers_pkg::RoomSegmentLow+:16]),
       .profile_room_o(room[registers_pkg::RoomProfileLow+:16]),

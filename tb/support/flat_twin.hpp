@@ -20,6 +20,8 @@ class FlatTwin {
         dut_->valid_i = 0;
         dut_->estop_i = 0;
         dut_->limit_i = 0;
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
         dut_.reset();
     }
 
@@ -32,6 +34,10 @@ class FlatTwin {
         dut_->data_i = source.data_i;
         dut_->estop_i = source.estop_i;
         dut_->limit_i = source.limit_i;
+        dut_->segment_valid_i = source.segment_valid_i;
+        dut_->segment_data_i = source.segment_data_i;
+        dut_->profile_valid_i = source.profile_valid_i;
+        dut_->profile_data_i = source.profile_data_i;
         dut_.tick();
         const bool reads = source.done_o && !source.error_o && !source.write_i;
         const bool equal =

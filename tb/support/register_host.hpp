@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -84,11 +85,14 @@ class RegisterHost {
         dut_->valid_i = 0;
         dut_->estop_i = 0;
         dut_->limit_i = 0;
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
         for (int a = 0; a < kSystemAxes; ++a) drives_.emplace_back(kDrive);
         dut_.reset();
     }
 
     void clock() {
+        if (before_clock_) before_clock_();
         dut_.tick();
         ++clock_;
 #ifdef FLAT_TWIN
@@ -161,6 +165,27 @@ class RegisterHost {
         while (!sent.all(part) && !testing::Test::HasFailure()) feed(part, sent, between);
         finish(part);
     }
+    /// All words by the streams, with pauses, until the machine stands at the end.
+    void stream(const Part& part, std::mt19937& random) {
+        Sent sent;
+        before_clock_ = [&] {
+            offer(part.segments, sent.segments, random() % 4 == 0, dut_->segment_valid_i,
+                  dut_->segment_data_i);
+            offer(part.pieces, sent.pieces, random() % 4 == 0, dut_->profile_valid_i,
+                  dut_->profile_data_i);
+            dut_.settle();
+            sent.segments += dut_->segment_valid_i && dut_->segment_ready_o;
+            sent.pieces += dut_->profile_valid_i && dut_->profile_ready_o;
+        };
+        while (!sent.all(part) && !testing::Test::HasFailure()) {
+            clocks(1000);
+            EXPECT_EQ(state() & kMotionFaults, 0U);
+        }
+        before_clock_ = nullptr;
+        dut_->segment_valid_i = 0;
+        dut_->profile_valid_i = 0;
+        finish(part);
+    }
     /// Until the part's path is drawn since `from`, and its last sample is out.
     void finish(const Part& part, uint64_t from = 0) {
         while (path() != from + part.job.path_length() && !testing::Test::HasFailure()) {
@@ -182,6 +207,16 @@ class RegisterHost {
 
   private:
     static uint32_t pair(int low, int high) { return static_cast<uint32_t>(low | high << 16); }
+
+    /// The next word: when it is due, and until it is taken.
+    template <class Valid, class Data>
+    static void offer(const std::vector<uint64_t>& words, std::size_t next, bool due, Valid& valid,
+                      Data& data) {
+        const bool more = next < words.size();
+        const bool waits = more && valid && data == words[next];
+        valid = waits || (more && due);
+        if (valid) data = words[next];
+    }
 
     bool ask(bool write, uint32_t address, uint32_t data) {
         dut_->valid_i = 1;
@@ -217,6 +252,7 @@ class RegisterHost {
     std::vector<PulseMonitor> drives_;
     Xy2Receiver scan_head_;
     std::array<uint32_t, 3> galvo_frame_{};
+    std::function<void()> before_clock_;
     int64_t clock_ = 0;
     bool first_ = true;
 };

@@ -91,6 +91,18 @@ TEST_F(MotionSystem, DrawsAProgramThatIsWrittenToRegisters) {
     printf("%ld steps, %ld clocks\n", steps(), host_.now());
 }
 
+TEST_F(MotionSystem, DrawsAProgramThatStreamsBring) {
+    host_->segment_valid_i = 1;
+    host_->segment_data_i = part_.segments[0];
+    host_.samples(2);
+    EXPECT_EQ(host_->segment_ready_o, 0) << "before the machine is on";
+    host_->segment_valid_i = 0;
+    host_.prepare(part_);
+    host_.stream(part_, random_);
+    expect_drawn();
+    EXPECT_FALSE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
+}
+
 TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
     host_.prepare(part_);
     int stalls = 0;
