@@ -89,11 +89,13 @@ path/path_datapath.sv
 path/path_generator.sv
 path/path_increment.sv
 path/path_meter.sv
+path/path_program.sv
 path/path_sequencer.sv
 path/piece_clock.sv
 path/piece_entry.sv
 path/piece_ledger.sv
 path/piece_loader.sv
+path/program_fetch.sv
 path/program_ledger.sv
 path/rate_generator.sv
 path/sample_gate.sv
@@ -103,6 +105,7 @@ path/stop_memory.sv
 path/stop_taker.sv
 path/tau_shift.sv
 path/time_datapath.sv
+path/time_program.sv
 path/time_scaler.sv
 path/time_scaler_serial.sv
 path/time_sequencer.sv

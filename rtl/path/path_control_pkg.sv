@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words that rtl/path/path_sequencer.sv sends to rtl/path/path_datapath.sv, one a clock.
+// Words of the program of rtl/path/path_program.sv.
 `default_nettype none
 package path_control_pkg;
 
-  localparam int Bits = 18;
-
+  // For rtl/path/path_datapath.sv
   localparam int Read = 0;  // 4 bits: the operand; from 8 on of the present piece
   localparam int Write = 4;  // 4 bits: what is written
   localparam int Store = 8;  // it is: the sum,
@@ -17,6 +16,35 @@ package path_control_pkg;
   localparam int Multiply = 15;  // add it only if the factor's next bit is 1; operand 2, no other
   localparam int Round = 16;  // add the bit that Halve dropped in the clock before
   localparam int Load = 17;  // the sum is the factor
+  localparam int Bits = 18;
+
+  // For rtl/path/path_sequencer.sv
+  localparam int Target = 18;  // 6 bits: where it jumps to
+  localparam int Condition = 24;  // 4 bits: if
+  localparam int Stay = 28;  // or else: to be obeyed again
+  localparam int Ready = 29;  // for a tick
+  localparam int Take = 30;  // the next piece
+  localparam int Send = 31;  // the sum is an increment
+  localparam int Next = 32;  // coefficient
+  localparam int WordBits = 33;
+
+  // Conditions
+  localparam logic [3:0] Never = 4'd0;
+  localparam logic [3:0] Always = 4'd1;
+  localparam logic [3:0] NoRate = 4'd2;
+  localparam logic [3:0] Runs = 4'd3;
+  localparam logic [3:0] Stops = 4'd4;
+  localparam logic [3:0] NotLoaded = 4'd5;
+  localparam logic [3:0] NotActive = 4'd6;
+  localparam logic [3:0] WasNotActive = 4'd7;
+  localparam logic [3:0] MoreBits = 4'd8;
+  localparam logic [3:0] LastPass = 4'd9;
+  localparam logic [3:0] IsAbove = 4'd10;
+  localparam logic [3:0] IsExact = 4'd11;
+  localparam logic [3:0] MoreHalves = 4'd12;
+  localparam logic [3:0] MoreDoubles = 4'd13;
+  localparam logic [3:0] Negative = 4'd14;
+  localparam logic [3:0] NotSent = 4'd15;
 
 endpackage
 `default_nettype wire

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // One adder, a memory of 16 words and the bits of a factor: what evaluates profile pieces in the
-// serial build, by the words of rtl/path/path_sequencer.sv (rtl/path/path_control_pkg.sv).
+// serial build, by the words of rtl/path/path_program.sv (rtl/path/path_control_pkg.sv).
 //
 //     sum' = sum +- memory[read]               Halve: half of that, rounded down
 //
 // Halves with Multiply make the product of Factor and the loaded word, from its lowest bit on. Each
 // drops a bit that no later one changes, so n of them give the product over 2^n, rounded down; the
 // bit that was dropped last rounds it to nearest.
+//
+// An operand is read a clock before its word is obeyed, so it is not what that clock writes.
 //
 // Words have 48 bits: quanta of the path, ticks with 16 fraction bits, coefficients with 34. Words
 // of the next piece are written as they come; control_i writes nothing in that clock.
@@ -16,6 +18,8 @@ module path_datapath (
     input wire logic rst_ni,
 
     input  wire logic   [path_control_pkg::Bits-1:0] control_i,
+    input  wire logic   [path_control_pkg::Bits-1:0] ahead_i,    // of the next clock
+    input  wire logic                                stay_i,     // but control_i stays
     input  wire logic   [                       1:0] pass_i,     // of the coefficient read
     output logic signed [                      47:0] sum_o,
 
@@ -30,20 +34,24 @@ module path_datapath (
     input wire logic [43:0] word_i
 );
 
-  logic [3:0] read;
   logic minus;
   logic multiply;
-  assign read     = control_i[path_control_pkg::Read+:4];
   assign minus    = control_i[path_control_pkg::Minus];
   assign multiply = control_i[path_control_pkg::Multiply];
 
-  // Words of a piece: {1, bank, pass}, ds as pass 3.
+  // What is read for the next clock. A product's bits choose between places 2 and 0.
   logic [34:0] factor_q;
+  logic [3:0] read;
+  logic chooses;
+  logic next_bit;
+  assign read     = ahead_i[path_control_pkg::Read+:4];
+  assign chooses  = stay_i ? multiply : ahead_i[path_control_pkg::Multiply];
+  assign next_bit = control_i[path_control_pkg::Load] ? sum_o[0] : factor_q[1];
+
+  // Words of a piece: {1, bank, pass}, ds as pass 3.
   logic [3:0] address;
-  logic counts;
-  assign counts = factor_q[0] || !multiply;
   always_comb begin
-    address = {1'b0, read[2], read[1] && counts, read[0]};
+    address = {1'b0, read[2], chooses ? next_bit : read[1], read[0]};
     if (read[3]) address = {1'b1, !bank_i, read[0] ? pass_i : 2'd3};
   end
 
@@ -63,11 +71,12 @@ module path_datapath (
     if (control_i[path_control_pkg::OfTicks]) written[35:16] = ticks_i;
   end
 
-  logic [47:0] memory  [16];
-  logic [47:0] operand;
-  assign operand = memory[address];
+  (* no_rw_check *)
+  logic [47:0] memory[16];
+  logic [47:0] operand_q;
   always_ff @(posedge clk_i) begin
     if (writes) memory[write_address] <= written;
+    operand_q <= memory[address];
   end
 
   logic half_q;
@@ -77,7 +86,7 @@ module path_datapath (
   logic [48:0] sum;
   assign carry = minus || (control_i[path_control_pkg::Round] && half_q);
   assign augend = {sum_o, 1'b1};
-  assign addend = {minus ? ~operand : operand, carry};
+  assign addend = {minus ? ~operand_q : operand_q, carry};
   assign sum    = augend + addend;
   always_ff @(posedge clk_i) begin
     half_q <= sum[1];

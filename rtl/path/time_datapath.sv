@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One adder and a memory of a few words: what makes rates of time in the serial build, by the words
-// of rtl/path/time_sequencer.sv (rtl/path/time_control_pkg.sv).
+// of rtl/path/time_program.sv (rtl/path/time_control_pkg.sv).
 //
 //     sum' = sum +- operand
+//
+// A word is read a clock before it is the operand, so it is not what that clock writes.
 //
 // Words have 32 fraction bits, on the fine side of 7/8 three more: an eighth of a bound is then its
 // bits above the lowest three. What is asked for its sign is less than 2^35: 36 bits are enough.
@@ -12,6 +14,7 @@ module time_datapath (
     input wire logic rst_ni,
 
     input  wire logic [time_control_pkg::Bits-1:0] control_i,
+    input  wire logic [time_control_pkg::Bits-1:0] ahead_i,    // of the next clock
     input  wire logic                              fine_i,
     output logic      [                      35:0] sum_o,
     output logic                                   zero_o,     // it is 0
@@ -22,14 +25,12 @@ module time_datapath (
     input wire logic [31:0] change_i         // on the fine side only
 );
 
-  logic [2:0] read;
   logic minus;
-  assign read  = control_i[time_control_pkg::Read+:3];
   assign minus = control_i[time_control_pkg::Minus];
 
   logic [35:0] port;
   always_comb begin
-    case (read[1:0])
+    case (control_i[time_control_pkg::Read+:2])
       2'd0: port = {4'b0, acceleration_i[31:3], fine_i ? 3'b0 : acceleration_i[2:0]};
       2'd1: port = {3'b0, slope_i[32:3], fine_i ? 3'b0 : slope_i[2:0]};
       2'd2: port = fine_i ? {goal_i, 19'b0} : {3'b0, goal_i, 16'b0};
@@ -37,13 +38,16 @@ module time_datapath (
     endcase
   end
 
-  logic [35:0] memory[8];
+  (* no_rw_check *)
+  logic [35:0] memory [8];
+  logic [35:0] word_q;
   always_ff @(posedge clk_i) begin
     if (control_i[time_control_pkg::Store]) memory[control_i[time_control_pkg::Write+:3]] <= sum_o;
+    word_q <= memory[ahead_i[time_control_pkg::Read+:3]];
   end
 
   logic [35:0] operand;
-  assign operand = (control_i[time_control_pkg::OfPorts] ? port : memory[read]) ^ {36{minus}};
+  assign operand = (control_i[time_control_pkg::OfPorts] ? port : word_q) ^ {36{minus}};
   always_ff @(posedge clk_i) begin
     if (!rst_ni || control_i[time_control_pkg::Clear]) sum_o <= '0;
     else if (control_i[time_control_pkg::Add]) sum_o <= sum_o + operand + {35'b0, minus};

@@ -6,8 +6,8 @@
 //   valid_i    1
 //   ready_o    1        1    at the latest, but for steps that are not there yet
 //   target_i   target
-//   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp, every other clock from there
-//   taken_i             1    on
+//   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp, until
+//   taken_i             1
 //   rate_o              rate
 //   held_o              target is 0
 //
@@ -106,6 +106,7 @@ module time_scaler_serial (
   assign goal = border ? FineFrom : target_q;
 
   logic [time_control_pkg::Bits-1:0] control;
+  logic [time_control_pkg::Bits-1:0] ahead;
   logic fine;
   logic zero;
   logic moves;
@@ -122,6 +123,7 @@ module time_scaler_serial (
       .sent_o(valid_o),
       .taken_i,
       .control_o(control),
+      .ahead_o(ahead),
       .fine_o(fine),
       .border_o(border),
       .negative_i(sum[35]),
@@ -134,6 +136,7 @@ module time_scaler_serial (
       .clk_i,
       .rst_ni,
       .control_i(control),
+      .ahead_i(ahead),
       .fine_i(fine),
       .sum_o(sum),
       .zero_o(zero),

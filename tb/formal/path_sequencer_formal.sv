@@ -4,14 +4,14 @@
 // a tick; time waits where no piece is queued, no program begins in a tick that is held; memory
 // words of the present piece are read inside programs only; no tick takes more clocks than it may.
 // control: LOSES_TICK s/rate_ready_o = .*;/rate_ready_o = 1'b1;/
-// control: TAKES_MISSING s/jump = !next_valid_i/jump = 1'b0/
+// control: TAKES_MISSING s/holds = !next_valid_i/holds = 1'b0/
 // control: SKIPS_QUEUED s/ || !queued_i;/ || !next_valid_i;/
 // control: BEGINS_HELD s/(held_q \&\& !active_o)/1'b0/
 // control: RUNS_ON s/active_o \&\& !last_o/active_o/
-// control: DROPS s/{Sent, Wait}/{Always, Wait}/
-// control: NO_INCREMENT s/Always, AddRest}/Always, Wait}/
+// control: DROPS s/holds = !ds_ready_i/holds = 1'b0/
+// control: NO_INCREMENT s/ds_valid_o   = .*;/ds_valid_o = 1'b0;/
 // control: LONG_PRODUCT s/-7'd15/-7'd19/
-// control: NO_RESET s/state_q <= Start/state_q <= state_q/
+// control: NO_RESET s/      .rst_ni,/      .rst_ni(1'b1),/
 `default_nettype none
 module path_sequencer_formal (
     input wire logic clk_i,
@@ -30,6 +30,8 @@ module path_sequencer_formal (
   logic taken;
   logic [16:0] rate;
   logic [path_control_pkg::Bits-1:0] control;
+  logic [path_control_pkg::Bits-1:0] ahead;
+  logic stay;
   logic [1:0] pass;
   logic ds_valid;
   logic ds_active;
@@ -52,6 +54,8 @@ module path_sequencer_formal (
       .tick_taken_o(taken),
       .rate_o(rate),
       .control_o(control),
+      .ahead_o(ahead),
+      .stay_o(stay),
       .pass_o(pass),
       .negative_i,
       .ds_valid_o(ds_valid),
@@ -62,7 +66,7 @@ module path_sequencer_formal (
       .last_o(last)
   );
   logic unused;
-  assign unused = ^{rate, control, pass, look};
+  assign unused = ^{rate, control, ahead, stay, pass, look};
 
   logic started_q = 1'b0;
   logic kept_next_q;

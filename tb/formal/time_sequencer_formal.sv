@@ -3,12 +3,12 @@
 // one after the other, within its clocks; the sum is 0 when the next one comes, and nothing is
 // written between them. The sum may be anything, but a way that was turned is ahead and not 0.
 // control: LOSES_TICK s/ready_o  = .*;/ready_o = 1'b1;/
-// control: TWICE s/{Taken, Wait}/{Taken, Hold}/
-// control: DROPS s/{Taken, Wait}/{Always, Wait}/
-// control: NO_RATE s/{write(StopSlope), Always, KeepRate}/{write(StopSlope), Always, Wait}/
+// control: TWICE s/holds = !taken_i/holds = 1'b1/
+// control: DROPS s/holds = !taken_i/holds = 1'b0/
+// control: NO_RATE s/sent_o   = .*;/sent_o = 1'b0;/
 // control: SWAPS_ON s/(border_o \&\& zero_i)/zero_i/
-// control: KEEPS_SUM s/{Clear, NoTick, Wait}/{write(Way), NoTick, Wait}/
-// control: NO_RESET s/state_q <= Start/state_q <= state_q/
+// control: KEEPS_SUM s/control_o = word.*;/control_o = '0;/
+// control: NO_RESET s/      .rst_ni,/      .rst_ni(1'b1),/
 `default_nettype none
 module time_sequencer_formal (
     input wire logic clk_i,
@@ -23,11 +23,12 @@ module time_sequencer_formal (
     input wire logic taken_i
 );
 
-  localparam int Most = 48;  // kSerialScaleClocks, less one to hand it over
+  localparam int Most = 57;  // kSerialScaleClocks, less one to hand it over
 
   logic ready;
   logic sent;
   logic [time_control_pkg::Bits-1:0] control;
+  logic [time_control_pkg::Bits-1:0] ahead;
   logic fine;
   logic border;
   logic rests;
@@ -44,6 +45,7 @@ module time_sequencer_formal (
       .sent_o(sent),
       .taken_i,
       .control_o(control),
+      .ahead_o(ahead),
       .fine_o(fine),
       .border_o(border),
       .negative_i,
@@ -52,7 +54,7 @@ module time_sequencer_formal (
       .moves_o(moves)
   );
   logic unused;
-  assign unused = ^{fine, border, rests, moves};
+  assign unused = ^{ahead, fine, border, rests, moves};
 
   logic started_q = 1'b0;
   logic owed_q;  // a tick came that gave no rate yet
@@ -60,14 +62,14 @@ module time_sequencer_formal (
   logic sent_q;  // the rate waits
   logic [5:0] clocks_q;
   logic kept_high_q;
-  logic mirrors;  // the rate is turned: the way's sign counts 5 clocks later, that it is 0 after 7
-  logic [6:0] mirrors_q;
+  logic mirrors;  // the rate is turned: the way's sign counts 6 clocks later, that it is 0 after 9
+  logic [8:0] mirrors_q;
   assign mirrors = empty_q && control[time_control_pkg::Read+:4] == 4'd0 &&
       control[time_control_pkg::Minus];
   always_ff @(posedge clk_i) begin
     started_q   <= 1'b1;
     kept_high_q <= high_i;
-    mirrors_q   <= {mirrors_q[5:0], mirrors};
+    mirrors_q   <= {mirrors_q[7:0], mirrors};
     if (!rst_ni || control[time_control_pkg::Clear]) empty_q <= 1'b1;
     else if (control[time_control_pkg::Add]) empty_q <= 1'b0;
     sent_q <= rst_ni && owed_q && (sent_q || sent);
@@ -88,8 +90,8 @@ module time_sequencer_formal (
     end else if (rst_ni) begin
       if (owed_q && clocks_q != '0) assume (high_i == kept_high_q);
       assume (!(negative_i && zero_i));
-      if (mirrors_q[4]) assume (!negative_i);
-      if (mirrors_q[6]) assume (!zero_i);
+      if (mirrors_q[5]) assume (!negative_i);
+      if (mirrors_q[8]) assume (!zero_i);
 
       if (ready) OneAtATime : assert (!owed_q);
       if (ready) Begins : assert (control[time_control_pkg::Clear]);
