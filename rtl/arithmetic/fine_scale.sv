@@ -7,7 +7,8 @@
 //
 //   enabled clock   0       1      2
 //   d_i, down_i     d, MaxStepExponent - k
-//   doubled_o                      doubled
+//   none_i                 1
+//   doubled_o                      doubled, 0 with none_i
 `default_nettype none
 module fine_scale #(
     parameter int CoefBits  = 36,  // [18, 36]
@@ -18,6 +19,7 @@ module fine_scale #(
     input  wire logic                       en_i,
     input  wire logic signed [CoefBits-1:0] d_i,
     input  wire logic        [         4:0] down_i,
+    input  wire logic                       none_i,
     output logic signed      [  FineBits:0] doubled_o
 );
 
@@ -44,7 +46,7 @@ module fine_scale #(
     if (en_i) begin
       coarse_q  <= doubled >>> coarse;
       shift_q   <= shift[2:0];
-      doubled_o <= wide[FineBits:0];
+      doubled_o <= none_i ? '0 : wide[FineBits:0];
     end
   end
 

@@ -56,6 +56,7 @@ module spline_origin #(
       .en_i(1'b1),
       .d_i(d_q),
       .down_i(down_q),
+      .none_i(1'b0),
       .doubled_o(doubled)
   );
 

@@ -80,6 +80,7 @@ module step_origin #(
       .en_i(1'b1),
       .d_i(d_q),
       .down_i(down_q),
+      .none_i(1'b0),
       .doubled_o(doubled)
   );
 

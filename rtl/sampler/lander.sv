@@ -50,6 +50,7 @@ module lander #(
       .en_i(1'b1),
       .d_i,
       .down_i,
+      .none_i(1'b0),
       .doubled_o(doubled)
   );
 

@@ -50,16 +50,15 @@ module serial_lander #(
   // The axis and what becomes of it, clocks 1 to 3.
   logic [1:0] target_q[3];
   logic [3:0] axis_q  [3];
-  logic       land_q  [2];
+  logic       land_q;
   always_ff @(posedge clk_i) begin
     target_q[0] <= rst_ni ? target_i : 2'd0;
     axis_q[0]   <= axis_i;
-    land_q[0]   <= land_i;
+    land_q      <= land_i;
     for (int n = 1; n < 3; n = n + 1) begin
       target_q[n] <= rst_ni ? target_q[n-1] : 2'd0;
       axis_q[n]   <= axis_q[n-1];
     end
-    land_q[1] <= land_q[0];
   end
 
   // Axes 0 to 8, and starts of splines.
@@ -79,35 +78,40 @@ module serial_lander #(
       .en_i     (1'b1),
       .d_i,
       .down_i   (down),
+      .none_i   (land_q),
       .doubled_o(doubled)
   );
 
-  logic signed [FineBits-1:0] origin_memory[16];
-  logic signed [FineBits-1:0] end_memory   [16];
-  logic signed [FineBits-1:0] origin_q;
-  logic signed [FineBits-1:0] end_q;
-  logic signed [  FineBits:0] origin_half;
+  // Origins and ends. Block RAM is slow, a register follows it.
+  (* ram_style = "block", no_rw_check *)
+  logic signed [FineBits-1:0] points      [32];
+  logic signed [FineBits-1:0] read_q;
+  logic signed [FineBits-1:0] point_q;
+  logic signed [  FineBits:0] point_half;
   logic signed [  FineBits:0] twice;
   logic signed [FineBits-1:0] fine_q;
-  logic                       write_origin;
+  logic                       write;
   logic        [         3:0] start_axis;
   logic        [         3:0] origin_axis;
-  logic        [         3:0] write_axis;
+  logic        [         4:0] write_place;
   logic signed [FineBits-1:0] write_data;
-  assign origin_half = {origin_q, 1'b1};
-  assign twice = origin_half + doubled;
-  assign write_origin = write_start_i || target_q[2] == 2'd3;
+  assign point_half = {point_q, 1'b1};
+  assign twice = point_half + doubled;
+  assign write = write_start_i || write_end_i || target_q[2] == 2'd3;
   assign start_axis   = (Splines != 0 && spline_i && write_axis_i < 4'd3) ? write_axis_i | 4'd12
                                                                           : write_axis_i;
   assign origin_axis = start_of_spline(axis_q[2]) ? axis_q[2] & 4'd3 : axis_q[2];
-  assign write_axis = write_start_i ? start_axis : origin_axis;
-  assign write_data = write_start_i ? write_data_i : fine_q;
+  assign write_data = target_q[2] == 2'd3 ? fine_q : write_data_i;
+  always_comb begin
+    write_place = {1'b0, origin_axis};
+    if (write_start_i) write_place = {1'b0, start_axis};
+    if (write_end_i) write_place = {1'b1, write_axis_i};
+  end
   always_ff @(posedge clk_i) begin
-    if (write_origin) origin_memory[write_axis] <= write_data;
-    if (write_end_i) end_memory[write_axis_i] <= write_data_i;
-    origin_q <= origin_memory[axis_q[0]];
-    end_q    <= end_memory[axis_q[0]];
-    fine_q   <= land_q[1] ? end_q : twice[FineBits:1];
+    if (write) points[write_place] <= write_data;
+    read_q  <= points[{land_i, axis_i}];
+    point_q <= read_q;
+    fine_q  <= twice[FineBits:1];
   end
 
   logic signed [FineBits-1:0] half;
