@@ -2,11 +2,11 @@
 // Holds the two streams of a program against each other: segments and pieces end a program at the
 // same path and after the same ticks, and a program's words enter before the next one's.
 //
-//   clock               0                  1       2
+//   clock               0                  1       3       4, 5
 //   segment_i, piece_i  1, last or final
-//   wait_*_o                               1               until the other stream has ended, too
-//   lead_o                                         ticks of segments less ticks of pieces
-//   apart_o                                        1       they end apart: stays
+//   wait_*_o                               1                       until both streams have ended
+//   lead_o                                         pieces  segments: their ticks, less pieces'
+//   apart_o                                                1       they end apart: stays
 //
 // complete_o: all segments of the program under way are in.
 `default_nettype none
@@ -36,16 +36,16 @@ module program_ledger (
 
   // Both ends are in: compared once the sums have them.
   logic both;
-  logic both_q;
-  assign both = wait_segments_o && wait_pieces_o;
+  logic [2:0] both_q;
+  assign both = wait_segments_o && wait_pieces_o && both_q == 3'd0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       wait_segments_o <= 1'b0;
       wait_pieces_o   <= 1'b0;
-      both_q          <= 1'b0;
+      both_q          <= 3'd0;
     end else begin
-      both_q <= both && !both_q;
-      if (both_q) begin
+      both_q <= {both_q[1:0], both};
+      if (both_q[2]) begin
         wait_segments_o <= 1'b0;
         wait_pieces_o   <= 1'b0;
       end else begin
@@ -63,32 +63,42 @@ module program_ledger (
     else complete_o <= wait_segments_o || programs_i > newest;
   end
 
-  // What the segments are ahead of the pieces: ticks, path.
+  // A segment is counted after a piece that comes with it: so many ticks are there at least.
+  logic waits_q;
+  logic [43:0] length_q;
+  logic [31:0] segment_ticks_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) waits_q <= 1'b0;
+    else waits_q <= segment_i || (waits_q && piece_i);
+    if (segment_i) begin
+      length_q        <= length_i;
+      segment_ticks_q <= segment_ticks_i;
+    end
+  end
+
+  // What the segments are ahead of the pieces: ticks, path. What comes is a piece's with its bits
+  // inverted, and the sum's carry, or a segment's.
   logic signed [47:0] ticks_q;
   logic signed [47:0] ticks_change_q;
   logic signed [59:0] path_q;
   logic signed [59:0] path_change_q;
-  logic [31:0] more_ticks;
-  logic [19:0] less_ticks;
-  logic [43:0] more_path;
-  logic [43:0] less_path;
-  assign more_ticks = segment_i ? segment_ticks_i : '0;
-  assign less_ticks = piece_i ? piece_ticks_i : '0;
-  assign more_path  = segment_i ? length_i : '0;
-  assign less_path  = piece_i ? ds_i : '0;
+  logic less_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      ticks_q        <= '0;
+    ticks_change_q <= piece_i ? ~{28'b0, piece_ticks_i} : {16'b0, segment_ticks_q};
+    path_change_q  <= piece_i ? ~{16'b0, ds_i} : {16'b0, length_q};
+    if (!rst_ni || !(piece_i || waits_q)) begin
       ticks_change_q <= '0;
-      path_q         <= '0;
       path_change_q  <= '0;
-      apart_o        <= 1'b0;
+    end
+    less_q <= rst_ni && piece_i;
+    if (!rst_ni) begin
+      ticks_q <= '0;
+      path_q  <= '0;
+      apart_o <= 1'b0;
     end else begin
-      ticks_change_q <= $signed({16'b0, more_ticks}) - $signed({28'b0, less_ticks});
-      path_change_q  <= $signed({16'b0, more_path}) - $signed({16'b0, less_path});
-      ticks_q        <= ticks_q + ticks_change_q;
-      path_q         <= path_q + path_change_q;
-      if (both_q && (ticks_q != '0 || path_q != '0)) apart_o <= 1'b1;
+      ticks_q <= ticks_q + ticks_change_q + 48'(less_q);
+      path_q  <= path_q + path_change_q + 60'(less_q);
+      if (both_q[2] && (ticks_q != '0 || path_q != '0)) apart_o <= 1'b1;
     end
   end
 

@@ -4,10 +4,11 @@
 // tells whether the last segment of the program under way is in; lead_o is the ticks of all
 // segments less those of all pieces, and never turns negative from too many. Lengths and ticks are
 // 0, 1 or 2^30.
+// A segment counts a clock after it came, or two if a piece comes then.
 // Frames come with a clock between, no program is over before its last segment is in.
 // control: BLIND_TO_PATH s/(ticks_q != '0 || path_q != '0)/ticks_q != '0/
 // control: BLIND_TO_TICKS s/(ticks_q != '0 || path_q != '0)/path_q != '0/
-// control: TOO_EARLY s/if (both_q \&\& (ticks_q/if (both \&\& !both_q \&\& (ticks_q/
+// control: TOO_EARLY s/if (both_q\[2\] /if (both_q[0] /
 // control: WAITS_FOR_NONE s/wait_segments_o \&\& wait_pieces_o/wait_segments_o || wait_pieces_o/
 // control: OLDEST s/newest = {10'b0, wait_pieces_o}/newest = '0/
 // control: WRAPS s/far = !ticks_q\[47\] .*/far = 1'b0;/
@@ -63,13 +64,17 @@ module program_ledger_formal (
   logic ran_q;
   logic segment_q;
   logic piece_q;
-  logic [1:0] both_q;  // both have ended their programs: so many clocks ago
+  logic [3:0] both_q;  // both have ended their programs: so many clocks ago
   logic apart_q;
   logic complete_q;
   logic segments_end;
   logic pieces_end;
+  logic [2:0] late_q;  // the segment that came last: length, ticks, large
+  logic waits_q;  // and did not count yet
+  logic counts;
+  assign counts = waits_q && !piece_i;
   assign segments_end = segment_i && last_i;
-  assign pieces_end   = piece_i && final_i;
+  assign pieces_end = piece_i && final_i;
   always_ff @(posedge clk_i) begin
     started_q  <= 1'b1;
     ran_q      <= rst_ni;
@@ -77,6 +82,7 @@ module program_ledger_formal (
     piece_q    <= piece_i;
     complete_q <= rst_ni && lasts_q != '0;
     if (!rst_ni) begin
+      waits_q  <= 1'b0;
       path_q   <= '0;
       ticks_q  <= '0;
       large_q  <= '0;
@@ -85,14 +91,16 @@ module program_ledger_formal (
       both_q   <= '0;
       apart_q  <= 1'b0;
     end else begin
-      path_q  <= path_q + {2'b0, segment_i && length_i} - {2'b0, piece_i && ds_i};
-      ticks_q <= ticks_q + {2'b0, segment_i && segment_ticks_i} - {2'b0, piece_i && piece_ticks_i};
-      if (segment_i && large_i) large_q <= large_q + 2'd1;
+      waits_q <= segment_i || (waits_q && !counts);
+      if (segment_i) late_q <= {length_i, segment_ticks_i, large_i};
+      path_q  <= path_q + {2'b0, counts && late_q[2]} - {2'b0, piece_i && ds_i};
+      ticks_q <= ticks_q + {2'b0, counts && late_q[1]} - {2'b0, piece_i && piece_ticks_i};
+      if (counts && late_q[0]) large_q <= large_q + 2'd1;
       lasts_q  <= lasts_q + {2'b0, segments_end} - {2'b0, over_i};
       finals_q <= finals_q + {2'b0, pieces_end} - {2'b0, over_i};
-      both_q   <= {both_q[0], (segments_end || wait_segments) && (pieces_end || wait_pieces)};
-      if (both_q[1]) both_q <= '0;
-      if (both_q[1] && (path_q != '0 || ticks_q != '0 || large_q != '0)) apart_q <= 1'b1;
+      both_q   <= {both_q[2:0], (segments_end || wait_segments) && (pieces_end || wait_pieces)};
+      if (both_q[3]) both_q <= '0;
+      if (both_q[3] && (path_q != '0 || ticks_q != '0 || large_q != '0)) apart_q <= 1'b1;
     end
   end
 
@@ -109,7 +117,7 @@ module program_ledger_formal (
   logic segments_ended_q;
   logic pieces_ended_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || both_q[1]) begin
+    if (!rst_ni || both_q[3]) begin
       segments_ended_q <= 1'b0;
       pieces_ended_q   <= 1'b0;
     end else begin
@@ -126,7 +134,7 @@ module program_ledger_formal (
       if (piece_q || wait_pieces) assume (!piece_i);
       assume (path_q != -3'sd4 && path_q != 3'sd3);
       assume (ticks_q != -3'sd4 && ticks_q != 3'sd3);
-      if (large_q == 2'd2) assume (!large_i);
+      if (large_q == 2'd2 || (waits_q && late_q[0])) assume (!large_i);
       if (lasts_q == '0 || finals_q == '0) assume (!over_i);
       if (segments_ended_q && pieces_ended_q && lasts_q == 3'd1) assume (!over_i);
       assume (lasts_q < 3'd4 && finals_q < 3'd4);
