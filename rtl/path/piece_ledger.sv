@@ -49,10 +49,9 @@ module piece_ledger #(
       pieces_q <= '0;
       finals_q <= '0;
     end else begin
-      if (put_i && !take_i) pieces_q <= pieces_q + 1'b1;
-      if (take_i && !put_i) pieces_q <= pieces_q - 1'b1;
-      if (enters_final && !takes_final) finals_q <= finals_q + 1'b1;
-      if (takes_final && !enters_final) finals_q <= finals_q - 1'b1;
+      if (put_i != take_i) pieces_q <= pieces_q + {{(CountBits - 1) {take_i}}, 1'b1};
+      if (enters_final != takes_final)
+        finals_q <= finals_q + {{(CountBits - 1) {takes_final}}, 1'b1};
     end
   end
   assign queued_o = pieces_q != '0;
@@ -60,7 +59,7 @@ module piece_ledger #(
 
   logic [19:0] put_ticks_q;
   logic [19:0] taken_ticks;
-  logic signed [31:0] change_q;
+  logic signed [20:0] change_q;
   assign taken_ticks = take_i ? take_ticks_i : '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -69,8 +68,8 @@ module piece_ledger #(
       ticks_o     <= '0;
     end else begin
       put_ticks_q <= put_i ? put_ticks_i : '0;
-      change_q    <= $signed({12'b0, put_ticks_q}) - $signed({12'b0, taken_ticks});
-      ticks_o     <= ticks_o + change_q;
+      change_q    <= $signed({1'b0, put_ticks_q}) - $signed({1'b0, taken_ticks});
+      ticks_o     <= ticks_o + 32'(change_q);
     end
   end
 

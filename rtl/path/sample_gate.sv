@@ -74,10 +74,8 @@ module sample_gate #(
       killed_o    <= 1'b0;
     end else begin
       if (admit) index_q <= (index_q + 1'b1) & mask;
-      if (admit && !sent_i) admitted_q <= admitted_q + 1'b1;
-      if (sent_i && !admit) admitted_q <= admitted_q - 1'b1;
-      if (tick && !tick_taken_i) started_o <= started_o + 1'b1;
-      if (tick_taken_i && !tick) started_o <= started_o - 1'b1;
+      if (admit != sent_i) admitted_q <= admitted_q + {{7{sent_i}}, 1'b1};
+      if (tick != tick_taken_i) started_o <= started_o + {{4{tick_taken_i}}, 1'b1};
       room_q      <= admitted_q <= 8'(Room - 2);
       tick_room_q <= started_o <= 5'd14;
       wanted_o    <= admit || admitted_q > {7'b0, sent_i};

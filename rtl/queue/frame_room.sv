@@ -28,8 +28,7 @@ module frame_room #(
   assign full_o = words_q > CountBits'(Most);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) words_q <= '0;
-    else if (put_i && !take_i) words_q <= words_q + 1'b1;
-    else if (take_i && !put_i) words_q <= words_q - 1'b1;
+    else if (put_i != take_i) words_q <= words_q + {{(CountBits - 1) {take_i}}, 1'b1};
   end
 
 endmodule
