@@ -26,10 +26,7 @@ class StepGenerator {
     void set_times(const PulseTimes& times) { times_ = times; }
 
     /// The next sample says where the axis stands.
-    void reference(int axis) {
-        fresh_[axis] = true;
-        late_ = false;
-    }
+    void reference(int axis) { fresh_[axis] = true; }
 
     /// From outside, as the synchroniser shows it.
     void stop(int axis, bool stop) { stopped_[axis] = stop; }
@@ -52,8 +49,8 @@ class StepGenerator {
             axes_[a].clock(times_, load && !none_ ? &loads_[a] : nullptr, load && none_,
                            stopped_[a]);
         }
+        late_ = count_ == last_ && !valid_ && moved_;
         if (count_ == last_) {
-            late_ = late_ || (!valid_ && moved_);
             none_ = !valid_;
             moved_ = valid_ && moving_;
             loads_ = rates_;

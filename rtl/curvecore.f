@@ -36,6 +36,7 @@ bus/frame_port.sv
 bus/frame_reader.sv
 bus/machine_state.sv
 bus/paced_motion.sv
+bus/position_buffer.sv
 bus/queue_room.sv
 bus/register_file.sv
 bus/serial_crc.sv

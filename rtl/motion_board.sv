@@ -20,6 +20,7 @@ module motion_board #(
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 0, 1
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
     parameter int ClockHertz        = 0      // for CLOCK
 ) (
     input wire logic clk_i,
@@ -87,6 +88,7 @@ module motion_board #(
       .TimeBits(TimeBits),
       .SamplesAhead(SamplesAhead),
       .Galvo(Galvo),
+      .SampleBufferWords(SampleBufferWords),
       .ClockHertz(ClockHertz)
   ) u_system (
       .clk_i,

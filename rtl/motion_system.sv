@@ -5,6 +5,8 @@
 //                  ^ v                                    ^ one per period   v
 //               machine_state <- faults <---------------- step_generator -> pins
 //
+// In position mode samples come from registers as well: rtl/bus/position_buffer.sv.
+//
 // A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are asked for before they are due. A
 // request is answered in two clocks, whatever the motion does: rtl/bus/register_file.sv.
 //
@@ -38,6 +40,7 @@ module motion_system #(
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
     parameter int ClockHertz        = 0      // for CLOCK
 ) (
     input wire logic clk_i,
@@ -85,7 +88,9 @@ module motion_system #(
       SegmentQueueWords
   ) << registers_pkg::CapabilitySegmentQueueLog2Low) + ($clog2(
       ProfileQueueWords
-  ) << registers_pkg::CapabilityProfileQueueLog2Low);
+  ) << registers_pkg::CapabilityProfileQueueLog2Low) + ($clog2(
+      SampleBufferWords
+  ) << registers_pkg::CapabilitySampleBufferLog2Low);
   localparam int Core = (Order << registers_pkg::CoreOrderLow) +
       (Mode << registers_pkg::CoreModeLow) + (CoefBits << registers_pkg::CoreCoefBitsLow) +
       (PositionBits << registers_pkg::CorePositionBitsLow) +
@@ -111,6 +116,8 @@ module motion_system #(
   logic profile_valid;
   logic profile_ready;
   logic [47:0] register_word;
+  logic position_write;
+  logic position_ready;
   logic control_write;
   logic control_ready;
   logic state_write;
@@ -120,11 +127,13 @@ module motion_system #(
   logic [31:0] state;
   logic [31:0] axes;
   logic [31:0] room;
+  logic [31:0] samples;
   logic [63:0] path;
   logic [16:0] rate;
   logic [3:0] steps_axis;
   logic [31:0] steps;
   logic words;  // may be taken
+  logic positions;  // may be taken
   register_file #(
       .Axes      (Axes),
       .ScaleBits (ScaleBits),
@@ -164,6 +173,8 @@ module motion_system #(
       .profile_valid_o(profile_valid),
       .profile_ready_i(profile_ready),
       .motion_word_o(register_word),
+      .sample_valid_o(position_write),
+      .sample_ready_i(position_ready && positions),
       .control_write_o(control_write),
       .control_ready_i(control_ready),
       .state_write_o(state_write),
@@ -173,6 +184,7 @@ module motion_system #(
       .state_i(state),
       .axes_i(axes),
       .room_i(room),
+      .samples_i(samples),
       .path_i(path),
       .rate_i(rate),
       .steps_axis_o(steps_axis),
@@ -215,6 +227,11 @@ module motion_system #(
   logic sample_valid;
   logic sample_ready;
   logic [Axes*FineBits-1:0] sample;
+  logic motion_sample_valid;
+  logic motion_empty;
+  logic by_position;
+  logic queued;
+  logic position_valid;
   logic tick;
   logic estop;
   logic [Axes-1:0] limit;
@@ -243,13 +260,17 @@ module motion_system #(
       .standing_i(standing),
       .underrun_i(underrun),
       .motion_fault_i(motion_fault),
-      .word_i(motion_segment && motion_segment_ready || motion_profile && motion_profile_ready),
+      .word_i(motion_segment && motion_segment_ready || motion_profile && motion_profile_ready ||
+          position_write && position_ready && positions),
       .offered_i(sample_valid),
       .empty_i(empty),
       .sample_i(sample_valid && sample_ready),
       .hold_o(hold),
       .ends_o(ends),
       .words_o(words),
+      .position_o(by_position),
+      .samples_o(positions),
+      .queued_i(queued),
       .tick_i(tick),
       .estop_i(estop),
       .limit_i(limit & ~limit_masked),
@@ -299,8 +320,8 @@ module motion_system #(
       .hold_slope_i(hold_slope),
       .stop_ticks_i(stop_ticks),
       .ends_i(ends),
-      .empty_o(empty),
-      .sample_valid_o(sample_valid),
+      .empty_o(motion_empty),
+      .sample_valid_o(motion_sample_valid),
       .sample_ready_i(sample_ready),
       .sample_o(sample),
       .path_rate_o(rate),
@@ -309,6 +330,32 @@ module motion_system #(
       .underrun_o(underrun),
       .standing_o(standing),
       .fault_o(motion_fault)
+  );
+
+  // Or positions of the host. Words are taken of one of the two, so samples are too.
+  logic [PositionBits-1:0] position;
+  logic [3:0] position_axis;
+  assign sample_valid = motion_sample_valid || position_valid;
+  assign empty = motion_empty && !position_valid;
+  assign queued = samples[registers_pkg::SamplesQueuedLow+:16] != '0;
+  position_buffer #(
+      .Axes (Axes),
+      .Bits (PositionBits),
+      .Words(SampleBufferWords)
+  ) u_positions (
+      .clk_i,
+      .rst_ni,
+      .write_i(position_write && positions),
+      .ready_o(position_ready),
+      .data_i(command[PositionBits-1:0]),
+      .room_o(samples[registers_pkg::SamplesRoomLow+:16]),
+      .queued_o(samples[registers_pkg::SamplesQueuedLow+:16]),
+      .ends_i(ends),
+      .empty_i(empty),
+      .valid_o(position_valid),
+      .ready_i(sample_ready),
+      .axis_i(position_axis),
+      .position_o(position)
   );
 
   // Steps
@@ -335,6 +382,9 @@ module motion_system #(
       .sample_valid_i(sample_valid),
       .sample_ready_o(sample_ready),
       .sample_i(sample),
+      .by_axis_i(by_position),
+      .axis_o(position_axis),
+      .position_i({position, GuardBits'(0)}),
       .reference_i(reference_axes),
       .estop_i,
       .limit_i,

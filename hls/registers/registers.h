@@ -35,6 +35,8 @@
 #define CURVECORE_CAPABILITY_SEGMENT_QUEUE_LOG2_MASK 0x0000f800u
 #define CURVECORE_CAPABILITY_PROFILE_QUEUE_LOG2_LOW 16
 #define CURVECORE_CAPABILITY_PROFILE_QUEUE_LOG2_MASK 0x001f0000u
+#define CURVECORE_CAPABILITY_SAMPLE_BUFFER_LOG2_LOW 21
+#define CURVECORE_CAPABILITY_SAMPLE_BUFFER_LOG2_MASK 0x01e00000u
 
 /* Widths that words are planned for: hls/configuration.hpp. */
 #define CURVECORE_CORE 0x00c
@@ -64,6 +66,8 @@
 #define CURVECORE_CONTROL_FLUSH_MASK 0x00000004u
 #define CURVECORE_CONTROL_ESTOP_LOW 3
 #define CURVECORE_CONTROL_ESTOP_MASK 0x00000008u
+#define CURVECORE_CONTROL_POSITION_LOW 4
+#define CURVECORE_CONTROL_POSITION_MASK 0x00000010u
 
 /* Faults, which stay until a one is written to them, and what goes on. */
 #define CURVECORE_STATE 0x018
@@ -113,7 +117,7 @@
 #define CURVECORE_AXES_LIMIT_LOW 18
 #define CURVECORE_AXES_LIMIT_MASK 0x07fc0000u
 
-/* Axes of which the first sample of the next program says where they stand. Refused unless STATE.clean. */
+/* Axes of which the first sample of the next program, or that of the host, says where they stand. Refused unless STATE.clean. */
 #define CURVECORE_REFERENCE 0x020
 #define CURVECORE_REFERENCE_AXES_LOW 0
 #define CURVECORE_REFERENCE_AXES_MASK 0x000001ffu
@@ -123,7 +127,7 @@
 #define CURVECORE_OVERRIDE_RATE_LOW 0
 #define CURVECORE_OVERRIDE_RATE_MASK 0x0001ffffu
 
-/* How long the host may be silent while a program is under way. */
+/* How long the host may be silent while a program is under way, or in position mode. */
 #define CURVECORE_WATCHDOG 0x028
 #define CURVECORE_WATCHDOG_SAMPLES_LOW 0
 #define CURVECORE_WATCHDOG_SAMPLES_MASK 0x0000ffffu
@@ -222,6 +226,18 @@
 #define CURVECORE_SEQUENCE 0x074
 #define CURVECORE_SEQUENCE_FRAME_LOW 0
 #define CURVECORE_SEQUENCE_FRAME_MASK 0xffffffffu
+
+/* Position mode: the position of the next axis, axis 0 first; that of the last one completes the sample. One sample is taken in each period. Where there is no room at the first position, all of the sample are refused. */
+#define CURVECORE_SAMPLE 0x078
+#define CURVECORE_SAMPLE_POSITION_LOW 0
+#define CURVECORE_SAMPLE_POSITION_MASK 0xffffffffu
+
+/* Samples of position mode. */
+#define CURVECORE_SAMPLES 0x07c
+#define CURVECORE_SAMPLES_ROOM_LOW 0
+#define CURVECORE_SAMPLES_ROOM_MASK 0x0000ffffu
+#define CURVECORE_SAMPLES_QUEUED_LOW 16
+#define CURVECORE_SAMPLES_QUEUED_MASK 0xffff0000u
 
 /* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100

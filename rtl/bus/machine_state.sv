@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // May the machine move: enable, hold, flush, references and faults, as the registers CONTROL, STATE
-// and REFERENCE of hls/registers/registers.rdl say.
+// and REFERENCE of hls/registers/registers.rdl say; and what moves it: a program, or positions of
+// the host.
 //
 //   clock         0          1
 //   source        1
@@ -40,6 +41,11 @@ module machine_state #(
     output logic            hold_o,
     output logic            ends_o,
     output logic            words_o,         // may be taken
+
+    // Positions of the host
+    output logic      position_o,  // move it, not a program
+    output logic      samples_o,   // may be taken
+    input  wire logic queued_i,    // samples wait
 
     // Steps
     input  wire logic            tick_i,
@@ -87,20 +93,35 @@ module machine_state #(
 
   // Enable
   localparam logic [15:0] Stops = 16'(8'b1111_1100) | (16'd1 << NoSample);
+  // Of a host that moves the axes itself: if it is gone, nobody does; if it is late, it goes on.
+  localparam logic [15:0] Other = (16'd1 << registers_pkg::StateWatchdogLow) |
+      (16'd1 << registers_pkg::StateLateLow);
+  logic [15:0] stop_mask;
   logic stops;
   logic stopped;
   logic asks;
   logic may_enable;
   logic turned_off;
-  assign stops = (sources & Stops) != '0;
-  assign stopped = (faults_q & Stops) != '0 || estop_i || limit_i != '0;
+  assign stop_mask = position_o ? Stops ^ Other : Stops;
+  assign stops = (sources & stop_mask) != '0;
+  assign stopped = (faults_q & (Stops | stop_mask)) != '0 || estop_i || limit_i != '0;
   assign asks = command_i[registers_pkg::ControlEnableLow];
-  assign may_enable = enable_o || (!stopped && empty_i);
+  assign may_enable = enable_o ? clean || asks_position == position_o : (!stopped && empty_i);
   assign turned_off = stops || (control_write_i && !asks && enable_o);
   assign control_ready_o = !asks || may_enable;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || stops) enable_o <= 1'b0;
     else if (control_write_i) enable_o <= asks;
+  end
+
+  // A program or positions: chosen when nothing of either is under way.
+  logic clean;
+  logic asks_position;
+  assign clean = clean_q && !offered_i;
+  assign asks_position = command_i[registers_pkg::ControlPositionLow];
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) position_o <= 1'b0;
+    else if (control_write_i && asks) position_o <= asks_position;
   end
 
   // Hold and flush. Samples before the first of a program do not move, and may wait for its words.
@@ -110,7 +131,7 @@ module machine_state #(
   logic clean_q;
   logic rests;
   assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow];
-  assign rests  = standing_i || !moved_q;
+  assign rests  = position_o ? !queued_i : standing_i || !moved_q;
   assign ends_o = !enable_o || (flush_q && rests);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -134,10 +155,11 @@ module machine_state #(
   // emptied.
   logic [Axes-1:0] next_q;
   logic ready;
-  assign reference_ready_o = clean_q && !offered_i;
+  assign reference_ready_o = clean;
   assign reference_o = reference_write_i ? command_i[Axes-1:0] : '0;
   assign ready = &(referenced_i | next_q);
-  assign words_o = enable_o && ready && !flush_q;
+  assign words_o = enable_o && ready && !flush_q && !position_o;
+  assign samples_o = enable_o && ready && !flush_q && position_o;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || turned_off) next_q <= '0;
     else next_q <= (next_q & ~referenced_i) | reference_o;
@@ -145,9 +167,11 @@ module machine_state #(
 
   // The host's silence, in samples
   logic [15:0] silence_q;
-  assign silent = tick_i && active_i && watchdog_i != '0 && silence_q == watchdog_i;
+  logic under_way;
+  assign under_way = active_i || (enable_o && position_o);
+  assign silent = tick_i && under_way && watchdog_i != '0 && silence_q == watchdog_i;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || access_i || !active_i) silence_q <= '0;
+    if (!rst_ni || access_i || !under_way) silence_q <= '0;
     else if (tick_i) silence_q <= silence_q + 1'b1;
   end
 

@@ -60,6 +60,10 @@ module register_file #(
     input  wire logic        profile_ready_i,
     output logic      [47:0] motion_word_o,
 
+    // Positions of samples: command_o
+    output logic      sample_valid_o,
+    input  wire logic sample_ready_i,
+
     // Commands, with the word that was written
     output logic             control_write_o,
     input  wire logic        control_ready_i,
@@ -72,6 +76,7 @@ module register_file #(
     input  wire logic [31:0] state_i,
     input  wire logic [31:0] axes_i,
     input  wire logic [31:0] room_i,
+    input  wire logic [31:0] samples_i,
     input  wire logic [63:0] path_i,
     input  wire logic [16:0] rate_i,
     output logic      [ 3:0] steps_axis_o,
@@ -127,6 +132,7 @@ module register_file #(
     case (word_i)
       registers_pkg::SegmentHi: taken = segment_ready_i;
       registers_pkg::ProfileHi: taken = profile_ready_i;
+      registers_pkg::Sample:    taken = sample_ready_i;
       registers_pkg::Control:   taken = control_ready_i;
       registers_pkg::Reference: taken = reference_ready_i;
       registers_pkg::Pins:      taken = off_i || !turns;
@@ -151,6 +157,7 @@ module register_file #(
   assign scale_write_o     = writes && of_axis && axis_word == registers_pkg::AxisScaleHi;
   assign segment_valid_o   = works_q && write_i && word_i == registers_pkg::SegmentHi;
   assign profile_valid_o   = works_q && write_i && word_i == registers_pkg::ProfileHi;
+  assign sample_valid_o    = works_q && write_i && word_i == registers_pkg::Sample;
   assign control_write_o   = writes && word_i == registers_pkg::Control;
   assign state_write_o     = writes && word_i == registers_pkg::State;
   assign reference_write_o = writes && word_i == registers_pkg::Reference;
@@ -226,11 +233,12 @@ module register_file #(
   // Answers. Of the path all parts are those of one clock.
   logic [31:0] high_q;
   logic [16:0] rate_q;
-  typedef enum logic [2:0] {
+  typedef enum logic [3:0] {
     Kept,
     State,
     AxesWord,
     Room,
+    Samples,
     PathLo,
     PathHi,
     Rate,
@@ -241,13 +249,14 @@ module register_file #(
   logic [31:0] answer;
   always_ff @(posedge clk_i) begin
     case (word_i)
-      registers_pkg::State:  answer_q <= State;
-      registers_pkg::Axes:   answer_q <= AxesWord;
-      registers_pkg::Room:   answer_q <= Room;
-      registers_pkg::PathLo: answer_q <= PathLo;
-      registers_pkg::PathHi: answer_q <= PathHi;
-      registers_pkg::Rate:   answer_q <= Rate;
-      default:               answer_q <= of_axis && axis_word[1] ? Steps : Kept;
+      registers_pkg::State:   answer_q <= State;
+      registers_pkg::Axes:    answer_q <= AxesWord;
+      registers_pkg::Room:    answer_q <= Room;
+      registers_pkg::Samples: answer_q <= Samples;
+      registers_pkg::PathLo:  answer_q <= PathLo;
+      registers_pkg::PathHi:  answer_q <= PathHi;
+      registers_pkg::Rate:    answer_q <= Rate;
+      default:                answer_q <= of_axis && axis_word[1] ? Steps : Kept;
     endcase
   end
   always_comb begin
@@ -256,6 +265,7 @@ module register_file #(
       State:   answer = state_i;
       AxesWord:    answer = axes_i;
       Room:    answer = room_i;
+      Samples: answer = samples_i;
       PathLo:  answer = path_i[31:0];
       PathHi:  answer = high_q;
       Rate:    answer = {15'd0, rate_q};

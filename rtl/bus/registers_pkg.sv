@@ -32,6 +32,8 @@ package registers_pkg;
   localparam logic [6:0] Room = 7'd27;
   localparam logic [6:0] Expect = 7'd28;
   localparam logic [6:0] Sequence = 7'd29;
+  localparam logic [6:0] Sample = 7'd30;
+  localparam logic [6:0] Samples = 7'd31;
 
   // Of axes: the first one's words, and how many each has
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -59,6 +61,8 @@ package registers_pkg;
   localparam int CapabilitySegmentQueueLog2Bits = 5;
   localparam int CapabilityProfileQueueLog2Low = 16;
   localparam int CapabilityProfileQueueLog2Bits = 5;
+  localparam int CapabilitySampleBufferLog2Low = 21;
+  localparam int CapabilitySampleBufferLog2Bits = 4;
   localparam int CoreOrderLow = 0;
   localparam int CoreOrderBits = 4;
   localparam int CoreModeLow = 4;
@@ -79,6 +83,8 @@ package registers_pkg;
   localparam int ControlFlushBits = 1;
   localparam int ControlEstopLow = 3;
   localparam int ControlEstopBits = 1;
+  localparam int ControlPositionLow = 4;
+  localparam int ControlPositionBits = 1;
   localparam int StateBusLow = 0;
   localparam int StateBusBits = 1;
   localparam int StateWatchdogLow = 1;
@@ -171,6 +177,12 @@ package registers_pkg;
   localparam int ExpectFrameBits = 32;
   localparam int SequenceFrameLow = 0;
   localparam int SequenceFrameBits = 32;
+  localparam int SamplePositionLow = 0;
+  localparam int SamplePositionBits = 32;
+  localparam int SamplesRoomLow = 0;
+  localparam int SamplesRoomBits = 16;
+  localparam int SamplesQueuedLow = 16;
+  localparam int SamplesQueuedBits = 16;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleLoScaleBits = 32;
   localparam int ScaleHiScaleLow = 0;
@@ -201,7 +213,8 @@ package registers_pkg;
       PathHi,
       Rate,
       Room,
-      Sequence:
+      Sequence,
+      Samples:
       can_read = 1'b1;
       default: can_read = 1'b0;
     endcase
@@ -227,7 +240,8 @@ package registers_pkg;
       ProfileLo,
       ProfileHi,
       Expect,
-      Sequence:
+      Sequence,
+      Sample:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

@@ -19,6 +19,9 @@
 // signed fraction of a step, and counts from a standstill on a whole step.
 // A rate that is no word of RateBits, half a step per clock or more, is refused.
 //
+// A sample is one word of all axes, or with by_axis_i the position of axis_o, a clock later; its
+// lowest bit is 0, for it is looked at in the same clock.
+//
 // Rates wait in the memory until they are taken: read_i, and two clocks later rate_o. Twin:
 // PlaceScaler of hls/place_scaler.hpp.
 `default_nettype none
@@ -40,6 +43,9 @@ module place_scaler #(
     input  wire logic                     sample_valid_i,
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic                     by_axis_i,       // while none is offered, it may change
+    output logic      [              3:0] axis_o,
+    input  wire logic [     FineBits-1:0] position_i,      // instead, of that axis
 
     // Which axes are referenced by this sample, and which count at all
     input  wire logic [Axes-1:0] fresh_i,
@@ -81,6 +87,7 @@ module place_scaler #(
   assign last_axis = axis_q == 4'(Axes - 1);
   assign ends = tail_q[4] && last_axis;
   assign sample_ready_o = ends;
+  assign axis_o = axis_q;
   logic idle_q;
   assign starts = (idle_q && sample_valid_i && !rates_valid_o) || (tail_q[4] && !last_axis);
   always_ff @(posedge clk_i) begin
@@ -119,7 +126,7 @@ module place_scaler #(
   logic bit_q;
   logic fresh_q;
   always_ff @(posedge clk_i) begin
-    bit_q <= sample_i[index_q];
+    bit_q <= by_axis_i ? position_i[bits_q[$clog2(FineBits)-1:0]] : sample_i[index_q];
     if (sign_q) fresh_q <= (fresh_i & here) != '0;
   end
 

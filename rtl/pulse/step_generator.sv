@@ -27,8 +27,8 @@
 // the step pin is low; of stop_i one clock. The axis then needs a reference, and so it does after a
 // refused rate: half a step per clock or more.
 //
-// The flags of an axis stay until its next reference, late_o until that of any axis: a sample was
-// not there in time while the axes were moving.
+// The flags of an axis stay until its next reference. late_o, for one clock: a sample was not there
+// in time while the axes were moving.
 `default_nettype none
 module step_generator #(
     parameter int Axes       = 3,   // [1, 9]
@@ -59,6 +59,11 @@ module step_generator #(
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
     input  wire logic [         Axes-1:0] reference_i,
+
+    // Or axis by axis: rtl/pulse/place_scaler.sv
+    input  wire logic                by_axis_i,
+    output logic      [         3:0] axis_o,
+    input  wire logic [FineBits-1:0] position_i,
 
     // From outside, and behind the synchroniser
     input  wire logic            estop_i,
@@ -101,8 +106,7 @@ module step_generator #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) fresh_q <= '0;
     else fresh_q <= (fresh_q & ~fresh_taken) | reference_i;
-    if (!rst_ni || reference_i != '0) late_o <= 1'b0;
-    else if (late) late_o <= 1'b1;
+    late_o <= rst_ni && late;
   end
 
   logic rates_valid;
@@ -128,6 +132,9 @@ module step_generator #(
       .sample_valid_i,
       .sample_ready_o,
       .sample_i,
+      .by_axis_i,
+      .axis_o,
+      .position_i,
       .fresh_i(fresh_q),
       .referenced_i(referenced_o),
       .fresh_taken_o(fresh_taken),

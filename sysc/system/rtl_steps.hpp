@@ -54,6 +54,7 @@ class RtlSteps : public StepBlock {
         dut_->estop_i = 0;
         dut_->limit_i = 0;
         dut_->limit_masked_i = 0;
+        dut_->by_axis_i = 0;
         dut_->stop_i = 0;
         dut_->step_inverted_i = 0;
         dut_->direction_inverted_i = 0;

@@ -29,11 +29,13 @@ module bench_registers (
       .off_i(1'b1),
       .segment_ready_i(1'b1),
       .profile_ready_i(1'b0),
+      .sample_ready_i(1'b0),
       .control_ready_i(1'b1),
       .reference_ready_i(1'b0),
       .state_i(32'd0),
       .axes_i(32'd0),
       .room_i(32'd0),
+      .samples_i(32'd0),
       .path_i(64'd0),
       .rate_i(17'd0),
       .steps_i(32'd0)

@@ -7,9 +7,9 @@ import random
 
 AXES = 3
 # Of those that registers.json leaves to the build: constants that the bench does not set.
-ZERO = {"CAPABILITY", "CORE", "CLOCK", "STATE", "AXES", "ROOM", "PATH_LO", "PATH_HI", "RATE",
-        "STEPS"}
-REFUSED = {"PROFILE_HI", "REFERENCE"}  # by the motion beside them
+ZERO = {"CAPABILITY", "CORE", "CLOCK", "STATE", "AXES", "ROOM", "SAMPLES", "PATH_LO", "PATH_HI",
+        "RATE", "STEPS"}
+REFUSED = {"PROFILE_HI", "SAMPLE", "REFERENCE"}  # by the motion beside them
 
 
 class Registers:

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/machine_state.sv: what stops the machine stops it on the next clock, and it comes on only
 // when it is told to and nothing is wrong; words are taken of referenced axes alone; the motion
-// ends only switched off or at rest; a fault stays until it is cleared.
+// ends only switched off or at rest; a fault stays until it is cleared. Of a program's words and a
+// host's samples one alone is taken, and it changes with nothing of the other under way.
 // control: ESTOP_PASSES s/= estop_i \&\& enable_o/= 1'b0/
 // control: LIMIT_PASSES s/= limit_i != '0 \&\& enable_o/= 1'b0/
 // control: COMES_ON_FAULTY s/(!stopped \&\& empty_i)/empty_i/
@@ -10,6 +11,11 @@
 // control: WORDS_UNREFERENCED s/enable_o \&\& ready/enable_o/
 // control: FLUSHES_MOVING s/(flush_q \&\& rests)/flush_q/
 // control: FORGETS_FAULT s/(faults_q \& ~/(16'd0 \& ~/
+// control: BOTH s/ \&\& !position_o;/;/
+// control: CHANGES s/enable_o ? clean || asks_position == position_o/enable_o ? 1'b1/
+// control: FLUSHES_QUEUED s/position_o ? !queued_i/position_o ? 1'b1/
+// control: HOST_GONE s/position_o ? Stops ^ Other/position_o ? Stops/
+// control: SLEEPS_BY_POSITION s/active_i || (enable_o \&\& position_o)/active_i/
 // control: SLEEPS s/silence_q == watchdog_i/1'b0/
 `default_nettype none
 module machine_state_formal (
@@ -24,6 +30,8 @@ module machine_state_formal (
     input wire logic [ 7:0] motion_fault_i,
     input wire logic        sample_i,
     input wire logic        offered_i,
+    input wire logic        queued_i,
+    input wire logic        word_i,
     input wire logic        tick_i,
     input wire logic        access_i,
     input wire logic        estop_i,
@@ -42,7 +50,11 @@ module machine_state_formal (
   logic ends;
   logic empty;
   logic words;
+  logic samples;
+  logic position;
   logic enable;
+  logic word;  // one that is taken: another access than the writes
+  assign word = word_i && !write_i && (words || samples);
   assign control = write_i && where_i == 2'd0 && control_ready;
   assign state_write = write_i && where_i == 2'd1;
   assign reference = write_i && where_i == 2'd2 && reference_ready;
@@ -66,10 +78,13 @@ module machine_state_formal (
       .standing_i,
       .underrun_i(1'b0),
       .motion_fault_i,
-      .word_i(1'b0),
+      .word_i(word),
       .offered_i,
       .empty_i(empty),
       .sample_i,
+      .position_o(position),
+      .samples_o(samples),
+      .queued_i,
       .hold_o(hold),
       .ends_o(ends),
       .words_o(words),
@@ -96,30 +111,38 @@ module machine_state_formal (
   logic moved_q;  // a sample came since it was empty
   logic [1:0] silence_q;  // samples, 3 at most
   logic silent_q;  // the watchdog's time is over
+  logic position_q;
+  logic used_q;  // a word or sample came since it was empty
+  logic watches;
+  assign watches = active_i || (position && enable);
   always_ff @(posedge clk_i) begin
-    started_q <= 1'b1;
-    ran_q     <= rst_ni;
-    wrong_q   <= estop_i || limit_i != 2'd0 || motion_fault_i[7];
-    asked_q   <= control && command_i[0];
-    empty_q   <= empty;
-    enable_q  <= enable;
-    faults_q  <= state[15:0];
-    cleared_q <= state_write ? command_i[15:0] : 16'd0;
+    started_q  <= 1'b1;
+    ran_q      <= rst_ni;
+    wrong_q    <= estop_i || limit_i != 2'd0 || motion_fault_i[7];
+    asked_q    <= control && command_i[0];
+    empty_q    <= empty;
+    enable_q   <= enable;
+    faults_q   <= state[15:0];
+    position_q <= position;
+    cleared_q  <= state_write ? command_i[15:0] : 16'd0;
     if (!rst_ni) begin
       known_q   <= 2'd0;
       flush_q   <= 1'b0;
       moved_q   <= 1'b0;
       silence_q <= '0;
       silent_q  <= 1'b0;
+      used_q    <= 1'b0;
     end else begin
+      if (empty) used_q <= 1'b0;
+      else if (word) used_q <= 1'b1;
       if (reference) known_q <= known_q | command_i[1:0];
       if (enable_q && !enable) known_q <= reference ? command_i[1:0] : 2'd0;
       if (control && command_i[2]) flush_q <= 1'b1;
       if (empty) flush_q <= 1'b0;
       if (sample_i) moved_q <= 1'b1;
       if (empty) moved_q <= 1'b0;
-      silent_q <= tick_i && active_i && silence_q == 2'd2;
-      if (access_i || !active_i) silence_q <= '0;
+      silent_q <= tick_i && watches && silence_q == 2'd2;
+      if (access_i || !watches) silence_q <= '0;
       else if (tick_i && silence_q != 2'd3) silence_q <= silence_q + 1'b1;
     end
   end
@@ -129,14 +152,19 @@ module machine_state_formal (
     if (started_q && rst_ni) begin
       Stops : assert (!(wrong_q && enable));
       Comes_on : assert (!(enable && !enable_q) || (asked_q && empty_q && faults_q[7:2] == 6'd0));
-      Words : assert (!words || (enable && (referenced_i | known_q) == 2'b11));
-      Ends : assert (!(ends && enable) || (flush_q && (standing_i || !moved_q)));
+      Words : assert (!(words || samples) || (enable && (referenced_i | known_q) == 2'b11));
+      One : assert (!(words && samples) && !(words && position) && !(samples && !position));
+      Chosen : assert (!ran_q || position == position_q || !enable_q || !used_q);
+      Ends :
+      assert (!(ends && enable) || (flush_q && (position ? !queued_i : standing_i || !moved_q)));
       Stay : assert (!ran_q || (faults_q & ~cleared_q & ~state[15:0]) == 16'd0);
       Watches : assert (!silent_q || (state[1] && hold));
+      Alone : assert (!silent_q || !position_q || !enable);
       On : cover (enable && words);
       Off : cover (enable_q && !enable && wrong_q);
       Flushed : cover (enable && ends && moved_q);
       Silent : cover (silent_q && enable);
+      Samples : cover (samples && used_q);
     end
   end
 

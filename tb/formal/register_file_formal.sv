@@ -15,6 +15,7 @@ module register_file_formal (
     input wire logic [6:0] word_i,
     input wire logic       segment_ready_i,
     input wire logic       profile_ready_i,
+    input wire logic       sample_ready_i,
     input wire logic       control_ready_i,
     input wire logic       reference_ready_i,
     input wire logic       off_i
@@ -28,6 +29,7 @@ module register_file_formal (
   logic error;
   logic segment_valid;
   logic profile_valid;
+  logic sample_valid;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= 1'b0;
     else if (!valid_q || done) valid_q <= ask_i;
@@ -50,11 +52,14 @@ module register_file_formal (
       .segment_ready_i,
       .profile_valid_o(profile_valid),
       .profile_ready_i,
+      .sample_valid_o(sample_valid),
+      .sample_ready_i,
       .control_ready_i,
       .reference_ready_i,
       .state_i(32'd0),
       .axes_i(32'd0),
       .room_i(32'd0),
+      .samples_i(32'd0),
       .path_i(64'd0),
       .rate_i(17'd0),
       .steps_i(32'd0)
@@ -67,8 +72,9 @@ module register_file_formal (
   logic refused_q;
   logic push;
   logic taken;
-  assign push  = segment_valid || profile_valid;
-  assign taken = (segment_valid && segment_ready_i) || (profile_valid && profile_ready_i);
+  assign push = segment_valid || profile_valid || sample_valid;
+  assign taken = (segment_valid && segment_ready_i) || (profile_valid && profile_ready_i) ||
+      (sample_valid && sample_ready_i);
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     if (!rst_ni) since_q <= '0;

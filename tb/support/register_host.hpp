@@ -104,6 +104,7 @@ class RegisterHost {
         const auto frame =
             scan_head_.look(dut_->galvo_clock_o, dut_->galvo_sync_o, dut_->galvo_data_o, clock_);
         if (frame) galvo_frame_ = frame->words;
+        if (each_clock) each_clock();
     }
     void clocks(int64_t n) {
         while (n-- > 0) clock();
@@ -204,6 +205,8 @@ class RegisterHost {
     uint32_t galvo_frame(int axis) const { return galvo_frame_[axis]; }
     int64_t now() const { return clock_; }
     Vmotion_system* operator->() { return dut_.operator->(); }
+
+    std::function<void()> each_clock;  // after each
 
   private:
     static uint32_t pair(int low, int high) { return static_cast<uint32_t>(low | high << 16); }

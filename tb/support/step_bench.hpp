@@ -40,6 +40,7 @@ class StepBench {
         dut_->estop_i = 0;
         dut_->limit_i = 0;
         dut_->limit_masked_i = 0;
+        dut_->by_axis_i = 0;
         dut_->stop_i = 0;
         dut_->step_inverted_i = 0;
         dut_->direction_inverted_i = 0;
@@ -52,6 +53,7 @@ class StepBench {
         dut_.reset();
         clock_ = 0;
         tick_ = -1;
+        late_ = 0;
     }
 
     void set_times(const hls::PulseTimes& times) {
@@ -89,6 +91,7 @@ class StepBench {
         if (dut_->tick_o) tick_ = clock_;
         dut_.tick();
         ++clock_;
+        late_ += dut_->late_o;
         if (taken) dut_->sample_valid_i = 0;
         if (each_clock) each_clock();
         return taken;
@@ -109,6 +112,7 @@ class StepBench {
 
     int64_t now() const { return clock_; }    // clocks so far
     int64_t ticked() const { return tick_; }  // the clock of the last tick
+    int late() const { return late_; }        // clocks of late_o
     Vstep_generator* operator->() { return dut_.operator->(); }
 
     std::function<void()> each_clock;  // after each
@@ -117,6 +121,7 @@ class StepBench {
     ClockedDut<Vstep_generator> dut_;
     int64_t clock_ = 0;
     int64_t tick_ = -1;
+    int late_ = 0;
 };
 
 }  // namespace curvecore::tb

@@ -112,6 +112,7 @@ class StepMachine : public Board {
 
     const WatchedAxis& axis(int a) const { return axes_[a]; }
     Vstep_generator& steps() { return *steps_.operator->(); }
+    int late() const { return steps_.late(); }
 
   private:
     void begin_period() {
@@ -160,7 +161,7 @@ int64_t draw(const std::string& file) {
     machine.rest();
     EXPECT_EQ(machine.status().fault, 0U);
     EXPECT_FALSE(machine.status().underrun);
-    EXPECT_EQ(machine.steps().late_o, 0);
+    EXPECT_EQ(machine.late(), 0);
     EXPECT_EQ(machine.steps().overrun_o | machine.steps().refused_o, 0);
     int64_t steps = 0;
     const ref::Move& last = job.program.moves.back();

@@ -69,11 +69,13 @@ class RegisterFile : public testing::Test {
         dut_->state_i = any();
         dut_->axes_i = any();
         dut_->room_i = any();
+        dut_->samples_i = any();
         dut_->path_i = uint64_t{any()} << 32 | any();
         dut_->rate_i = any() % (1 << 17);
         dut_->off_i = any() % 2;
         dut_->segment_ready_i = any() % 2;
         dut_->profile_ready_i = any() % 2;
+        dut_->sample_ready_i = any() % 2;
         dut_->control_ready_i = any() % 2;
         dut_->reference_ready_i = any() % 2;
     }
@@ -85,6 +87,7 @@ class RegisterFile : public testing::Test {
         dut_.settle();
         if (dut_->segment_valid_o && dut_->segment_ready_i) happened("SEGMENT_HI");
         if (dut_->profile_valid_o && dut_->profile_ready_i) happened("PROFILE_HI");
+        if (dut_->sample_valid_o && dut_->sample_ready_i) happened("SAMPLE");
         if (dut_->scale_write_o) happened("SCALE_HI");
         if (dut_->control_write_o) happened("CONTROL");
         if (dut_->state_write_o) happened("STATE");
@@ -127,6 +130,7 @@ class RegisterFile : public testing::Test {
     bool ready(const Word& word, uint32_t data) {
         if (word.name == "SEGMENT_HI") return dut_->segment_ready_i;
         if (word.name == "PROFILE_HI") return dut_->profile_ready_i;
+        if (word.name == "SAMPLE") return dut_->sample_ready_i;
         if (word.name == "CONTROL") return dut_->control_ready_i;
         if (word.name == "REFERENCE") return dut_->reference_ready_i;
         if (word.name == "PINS") {
@@ -145,6 +149,7 @@ class RegisterFile : public testing::Test {
         if (word.name == "STATE") return dut_->state_i;
         if (word.name == "AXES") return dut_->axes_i;
         if (word.name == "ROOM") return dut_->room_i;
+        if (word.name == "SAMPLES") return dut_->samples_i;
         if (word.name == "PATH_LO") return static_cast<uint32_t>(dut_->path_i);
         if (word.name == "PATH_HI") return path_high_;
         if (word.name == "RATE") return rate_;
@@ -235,9 +240,9 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         EXPECT_EQ(answer.data, !write && good ? expected : answer.data);
         if (!write && word.name == "PATH_LO") keep_path();
         // One thing at most happens, once: what was asked for.
-        const std::map<std::string, int> pushes = {{"SEGMENT_HI", 1}, {"PROFILE_HI", 1},
-                                                   {"SCALE_HI", 1},   {"CONTROL", 1},
-                                                   {"STATE", 1},      {"REFERENCE", 1}};
+        const std::map<std::string, int> pushes = {
+            {"SEGMENT_HI", 1}, {"PROFILE_HI", 1}, {"SCALE_HI", 1}, {"CONTROL", 1},
+            {"STATE", 1},      {"REFERENCE", 1},  {"SAMPLE", 1}};
         std::map<std::string, int> expected_pushes;
         if (write && good && pushes.count(word.name)) expected_pushes[word.name] = 1;
         EXPECT_EQ(happened_, expected_pushes);

@@ -72,7 +72,7 @@ class StepPins : public testing::Test {
             bench_.offer(position);
         }
         for (int a = 0; a < kStepAxes; ++a) finish(a);
-        ASSERT_EQ(bench_->late_o, 0);
+        ASSERT_EQ(bench_.late(), 0);
         ASSERT_EQ(bench_->refused_o, 0);
         ASSERT_EQ(bench_->uncertain_o, 0);
     }

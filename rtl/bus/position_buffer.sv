@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples that a host writes, position by position, until the step generator takes them.
+//
+//   positions, axis 0 first -> memory -> the position of the axis that is asked for
+//
+//   clock          0       1
+//   write_i        last
+//   valid_o                1       until ready_i has taken the sample
+//   axis_i         a
+//   position_o             of axis a
+//
+// Whether a sample is taken is decided at its first position: ready_o. Of one that is not, all are
+// refused, so that axes are never mistaken for each other.
+//
+// ends_i: no sample more is offered. Once none is, empty_i forgets what there is.
+`default_nettype none
+module position_buffer #(
+    parameter int Axes  = 3,   // [1, 9]
+    parameter int Bits  = 32,  // [16, 32]
+    parameter int Words = 512  // [32, 4096], a power of two
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Positions in
+    input  wire logic            write_i,
+    output logic                 ready_o,
+    input  wire logic [Bits-1:0] data_i,
+    output logic      [    15:0] room_o,   // samples
+    output logic      [    15:0] queued_o,
+
+    // Samples out
+    input  wire logic            ends_i,
+    input  wire logic            empty_i,
+    output logic                 valid_o,
+    input  wire logic            ready_i,
+    input  wire logic [     3:0] axis_i,
+    output logic      [Bits-1:0] position_o
+);
+
+  initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
+  initial
+    if (Words < 32 || Words > 4096 || 2 ** $clog2(Words) != Words)
+      $fatal(1, "Words must be a power of two in [32, 4096]");
+
+  localparam int AddressBits = $clog2(Words);
+  localparam int CountBits = $clog2(Words / Axes + 1);
+
+  // Which axis comes next
+  logic [3:0] axis_q;
+  logic refused_q;
+  logic first;
+  logic last;
+  logic write;
+  assign first   = axis_q == '0;
+  assign last    = axis_q == 4'(Axes - 1);
+  assign ready_o = first ? room_q != '0 : !refused_q;
+  assign write   = write_i && ready_o;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || empty_i) axis_q <= '0;
+    else if (write_i) axis_q <= last ? '0 : axis_q + 1'b1;
+    if (write_i && first) refused_q <= room_q == '0;
+  end
+
+  // How many samples: a place is kept from the first position on.
+  logic [CountBits-1:0] room_q;
+  logic [CountBits-1:0] queued_q;
+  logic reserves;
+  logic comes;
+  logic leaves;
+  logic offered_q;
+  assign reserves = write && first;
+  assign comes = write && last;
+  assign leaves = valid_o && ready_i;
+  assign valid_o = queued_q != '0 && (offered_q || !ends_i);
+  assign room_o = 16'(room_q);
+  assign queued_o = 16'(queued_q);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || empty_i) begin
+      room_q    <= CountBits'(Words / Axes);
+      queued_q  <= '0;
+      offered_q <= 1'b0;
+    end else begin
+      if (reserves && !leaves) room_q <= room_q - 1'b1;
+      if (leaves && !reserves) room_q <= room_q + 1'b1;
+      if (comes && !leaves) queued_q <= queued_q + 1'b1;
+      if (leaves && !comes) queued_q <= queued_q - 1'b1;
+      offered_q <= valid_o && !ready_i;
+    end
+  end
+
+  logic [AddressBits-1:0] write_q;
+  logic [AddressBits-1:0] read_q;  // axis 0 of the sample that is offered
+  logic [AddressBits-1:0] read;
+  assign read = read_q + AddressBits'(axis_i);
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || empty_i) begin
+      write_q <= '0;
+      read_q  <= '0;
+    end else begin
+      if (write) write_q <= write_q + 1'b1;
+      if (leaves) read_q <= read_q + AddressBits'(Axes);
+    end
+  end
+  (* no_rw_check *)
+  logic [Bits-1:0] memory[Words];
+  always_ff @(posedge clk_i) begin
+    if (write) memory[write_q] <= data_i;
+    position_o <= memory[read];
+  end
+
+endmodule
+`default_nettype wire
