@@ -81,10 +81,8 @@ module position_buffer #(
       queued_q  <= '0;
       offered_q <= 1'b0;
     end else begin
-      if (reserves && !leaves) room_q <= room_q - 1'b1;
-      if (leaves && !reserves) room_q <= room_q + 1'b1;
-      if (comes && !leaves) queued_q <= queued_q + 1'b1;
-      if (leaves && !comes) queued_q <= queued_q - 1'b1;
+      if (reserves != leaves) room_q <= room_q + {{(CountBits - 1) {reserves}}, 1'b1};
+      if (comes != leaves) queued_q <= queued_q + {{(CountBits - 1) {leaves}}, 1'b1};
       offered_q <= valid_o && !ready_i;
     end
   end
