@@ -3,9 +3,13 @@
 """Runs a program on LinuxCNC's own motion in simulation, without a screen, and records positions.
 
     simulate.py PROGRAM --folder FOLDER [--velocity MM_S] [--acceleration MM_S2] [--tools FILE]
+                [--board HOST:PORT [--scale STEPS_PER_MM] [--buffer S]]
 
 Writes FOLDER/samples: the commanded positions of X Y Z A B C U V W, mm and degrees, a line for
 every servo cycle of 1 ms. LinuxCNC runs in real time, one at a time on a computer.
+
+With --board X Y Z are on that board, by the installed component curvecore; each line then has the
+positions of X Y Z that came back too, mm, and the component's latency, s.
 """
 
 import argparse
@@ -16,6 +20,7 @@ import time
 from pathlib import Path
 
 AXES = "XYZABCUVW"
+BOARD_AXES = 3
 LONGEST = 900  # s
 POLL = 0.05  # s
 USER = 65534  # real-time parts refuse to run as root: nobody
@@ -63,14 +68,27 @@ MAX_LIMIT = 99999
 """
 HAL = """loadrt trivkins coordinates=XYZABCUVW
 loadrt motmod servo_period_nsec=1000000 num_joints=9
-loadrt sampler depth=30000 cfg=fffffffff
-addf motion-command-handler servo-thread
+loadrt sampler depth=30000 cfg={kinds}
+{before}addf motion-command-handler servo-thread
 addf motion-controller servo-thread
-addf sampler.0 servo-thread
+{behind}addf sampler.0 servo-thread
 net estop iocontrol.0.user-enable-out => iocontrol.0.emc-enable-in
 net prepare iocontrol.0.tool-prepare => iocontrol.0.tool-prepared
 net change iocontrol.0.tool-change => iocontrol.0.tool-changed
 setp spindle.0.at-speed 1
+"""
+BOARD = """net on joint.0.amp-enable-out => curvecore.enable
+net fault curvecore.fault => joint.0.amp-fault-in
+net hold curvecore.hold => motion.feed-inhibit
+setp curvecore.watchdog-time 5
+setp curvecore.buffer-time {buffer}
+net latency curvecore.latency => sampler.0.pin.12
+"""
+BOARD_JOINT = """setp curvecore.joint.{joint}.scale {scale}
+net place-{joint} joint.{joint}.motor-pos-cmd sampler.0.pin.{joint}
+net place-{joint} => curvecore.joint.{joint}.position-cmd
+net back-{joint} curvecore.joint.{joint}.position-fb sampler.0.pin.{pin}
+net back-{joint} => joint.{joint}.motor-pos-fb
 """
 
 
@@ -80,16 +98,26 @@ def prepare(given, folder):
               "velocity": given.velocity, "acceleration": given.acceleration}
     limits = LIMITS.format(**values)
     ini = INI.format(**values)
-    hal = HAL
+    board = BOARD_AXES if given.board else 0
+    hal = HAL.format(
+        kinds="f" * (len(AXES) + (board + 1 if board else 0)),
+        before=f"loadrt curvecore personality={board} address={given.board}\n"
+               "addf curvecore.read servo-thread\n" if board else "",
+        behind="addf curvecore.write servo-thread\n" if board else "")
+    hal += BOARD.format(buffer=given.buffer) if board else ""
     for joint, axis in enumerate(AXES):
         kind = "ANGULAR" if axis in "ABC" else "LINEAR"
         ini += f"[AXIS_{axis}]\n{limits}[JOINT_{joint}]\nTYPE = {kind}\n{limits}"
         ini += "HOME_SEQUENCE = 0\nFERROR = 1000\nMIN_FERROR = 1000\n"
+        if joint < board:
+            hal += BOARD_JOINT.format(joint=joint, pin=len(AXES) + joint, scale=given.scale)
+            continue
         hal += (f"net place-{joint} joint.{joint}.motor-pos-cmd joint.{joint}.motor-pos-fb "
                 f"sampler.0.pin.{joint}\n")
     (folder / "simulation.ini").write_text(ini)
     (folder / "simulation.hal").write_text(hal)
     (folder / "program").write_text(str(given.program.resolve()))
+    (folder / "step").write_text(str(1 / given.scale))
     (folder / "parameters.var").write_text("")
     (folder / "tools.tbl").write_text(given.tools.read_text() if given.tools else "")
 
@@ -105,8 +133,10 @@ def wait(status, ready, longest):
     return False
 
 
-def inside(program):
-    """The user's side, started by LinuxCNC in the place of a screen. Returns the exit status."""
+def inside(program, step):
+    """The user's side, started by LinuxCNC in the place of a screen. Returns the exit status.
+
+    At the end the joints are within `step`, mm, of where they shall be."""
     import linuxcnc
     status, command, errors = linuxcnc.stat(), linuxcnc.command(), linuxcnc.error_channel()
     command.state(linuxcnc.STATE_ESTOP_RESET)
@@ -133,6 +163,9 @@ def inside(program):
                 command.auto(linuxcnc.AUTO_RESUME)
             return now.interp_state == linuxcnc.INTERP_IDLE and now.inpos
         done = wait(status, ended, LONGEST)
+        # A board is behind. Its steps are as near as half of one.
+        done = done and wait(status, lambda now: all(
+            abs(joint["output"] - joint["input"]) <= step for joint in now.joint), LONGEST)
         time.sleep(0.3)
         recorder.terminate()
         recorder.wait()
@@ -147,7 +180,7 @@ def inside(program):
 
 def main():
     if "-ini" in sys.argv:  # LinuxCNC has started this in its folder
-        status = inside(Path("program").read_text())
+        status = inside(Path("program").read_text(), float(Path("step").read_text()))
         Path("status").write_text(str(status))
         return status
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
@@ -156,6 +189,9 @@ def main():
     parser.add_argument("--velocity", type=float, default=500)
     parser.add_argument("--acceleration", type=float, default=5000)
     parser.add_argument("--tools", type=Path)
+    parser.add_argument("--board")
+    parser.add_argument("--scale", type=float, default=400)
+    parser.add_argument("--buffer", type=float, default=0.004)
     given = parser.parse_args()
     folder = given.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)

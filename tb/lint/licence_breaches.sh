@@ -11,6 +11,7 @@ breach() {
   rm -rf "$folder"/*
   mkdir "$folder/ref" "$folder/hls" "$folder/rtl" "$folder/sysc" "$folder/tb" "$folder/scripts"
   cp -r "$root/sysc/linuxcnc" "$folder/sysc"
+  cp -r "$root/hls/registers" "$folder/hls"
   "$root/tb/lint/licences.sh" "$folder" >"$folder/out" || {
     echo "a tree without breach is refused: $(cat "$folder/out")"
     status=1
@@ -29,5 +30,7 @@ breach tb/a.py 'from interpret import Ini'
 breach sysc/CMakeLists.txt 'add_library(recorder MODULE linuxcnc/canon_recorder.cpp)'
 breach sysc/CMakeLists.txt 'target_link_libraries(curvecore_host PRIVATE rs274)'
 breach sysc/linuxcnc/canon_recorder.cpp '#include "ref/program/move.hpp"'
+breach sysc/linuxcnc/board_link.h '#include "hls/words.hpp"'
+breach sysc/linuxcnc/other.h 'int x;'
 breach sysc/linuxcnc/other.py 'print()'
 exit $status

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+component curvecore "a curvecore board in position mode, behind UDP";
+description """
+Step and direction pins of a board that has rtl/motion_board.sv behind UDP, or of a virtual one
+(`curvecore board`), as the step generator of the joints of a machine.
+
+    loadrt curvecore personality=3 address=192.168.1.121:27181
+    addf curvecore.read servo-thread
+    addf motion-command-handler servo-thread
+    addf motion-controller servo-thread
+    addf curvecore.write servo-thread
+    net on joint.0.amp-enable-out => curvecore.enable
+    net fault curvecore.fault => joint.0.amp-fault-in
+    net hold curvecore.hold => motion.feed-inhibit
+
+personality is the number of joints, 9 at most, and not more than the board has axes. Each servo
+period becomes samples of the board's period; these wait, buffer-time of them, before they are
+drawn, so position-fb is as late: FERROR has to allow buffer-time and two servo periods at full
+speed. The samples' distance follows the level of the buffer, which keeps the two clocks together.
+
+A servo thread that comes late by less than buffer-time changes no step. If it comes later while
+joints move, they wait where they are and go on with the next sample: late counts that, and no
+position is lost. Where the board or its link comes late, more samples wait; hold stops the motion
+on its path until they are drawn. A thread that is silent for watchdog-time turns the drives off,
+and so does a board that does not answer for a second.""";
+
+pin in bit enable "drives on; a fault goes when it is off";
+pin out bit enabled "drives are on, and joints follow";
+pin out bit fault "the board went off by itself, or cannot be reached: amp-fault-in";
+pin out u32 faults "what the board says, STATE of hls/registers/registers.rdl";
+pin out bit connected "the board answers";
+pin out bit estop_in "level of the board's pin";
+pin out bit hold "too many samples wait: to motion.feed-inhibit";
+pin out u32 late "samples that were not there in time while joints moved";
+pin out float latency "s that a new position waits";
+
+pin in float joint.#.position_cmd[9:personality];
+pin out float joint.#.position_fb[9:personality] "steps that were given, in the machine's unit";
+pin out s32 joint.#.counts[9:personality] "steps that were given";
+pin out bit joint.#.limit[9:personality] "level of the limit switch";
+
+param rw float joint.#.scale[9:personality] = 1 "steps per unit; read when drives come on, as all";
+param rw bit joint.#.invert_step[9:personality] "a pulse is low";
+param rw bit joint.#.invert_dir[9:personality];
+param rw bit joint.#.ignore_limit[9:personality];
+param rw u32 steplen = 2000 "ns, as those below";
+param rw u32 stepspace = 2000;
+param rw u32 dirsetup = 4000;
+param rw u32 dirhold = 4000;
+param rw float buffer_time = 0.004 "s that samples wait before they are drawn";
+param rw float watchdog_time = 0.1 "s";
+
+modparam dummy address "HOST[:PORT] of the board";
+
+option singleton yes;
+option extra_setup yes;
+option extra_cleanup yes;
+include <rtapi_errno.h>;
+include <rtapi_math.h>;
+function read_ fp "what the board says: before motion";
+function write_ fp "where the joints shall go: behind motion";
+license "GPL";
+author "curvecore";
+;;
+#include "board_link.h"
+#include "sample_line.h"
+
+static char *address = "127.0.0.1:" LINK_PORT;
+RTAPI_MP_STRING(address, "HOST[:PORT] of the board");
+
+#define ASK 20000000LL   /* ns between questions to a board that does not answer */
+#define AGAIN 50000000LL /* ns until drives that did not come on are tried again */
+#define LONGEST 2000000000LL /* ns until they are a fault */
+
+enum mode { OFF, COMING, ON, FAULT };
+static enum mode mode;
+static int64_t tried, began;
+static struct board_link link_;
+static struct sample_line line;
+static int64_t steps[CURVECORE_MOST_AXES];     /* given, as far as it is known */
+static int32_t seen[CURVECORE_MOST_AXES];      /* of the board, when they were */
+static int joints, was_known, was_late;
+
+static unsigned field(uint32_t word, uint32_t mask, int low) { return (word & mask) >> low; }
+#define FIELD(word, name) field(word, CURVECORE_##name##_MASK, CURVECORE_##name##_LOW)
+#define FAULTS 0xffffu /* bits of STATE */
+#define STATE_HAS(name) ((link_.status.state & CURVECORE_STATE_##name##_MASK) != 0)
+
+static double sample_seconds(void) {
+    return (double)(1u << FIELD(link_.kind.capability, CAPABILITY_PERIOD_LOG2)) /
+           link_.kind.hertz;
+}
+/* Times are rounded up. */
+static uint32_t clocks(uint32_t ns) {
+    return (uint32_t)(((uint64_t)ns * link_.kind.hertz + 999999999u) / 1000000000u);
+}
+static uint32_t pair(uint32_t low, uint32_t high) {
+    return (low < 0xffff ? low : 0xffff) | (high < 0xffff ? high : 0xffff) << 16;
+}
+
+EXTRA_SETUP() {
+    joints = personality;
+    if (joints < 1 || joints > CURVECORE_MOST_AXES) {
+        rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: personality is the number of joints, 1 to %d\n",
+                        CURVECORE_MOST_AXES);
+        return -EINVAL;
+    }
+    if (link_open(&link_, address, joints) != 0) {
+        rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: no such address: %s\n", address);
+        return -EINVAL;
+    }
+    return 0;
+}
+EXTRA_CLEANUP() { close(link_.socket); }
+
+FUNCTION(read_) {
+    const int64_t now = rtapi_get_time();
+    const uint32_t mask = (1u << joints) - 1;
+    int n;
+    link_receive(&link_, now);
+    connected = link_.known && joints <= (int)FIELD(link_.kind.capability, CAPABILITY_AXES);
+    if (connected) {
+        const uint32_t limits = FIELD(link_.status.axes, AXES_LIMIT) & mask;
+        for (n = 0; n < joints; ++n) {
+            /* A board that was restarted counts anew. */
+            if (was_known || link_.same) steps[n] += (int32_t)(link_.status.steps[n] - seen[n]);
+            seen[n] = link_.status.steps[n];
+            joint_counts(n) = (int32_t)steps[n];
+            joint_position_fb(n) = steps[n] / joint_scale(n);
+            joint_limit(n) = limits >> n & 1;
+        }
+        faults = link_.status.state & FAULTS;
+        estop_in = STATE_HAS(ESTOP_PIN);
+        if (STATE_HAS(LATE) && !was_late) ++late;
+        was_late = STATE_HAS(LATE);
+    }
+    was_known = connected;
+    if (mode == ON && !(connected && STATE_HAS(ENABLED))) mode = FAULT;
+    if (mode == FAULT && !enable) mode = OFF;
+    fault = mode == FAULT;
+    enabled = mode == ON;
+}
+
+/* Drives off, then all that stands still while they are on. */
+static int settings(struct __comp_state *__comp_inst, int64_t now) {
+    struct link_frame *frame = link_begin(&link_);
+    /* 2^-16 steps in the whole range of positions, of LINE_UNITS in a step each */
+    const int scale_bits = (int)FIELD(link_.kind.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS;
+    uint32_t step = 0, direction = 0, masked = 0;
+    int n;
+    if (!frame) return -1;
+    link_write(frame, CURVECORE_CONTROL, 0);
+    for (n = 0; n < joints; ++n) {
+        const unsigned axis = (unsigned)n * CURVECORE_AXIS_STRIDE;
+        const uint64_t scale = (uint64_t)1 << scale_bits;
+        link_write(frame, CURVECORE_AXIS_SCALE_LO + axis, (uint32_t)scale);
+        link_write(frame, CURVECORE_AXIS_SCALE_HI + axis, (uint32_t)(scale >> 32));
+        step |= (uint32_t)(joint_invert_step(n) != 0) << n;
+        direction |= (uint32_t)(joint_invert_dir(n) != 0) << n;
+        masked |= (uint32_t)(joint_ignore_limit(n) != 0) << n;
+    }
+    link_end(&link_, frame, now);
+    frame = link_begin(&link_);
+    if (!frame) return -1;
+    link_write(frame, CURVECORE_PULSE, pair(clocks(steplen), clocks(stepspace)));
+    link_write(frame, CURVECORE_DIRECTION, pair(clocks(dirsetup), clocks(dirhold)));
+    link_write(frame, CURVECORE_PINS,
+               step << CURVECORE_PINS_STEP_INVERTED_LOW |
+                   direction << CURVECORE_PINS_DIRECTION_INVERTED_LOW |
+                   masked << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    link_write(frame, CURVECORE_WATCHDOG, pair((uint32_t)(watchdog_time / sample_seconds()), 0));
+    link_write(frame, CURVECORE_STATE, FAULTS);
+    link_write(frame, CURVECORE_REFERENCE, CURVECORE_REFERENCE_AXES_MASK);
+    link_write(frame, CURVECORE_CONTROL,
+               CURVECORE_CONTROL_ENABLE_MASK | CURVECORE_CONTROL_POSITION_MASK);
+    link_end(&link_, frame, now);
+    return 0;
+}
+
+static void turn_off(int64_t now) {
+    struct link_frame *frame = link_begin(&link_);
+    if (!frame) return;
+    link_write(frame, CURVECORE_CONTROL, 0);
+    link_end(&link_, frame, now);
+    tried = now;
+}
+
+/* Samples that were sent and are not known to be taken. */
+static int under_way(void) {
+    int n, samples = 0;
+    for (n = 0; n < link_.count; ++n) {
+        samples += link_.frames[(link_.first + n) % LINK_FRAMES].samples;
+    }
+    return samples;
+}
+
+static void push(int64_t now) {
+    int room = (int)FIELD(link_.status.samples, SAMPLES_ROOM) - under_way();
+    struct link_frame *frame;
+    while (line.count > 0 && room > 0 && (frame = link_begin(&link_))) {
+        int n, axis;
+        if (was_late) link_write(frame, CURVECORE_STATE, CURVECORE_STATE_LATE_MASK);
+        n = (link_room(&link_, frame) - 4) / (4 * joints);
+        if (n > room) n = room;
+        if (n > line.count) n = line.count;
+        frame->samples = n;
+        room -= n;
+        link_command(frame, WRITE | WORDS, (unsigned)(n * joints), CURVECORE_SAMPLE);
+        while (n-- > 0) {
+            const int32_t *sample = line_next(&line);
+            for (axis = 0; axis < joints; ++axis) link_word(frame, (uint32_t)sample[axis]);
+        }
+        link_end(&link_, frame, now);
+    }
+}
+
+FUNCTION(write_) {
+    const int64_t now = rtapi_get_time();
+    double units[CURVECORE_MOST_AXES];
+    double samples, wanted, most;
+    int n, waiting;
+    if (!connected) {
+        if (now - link_.sent > ASK) link_question(&link_, now);
+        return;
+    }
+    samples = period * 1e-9 / sample_seconds();
+    wanted = buffer_time / sample_seconds();
+    switch (mode) {
+    case OFF:
+        if (!enable) break;
+        mode = COMING;
+        began = now;
+        tried = now - AGAIN;
+        /* fall through */
+    case COMING:
+        if (!enable) {
+            turn_off(now);
+            mode = OFF;
+        } else if (link_.count > 0) {
+        } else if (STATE_HAS(ENABLED) && STATE_HAS(READY) && tried >= began) {
+            for (n = 0; n < joints; ++n) units[n] = steps[n] * LINE_UNITS;
+            line_begin(&line, units, joints, (int)wanted);
+            mode = ON;
+        } else if (now - began > LONGEST) {
+            mode = FAULT;
+        } else if (now - tried >= AGAIN) {
+            tried = now;
+            settings(__comp_inst, now);
+        }
+        break;
+    case ON:
+        if (!enable) {
+            turn_off(now);
+            if (tried == now) mode = OFF;
+            break;
+        }
+        waiting = line.count + under_way() + (int)FIELD(link_.status.samples, SAMPLES_QUEUED);
+        latency = waiting * sample_seconds();
+        hold = waiting > (hold ? 1 : LINE_HOLDS) * wanted;
+        most = ldexp(1, (int)FIELD(link_.kind.core, CORE_POSITION_BITS) - 1);
+        for (n = 0; n < joints; ++n) {
+            units[n] = joint_position_cmd(n) * joint_scale(n) * LINE_UNITS;
+            if (!(fabs(units[n]) < most)) mode = FAULT;
+        }
+        if (mode == FAULT || line_go_on(&line, units, samples, waiting, wanted) != 0) mode = FAULT;
+        else push(now);
+        break;
+    case FAULT:
+        if (STATE_HAS(ENABLED) && now - tried >= AGAIN) turn_off(now);
+        break;
+    }
+    link_keep(&link_, now);
+}

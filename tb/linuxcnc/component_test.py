@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""LinuxCNC in simulation on a virtual board, by the HAL component of sysc/linuxcnc.
+
+    component_test.py CURVECORE [unittest's options]
+
+The component is compiled, and found by LinuxCNC in a view of its folder of modules that this test
+alone has. Exit status 77: LinuxCNC is not installed, or nobody may make such a view.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "wire"))
+from wire_parts import STEPS_PER_MM, Board, Wire, counts  # noqa: E402
+
+INSIDE = HERE.parent.parent / "sysc/linuxcnc"
+MODULES = "/usr/lib/linuxcnc/modules"
+PROGRAM = HERE / "board.ngc"
+END = (1.25, -3.5, 2)  # mm
+PERIOD, SAMPLE = 1e-3, 1e-4  # s, of LinuxCNC and of the board
+CLOSEST = 0.98  # of the samples' even distance, where more of them are wanted
+# From a sample that waits no more to its last step, in samples, and those of a period that is
+# commanded at the same time.
+UNDER_WAY = 4 + 10
+VIEW = ["unshare", "--mount", "--ipc", "sh", "-c"]
+
+
+def may_run():
+    return all(map(shutil.which, ("linuxcnc", "halcompile", "unshare"))) and subprocess.run(
+        [*VIEW, f"mount --bind {MODULES} {MODULES}"], stderr=subprocess.DEVNULL,
+        check=False).returncode == 0
+
+
+def distance(point, line):
+    """From a polyline, along the axis where it is longest."""
+    way = np.diff(line, axis=0)
+    along = np.einsum("ij,ij->i", point - line[:-1], way) / np.maximum(
+        np.einsum("ij,ij->i", way, way), 1e-30)
+    nearest = line[:-1] + np.clip(along, 0, 1)[:, None] * way
+    return np.abs(nearest - point).max(axis=1).min()
+
+
+class ComponentTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.folder.chmod(0o755)
+
+    def compile(self):
+        modules = self.folder / "modules"
+        shutil.copytree(MODULES, modules)
+        subprocess.run(["halcompile", "--compile", INSIDE / "curvecore.comp"], cwd=modules,
+                       check=True, capture_output=True)
+
+    def run_program(self, port, buffer):
+        """What LinuxCNC says of every servo period: commanded, given, latency."""
+        out = self.folder / "out"
+        simulate = (f"{INSIDE}/simulate.py {PROGRAM} --folder {out} --board 127.0.0.1:{port} "
+                    f"--scale {STEPS_PER_MM} --buffer {buffer}")
+        ran = subprocess.run(
+            [*VIEW, f"mount --bind modules {MODULES} && exec {simulate}"], cwd=self.folder,
+            capture_output=True, text=True, timeout=270, check=False)
+        log = out / "log"
+        self.assertEqual(ran.returncode, 0, ran.stderr + (log.read_text() if log.exists() else ""))
+        rows = np.loadtxt(out / "samples", usecols=range(13))
+        return rows[:, :3], rows[:, 9:12], rows[:, 12]
+
+    def check_follows(self, commanded, given, latency):
+        """Steps stand on the commanded path, no further back than what waits reaches."""
+        moves = np.abs(np.diff(commanded, axis=0)).max(axis=1) > 0
+        path = commanded[np.concatenate(([True], moves))]
+        at = np.concatenate(([0], np.cumsum(moves)))  # of each period, on the path
+        periods = (latency / SAMPLE + UNDER_WAY) / (PERIOD / SAMPLE * CLOSEST)
+        reach = np.ceil(periods).astype(int) + 1
+        under_way = np.nonzero(np.abs(commanded - given).max(axis=1) > 1 / STEPS_PER_MM)[0]
+        self.assertGreater(len(under_way), 300)
+        worst, behind = 0, 0
+        for n in under_way:
+            line = path[max(0, at[n] - reach[n]):at[n] + 2]
+            worst = max(worst, distance(given[n], line) * STEPS_PER_MM)
+            behind = max(behind, np.abs(commanded[n] - given[n]).max() * STEPS_PER_MM)
+        self.assertLess(worst, 1)
+        self.assertGreater(behind, 100, "it does not move")
+        print(f"{len(under_way)} periods: {worst:.2f} steps off what was commanded, "
+              f"{behind:.0f} behind at most, {1e3 * latency.max():.0f} ms", flush=True)
+
+    def draw(self, through=lambda board: board):
+        self.compile()
+        board = Board(str(self.folder / "board"))
+        self.addCleanup(board.kill)
+        wire = through(board)
+        self.check_follows(*self.run_program(wire.port, 0.03))
+        self.assertEqual(counts(board.end()), [round(STEPS_PER_MM * mm) for mm in END])
+        return wire
+
+    def test_program_with_arcs_runs_on_a_board(self):
+        self.draw()
+
+    def test_bad_wire_loses_no_step(self):
+        wire = self.draw(lambda board: Wire(board.port, 0.02, 0.002))
+        self.assertGreater(wire.lost, 10)
+        self.assertGreater(wire.doubled, 10)
+
+
+if __name__ == "__main__":
+    del sys.argv[1]
+    if not may_run():
+        print("LinuxCNC is not installed, or modules cannot be shown to it")
+        sys.exit(77)
+    unittest.main()
