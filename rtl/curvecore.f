@@ -42,6 +42,7 @@ bus/register_file.sv
 bus/serial_crc.sv
 bus/slip_receiver.sv
 bus/slip_sender.sv
+bus/spi_line.sv
 bus/spi_port.sv
 bus/uart_line.sv
 bus/wishbone_port.sv

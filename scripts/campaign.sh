@@ -62,7 +62,7 @@ for form in serial flat; do
     grep "clocks$"
 done
 # 20,000 accesses by others' masters on each bus.
-for bus in axi_lite wishbone spi uart; do
+for bus in axi_lite wishbone spi uart spi_line; do
   mkdir -p build/campaign/$bus
   .venv/bin/python tb/bus/run_bus.py $bus 20000 build/release/tb/bus/registers/registers.json \
     "$PWD/build/campaign/$bus" 2>&1 | tee "build/campaign/$bus.log" | grep "as described"

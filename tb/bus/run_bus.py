@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A bus port under Icarus, driven by a master that is not of this project:
 
-    run_bus.py axi_lite|wishbone|spi|uart ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
+    run_bus.py axi_lite|wishbone|spi|uart|spi_line ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
 
 PORT_SOURCE takes the place of the file of its bus.
 """
@@ -16,13 +16,15 @@ from cocotb_tools.runner import get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
+SYNCHRONISER = "pulse/synchroniser.sv"
+FRAMES = ["bus/slip_pkg.sv", "bus/serial_crc.sv", "bus/slip_receiver.sv", "bus/slip_sender.sv",
+          "bus/frame_buffer.sv", "bus/frame_port.sv"]
 FILES = {
     "axi_lite": ["bus/axi_lite_port.sv"],
     "wishbone": ["bus/wishbone_port.sv"],
-    "spi": ["bus/spi_port.sv", "pulse/synchroniser.sv"],
-    "uart": ["bus/frame_reader.sv", "bus/slip_pkg.sv", "bus/serial_crc.sv", "bus/slip_receiver.sv",
-             "bus/slip_sender.sv", "bus/frame_buffer.sv", "bus/frame_port.sv", "bus/uart_line.sv",
-             "pulse/synchroniser.sv"],
+    "spi": ["bus/spi_port.sv", SYNCHRONISER],
+    "uart": ["bus/frame_reader.sv", *FRAMES, "bus/uart_line.sv", SYNCHRONISER],
+    "spi_line": ["bus/spi_line.sv", *FRAMES, "bus/frame_reader.sv", SYNCHRONISER],
 }
 
 
@@ -30,15 +32,18 @@ def main():
     bus, number, registers, folder = sys.argv[1:5]
     first = FILES[bus][0]
     port = sys.argv[5] if len(sys.argv) > 5 else RTL / first
-    packages = [RTL / "queue/words_pkg.sv", RTL / "bus/registers_pkg.sv"]
+    frames = FRAMES[0] in FILES[bus]
+    packages = [RTL / "queue/words_pkg.sv", RTL / "bus/registers_pkg.sv", RTL / FRAMES[0]]
     version = re.search(r"int Version = (\d+)", packages[0].read_text())[1]
     runner = get_runner("icarus")
-    runner.build(sources=[*packages, *(RTL / file for file in FILES[bus][1:]),
+    benches = ["bench_registers", *(["bench_frames"] if frames else []), f"{bus}_bench"]
+    runner.build(sources=[*packages, *(RTL / file for file in FILES[bus][1:] if file != FRAMES[0]),
                           port, RTL / "bus/register_file.sv",
-                          HERE / "bench_registers.sv", HERE / f"{bus}_bench.sv"],
+                          *(HERE / f"{bench}.sv" for bench in benches)],
                  hdl_toplevel=f"{bus}_bench", build_dir=folder, always=True,
                  build_args=["-g2012"], timescale=("1ns", "1ps"))
-    results = runner.test(hdl_toplevel=f"{bus}_bench", test_module=f"test_{bus}",
+    results = runner.test(hdl_toplevel=f"{bus}_bench",
+                          test_module="test_frames" if frames else f"test_{bus}",
                           build_dir=folder, test_dir=HERE,
                           results_xml=f"{folder}/results.xml",
                           extra_env={"ACCESSES": number, "REGISTERS_JSON": registers,

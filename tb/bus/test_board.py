@@ -9,7 +9,7 @@ from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, with_timeout
 from cocotbext.uart import UartSink, UartSource
 from synthesis.boards import board_named
-from test_uart import END, WORDS, command, slip, unslip
+from test_frames import END, WORDS, command, slip, unslip
 
 BOARD = board_named(os.environ["BOARD"])
 with open(os.environ["REGISTERS_JSON"], encoding="ascii") as file:

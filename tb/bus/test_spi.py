@@ -5,17 +5,10 @@ import os
 import random
 
 import cocotb
-import cocotb.clock
 from cocotb.clock import Clock
 from cocotb.triggers import RisingEdge
-from cocotb.types import Logic
 from register_model import Registers
-
-# What cocotbext-spi 0.5.0 imports of cocotb 1.
-cocotb.clock.BaseClock = type("BaseClock", (), {
-    "__init__": lambda self, signal: setattr(self, "signal", signal)})
-Logic.integer = property(int)
-from cocotbext.spi import SpiBus, SpiConfig, SpiMaster  # noqa: E402
+from spi_master import spi_master
 
 STATUS = 0xA0
 BITS = 8 + 2 * 40
@@ -26,9 +19,7 @@ async def every_access_is_answered_as_described(dut):
     dut.rst_n.value = 0
     cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
     await RisingEdge(dut.clk)
-    # 16 clocks a bit.
-    master = SpiMaster(SpiBus.from_prefix(dut, "spi"), SpiConfig(
-        word_width=BITS, sclk_freq=1e9 / 160, frame_spacing_ns=500))
+    master = spi_master(dut, BITS)
     for _ in range(4):
         await RisingEdge(dut.clk)
     dut.rst_n.value = 1

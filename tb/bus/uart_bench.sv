@@ -10,7 +10,6 @@ module uart_bench (
 
   logic in_valid;
   logic [7:0] in;
-  logic in_ready;
   logic out_valid;
   logic [7:0] out;
   logic out_ready;
@@ -27,43 +26,15 @@ module uart_bench (
       .byte_ready_o(out_ready),
       .byte_i      (out)
   );
-  logic valid;
-  logic write;
-  logic [6:0] word;
-  logic [31:0] data;
-  logic done;
-  logic [31:0] answer;
-  frame_port u_port (
+  bench_frames u_frames (
       .clk_i       (clk),
       .rst_ni      (rst_n),
       .byte_valid_i(in_valid),
-      .byte_ready_o(in_ready),
       .byte_i      (in),
       .byte_valid_o(out_valid),
       .byte_ready_i(out_ready),
-      .byte_o      (out),
-      .valid_o     (valid),
-      .write_o     (write),
-      .word_o      (word),
-      .data_o      (data),
-      .done_i      (done),
-      .data_i      (answer)
+      .byte_o      (out)
   );
-  logic error;
-  bench_registers u_registers (
-      .clk_i  (clk),
-      .rst_ni (rst_n),
-      .valid_i(valid),
-      .write_i(write),
-      .word_i (word),
-      .data_i (data),
-      .done_o (done),
-      .error_o(error),
-      .data_o (answer)
-  );
-
-  // Bytes of a UART cannot wait.
-  always_ff @(posedge clk) if (rst_n && in_valid && !in_ready) $fatal(1, "a byte was lost");
 
 endmodule
 `default_nettype wire

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames over a UART as cocotbext-uart drives it, some lost, doubled, broken or nonsense."""
+"""Frames over a line of bytes (lines.py), some lost, doubled, broken or nonsense."""
 
 import os
 import random
@@ -7,15 +7,15 @@ import zlib
 
 import cocotb
 from cocotb.clock import Clock
-from cocotb.triggers import RisingEdge, with_timeout
-from cocotbext.uart import UartSink, UartSource
+from cocotb.triggers import RisingEdge
+from lines import line_of
 from register_model import Registers
 
 END, ESCAPE, ESCAPED_END, ESCAPED_ESCAPE = b"\xc0", b"\xdb", b"\xdb\xdc", b"\xdb\xdd"
 EXPECT, SEQUENCE, IDENTITY = 0x70, 0x74, 0x00
 WRITE, ADDRESS, WORDS, PAIRS, INCREMENT = 0x8000, 0x4000, 0x200, 0x300, 0x80
 LONGEST = 251
-BAUD = 12_500_000  # 8 clocks of 10 ns a bit
+PATIENCE = 2000  # bytes
 
 
 def slip(frame):
@@ -47,22 +47,24 @@ class Host:
     """Sends frames and knows what their answers have to be."""
 
     def __init__(self, dut):
-        self.source = UartSource(dut.rx, baud=BAUD, bits=8)
-        self.sink = UartSink(dut.tx, baud=BAUD, bits=8)
+        self.line = line_of(dut)
         self.registers = Registers()
         self.sequence = 0
         self.chance = random.Random(5)
         self.accesses = self.errors = 0
 
     async def send(self, line):
-        await self.source.write(line)
-        await self.source.wait()
+        await self.line.write(line)
 
     async def answer(self):
         line = b""
-        while not line.endswith(END):
-            line += bytes(await with_timeout(self.sink.read(1), 100, "us"))
-        return unslip(line)
+        for _ in range(PATIENCE):
+            line += await self.line.byte()
+            if line == END:  # nothing
+                line = b""
+            if line.endswith(END):
+                return unslip(line)
+        raise AssertionError("Timeout: no answer")
 
     def access(self, is_write, address, data=0):
         """What the model answers, 4 bytes of a read."""
@@ -175,7 +177,7 @@ async def what_is_broken_changes_nothing(dut):
     await check_sequence(host)
     for address, value in values.items():
         await check(host, command(WORDS, 1, address), [value.to_bytes(4, "little")])
-    assert host.sink.empty()
+    assert await host.line.silent()
 
 
 @cocotb.test()
