@@ -14,13 +14,13 @@ complain() {
 head -n 2 $inside/COPYING | grep -q 'GNU GENERAL PUBLIC LICENSE' || complain "$inside: no licence"
 header=hls/registers/registers.h
 head -n 1 $header | grep -q 'Apache-2.0 OR GPL-2.0-or-later' || complain "$header: not under both"
-for file in $inside/*.py $inside/*.cpp $inside/*.h $inside/*.comp; do
+for file in $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp; do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-2.0-or-later' ||
     complain "$file: not under LinuxCNC's licence"
 done
 # Nothing of the rest in it
 grep -nE '#include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
-  $inside/*.py $inside/*.cpp $inside/*.h $inside/*.comp |
+  $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp |
   grep -vE "#include \"(../../$header|board_link.h|sample_line.h)\"" &&
   complain "$inside uses the rest"
 # Nothing of it in the rest

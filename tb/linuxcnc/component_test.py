@@ -103,6 +103,31 @@ class ComponentTest(unittest.TestCase):
         self.assertEqual(counts(board.end()), [round(STEPS_PER_MM * mm) for mm in END])
         return wire
 
+    def check_line(self, folder, drift):
+        """Of a board whose clock drifts: (worst distance of samples in percent off, lowest and
+        highest level, late samples)."""
+        check = self.folder / "check"
+        subprocess.run(["cc", "-O1", "-o", check, folder / "sample_line_check.c", "-lm"],
+                       check=True)
+        said = subprocess.run([check, str(drift)], stdout=subprocess.PIPE, check=True).stdout
+        return tuple(map(float, said.split()))
+
+    def test_samples_follow_the_clock_of_the_board(self):
+        for drift in (0, 200, -200, 2000, -2000):
+            worst, low, high, late = self.check_line(INSIDE, drift)
+            # Beside the rounding to units, of which a sample's way has 1000.
+            self.assertLess(worst, 0.15 + abs(drift) * 1.2e-4)
+            self.assertTrue(0.65 < low <= high < 1.35, drift)
+            self.assertEqual(late, 0)
+
+    def test_samples_that_do_not_follow_come_late(self):
+        broken = self.folder / "sysc/linuxcnc"
+        shutil.copytree(INSIDE, broken)
+        shutil.copytree(INSIDE.parent.parent / "hls/registers", self.folder / "hls/registers")
+        line = broken / "sample_line.h"
+        line.write_text(line.read_text().replace("LINE_GAIN 0.01", "LINE_GAIN 0.0"))
+        self.assertGreater(self.check_line(broken, 200)[3], 0)
+
     def test_program_with_arcs_runs_on_a_board(self):
         self.draw()
 
