@@ -9,7 +9,7 @@ Writes FOLDER/samples: the commanded positions of X Y Z A B C U V W, mm and degr
 every servo cycle of 1 ms. LinuxCNC runs in real time, one at a time on a computer.
 
 With --board X Y Z are on that board, by the installed component curvecore; each line then has the
-positions of X Y Z that came back too, mm, and the component's latency, s.
+positions of X Y Z that came back too, mm, the component's latency, s, and how often it was late.
 """
 
 import argparse
@@ -83,6 +83,7 @@ net hold curvecore.hold => motion.feed-inhibit
 setp curvecore.watchdog-time 5
 setp curvecore.buffer-time {buffer}
 net latency curvecore.latency => sampler.0.pin.12
+net late curvecore.late => sampler.0.pin.13
 """
 BOARD_JOINT = """setp curvecore.joint.{joint}.scale {scale}
 net place-{joint} joint.{joint}.motor-pos-cmd sampler.0.pin.{joint}
@@ -100,7 +101,7 @@ def prepare(given, folder):
     ini = INI.format(**values)
     board = BOARD_AXES if given.board else 0
     hal = HAL.format(
-        kinds="f" * (len(AXES) + (board + 1 if board else 0)),
+        kinds="f" * len(AXES) + ("f" * board + "fu" if board else ""),
         before=f"loadrt curvecore personality={board} address={given.board}\n"
                "addf curvecore.read servo-thread\n" if board else "",
         behind="addf curvecore.write servo-thread\n" if board else "")

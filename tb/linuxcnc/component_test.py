@@ -11,21 +11,24 @@ alone has. Exit status 77: LinuxCNC is not installed, or nobody may make such a 
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "wire"))
-from wire_parts import STEPS_PER_MM, Board, Wire, counts  # noqa: E402
+from wire_parts import STEPS_PER_MM, Board, Wire, counts, read  # noqa: E402
 
 INSIDE = HERE.parent.parent / "sysc/linuxcnc"
 MODULES = "/usr/lib/linuxcnc/modules"
 PROGRAM = HERE / "board.ngc"
 END = (1.25, -3.5, 2)  # mm
+STEPS_OF_X = 0x108
 PERIOD, SAMPLE = 1e-3, 1e-4  # s, of LinuxCNC and of the board
 CLOSEST = 0.98  # of the samples' even distance, where more of them are wanted
 # From a sample that waits no more to its last step, in samples, and those of a period that is
@@ -62,18 +65,19 @@ class ComponentTest(unittest.TestCase):
         subprocess.run(["halcompile", "--compile", INSIDE / "curvecore.comp"], cwd=modules,
                        check=True, capture_output=True)
 
-    def run_program(self, port, buffer):
-        """What LinuxCNC says of every servo period: commanded, given, latency."""
+    def run_program(self, port, buffer, meanwhile):
+        """What LinuxCNC says of every servo period: commanded, given, latency, late so far."""
         out = self.folder / "out"
         simulate = (f"{INSIDE}/simulate.py {PROGRAM} --folder {out} --board 127.0.0.1:{port} "
                     f"--scale {STEPS_PER_MM} --buffer {buffer}")
-        ran = subprocess.run(
-            [*VIEW, f"mount --bind modules {MODULES} && exec {simulate}"], cwd=self.folder,
-            capture_output=True, text=True, timeout=270, check=False)
+        with subprocess.Popen([*VIEW, f"mount --bind modules {MODULES} && exec {simulate}"],
+                              cwd=self.folder, stderr=subprocess.PIPE, text=True) as runs:
+            meanwhile()
+            said = runs.communicate(timeout=270)[1]
         log = out / "log"
-        self.assertEqual(ran.returncode, 0, ran.stderr + (log.read_text() if log.exists() else ""))
-        rows = np.loadtxt(out / "samples", usecols=range(13))
-        return rows[:, :3], rows[:, 9:12], rows[:, 12]
+        self.assertEqual(runs.returncode, 0, said + (log.read_text() if log.exists() else ""))
+        rows = np.loadtxt(out / "samples", usecols=range(14))
+        return rows[:, :3], rows[:, 9:12], rows[:, 12], rows[:, 13]
 
     def check_follows(self, commanded, given, latency):
         """Steps stand on the commanded path, no further back than what waits reaches."""
@@ -94,14 +98,41 @@ class ComponentTest(unittest.TestCase):
         print(f"{len(under_way)} periods: {worst:.2f} steps off what was commanded, "
               f"{behind:.0f} behind at most, {1e3 * latency.max():.0f} ms", flush=True)
 
-    def draw(self, through=lambda board: board):
+    def draw(self, through=lambda board: board, meanwhile=lambda board: None):
+        """How often it was late."""
         self.compile()
         board = Board(str(self.folder / "board"))
         self.addCleanup(board.kill)
-        wire = through(board)
-        self.check_follows(*self.run_program(wire.port, 0.03))
+        *places, late = self.run_program(through(board).port, 0.03, lambda: meanwhile(board))
+        self.check_follows(*places)
         self.assertEqual(counts(board.end()), [round(STEPS_PER_MM * mm) for mm in END])
-        return wire
+        return late[-1]
+
+    def wait_for(self, board, steps):
+        end = time.monotonic() + 120
+        while read(board.port, STEPS_OF_X) < steps:
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.02)
+
+    def stall(self, board):
+        """Stops the servo thread for longer than samples last, in mid-motion, some times."""
+        for steps in (500, 1500, 2500):
+            self.wait_for(board, steps)
+            thread = self.servo_process()
+            os.kill(thread, signal.SIGSTOP)
+            time.sleep(1)
+            os.kill(thread, signal.SIGCONT)
+
+    def servo_process(self):
+        """It alone has this test's folder in its environment, and that name."""
+        for process in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                if (process / "comm").read_text().strip() in ("rtapi_app", "rtapi_app:T#1") and (
+                        bytes(self.folder) in (process / "environ").read_bytes()):
+                    return int(process.name)
+            except OSError:  # it has ended
+                pass
+        return self.fail("no servo thread")
 
     def check_line(self, folder, drift):
         """Of a board whose clock drifts: (worst distance of samples in percent off, lowest and
@@ -132,9 +163,24 @@ class ComponentTest(unittest.TestCase):
         self.draw()
 
     def test_bad_wire_loses_no_step(self):
-        wire = self.draw(lambda board: Wire(board.port, 0.02, 0.002))
-        self.assertGreater(wire.lost, 10)
-        self.assertGreater(wire.doubled, 10)
+        wires = []
+
+        def bad(board):
+            wires.append(Wire(board.port, 0.02, 0.002))
+            return wires[0]
+        self.draw(bad)
+        self.assertGreater(wires[0].lost, 10)
+        self.assertGreater(wires[0].doubled, 10)
+
+    def test_stalled_servo_thread_loses_no_step(self):
+        self.assertGreater(self.draw(meanwhile=self.stall), 0)
+
+    def test_board_that_is_gone_is_a_fault(self):
+        def end(board):
+            self.wait_for(board, 500)
+            board.kill()
+        with self.assertRaisesRegex(AssertionError, "joint 0 amplifier fault"):
+            self.draw(meanwhile=end)
 
 
 if __name__ == "__main__":
