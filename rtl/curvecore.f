@@ -39,6 +39,7 @@ bus/paced_motion.sv
 bus/position_buffer.sv
 bus/queue_room.sv
 bus/register_file.sv
+bus/sample_sources.sv
 bus/serial_crc.sv
 bus/slip_receiver.sv
 bus/slip_sender.sv
@@ -113,11 +114,13 @@ path/time_scaler_serial.sv
 path/time_sequencer.sv
 path/underrun_guard.sv
 path/word_streams.sv
+pulse/galvo_pins.sv
 pulse/place_scaler.sv
 pulse/pulse_times.sv
 pulse/sample_period.sv
 pulse/step_axis.sv
 pulse/step_counter.sv
+pulse/step_counters.sv
 pulse/step_generator.sv
 pulse/step_phase.sv
 pulse/step_pulse.sv

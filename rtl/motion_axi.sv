@@ -23,6 +23,7 @@ module motion_axi #(
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
     parameter int Galvo             = 0,     // 0, 1
     parameter int ClockHertz        = 0      // for CLOCK
 ) (
@@ -121,6 +122,7 @@ module motion_axi #(
       .PeriodLog2(PeriodLog2),
       .TimeBits(TimeBits),
       .SamplesAhead(SamplesAhead),
+      .SampleBufferWords(SampleBufferWords),
       .Galvo(Galvo),
       .ClockHertz(ClockHertz)
   ) u_system (

@@ -74,23 +74,20 @@ module motion_system #(
     output logic      [          2:0] galvo_data_o
 );
 
-  initial if (Galvo != 0 && Galvo != 1) $fatal(1, "Galvo must be 0 or 1");
-
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
 
   // Registers
+  localparam int SegmentLog2 = $clog2(SegmentQueueWords);
+  localparam int ProfileLog2 = $clog2(ProfileQueueWords);
+  localparam int SampleLog2 = $clog2(SampleBufferWords);
   localparam int Capability = (Axes << registers_pkg::CapabilityAxesLow) +
       (PeriodLog2 << registers_pkg::CapabilityPeriodLog2Low) +
       (Build << registers_pkg::CapabilityBuildLow) +
       (Splines << registers_pkg::CapabilitySplinesLow) +
-      ($clog2(
-      SegmentQueueWords
-  ) << registers_pkg::CapabilitySegmentQueueLog2Low) + ($clog2(
-      ProfileQueueWords
-  ) << registers_pkg::CapabilityProfileQueueLog2Low) + ($clog2(
-      SampleBufferWords
-  ) << registers_pkg::CapabilitySampleBufferLog2Low);
+      (SegmentLog2 << registers_pkg::CapabilitySegmentQueueLog2Low) +
+      (ProfileLog2 << registers_pkg::CapabilityProfileQueueLog2Low) +
+      (SampleLog2 << registers_pkg::CapabilitySampleBufferLog2Low);
   localparam int Core = (Order << registers_pkg::CoreOrderLow) +
       (Mode << registers_pkg::CoreModeLow) + (CoefBits << registers_pkg::CoreCoefBitsLow) +
       (PositionBits << registers_pkg::CorePositionBitsLow) +
@@ -174,7 +171,7 @@ module motion_system #(
       .profile_ready_i(profile_ready),
       .motion_word_o(register_word),
       .sample_valid_o(position_write),
-      .sample_ready_i(position_ready && positions),
+      .sample_ready_i(position_ready),
       .control_write_o(control_write),
       .control_ready_i(control_ready),
       .state_write_o(state_write),
@@ -191,31 +188,6 @@ module motion_system #(
       .steps_i(steps)
   );
 
-  logic motion_segment;
-  logic motion_segment_ready;
-  logic motion_profile;
-  logic motion_profile_ready;
-  logic [47:0] motion_word;
-  word_sources u_words (
-      .words_i(words),
-      .segment_valid_i(segment_valid),
-      .segment_ready_o(segment_ready),
-      .profile_valid_i(profile_valid),
-      .profile_ready_o(profile_ready),
-      .word_i(register_word),
-      .segment_stream_valid_i(segment_valid_i),
-      .segment_stream_ready_o(segment_ready_o),
-      .segment_stream_word_i(segment_data_i),
-      .profile_stream_valid_i(profile_valid_i),
-      .profile_stream_ready_o(profile_ready_o),
-      .profile_stream_word_i(profile_data_i),
-      .segment_valid_o(motion_segment),
-      .segment_ready_i(motion_segment_ready),
-      .profile_valid_o(motion_profile),
-      .profile_ready_i(motion_profile_ready),
-      .word_o(motion_word)
-  );
-
   // What may be
   logic hold;
   logic ends;
@@ -227,11 +199,11 @@ module motion_system #(
   logic sample_valid;
   logic sample_ready;
   logic [Axes*FineBits-1:0] sample;
-  logic motion_sample_valid;
-  logic motion_empty;
+  logic [FineBits-1:0] position;
+  logic [3:0] position_axis;
   logic by_position;
   logic queued;
-  logic position_valid;
+  logic word_taken;
   logic tick;
   logic estop;
   logic [Axes-1:0] limit;
@@ -260,8 +232,7 @@ module motion_system #(
       .standing_i(standing),
       .underrun_i(underrun),
       .motion_fault_i(motion_fault),
-      .word_i(motion_segment && motion_segment_ready || motion_profile && motion_profile_ready ||
-          position_write && position_ready && positions),
+      .word_i(word_taken),
       .offered_i(sample_valid),
       .empty_i(empty),
       .sample_i(sample_valid && sample_ready),
@@ -288,8 +259,8 @@ module motion_system #(
     axes[registers_pkg::AxesLimitLow+:Axes] = limit;
   end
 
-  // Motion
-  paced_motion #(
+  // What moves the axes
+  sample_sources #(
       .Build(Build),
       .Order(Order),
       .CoefBits(CoefBits),
@@ -302,17 +273,31 @@ module motion_system #(
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
-      .SamplesAhead(SamplesAhead)
-  ) u_motion (
+      .SamplesAhead(SamplesAhead),
+      .SampleBufferWords(SampleBufferWords)
+  ) u_sources (
       .clk_i,
       .rst_ni,
-      .segment_valid_i(motion_segment),
-      .segment_ready_o(motion_segment_ready),
-      .profile_valid_i(motion_profile),
-      .profile_ready_o(motion_profile_ready),
-      .word_i(motion_word),
-      .segment_room_o(room[registers_pkg::RoomSegmentLow+:16]),
-      .profile_room_o(room[registers_pkg::RoomProfileLow+:16]),
+      .words_i(words),
+      .segment_valid_i(segment_valid),
+      .segment_ready_o(segment_ready),
+      .profile_valid_i(profile_valid),
+      .profile_ready_o(profile_ready),
+      .word_i(register_word),
+      .segment_stream_valid_i(segment_valid_i),
+      .segment_stream_ready_o(segment_ready_o),
+      .segment_stream_word_i(segment_data_i),
+      .profile_stream_valid_i(profile_valid_i),
+      .profile_stream_ready_o(profile_ready_o),
+      .profile_stream_word_i(profile_data_i),
+      .positions_i(positions),
+      .position_valid_i(position_write),
+      .position_ready_o(position_ready),
+      .position_i(command),
+      .taken_o(word_taken),
+      .room_o(room),
+      .samples_o(samples),
+      .queued_o(queued),
       .hold_i(hold),
       .override_i(override_rate),
       .samples_per_tick_log2_i(samples_per_tick_log2),
@@ -320,42 +305,18 @@ module motion_system #(
       .hold_slope_i(hold_slope),
       .stop_ticks_i(stop_ticks),
       .ends_i(ends),
-      .empty_o(motion_empty),
-      .sample_valid_o(motion_sample_valid),
+      .empty_o(empty),
+      .sample_valid_o(sample_valid),
       .sample_ready_i(sample_ready),
       .sample_o(sample),
+      .axis_i(position_axis),
+      .position_o(position),
       .path_rate_o(rate),
       .path_o(path),
       .active_o(active),
       .underrun_o(underrun),
       .standing_o(standing),
       .fault_o(motion_fault)
-  );
-
-  // Or positions of the host. Words are taken of one of the two, so samples are too.
-  logic [PositionBits-1:0] position;
-  logic [3:0] position_axis;
-  assign sample_valid = motion_sample_valid || position_valid;
-  assign empty = motion_empty && !position_valid;
-  assign queued = samples[registers_pkg::SamplesQueuedLow+:16] != '0;
-  position_buffer #(
-      .Axes (Axes),
-      .Bits (PositionBits),
-      .Words(SampleBufferWords)
-  ) u_positions (
-      .clk_i,
-      .rst_ni,
-      .write_i(position_write && positions),
-      .ready_o(position_ready),
-      .data_i(command[PositionBits-1:0]),
-      .room_o(samples[registers_pkg::SamplesRoomLow+:16]),
-      .queued_o(samples[registers_pkg::SamplesQueuedLow+:16]),
-      .ends_i(ends),
-      .empty_i(empty),
-      .valid_o(position_valid),
-      .ready_i(sample_ready),
-      .axis_i(position_axis),
-      .position_o(position)
   );
 
   // Steps
@@ -384,7 +345,7 @@ module motion_system #(
       .sample_i(sample),
       .by_axis_i(by_position),
       .axis_o(position_axis),
-      .position_i({position, GuardBits'(0)}),
+      .position_i(position),
       .reference_i(reference_axes),
       .estop_i,
       .limit_i,
@@ -404,42 +365,32 @@ module motion_system #(
       .late_o(late)
   );
 
-  if (Galvo == 1) begin : gen_galvo
-    xy2_100 #(
-        .Axes      (Axes),
-        .FineBits  (FineBits),
-        .PeriodLog2(PeriodLog2)
-    ) u_galvo (
-        .clk_i,
-        .rst_ni,
-        .tick_i        (tick),
-        .sample_taken_i(sample_valid && sample_ready),
-        .sample_i      (sample),
-        .clock_o       (galvo_clock_o),
-        .sync_o        (galvo_sync_o),
-        .data_o        (galvo_data_o)
-    );
-  end else begin : gen_no_galvo
-    assign galvo_clock_o = 1'b0;
-    assign galvo_sync_o  = 1'b0;
-    assign galvo_data_o  = '0;
-  end
+  galvo_pins #(
+      .Galvo     (Galvo),
+      .Axes      (Axes),
+      .FineBits  (FineBits),
+      .PeriodLog2(PeriodLog2)
+  ) u_galvo (
+      .clk_i,
+      .rst_ni,
+      .tick_i        (tick),
+      .sample_taken_i(sample_valid && sample_ready && !by_position),
+      .sample_i      (sample),
+      .clock_o       (galvo_clock_o),
+      .sync_o        (galvo_sync_o),
+      .data_o        (galvo_data_o)
+  );
 
-  logic [31:0] counts[16];
-  for (genvar a = 0; a < 16; a++) begin : gen_counts
-    if (a < Axes) begin : g_axis
-      step_counter u_counter (
-          .clk_i,
-          .rst_ni,
-          .rise_i (rise[a]),
-          .back_i (back[a]),
-          .count_o(counts[a])
-      );
-    end else begin : g_none
-      assign counts[a] = 32'd0;
-    end
-  end
-  assign steps = counts[steps_axis];
+  step_counters #(
+      .Axes(Axes)
+  ) u_counters (
+      .clk_i,
+      .rst_ni,
+      .rise_i (rise),
+      .back_i (back),
+      .axis_i (steps_axis),
+      .count_o(steps)
+  );
 
 endmodule
 `default_nettype wire

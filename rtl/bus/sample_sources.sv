@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples for the step generator from two places: programs, whose words come by registers or by
+// streams, or positions of the host.
+//
+//   words     -> word_sources -> paced_motion ----> samples
+//   positions ----------------> position_buffer -> .. axis by axis
+//
+// words_i or positions_i: of one of the two alone something is taken, so samples come of one.
+`default_nettype none
+module sample_sources #(
+    parameter int Build             = 1,
+    parameter int Order             = 6,
+    parameter int CoefBits          = 36,
+    parameter int PositionBits      = 32,
+    parameter int GuardBits         = 10,
+    parameter int AuxAxes           = 0,
+    parameter int Splines           = 1,
+    parameter int Mode              = 1,
+    parameter int SampleInterval    = 8,
+    parameter int MultiplierForm    = 0,
+    parameter int SegmentQueueWords = 1024,
+    parameter int ProfileQueueWords = 1024,
+    parameter int SamplesAhead      = 4,
+    parameter int SampleBufferWords = 512
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Words of registers, and of streams: rtl/bus/word_sources.sv
+    input  wire logic        words_i,
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic        profile_valid_i,
+    output logic             profile_ready_o,
+    input  wire logic [47:0] word_i,
+    input  wire logic        segment_stream_valid_i,
+    output logic             segment_stream_ready_o,
+    input  wire logic [47:0] segment_stream_word_i,
+    input  wire logic        profile_stream_valid_i,
+    output logic             profile_stream_ready_o,
+    input  wire logic [47:0] profile_stream_word_i,
+
+    // Positions: rtl/bus/position_buffer.sv
+    input  wire logic        positions_i,
+    input  wire logic        position_valid_i,
+    output logic             position_ready_o,
+    input  wire logic [31:0] position_i,
+
+    output logic        taken_o,    // any of these
+    output logic [31:0] room_o,     // as the registers ROOM and SAMPLES say
+    output logic [31:0] samples_o,
+    output logic        queued_o,   // samples of the host wait
+
+    // Time: rtl/motion_interpolator.sv
+    input wire logic        hold_i,
+    input wire logic [16:0] override_i,
+    input wire logic [ 3:0] samples_per_tick_log2_i,
+    input wire logic [31:0] hold_acceleration_i,
+    input wire logic [32:0] hold_slope_i,
+    input wire logic [31:0] stop_ticks_i,
+
+    // Samples: of programs whole, of the host the position of an axis
+    input  wire logic                                            ends_i,
+    output logic                                                 empty_o,
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_o,
+    input  wire logic [                                     3:0] axis_i,
+    output logic      [              PositionBits+GuardBits-1:0] position_o,
+
+    // Telemetry
+    output logic [16:0] path_rate_o,
+    output logic [63:0] path_o,
+    output logic        active_o,
+    output logic        underrun_o,
+    output logic        standing_o,
+    output logic [ 7:0] fault_o
+);
+
+  logic segment_valid;
+  logic segment_ready;
+  logic profile_valid;
+  logic profile_ready;
+  logic [47:0] word;
+  word_sources u_words (
+      .words_i,
+      .segment_valid_i,
+      .segment_ready_o,
+      .profile_valid_i,
+      .profile_ready_o,
+      .word_i,
+      .segment_stream_valid_i,
+      .segment_stream_ready_o,
+      .segment_stream_word_i,
+      .profile_stream_valid_i,
+      .profile_stream_ready_o,
+      .profile_stream_word_i,
+      .segment_valid_o(segment_valid),
+      .segment_ready_i(segment_ready),
+      .profile_valid_o(profile_valid),
+      .profile_ready_i(profile_ready),
+      .word_o(word)
+  );
+
+  logic motion_empty;
+  logic motion_valid;
+  paced_motion #(
+      .Build(Build),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Splines(Splines),
+      .Mode(Mode),
+      .SampleInterval(SampleInterval),
+      .MultiplierForm(MultiplierForm),
+      .SegmentQueueWords(SegmentQueueWords),
+      .ProfileQueueWords(ProfileQueueWords),
+      .SamplesAhead(SamplesAhead)
+  ) u_motion (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i(segment_valid),
+      .segment_ready_o(segment_ready),
+      .profile_valid_i(profile_valid),
+      .profile_ready_o(profile_ready),
+      .word_i(word),
+      .segment_room_o(room_o[registers_pkg::RoomSegmentLow+:16]),
+      .profile_room_o(room_o[registers_pkg::RoomProfileLow+:16]),
+      .hold_i,
+      .override_i,
+      .samples_per_tick_log2_i,
+      .hold_acceleration_i,
+      .hold_slope_i,
+      .stop_ticks_i,
+      .ends_i,
+      .empty_o(motion_empty),
+      .sample_valid_o(motion_valid),
+      .sample_ready_i,
+      .sample_o,
+      .path_rate_o,
+      .path_o,
+      .active_o,
+      .underrun_o,
+      .standing_o,
+      .fault_o
+  );
+
+  logic buffer_ready;
+  logic buffer_valid;
+  logic [PositionBits-1:0] position;
+  position_buffer #(
+      .Axes (3 + AuxAxes),
+      .Bits (PositionBits),
+      .Words(SampleBufferWords)
+  ) u_positions (
+      .clk_i,
+      .rst_ni,
+      .write_i(position_valid_i && positions_i),
+      .ready_o(buffer_ready),
+      .data_i(position_i[PositionBits-1:0]),
+      .room_o(samples_o[registers_pkg::SamplesRoomLow+:16]),
+      .queued_o(samples_o[registers_pkg::SamplesQueuedLow+:16]),
+      .ends_i,
+      .empty_i(empty_o),
+      .valid_o(buffer_valid),
+      .ready_i(sample_ready_i),
+      .axis_i,
+      .position_o(position)
+  );
+  assign position_ready_o = buffer_ready && positions_i;
+  assign position_o = {position, GuardBits'(0)};
+  assign queued_o = samples_o[registers_pkg::SamplesQueuedLow+:16] != '0;
+
+  assign taken_o = segment_valid && segment_ready || profile_valid && profile_ready ||
+      position_valid_i && position_ready_o;
+  assign sample_valid_o = motion_valid || buffer_valid;
+  assign empty_o = motion_empty && !buffer_valid;
+
+endmodule
+`default_nettype wire

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them.
+`default_nettype none
+module galvo_pins #(
+    parameter int Galvo      = 0,   // 0, 1
+    parameter int Axes       = 3,   // [3, 9]
+    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int PeriodLog2 = 9    // with Galvo: [7, 20]
+) (
+    input  wire logic                     clk_i,
+    input  wire logic                     rst_ni,
+    input  wire logic                     tick_i,
+    input  wire logic                     sample_taken_i,
+    input  wire logic [Axes*FineBits-1:0] sample_i,
+    output logic                          clock_o,
+    output logic                          sync_o,
+    output logic      [              2:0] data_o
+);
+
+  initial if (Galvo != 0 && Galvo != 1) $fatal(1, "Galvo must be 0 or 1");
+
+  if (Galvo == 1) begin : gen_galvo
+    xy2_100 #(
+        .Axes      (Axes),
+        .FineBits  (FineBits),
+        .PeriodLog2(PeriodLog2)
+    ) u_frames (
+        .clk_i,
+        .rst_ni,
+        .tick_i,
+        .sample_taken_i,
+        .sample_i,
+        .clock_o,
+        .sync_o,
+        .data_o
+    );
+  end else begin : gen_none
+    logic unused;
+    assign unused  = &{clk_i, rst_ni, tick_i, sample_taken_i, sample_i};
+    assign clock_o = 1'b0;
+    assign sync_o  = 1'b0;
+    assign data_o  = '0;
+  end
+
+endmodule
+`default_nettype wire

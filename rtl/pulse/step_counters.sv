@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steps given since the reset, of each axis; that of one of them is read.
+`default_nettype none
+module step_counters #(
+    parameter int Axes = 3  // [1, 9]
+) (
+    input  wire logic            clk_i,
+    input  wire logic            rst_ni,
+    input  wire logic [Axes-1:0] rise_i,
+    input  wire logic [Axes-1:0] back_i,
+    input  wire logic [     3:0] axis_i,
+    output logic      [    31:0] count_o
+);
+
+  logic [31:0] counts[16];
+  for (genvar a = 0; a < 16; a++) begin : gen_counts
+    if (a < Axes) begin : g_axis
+      step_counter u_counter (
+          .clk_i,
+          .rst_ni,
+          .rise_i (rise_i[a]),
+          .back_i (back_i[a]),
+          .count_o(counts[a])
+      );
+    end else begin : g_none
+      assign counts[a] = 32'd0;
+    end
+  end
+  assign count_o = counts[axis_i];
+
+endmodule
+`default_nettype wire
