@@ -145,7 +145,7 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
 /// Serial build, rtl/path/path_sequencer.sv: from a tick of time to the next, at most. A product
 /// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 where a piece begins. A
 /// jump costs a clock.
-constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 29;
+constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 32;
 
 /// Serial build, rtl/path/time_scaler_serial.sv: from a tick's target to its rate, at most. The
 /// tick before is evaluated meanwhile.

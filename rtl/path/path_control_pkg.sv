@@ -11,7 +11,7 @@ package path_control_pkg;
   localparam int OfTicks = 10;  // the ticks of the next piece, the same
   localparam int Clear = 11;  // the sum
   localparam int Add = 12;  // the operand to it
-  localparam int Minus = 13;  // subtract it
+  localparam int Invert = 13;  // the bits of what Add gives
   localparam int Halve = 14;  // what Add gives
   localparam int Multiply = 15;  // add it only if the factor's next bit is 1; operand 2, no other
   localparam int Round = 16;  // add the bit that Halve dropped in the clock before

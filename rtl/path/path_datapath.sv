@@ -2,7 +2,9 @@
 // One adder, a memory of 16 words and the bits of a factor: what evaluates profile pieces in the
 // serial build, by the words of rtl/path/path_program.sv (rtl/path/path_control_pkg.sv).
 //
-//     sum' = sum +- memory[read]               Halve: half of that, rounded down
+//     sum' = sum + memory[read]       Halve: half of that, rounded down; Invert: its bits inverted
+//
+// Differences are sums: a - b = ~(~a + b).
 //
 // Halves with Multiply make the product of Factor and the loaded word, from its lowest bit on. Each
 // drops a bit that no later one changes, so n of them give the product over 2^n, rounded down; the
@@ -19,7 +21,6 @@ module path_datapath (
 
     input  wire logic   [path_control_pkg::Bits-1:0] control_i,
     input  wire logic   [path_control_pkg::Bits-1:0] ahead_i,    // of the next clock
-    input  wire logic                                stay_i,     // but control_i stays
     input  wire logic   [                       1:0] pass_i,     // of the coefficient read
     output logic signed [                      47:0] sum_o,
 
@@ -34,18 +35,17 @@ module path_datapath (
     input wire logic [43:0] word_i
 );
 
-  logic minus;
   logic multiply;
-  assign minus    = control_i[path_control_pkg::Minus];
   assign multiply = control_i[path_control_pkg::Multiply];
 
-  // What is read for the next clock. A product's bits choose between places 2 and 0.
+  // What is read for the next clock. A product's bits choose between places 2 and 0; behind the
+  // last one they are 0, as time in a piece is less than 2^m.
   logic [34:0] factor_q;
   logic [3:0] read;
   logic chooses;
   logic next_bit;
   assign read     = ahead_i[path_control_pkg::Read+:4];
-  assign chooses  = stay_i ? multiply : ahead_i[path_control_pkg::Multiply];
+  assign chooses  = multiply || ahead_i[path_control_pkg::Multiply];
   assign next_bit = control_i[path_control_pkg::Load] ? sum_o[0] : factor_q[1];
 
   // Words of a piece: {1, bank, pass}, ds as pass 3.
@@ -80,19 +80,19 @@ module path_datapath (
   end
 
   logic half_q;
-  logic carry;
   logic [48:0] augend;
   logic [48:0] addend;
   logic [48:0] sum;
-  assign carry = minus || (control_i[path_control_pkg::Round] && half_q);
+  logic [47:0] next;
   assign augend = {sum_o, 1'b1};
-  assign addend = {minus ? ~operand_q : operand_q, carry};
+  assign addend = {operand_q, control_i[path_control_pkg::Round] && half_q};
   assign sum    = augend + addend;
+  assign next   = control_i[path_control_pkg::Halve] ? {sum[48], sum[48:2]} : sum[48:1];
   always_ff @(posedge clk_i) begin
     half_q <= sum[1];
     if (!rst_ni || control_i[path_control_pkg::Clear]) sum_o <= '0;
     else if (control_i[path_control_pkg::Add])
-      sum_o <= control_i[path_control_pkg::Halve] ? {sum[48], sum[48:2]} : sum[48:1];
+      sum_o <= next ^ {48{control_i[path_control_pkg::Invert]}};
   end
 
   always_ff @(posedge clk_i) begin

@@ -130,7 +130,6 @@ module path_generator #(
   if (Build == 1) begin : g_serial
     logic [path_control_pkg::Bits-1:0] control;
     logic [path_control_pkg::Bits-1:0] ahead;
-    logic stay;
     logic [1:0] pass;
     logic signed [47:0] sum;
     logic look;
@@ -153,7 +152,6 @@ module path_generator #(
         .rate_o(ds_rate_o),
         .control_o(control),
         .ahead_o(ahead),
-        .stay_o(stay),
         .pass_o(pass),
         .negative_i(sum[47]),
         .ds_valid_o,
@@ -169,7 +167,6 @@ module path_generator #(
         .rst_ni,
         .control_i(control),
         .ahead_i(ahead),
-        .stay_i(stay),
         .pass_i(pass),
         .sum_o(sum),
         .rate_i(ds_rate_o),

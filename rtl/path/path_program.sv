@@ -22,6 +22,7 @@ module path_program (
     TakeRate,
     AddTime,
     AddRate,
+    KeepTime,
     LessEnd,
     Decide,
     // Beyond the piece's end
@@ -61,6 +62,7 @@ module path_program (
     Doubled,
     AddDouble,
     // up to the piece's end
+    Forward,
     LessDs,
     Compare,
     AtEnd,
@@ -69,6 +71,7 @@ module path_program (
     Change,
     CompareChange,
     NewPath,
+    AddChange,
     BackToPath
   } place_t;
 
@@ -99,9 +102,9 @@ module path_program (
     add = One << path_control_pkg::Add;
     add[path_control_pkg::Read+:4] = place;
   endfunction
-  function automatic logic [Bits-1:0] less(input logic [3:0] place);
-    less = add(place);
-    less[path_control_pkg::Minus] = 1'b1;
+  function automatic logic [Bits-1:0] invert(input logic [3:0] place);
+    invert = add(place);
+    invert[path_control_pkg::Invert] = 1'b1;
   endfunction
   function automatic logic [Bits-1:0] halve(input logic [3:0] place);
     halve = add(place);
@@ -136,54 +139,58 @@ module path_program (
 
   initial begin
     for (int n = 0; n < 64; n = n + 1) program_rom[n] = '0;
-    program_rom[Start]         = write(Zero) | go(Wait);
-    program_rom[Nothing]       = Clear;
-    program_rom[AddRest]       = add(Rest);
-    program_rom[Send]          = Sends | stay_if(path_control_pkg::NotSent);
-    program_rom[Wait]          = Clear | Ready | stay_if(path_control_pkg::NoRate);
-    program_rom[TakeRate]      = write(Rate) | OfRate;
-    program_rom[AddTime]       = write(Rest) | add(Time);
-    program_rom[AddRate]       = add(Rate);
-    program_rom[LessEnd]       = write(Time) | less(End);
-    program_rom[Decide]        = go_if(path_control_pkg::Runs, Inside);
-    program_rom[MayStop]       = go_if(path_control_pkg::Stops, Stop);
-    program_rom[MayPass]       = go_if(path_control_pkg::NotLoaded, MayStop);
-    program_rom[Over]          = write(Time) | Clear | go_if(path_control_pkg::NotActive, Begin);
-    program_rom[WholeDs]       = add(Ds);
-    program_rom[LessPath]      = less(Path);
-    program_rom[KeepRest]      = write(Rest) | Clear;
-    program_rom[SetEnd]        = write(End) | OfTicks;
-    program_rom[AtStart]       = write(Path) | add(Time);
-    program_rom[NextLessEnd]   = less(End);
-    program_rom[Take]          = Takes | go_if(path_control_pkg::Negative, Inside);
-    program_rom[Whole]         = Clear | go(ReadDs);
-    program_rom[Begin]         = write(Time) | OfRate | go(SetEnd);
-    program_rom[Stop]          = Clear | go_if(path_control_pkg::WasNotActive, AddRest);
-    program_rom[StopTime]      = add(End);
-    program_rom[StopAtEnd]     = write(Time) | Clear | go(ReadDs);
-    program_rom[Inside]        = Clear;
-    program_rom[Highest]       = add(Coefficient) | Next;
-    program_rom[SetFactor]     = write(Factor) | Clear;
-    program_rom[ReadTime]      = add(Time);
-    program_rom[LoadTime]      = Load | Clear;
-    program_rom[Product]       = Multiply | halve(Factor) | stay_if(path_control_pkg::MoreBits);
-    program_rom[RoundProduct]  = Round | add(Zero) | go_if(path_control_pkg::LastPass, Scale);
-    program_rom[NextPower]     = add(Coefficient) | Next | go(SetFactor);
-    program_rom[Scale]         = Next | go_if(path_control_pkg::IsAbove, Double);
-    program_rom[NoScale]       = go_if(path_control_pkg::IsExact, LessDs);
-    program_rom[Halves]        = halve(Zero) | stay_if(path_control_pkg::MoreHalves);
-    program_rom[RoundHalves]   = Round | add(Zero) | go(LessDs);
-    program_rom[Double]        = write(Factor);
-    program_rom[Doubled]       = '0;
-    program_rom[AddDouble]     = add(Factor) | go_if(path_control_pkg::MoreDoubles, Double);
-    program_rom[LessDs]        = less(Ds) | go_if(path_control_pkg::Negative, Nothing);
-    program_rom[Compare]       = go_if(path_control_pkg::Negative, BackToPath);
-    program_rom[AtEnd]         = Clear;
-    program_rom[ReadDs]        = add(Ds);
-    program_rom[Change]        = less(Path);
-    program_rom[CompareChange] = add(Path) | go_if(path_control_pkg::Negative, Nothing);
-    program_rom[NewPath]       = write(Path) | less(Path) | go(AddRest);
-    program_rom[BackToPath]    = add(Ds) | go(Change);
+    program_rom[Start] = write(Zero) | go(Wait);
+    program_rom[Nothing] = Clear;
+    program_rom[AddRest] = add(Rest);
+    program_rom[Send] = Sends | stay_if(path_control_pkg::NotSent);
+    program_rom[Wait] = Clear | Ready | stay_if(path_control_pkg::NoRate);
+    program_rom[TakeRate] = write(Rate) | OfRate;
+    program_rom[AddTime] = write(Rest) | add(Time);
+    program_rom[AddRate] = add(Rate);
+    program_rom[KeepTime] = write(Time) | invert(Zero);
+    program_rom[LessEnd] = invert(End);
+    program_rom[Decide] = go_if(path_control_pkg::Runs, Inside);
+    program_rom[MayStop] = go_if(path_control_pkg::Stops, Stop);
+    program_rom[MayPass] = go_if(path_control_pkg::NotLoaded, MayStop);
+    program_rom[Over] = write(Time) | Clear | go_if(path_control_pkg::NotActive, Begin);
+    program_rom[WholeDs] = invert(Ds);
+    program_rom[LessPath] = invert(Path);
+    program_rom[KeepRest] = write(Rest) | Clear;
+    program_rom[SetEnd] = write(End) | OfTicks;
+    program_rom[AtStart] = write(Path) | invert(Time);
+    program_rom[NextLessEnd] = invert(End);
+    program_rom[Take] = Takes | go_if(path_control_pkg::Negative, Inside);
+    program_rom[Whole] = Clear | go(ReadDs);
+    program_rom[Begin] = write(Time) | OfRate | go(SetEnd);
+    program_rom[Stop] = Clear | go_if(path_control_pkg::WasNotActive, AddRest);
+    program_rom[StopTime] = add(End);
+    program_rom[StopAtEnd] = write(Time) | Clear | go(ReadDs);
+    program_rom[Inside] = Clear;
+    program_rom[Highest] = add(Coefficient) | Next;
+    program_rom[SetFactor] = write(Factor) | Clear;
+    program_rom[ReadTime] = add(Time);
+    program_rom[LoadTime] = Load | Clear;
+    program_rom[Product] = Multiply | halve(Factor) | stay_if(path_control_pkg::MoreBits);
+    program_rom[RoundProduct] = Round | add(Zero) | go_if(path_control_pkg::LastPass, Scale);
+    program_rom[NextPower] = add(Coefficient) | Next | go(SetFactor);
+    program_rom[Scale] = Next | go_if(path_control_pkg::IsAbove, Double);
+    program_rom[NoScale] = go_if(path_control_pkg::IsExact, Forward);
+    program_rom[Halves] = halve(Zero) | stay_if(path_control_pkg::MoreHalves);
+    program_rom[RoundHalves] = Round | add(Zero) | go(Forward);
+    program_rom[Double] = write(Factor);
+    program_rom[Doubled] = '0;
+    program_rom[AddDouble] = add(Factor) | go_if(path_control_pkg::MoreDoubles, Double);
+    program_rom[Forward] = invert(Zero) | go_if(path_control_pkg::Negative, Nothing);
+    program_rom[LessDs] = invert(Ds);
+    program_rom[Compare] = go_if(path_control_pkg::Negative, BackToPath);
+    program_rom[AtEnd] = Clear;
+    program_rom[ReadDs] = invert(Ds);
+    program_rom[Change] = invert(Path);
+    program_rom[CompareChange] = write(Factor) | add(Path) |
+        go_if(path_control_pkg::Negative, Nothing);
+    program_rom[NewPath] = write(Path) | Clear;
+    program_rom[AddChange] = add(Factor) | go(AddRest);
+    program_rom[BackToPath] = invert(Ds) | go(Change);
   end
 
 endmodule

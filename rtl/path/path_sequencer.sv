@@ -3,7 +3,7 @@
 // rtl/path/path_datapath.sv, which is rtl/path/path_program.sv. Twin: PathKernel::tick of
 // hls/path_kernel.hpp.
 //
-//   clock          0    5    6    15     n
+//   clock          0    6    7    16     n
 //   rate_valid_i   1
 //   rate_ready_o   1                     n + 1
 //   tick_taken_o        1                        inside a piece
@@ -39,7 +39,6 @@ module path_sequencer (
     // Datapath
     output logic      [path_control_pkg::Bits-1:0] control_o,
     output logic      [path_control_pkg::Bits-1:0] ahead_o,    // of the next clock
-    output logic                                   stay_o,     // but control_o stays
     output logic      [                       1:0] pass_o,     // of the coefficient read
     input  wire logic                              negative_i, // the sum
 
@@ -88,7 +87,6 @@ module path_sequencer (
   assign jump      = holds && !word[path_control_pkg::Stay];
   assign control_o = word[path_control_pkg::Bits-1:0];
   assign ahead_o   = fetched[path_control_pkg::Bits-1:0];
-  assign stay_o    = stay;
 
   // Numbers of halves: 16 + m of a product, 34 - e of a result; below 0 it doubles
   logic held_q;

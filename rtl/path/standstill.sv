@@ -38,7 +38,7 @@ module standstill (
   logic [8:0] under_way_d;
   logic rests_q;
   logic [8:0] left_q;  // of the samples asked for before it rests
-  assign under_way_d = under_way_q + {8'b0, asked_i} - {8'b0, leaves_i};
+  assign under_way_d = under_way_q + {{8{leaves_i && !asked_i}}, leaves_i != asked_i};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       ahead_q     <= '0;
@@ -46,7 +46,7 @@ module standstill (
       rests_q     <= 1'b1;
       left_q      <= '0;
     end else begin
-      ahead_q     <= ahead_q + {4'b0, starts} - {4'b0, scaled};
+      ahead_q     <= ahead_q + {{4{scaled && !starts}}, scaled != starts};
       under_way_q <= under_way_d;
       if (starts) rests_q <= 1'b0;
       else if (scaled_i && still_i && ahead_q == '0) rests_q <= 1'b1;
