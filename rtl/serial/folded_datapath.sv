@@ -74,17 +74,15 @@ module folded_datapath #(
   assign d_address_o = d_address_q[7];
 
   // Constants are in 0x81, 0x91 and 0xa0 to 0xaf.
-  logic constant_q;
-  always_ff @(posedge clk_i) begin
-    constant_q <= d_address_q[6] == AddressBits'(8'h81) || d_address_q[6] == AddressBits'(8'h91) ||
-        d_address_q[6][AddressBits-1:4] == (4 + Splines)'(4'ha);
-  end
+  logic constant;
+  assign constant = d_address_o == AddressBits'(8'h81) || d_address_o == AddressBits'(8'h91) ||
+      d_address_o[AddressBits-1:4] == (4 + Splines)'(4'ha);
 
   logic                   write;
   logic [AddressBits-1:0] write_address;
   logic [          W-1:0] write_data;
   assign external_ready_o = target_o != 2'd1;
-  assign write            = rst_ni && (external_ready_o ? external_i : !constant_q);
+  assign write            = rst_ni && (external_ready_o ? external_i : !constant);
   assign write_address    = external_ready_o ? external_address_i : d_address_o;
   assign write_data       = external_ready_o ? external_data_i : d_o;
 
