@@ -84,7 +84,7 @@ module serial_tracker #(
   logic        [47:0] length_q;  // of the step
   logic        [47:0] full_q;
   logic signed [49:0] beyond_q;
-  logic               equal_q;
+  logic               equal;
   logic        [42:0] shift_q;
   logic        [ 4:0] count_q;
 
@@ -102,7 +102,7 @@ module serial_tracker #(
   end
   assign net_start_o = network && !started_q;
   assign done = network && started_q && !net_busy_i;
-  assign over = !beyond_q[49] && (!equal_q || !last_q);
+  assign over = !beyond_q[49] && (!equal || !last_q);
 
   // The network's part of this state
   logic [7:0] part;
@@ -220,7 +220,8 @@ module serial_tracker #(
   assign ds            = {2'b00, request_ds_i};
   assign length        = {2'b00, length_q};
   assign after         = rest_q - full_q;
-  assign fits          = rest_q <= full_q;
+  assign equal         = beyond_q == '0;
+  assign fits          = after[47] || after == '0;
   always_ff @(posedge clk_i) begin
     if (opening) rest_q <= {4'b0, segment_data_i[43:0]};
     if (state_q == Weights) full_q <= 48'd1 << full_exponent;
@@ -228,7 +229,6 @@ module serial_tracker #(
     if (state_q == Rest) last_q <= fits;
     if (state_q == Measure) length_q <= last_q ? rest_q : full_q;
     beyond_q <= sigma_q - length;
-    equal_q  <= sigma_q == length;
     if (!rst_ni) sigma_q <= '0;
     else if (state_q == Ready && request_valid_i) sigma_q <= sigma_q + ds;
     else if (state_q == Decide && over) sigma_q <= beyond_q;
@@ -239,7 +239,7 @@ module serial_tracker #(
     if (state_q == Decide) begin
       shift_q <= sigma_q[42:0];
       count_q <= down_o;
-      land_q  <= equal_q;
+      land_q  <= equal;
     end else if (state_q == Shift) begin
       if (count_q >= 5'd4) begin
         shift_q <= {shift_q[38:0], 4'd0};
