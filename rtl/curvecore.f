@@ -37,6 +37,7 @@ bus/frame_reader.sv
 bus/machine_state.sv
 bus/paced_motion.sv
 bus/position_buffer.sv
+bus/probe_catch.sv
 bus/queue_room.sv
 bus/register_file.sv
 bus/sample_sources.sv

@@ -60,6 +60,8 @@ module motion_axi #(
     // Pins: rtl/motion_system.sv
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
+    input  wire logic                 probe_i,
+    input  wire logic [3+AuxAxes-1:0] home_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -143,6 +145,8 @@ module motion_axi #(
       .profile_data_i(profile_tdata_i[47:0]),
       .estop_i,
       .limit_i,
+      .probe_i,
+      .home_i,
       .step_o,
       .direction_o,
       .enable_o,

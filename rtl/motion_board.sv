@@ -37,6 +37,8 @@ module motion_board #(
     // Pins: rtl/motion_system.sv
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
+    input  wire logic                 probe_i,
+    input  wire logic [3+AuxAxes-1:0] home_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -108,6 +110,8 @@ module motion_board #(
       .profile_data_i(48'd0),
       .estop_i,
       .limit_i,
+      .probe_i,
+      .home_i,
       .step_o,
       .direction_o,
       .enable_o,

@@ -66,6 +66,8 @@ module motion_system #(
     // Pins
     input  wire logic                 estop_i,
     input  wire logic [3+AuxAxes-1:0] limit_i,
+    input  wire logic                 probe_i,
+    input  wire logic [3+AuxAxes-1:0] home_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -120,6 +122,8 @@ module motion_system #(
   logic state_write;
   logic reference_write;
   logic reference_ready;
+  logic probe_write;
+  logic homed_write;
   logic [31:0] command;
   logic [31:0] state;
   logic [31:0] axes;
@@ -129,6 +133,9 @@ module motion_system #(
   logic [16:0] rate;
   logic [3:0] steps_axis;
   logic [31:0] steps;
+  logic note_ready;
+  logic [6:0] note_word;
+  logic [31:0] note_data;
   logic words;  // may be taken
   logic positions;  // may be taken
   register_file #(
@@ -177,6 +184,8 @@ module motion_system #(
       .state_write_o(state_write),
       .reference_write_o(reference_write),
       .reference_ready_i(reference_ready),
+      .probe_write_o(probe_write),
+      .homed_write_o(homed_write),
       .command_o(command),
       .state_i(state),
       .axes_i(axes),
@@ -185,7 +194,10 @@ module motion_system #(
       .path_i(path),
       .rate_i(rate),
       .steps_axis_o(steps_axis),
-      .steps_i(steps)
+      .steps_i(steps),
+      .note_ready_o(note_ready),
+      .note_word_i(note_word),
+      .note_data_i(note_data)
   );
 
   // What may be
@@ -213,6 +225,8 @@ module motion_system #(
   logic [Axes-1:0] refused;
   logic late;
   logic [Axes-1:0] reference_axes;
+  logic [Axes-1:0] homed;
+  logic caught;
   machine_state #(
       .Axes(Axes)
   ) u_state (
@@ -223,11 +237,14 @@ module motion_system #(
       .state_write_i(state_write),
       .reference_write_i(reference_write),
       .reference_ready_o(reference_ready),
+      .homed_write_i(homed_write),
       .command_i(command),
       .access_i(done_o),
       .error_i(done_o && error_o && write_i),
       .watchdog_i(watchdog),
       .state_o(state),
+      .homed_o(homed),
+      .caught_i(caught),
       .active_i(active),
       .standing_i(standing),
       .underrun_i(underrun),
@@ -246,6 +263,7 @@ module motion_system #(
       .estop_i(estop),
       .limit_i(limit & ~limit_masked),
       .referenced_i(referenced),
+      .uncertain_i(uncertain),
       .overrun_i(overrun != '0),
       .refused_i(refused != '0),
       .late_i(late),
@@ -258,6 +276,24 @@ module motion_system #(
     axes[registers_pkg::AxesUncertainLow+:Axes] = uncertain;
     axes[registers_pkg::AxesLimitLow+:Axes] = limit;
   end
+
+  probe_catch #(
+      .Axes(Axes)
+  ) u_probe (
+      .clk_i,
+      .rst_ni,
+      .probe_i,
+      .home_i,
+      .write_i(probe_write),
+      .command_i(command[5:0]),
+      .homed_i(homed),
+      .caught_o(caught),
+      .note_ready_i(note_ready),
+      .note_word_o(note_word),
+      .note_data_o(note_data),
+      .steps_i(steps),
+      .path_i(path[47:16])
+  );
 
   // What moves the axes
   sample_sources #(

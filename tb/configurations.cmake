@@ -307,11 +307,13 @@ core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${seri
 core_test(motion_system parallel TOP motion_system LIBRARIES curvecore_host
           ${system} Build=0 Galvo=1)
 core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${serial})
+core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_host ${serial})
 # The same beside its flat file, clock by clock.
 verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
 core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
           LIBRARIES curvecore_host flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
-foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial)
+foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial
+             motion_probe_serial)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()

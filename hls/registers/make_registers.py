@@ -24,7 +24,7 @@ def sentence(node):
 
 
 def read_registers():
-    """Registers in the order of their addresses; those of axes: of axis 0."""
+    """Registers in the order of their addresses; those of axes: of axis 0. NAME[n]: NAMEn."""
     compiler = RDLCompiler()
     compiler.compile_file(str(HERE / "registers.rdl"))
     registers, axes = [], {}
@@ -41,10 +41,13 @@ def read_registers():
                    "reset": field.get_property("reset") or 0, "what": sentence(field)}
                   for field in node.fields()]
         in_axis = isinstance(node.parent, RegfileNode)
-        registers.append({
-            "name": node.inst_name, "what": sentence(node), "axis": in_axis,
-            "address": node.raw_address_offset + (axes["address"] if in_axis else 0),
-            "read": node.has_sw_readable, "write": node.has_sw_writable, "fields": fields})
+        address = node.raw_address_offset + (axes["address"] if in_axis else 0)
+        numbers = range(node.array_dimensions[0]) if node.is_array else [""]
+        registers += [{
+            "name": f"{node.inst_name}{number}", "what": sentence(node), "axis": in_axis,
+            "address": address + (number or 0) * (node.array_stride or 0),
+            "read": node.has_sw_readable, "write": node.has_sw_writable, "fields": fields}
+            for number in numbers]
     return registers, axes
 
 

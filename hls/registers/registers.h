@@ -107,6 +107,8 @@
 #define CURVECORE_STATE_READY_MASK 0x00800000u
 #define CURVECORE_STATE_ESTOP_PIN_LOW 24
 #define CURVECORE_STATE_ESTOP_PIN_MASK 0x01000000u
+#define CURVECORE_STATE_CAUGHT_LOW 31
+#define CURVECORE_STATE_CAUGHT_MASK 0x80000000u
 
 /* Axes, bit n of each field is axis n. */
 #define CURVECORE_AXES 0x01c
@@ -239,6 +241,79 @@
 #define CURVECORE_SAMPLES_QUEUED_LOW 16
 #define CURVECORE_SAMPLES_QUEUED_MASK 0xffff0000u
 
+/* A switch that the motion waits for. When it is as asked, on one rising edge of the clock behind the synchroniser, path and steps are noted and the motion holds, on the path. */
+#define CURVECORE_PROBE 0x080
+#define CURVECORE_PROBE_SWITCH_LOW 0
+#define CURVECORE_PROBE_SWITCH_MASK 0x0000000fu
+#define CURVECORE_PROBE_HIGH_LOW 4
+#define CURVECORE_PROBE_HIGH_MASK 0x00000010u
+#define CURVECORE_PROBE_ARMED_LOW 5
+#define CURVECORE_PROBE_ARMED_MASK 0x00000020u
+
+/* Switches, as they were some clocks ago. */
+#define CURVECORE_SWITCHES 0x084
+#define CURVECORE_SWITCHES_HOME_LOW 0
+#define CURVECORE_SWITCHES_HOME_MASK 0x000001ffu
+#define CURVECORE_SWITCHES_PROBE_LOW 9
+#define CURVECORE_SWITCHES_PROBE_MASK 0x00000200u
+#define CURVECORE_SWITCHES_HOMED_LOW 10
+#define CURVECORE_SWITCHES_HOMED_MASK 0x0007fc00u
+
+/* Path when PROBE caught: of the sample that was asked for last. */
+#define CURVECORE_CAUGHT_PATH 0x088
+#define CURVECORE_CAUGHT_PATH_PATH_LOW 0
+#define CURVECORE_CAUGHT_PATH_PATH_MASK 0xffffffffu
+
+/* Axes whose ORIGIN is right. It is forgotten when a pulse of the axis is cut. */
+#define CURVECORE_HOMED 0x08c
+#define CURVECORE_HOMED_AXES_LOW 0
+#define CURVECORE_HOMED_AXES_MASK 0x000001ffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN0 0x090
+#define CURVECORE_ORIGIN0_STEPS_LOW 0
+#define CURVECORE_ORIGIN0_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN1 0x094
+#define CURVECORE_ORIGIN1_STEPS_LOW 0
+#define CURVECORE_ORIGIN1_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN2 0x098
+#define CURVECORE_ORIGIN2_STEPS_LOW 0
+#define CURVECORE_ORIGIN2_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN3 0x09c
+#define CURVECORE_ORIGIN3_STEPS_LOW 0
+#define CURVECORE_ORIGIN3_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN4 0x0a0
+#define CURVECORE_ORIGIN4_STEPS_LOW 0
+#define CURVECORE_ORIGIN4_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN5 0x0a4
+#define CURVECORE_ORIGIN5_STEPS_LOW 0
+#define CURVECORE_ORIGIN5_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN6 0x0a8
+#define CURVECORE_ORIGIN6_STEPS_LOW 0
+#define CURVECORE_ORIGIN6_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN7 0x0ac
+#define CURVECORE_ORIGIN7_STEPS_LOW 0
+#define CURVECORE_ORIGIN7_STEPS_MASK 0xffffffffu
+
+/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+#define CURVECORE_ORIGIN8 0x0b0
+#define CURVECORE_ORIGIN8_STEPS_LOW 0
+#define CURVECORE_ORIGIN8_STEPS_MASK 0xffffffffu
+
 /* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100
 #define CURVECORE_AXIS_SCALE_LO_SCALE_LOW 0
@@ -253,5 +328,10 @@
 #define CURVECORE_AXIS_STEPS 0x108
 #define CURVECORE_AXIS_STEPS_COUNT_LOW 0
 #define CURVECORE_AXIS_STEPS_COUNT_MASK 0xffffffffu
+
+/* STEPS when PROBE caught; of axis n 3 + n to 5 + 3 n clocks behind the pin. Of axis 0. */
+#define CURVECORE_AXIS_CAUGHT 0x10c
+#define CURVECORE_AXIS_CAUGHT_COUNT_LOW 0
+#define CURVECORE_AXIS_CAUGHT_COUNT_MASK 0xffffffffu
 
 #endif

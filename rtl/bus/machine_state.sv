@@ -18,16 +18,19 @@ module machine_state #(
     input wire logic rst_ni,
 
     // Registers
-    input  wire logic        control_write_i,
-    output logic             control_ready_o,
-    input  wire logic        state_write_i,
-    input  wire logic        reference_write_i,
-    output logic             reference_ready_o,
-    input  wire logic [31:0] command_i,
-    input  wire logic        access_i,           // any, answered
-    input  wire logic        error_i,            // a write, with an error
-    input  wire logic [15:0] watchdog_i,         // samples without access
-    output logic      [31:0] state_o,
+    input  wire logic            control_write_i,
+    output logic                 control_ready_o,
+    input  wire logic            state_write_i,
+    input  wire logic            reference_write_i,
+    output logic                 reference_ready_o,
+    input  wire logic            homed_write_i,
+    input  wire logic [    31:0] command_i,
+    input  wire logic            access_i,           // any, answered
+    input  wire logic            error_i,            // a write, with an error
+    input  wire logic [    15:0] watchdog_i,         // samples without access
+    output logic      [    31:0] state_o,
+    output logic      [Axes-1:0] homed_o,
+    input  wire logic            caught_i,           // PROBE
 
     // Motion
     input  wire logic       active_i,
@@ -52,6 +55,7 @@ module machine_state #(
     input  wire logic            estop_i,       // behind the synchroniser
     input  wire logic [Axes-1:0] limit_i,       // and not masked
     input  wire logic [Axes-1:0] referenced_i,
+    input  wire logic [Axes-1:0] uncertain_i,
     input  wire logic            overrun_i,     // of any axis
     input  wire logic            refused_i,
     input  wire logic            late_i,
@@ -130,7 +134,7 @@ module machine_state #(
   logic moved_q;
   logic clean_q;
   logic rests;
-  assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow];
+  assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow] || caught_i;
   assign rests  = position_o ? !queued_i : standing_i || !moved_q;
   assign ends_o = !enable_o || (flush_q && rests);
   always_ff @(posedge clk_i) begin
@@ -165,6 +169,12 @@ module machine_state #(
     else next_q <= (next_q & ~referenced_i) | reference_o;
   end
 
+  // Homed: counts of steps say where these axes stand, as long as each pulse was a step.
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) homed_o <= '0;
+    else homed_o <= (homed_write_i ? command_i[Axes-1:0] : homed_o) & ~uncertain_i;
+  end
+
   // The host's silence, in samples
   logic [15:0] silence_q;
   logic under_way;
@@ -187,6 +197,7 @@ module machine_state #(
     state_o[registers_pkg::StateCleanLow] = clean_q;
     state_o[registers_pkg::StateReadyLow] = ready;
     state_o[registers_pkg::StateEstopPinLow] = estop_i;
+    state_o[registers_pkg::StateCaughtLow] = caught_i;
   end
 
 endmodule

@@ -10,7 +10,8 @@
 //
 // A request is answered in two clocks, whatever it asks for: a word that does not fit is an error,
 // not a wait. Only after a reset the first answer takes 2^7 clocks more, in which a memory gets its
-// reset values; settings and constants are read from it.
+// reset values; settings and constants are read from it, and notes (rtl/bus/probe_catch.sv), which
+// wait for two clocks at most.
 `default_nettype none
 module register_file #(
     parameter int Axes       = 3,   // [1, 9]
@@ -70,6 +71,8 @@ module register_file #(
     output logic             state_write_o,
     output logic             reference_write_o,
     input  wire logic        reference_ready_i,
+    output logic             probe_write_o,
+    output logic             homed_write_o,
     output logic      [31:0] command_o,
 
     // What can be read
@@ -80,7 +83,12 @@ module register_file #(
     input  wire logic [63:0] path_i,
     input  wire logic [16:0] rate_i,
     output logic      [ 3:0] steps_axis_o,
-    input  wire logic [31:0] steps_i        // of that axis
+    input  wire logic [31:0] steps_i,       // of that axis
+
+    // Notes: what a word is to be read as from now on
+    output logic             note_ready_o,
+    input  wire logic [ 6:0] note_word_i,
+    input  wire logic [31:0] note_data_i
 );
 
   initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
@@ -112,13 +120,13 @@ module register_file #(
   logic exists;
   assign of_axis      = word_i[6];
   assign scale_axis_o = word_i[5:2];
-  assign steps_axis_o = word_i[5:2];
+  assign steps_axis_o = note_ready_o ? note_word_i[5:2] : word_i[5:2];
   assign axis_word    = word_i[1:0];
   assign axis_exists  = scale_axis_o < 4'(Axes);
   assign axis_scale   = axis_exists && !axis_word[1];
   always_comb begin
     if (of_axis && write_i) exists = axis_scale && off_i;
-    else if (of_axis) exists = axis_scale || (axis_exists && axis_word == registers_pkg::AxisSteps);
+    else if (of_axis) exists = axis_scale || (axis_exists && axis_word[1]);
     else exists = write_i ? registers_pkg::can_write(word_i) : registers_pkg::can_read(word_i);
   end
 
@@ -161,6 +169,8 @@ module register_file #(
   assign control_write_o   = writes && word_i == registers_pkg::Control;
   assign state_write_o     = writes && word_i == registers_pkg::State;
   assign reference_write_o = writes && word_i == registers_pkg::Reference;
+  assign probe_write_o     = writes && word_i == registers_pkg::Probe;
+  assign homed_write_o     = writes && word_i == registers_pkg::Homed;
 
   // Settings
   logic [31:0] override_reset;
@@ -206,9 +216,11 @@ module register_file #(
     end
   end
 
-  // The memory
+  // The memory. A note does not meet an answer that is read.
   logic [31:0] fill_data;
   logic [ 6:0] address;
+  logic [31:0] data;
+  assign note_ready_o = filled && (!valid_i || done_o);
   always_comb begin
     case (fill_q[6:0])
       registers_pkg::Version: begin
@@ -221,12 +233,16 @@ module register_file #(
       default:                   fill_data = registers_pkg::reset_value(fill_q[6:0]);
     endcase
   end
-  assign address = filled ? word_i : fill_q[6:0];
+  always_comb begin
+    if (!filled) {address, data} = {fill_q[6:0], fill_data};
+    else if (note_ready_o) {address, data} = {note_word_i, note_data_i};
+    else {address, data} = {word_i, data_i};
+  end
   (* no_rw_check *)
   logic [31:0] memory [128];
   logic [31:0] kept_q;
   always_ff @(posedge clk_i) begin
-    if (!filled || writes) memory[address] <= filled ? data_i : fill_data;
+    if (!filled || note_ready_o || writes) memory[address] <= data;
     kept_q <= memory[word_i];
   end
 
@@ -249,14 +265,14 @@ module register_file #(
   logic [31:0] answer;
   always_ff @(posedge clk_i) begin
     case (word_i)
-      registers_pkg::State:   answer_q <= State;
-      registers_pkg::Axes:    answer_q <= AxesWord;
-      registers_pkg::Room:    answer_q <= Room;
+      registers_pkg::State: answer_q <= State;
+      registers_pkg::Axes: answer_q <= AxesWord;
+      registers_pkg::Room: answer_q <= Room;
       registers_pkg::Samples: answer_q <= Samples;
-      registers_pkg::PathLo:  answer_q <= PathLo;
-      registers_pkg::PathHi:  answer_q <= PathHi;
-      registers_pkg::Rate:    answer_q <= Rate;
-      default:                answer_q <= of_axis && axis_word[1] ? Steps : Kept;
+      registers_pkg::PathLo: answer_q <= PathLo;
+      registers_pkg::PathHi: answer_q <= PathHi;
+      registers_pkg::Rate: answer_q <= Rate;
+      default: answer_q <= of_axis && axis_word == registers_pkg::AxisSteps ? Steps : Kept;
     endcase
   end
   always_comb begin

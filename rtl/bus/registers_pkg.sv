@@ -34,6 +34,19 @@ package registers_pkg;
   localparam logic [6:0] Sequence = 7'd29;
   localparam logic [6:0] Sample = 7'd30;
   localparam logic [6:0] Samples = 7'd31;
+  localparam logic [6:0] Probe = 7'd32;
+  localparam logic [6:0] Switches = 7'd33;
+  localparam logic [6:0] CaughtPath = 7'd34;
+  localparam logic [6:0] Homed = 7'd35;
+  localparam logic [6:0] Origin0 = 7'd36;
+  localparam logic [6:0] Origin1 = 7'd37;
+  localparam logic [6:0] Origin2 = 7'd38;
+  localparam logic [6:0] Origin3 = 7'd39;
+  localparam logic [6:0] Origin4 = 7'd40;
+  localparam logic [6:0] Origin5 = 7'd41;
+  localparam logic [6:0] Origin6 = 7'd42;
+  localparam logic [6:0] Origin7 = 7'd43;
+  localparam logic [6:0] Origin8 = 7'd44;
 
   // Of axes: the first one's words, and how many each has
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -41,6 +54,7 @@ package registers_pkg;
   localparam logic [1:0] AxisScaleLo = 2'd0;
   localparam logic [1:0] AxisScaleHi = 2'd1;
   localparam logic [1:0] AxisSteps = 2'd2;
+  localparam logic [1:0] AxisCaught = 2'd3;
 
   // Lowest bits, and how many
   localparam int IdIdLow = 0;
@@ -121,6 +135,8 @@ package registers_pkg;
   localparam int StateReadyBits = 1;
   localparam int StateEstopPinLow = 24;
   localparam int StateEstopPinBits = 1;
+  localparam int StateCaughtLow = 31;
+  localparam int StateCaughtBits = 1;
   localparam int AxesReferencedLow = 0;
   localparam int AxesReferencedBits = 9;
   localparam int AxesUncertainLow = 9;
@@ -183,12 +199,48 @@ package registers_pkg;
   localparam int SamplesRoomBits = 16;
   localparam int SamplesQueuedLow = 16;
   localparam int SamplesQueuedBits = 16;
+  localparam int ProbeSwitchLow = 0;
+  localparam int ProbeSwitchBits = 4;
+  localparam int ProbeHighLow = 4;
+  localparam int ProbeHighBits = 1;
+  localparam int ProbeArmedLow = 5;
+  localparam int ProbeArmedBits = 1;
+  localparam int SwitchesHomeLow = 0;
+  localparam int SwitchesHomeBits = 9;
+  localparam int SwitchesProbeLow = 9;
+  localparam int SwitchesProbeBits = 1;
+  localparam int SwitchesHomedLow = 10;
+  localparam int SwitchesHomedBits = 9;
+  localparam int CaughtPathPathLow = 0;
+  localparam int CaughtPathPathBits = 32;
+  localparam int HomedAxesLow = 0;
+  localparam int HomedAxesBits = 9;
+  localparam int Origin0StepsLow = 0;
+  localparam int Origin0StepsBits = 32;
+  localparam int Origin1StepsLow = 0;
+  localparam int Origin1StepsBits = 32;
+  localparam int Origin2StepsLow = 0;
+  localparam int Origin2StepsBits = 32;
+  localparam int Origin3StepsLow = 0;
+  localparam int Origin3StepsBits = 32;
+  localparam int Origin4StepsLow = 0;
+  localparam int Origin4StepsBits = 32;
+  localparam int Origin5StepsLow = 0;
+  localparam int Origin5StepsBits = 32;
+  localparam int Origin6StepsLow = 0;
+  localparam int Origin6StepsBits = 32;
+  localparam int Origin7StepsLow = 0;
+  localparam int Origin7StepsBits = 32;
+  localparam int Origin8StepsLow = 0;
+  localparam int Origin8StepsBits = 32;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleLoScaleBits = 32;
   localparam int ScaleHiScaleLow = 0;
   localparam int ScaleHiScaleBits = 24;
   localparam int StepsCountLow = 0;
   localparam int StepsCountBits = 32;
+  localparam int CaughtCountLow = 0;
+  localparam int CaughtCountBits = 32;
 
   // What can be read, but of axes
   function automatic logic can_read(input logic [6:0] word);
@@ -214,7 +266,19 @@ package registers_pkg;
       Rate,
       Room,
       Sequence,
-      Samples:
+      Samples,
+      Probe,
+      Switches,
+      CaughtPath,
+      Origin0,
+      Origin1,
+      Origin2,
+      Origin3,
+      Origin4,
+      Origin5,
+      Origin6,
+      Origin7,
+      Origin8:
       can_read = 1'b1;
       default: can_read = 1'b0;
     endcase
@@ -241,7 +305,18 @@ package registers_pkg;
       ProfileHi,
       Expect,
       Sequence,
-      Sample:
+      Sample,
+      Probe,
+      Homed,
+      Origin0,
+      Origin1,
+      Origin2,
+      Origin3,
+      Origin4,
+      Origin5,
+      Origin6,
+      Origin7,
+      Origin8:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

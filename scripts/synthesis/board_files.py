@@ -2,6 +2,7 @@
 """The files that are made of a board's table: constraints and the top.
 
 Switches have pull-ups and close to ground: a wire that is off is an open switch, which stops.
+Limit switches are the home switches too; there is no probe.
 """
 
 
@@ -52,7 +53,7 @@ MOTION = """  reg [7:0] start = 8'd0;
     .clk_i(clock), .rst_ni(start[7]),
     .byte_valid_i(in_valid), .byte_ready_o(), .byte_i(in),
     .byte_valid_o(out_valid), .byte_ready_i(out_ready), .byte_o(out),
-    .estop_i(estop), .limit_i(limit),
+    .estop_i(estop), .limit_i(limit), .probe_i(1'b0), .home_i(limit),
     .step_o(step), .direction_o(direction), .enable_o(enable)
   );
 """

@@ -20,6 +20,8 @@ VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step)
     dut->byte_ready_i = 1;
     dut->estop_i = 0;
     dut->limit_i = 0;
+    dut->probe_i = 0;
+    dut->home_i = 0;
     dut.reset();
 }
 

@@ -38,7 +38,10 @@ module bench_registers (
       .samples_i(32'd0),
       .path_i(64'd0),
       .rate_i(17'd0),
-      .steps_i(32'd0)
+      .steps_i(32'd0),
+      .note_ready_o(),
+      .note_word_i(registers_pkg::Switches),
+      .note_data_i(32'd0)
   );
 
 endmodule

@@ -65,6 +65,8 @@ module motion_axi_bench (
       .profile_tdata_i (profile_tdata),
       .estop_i         (1'b0),
       .limit_i         (3'd0),
+      .probe_i         (1'b0),
+      .home_i          (3'd0),
       .step_o          (step),
       .direction_o     (direction),
       .enable_o        (),

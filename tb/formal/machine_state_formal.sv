@@ -16,6 +16,8 @@
 // control: FLUSHES_QUEUED s/position_o ? !queued_i/position_o ? 1'b1/
 // control: HOST_GONE s/position_o ? Stops ^ Other/position_o ? Stops/
 // control: SLEEPS_BY_POSITION s/active_i || (enable_o \&\& position_o)/active_i/
+// control: STAYS_HOMED s/& ~uncertain_i/\& ~(2'd0 \& uncertain_i)/
+// control: PASSES_THE_PROBE s/ || caught_i//
 // control: SLEEPS s/silence_q == watchdog_i/1'b0/
 `default_nettype none
 module machine_state_formal (
@@ -37,6 +39,8 @@ module machine_state_formal (
     input wire logic        estop_i,
     input wire logic [ 1:0] limit_i,
     input wire logic [ 1:0] referenced_i,
+    input wire logic [ 1:0] uncertain_i,
+    input wire logic        caught_i,
     input wire logic        late_i
 );
 
@@ -45,6 +49,8 @@ module machine_state_formal (
   logic state_write;
   logic reference;
   logic reference_ready;
+  logic homes;
+  logic [1:0] homed;
   logic [31:0] state;
   logic hold;
   logic ends;
@@ -58,6 +64,7 @@ module machine_state_formal (
   assign control = write_i && where_i == 2'd0 && control_ready;
   assign state_write = write_i && where_i == 2'd1;
   assign reference = write_i && where_i == 2'd2 && reference_ready;
+  assign homes = write_i && where_i == 2'd3;
   assign empty = ends && !offered_i;
   machine_state #(
       .Axes(2)
@@ -69,11 +76,14 @@ module machine_state_formal (
       .state_write_i(state_write),
       .reference_write_i(reference),
       .reference_ready_o(reference_ready),
+      .homed_write_i(homes),
       .command_i,
       .access_i,
       .error_i,
       .watchdog_i(16'd2),
       .state_o(state),
+      .homed_o(homed),
+      .caught_i,
       .active_i,
       .standing_i,
       .underrun_i(1'b0),
@@ -92,6 +102,7 @@ module machine_state_formal (
       .estop_i,
       .limit_i,
       .referenced_i,
+      .uncertain_i,
       .overrun_i(1'b0),
       .refused_i(1'b0),
       .late_i,
@@ -107,6 +118,7 @@ module machine_state_formal (
   logic [15:0] faults_q;
   logic [15:0] cleared_q;
   logic [1:0] known_q;  // axes that are or will be referenced, since the machine went off
+  logic [1:0] home_q;  // axes that the host called homed, and no pulse was cut since
   logic flush_q;  // asked for, and not done
   logic moved_q;  // a sample came since it was empty
   logic [1:0] silence_q;  // samples, 3 at most
@@ -127,6 +139,7 @@ module machine_state_formal (
     cleared_q  <= state_write ? command_i[15:0] : 16'd0;
     if (!rst_ni) begin
       known_q   <= 2'd0;
+      home_q    <= 2'd0;
       flush_q   <= 1'b0;
       moved_q   <= 1'b0;
       silence_q <= '0;
@@ -135,6 +148,8 @@ module machine_state_formal (
     end else begin
       if (empty) used_q <= 1'b0;
       else if (word) used_q <= 1'b1;
+      if (homes) home_q <= command_i[1:0] & ~uncertain_i;
+      else home_q <= home_q & ~uncertain_i;
       if (reference) known_q <= known_q | command_i[1:0];
       if (enable_q && !enable) known_q <= reference ? command_i[1:0] : 2'd0;
       if (control && command_i[2]) flush_q <= 1'b1;
@@ -158,6 +173,8 @@ module machine_state_formal (
       Ends :
       assert (!(ends && enable) || (flush_q && (position ? !queued_i : standing_i || !moved_q)));
       Stay : assert (!ran_q || (faults_q & ~cleared_q & ~state[15:0]) == 16'd0);
+      Homed : assert (homed == home_q);
+      Caught : assert (!caught_i || hold);
       Watches : assert (!silent_q || (state[1] && hold));
       Alone : assert (!silent_q || !position_q || !enable);
       On : cover (enable && words);

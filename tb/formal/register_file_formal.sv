@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/register_file.sv: a request that stays is answered in two clocks, once, after a reset in
-// 2^7 more; a push is taken once, or is an error.
+// 2^7 more; a push is taken once, or is an error; a note waits for two clocks at most.
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
 // control: ANSWERS_TWICE s/works_q && !done_o/works_q/
 // control: NO_RESET s/works_q <= 1'b0;//
 // control: TAKES_QUIETLY s/(write_i && !taken)/1'b0/
+// control: NOTES_WHEN_IDLE s/(!valid_i || done_o)/!valid_i/
 // control: PUSHES_LONG s/works_q \&\& \(write_i \&\& word_i == registers_pkg::SegmentHi\)/\1/
 `default_nettype none
 module register_file_formal (
@@ -30,6 +31,7 @@ module register_file_formal (
   logic segment_valid;
   logic profile_valid;
   logic sample_valid;
+  logic note_ready;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= 1'b0;
     else if (!valid_q || done) valid_q <= ask_i;
@@ -62,12 +64,16 @@ module register_file_formal (
       .samples_i(32'd0),
       .path_i(64'd0),
       .rate_i(17'd0),
-      .steps_i(32'd0)
+      .steps_i(32'd0),
+      .note_ready_o(note_ready),
+      .note_word_i(7'd0),
+      .note_data_i(32'd0)
   );
 
   logic started_q = 1'b0;
   logic [7:0] since_q;  // clocks since the reset, 2^7 at most
   logic [1:0] waited_q;  // clocks of the request
+  logic [1:0] notes_wait_q;  // clocks
   logic pushed_q;  // of the request at hand: a push was taken
   logic refused_q;
   logic push;
@@ -81,6 +87,8 @@ module register_file_formal (
     else if (!since_q[7]) since_q <= since_q + 1'b1;
     if (!rst_ni || !valid_q || done || !since_q[7]) waited_q <= '0;
     else waited_q <= waited_q + 1'b1;
+    if (!rst_ni || note_ready || !since_q[7]) notes_wait_q <= '0;
+    else notes_wait_q <= notes_wait_q + 1'b1;
     if (!rst_ni || done) begin
       pushed_q  <= 1'b0;
       refused_q <= 1'b0;
@@ -100,6 +108,7 @@ module register_file_formal (
       Pushed_once : assert (!(push && (pushed_q || refused_q)));
       Refused_is_error : assert (!(done && refused_q && !error));
       Taken_is_none : assert (!(done && pushed_q && error));
+      Noted : assert (note_ready || notes_wait_q != 2'd2);
       Answered : cover (done && !error);
       Refused : cover (done && error && refused_q);
       Pushed : cover (done && pushed_q);

@@ -22,6 +22,8 @@ class FlatTwin {
         dut_->limit_i = 0;
         dut_->segment_valid_i = 0;
         dut_->profile_valid_i = 0;
+        dut_->probe_i = 0;
+        dut_->home_i = 0;
         dut_.reset();
     }
 
@@ -38,6 +40,8 @@ class FlatTwin {
         dut_->segment_data_i = source.segment_data_i;
         dut_->profile_valid_i = source.profile_valid_i;
         dut_->profile_data_i = source.profile_data_i;
+        dut_->probe_i = source.probe_i;
+        dut_->home_i = source.home_i;
         dut_.tick();
         const bool reads = source.done_o && !source.error_o && !source.write_i;
         const bool equal =

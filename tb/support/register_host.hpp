@@ -87,6 +87,8 @@ class RegisterHost {
         dut_->limit_i = 0;
         dut_->segment_valid_i = 0;
         dut_->profile_valid_i = 0;
+        dut_->probe_i = 0;
+        dut_->home_i = 0;
         for (int a = 0; a < kSystemAxes; ++a) drives_.emplace_back(kDrive);
         dut_.reset();
     }

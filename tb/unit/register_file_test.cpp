@@ -55,9 +55,16 @@ std::map<int, Word> read_words() {
     return words;
 }
 
+bool noted(const std::string& name) {
+    return name == "SWITCHES" || name == "CAUGHT_PATH" || name == "CAUGHT";
+}
+
 class RegisterFile : public testing::Test {
   protected:
     RegisterFile() {
+        for (const auto& [address, word] : read_words()) {
+            if (noted(word.name)) noted_words_.push_back(address);
+        }
         dut_.limit_cycles(UINT64_MAX);
         dut_->valid_i = 0;
         live();
@@ -80,9 +87,12 @@ class RegisterFile : public testing::Test {
         dut_->reference_ready_i = any() % 2;
     }
 
-    /// One clock; what it pushes, writes or commands is counted.
+    /// One clock; what it pushes, writes or commands is counted. Something is there to be noted.
     void clock() {
+        dut_->note_word_i = noted_words_[any() % noted_words_.size()];
+        dut_->note_data_i = any();
         dut_.settle();
+        if (dut_->note_ready_o) noted_[dut_->note_word_i] = dut_->note_data_i;
         dut_->steps_i = 1000U + dut_->steps_axis_o;
         dut_.settle();
         if (dut_->segment_valid_o && dut_->segment_ready_i) happened("SEGMENT_HI");
@@ -92,6 +102,8 @@ class RegisterFile : public testing::Test {
         if (dut_->control_write_o) happened("CONTROL");
         if (dut_->state_write_o) happened("STATE");
         if (dut_->reference_write_o) happened("REFERENCE");
+        if (dut_->probe_write_o) happened("PROBE");
+        if (dut_->homed_write_o) happened("HOMED");
         dut_.tick();
     }
     void happened(const std::string& name) {
@@ -154,6 +166,7 @@ class RegisterFile : public testing::Test {
         if (word.name == "PATH_HI") return path_high_;
         if (word.name == "RATE") return rate_;
         if (word.name == "STEPS") return 1000U + static_cast<uint32_t>(address >> 2 & 15);
+        if (noted(word.name)) return noted_[address];
         return word.value;
     }
 
@@ -182,6 +195,8 @@ class RegisterFile : public testing::Test {
     std::mt19937 random_{1};
     sysc::ClockedDut<Vregister_file> dut_;
     std::map<std::string, int> happened_;
+    std::vector<int> noted_words_;
+    std::map<int, uint32_t> noted_;
     uint64_t motion_word_ = 0;
     uint64_t scale_ = 0;
     int scale_axis_ = 0;
@@ -196,9 +211,10 @@ TEST_F(RegisterFile, HasItsResetValuesAndAnswersInTwoClocks) {
     for (int repeat = 0; repeat < 2; ++repeat) {
         for (const auto& [address, word] : words) {
             if (!word.read || word.name == "PATH_HI" || word.name == "RATE") continue;
+            const uint32_t expected = read_value(word, address);
             const Answer answer = ask(false, address, any());
             EXPECT_FALSE(answer.error) << word.name;
-            EXPECT_EQ(answer.data, read_value(word, address)) << word.name;
+            EXPECT_EQ(answer.data, expected) << word.name;
             EXPECT_LE(answer.clocks, clocks) << word.name;
             clocks = kAnswer;
         }
@@ -209,6 +225,7 @@ TEST_F(RegisterFile, HasItsResetValuesAndAnswersInTwoClocks) {
             if (word.setting) ask(true, address, any());
         }
         dut_.reset();
+        noted_.clear();
         clocks = kAnswer + kFirstAnswer;
     }
 }
@@ -223,6 +240,8 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
     ASSERT_EQ(words.at(24).name, "PATH_LO");
     ask(false, 24, 0);
     keep_path();
+    ASSERT_EQ(words.at(20).name, "SEGMENT_LO");
+    ask(true, 20, low);
     for (int n = 0; n < 40000 && !HasFailure(); ++n) {
         live();
         const bool write = any() % 2;
@@ -241,8 +260,8 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         if (!write && word.name == "PATH_LO") keep_path();
         // One thing at most happens, once: what was asked for.
         const std::map<std::string, int> pushes = {
-            {"SEGMENT_HI", 1}, {"PROFILE_HI", 1}, {"SCALE_HI", 1}, {"CONTROL", 1},
-            {"STATE", 1},      {"REFERENCE", 1},  {"SAMPLE", 1}};
+            {"SEGMENT_HI", 1}, {"PROFILE_HI", 1}, {"SCALE_HI", 1}, {"CONTROL", 1}, {"STATE", 1},
+            {"REFERENCE", 1},  {"SAMPLE", 1},     {"PROBE", 1},    {"HOMED", 1}};
         std::map<std::string, int> expected_pushes;
         if (write && good && pushes.count(word.name)) expected_pushes[word.name] = 1;
         EXPECT_EQ(happened_, expected_pushes);
