@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <cinttypes>
+#include <cstdio>
 #include <optional>
 
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
+#include "sysc/host/usage_error.hpp"
 #include "sysc/wire/board_server.hpp"
 
 namespace curvecore::sysc {
@@ -21,8 +24,31 @@ void add_board(CLI::App& command, BoardOptions& options) {
     command
         .add_option("-o,--output", options.folder, "folder for steps.csv: every step of its pins")
         ->type_name("DIR");
+    command
+        .add_option("--home", options.home,
+                    "a home switch: steps from the start in which it is closed, as x=-9000..-300")
+        ->type_name("AXIS=FROM..TO,..")
+        ->delimiter(',');
     command.footer("It ends when it is interrupted (Ctrl-C).");
 }
+
+namespace {
+
+VirtualSwitch home_switch(const std::string& text) {
+    VirtualSwitch one;
+    char axis = 0;
+    int end = 0;
+    const int count =
+        std::sscanf(text.c_str(), "%c=%" SCNd64 "..%" SCNd64 "%n", &axis, &one.from, &one.to, &end);
+    one.axis = axis - 'x';
+    if (count != 3 || text.begin() + end != text.end() || one.axis < 0 ||
+        one.axis >= VirtualBoard::kAxes || one.from > one.to) {
+        throw UsageError(fmt::format("--home {}: must be as x=-9000..-300, axes x y z", text));
+    }
+    return one;
+}
+
+}  // namespace
 
 int board_command(const BoardOptions& options) {
     std::optional<OutputFolder> folder;
@@ -33,7 +59,9 @@ int board_command(const BoardOptions& options) {
         steps->write("clock,axis,direction\n");
     }
     std::uint64_t count = 0;
-    BoardServer server({options.listen, options.fast}, [&](const VirtualStep& step) {
+    BoardServerOptions served{options.listen, options.fast, {}};
+    for (const std::string& text : options.home) served.switches.push_back(home_switch(text));
+    BoardServer server(served, [&](const VirtualStep& step) {
         ++count;
         if (steps)
             steps->write(fmt::format("{},{},{}\n", step.clock, step.axis, step.back ? -1 : 1));

@@ -13,6 +13,7 @@ struct BoardOptions {
     std::string listen = kWireAddress;
     std::string folder;  // empty: no steps.csv
     bool fast = false;
+    std::vector<std::string> home;
 };
 
 void add_board(CLI::App& command, BoardOptions& options);

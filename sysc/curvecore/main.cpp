@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// curvecore run | plan | words | stream | board | cam | join | compare | choose | explore: parts
-// through the cores, from the command line.
+// curvecore run | plan | words | stream | home | board | cam | join | compare | choose | explore:
+// parts through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
 // wrong, and nothing was written; 3 choose, explore: nothing keeps what is asked; 130 interrupted,
@@ -20,6 +20,7 @@
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
 #include "sysc/curvecore/explore_command.hpp"
+#include "sysc/curvecore/home_command.hpp"
 #include "sysc/curvecore/join_command.hpp"
 #include "sysc/curvecore/nearest.hpp"
 #include "sysc/curvecore/stream_command.hpp"
@@ -198,6 +199,10 @@ int dispatch(int argc, char** argv) {
     add_planning(*stream, raw);
     add_override(*stream, raw);
     add_wire(*stream, raw_wire);
+    CLI::App* home = app.add_subcommand(
+        "home", "the axes of such a board's machine to their switches: where they stand is known");
+    RawHomeOptions raw_home;
+    add_home(*home, raw_home, options);
     CLI::App* board = app.add_subcommand("board",
                                          "a virtual board that stream finds: the RTL of "
                                          "motion_board behind UDP");
@@ -246,6 +251,7 @@ int dispatch(int argc, char** argv) {
     if (*join) return join_command(options, raw_join);
     if (*run) return run_command(options);
     if (*stream) return stream_command(options, raw_wire);
+    if (*home) return home_command(options, raw_home);
     return *plan ? plan_command(options) : words_command(options);
 }
 

@@ -11,6 +11,7 @@
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
+#include "sysc/wire/start_check.hpp"
 #include "sysc/wire/wire_stream.hpp"
 
 namespace curvecore::sysc {
@@ -104,7 +105,7 @@ void add_wire(CLI::App& command, RawWireOptions& raw) {
         "lines that are added to it are obeyed: hold, resume, override 50, stop, estop");
     command.footer(
         "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path.\n"
-        "The axes stand where the program begins.");
+        "The axes stand where the program begins; of axes that are homed that is checked.");
 }
 
 int stream_command(Options options, const RawWireOptions& wire) {
@@ -112,19 +113,16 @@ int stream_command(Options options, const RawWireOptions& wire) {
     try {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
-        options.core = build.core;
-        options.splines_set = options.aux_axes_set = true;
-        options.sample_period_s = build.sample_period_s;
-        options.clock_hz = build.clock_hz;
-        options.segment_queue_words = build.segment_queue_words;
-        options.profile_queue_words = build.profile_queue_words;
+        plan_for(build, options);
         const Drives drives = drives_of(wire, build.axes);
         const double silence = duration_of("--watchdog", wire.watchdog);
         Console console(wire.control, static_cast<int>(std::min(options.override_percent, 100.0)));
         const InterruptGuard guard;
         WordSource words(options);
-        machine.prepare(drives, options.unit_mm, words.settings(),
-                        static_cast<int>(std::ceil(silence / build.sample_period_s)));
+        const BoardSettings settings = words.settings();
+        machine.prepare(drives, options.unit_mm);
+        check_start(machine, words.start(), drives, options.machine);
+        machine.begin(settings, static_cast<int>(std::ceil(silence / build.sample_period_s)));
         WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
         std::optional<StatusLine> status(options.quiet);
         const WireClock::time_point begin = WireClock::now();
@@ -138,7 +136,7 @@ int stream_command(Options options, const RawWireOptions& wire) {
             if (seen == StreamEnd::kFault) {
                 end = "fault";
                 exit = 1;
-            } else if (seen == StreamEnd::kStopped) {
+            } else if (seen != StreamEnd::kDone) {
                 end = "stopped";
                 exit = 130;
             }

@@ -41,7 +41,7 @@ struct BoardServer::State {
     };
 
     State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
-        : fast(options.fast), board(std::move(step)) {}
+        : fast(options.fast), board(std::move(step), options.switches) {}
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);

@@ -17,6 +17,7 @@ struct BoardServerOptions {
     std::string address;  // ADDRESS[:PORT]; port 0: any that is free
     /// The clock goes on as frames come, as fast as it can; otherwise as time does.
     bool fast = false;
+    std::vector<VirtualSwitch> switches;
 };
 
 class BoardServer {

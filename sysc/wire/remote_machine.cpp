@@ -87,13 +87,18 @@ void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
     frames_.send(frames_.begin().write(address, word));
 }
 
+/// Behind all that was written.
+std::uint32_t RemoteMachine::read(std::uint32_t address) {
+    frames_.finish();
+    return frames_.read(address, 1)[0];
+}
+
 void RemoteMachine::control(std::uint32_t bits) {
     control_ = bits;
     write(CURVECORE_CONTROL, bits);
 }
 
-void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSettings& settings,
-                            int watchdog_samples) {
+void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     // Whatever another host left.
     control(0);
     const WireClock::time_point settled = WireClock::now() + kSettles;
@@ -111,10 +116,7 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSet
             throw UsageError(fmt::format("{:g} steps per mm are too many for the board",
                                          drives.steps_per_mm[axis]));
         }
-        const auto word = static_cast<std::uint64_t>(scale);
-        const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
-        write(CURVECORE_AXIS_SCALE_LO + at, static_cast<std::uint32_t>(word));
-        write(CURVECORE_AXIS_SCALE_HI + at, static_cast<std::uint32_t>(word >> 32));
+        set_scale(axis, static_cast<std::uint64_t>(scale));
     }
     const auto clocks = [this](const char* what, double time_s) {
         const double count = std::ceil(time_s * build_.clock_hz - 1e-6);
@@ -128,6 +130,21 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm, const BoardSet
           clocks("steplen", drives.steplen_s) | clocks("stepspace", drives.stepspace_s) << 16);
     write(CURVECORE_DIRECTION,
           clocks("dirsetup", drives.dirsetup_s) | clocks("dirhold", drives.dirhold_s) << 16);
+    ignore_limits(0);
+}
+
+/// Counts of steps say where an axis stands as long as its scale is the same.
+void RemoteMachine::set_scale(int axis, std::uint64_t scale) {
+    const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
+    const std::uint64_t low = read(CURVECORE_AXIS_SCALE_LO + at);
+    if (scale == (low | std::uint64_t{read(CURVECORE_AXIS_SCALE_HI + at)} << 32)) return;
+    write(CURVECORE_AXIS_SCALE_LO + at, static_cast<std::uint32_t>(scale));
+    write(CURVECORE_AXIS_SCALE_HI + at, static_cast<std::uint32_t>(scale >> 32));
+    forget_place(axis);
+}
+
+void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
+    write(CURVECORE_PROBE, 0);
     write(CURVECORE_OVERRIDE, static_cast<std::uint32_t>(settings.override_word));
     write(CURVECORE_WATCHDOG, static_cast<std::uint32_t>(watchdog_samples));
     write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
@@ -193,6 +210,51 @@ std::vector<std::int32_t> RemoteMachine::steps() {
         counts.push_back(static_cast<std::int32_t>(frames_.read(CURVECORE_AXIS_STEPS + at, 1)[0]));
     }
     return counts;
+}
+
+void RemoteMachine::wait_for_switch(int axis, bool closed) {
+    write(CURVECORE_PROBE, static_cast<std::uint32_t>(axis) |
+                               (closed ? CURVECORE_PROBE_HIGH_MASK : 0) |
+                               CURVECORE_PROBE_ARMED_MASK);
+}
+
+bool RemoteMachine::switch_closed(int axis) {
+    return (read(CURVECORE_SWITCHES) >> (CURVECORE_SWITCHES_HOME_LOW + axis) & 1) != 0;
+}
+
+std::int32_t RemoteMachine::caught_steps(int axis) {
+    const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
+    return static_cast<std::int32_t>(read(CURVECORE_AXIS_CAUGHT + at));
+}
+
+void RemoteMachine::ignore_limits(std::uint32_t axes) {
+    const std::uint32_t others = read(CURVECORE_PINS) & ~CURVECORE_PINS_LIMIT_MASKED_MASK;
+    write(CURVECORE_PINS, others | axes << CURVECORE_PINS_LIMIT_MASKED_LOW);
+}
+
+std::uint32_t RemoteMachine::homed() {
+    return (read(CURVECORE_SWITCHES) & CURVECORE_SWITCHES_HOMED_MASK) >>
+           CURVECORE_SWITCHES_HOMED_LOW;
+}
+
+void RemoteMachine::forget_place(int axis) { write(CURVECORE_HOMED, homed() & ~(1U << axis)); }
+
+void RemoteMachine::set_origin(int axis, std::int32_t origin) {
+    write(CURVECORE_ORIGIN0 + 4 * static_cast<std::uint32_t>(axis),
+          static_cast<std::uint32_t>(origin));
+    write(CURVECORE_HOMED, homed() | 1U << axis);
+}
+
+std::vector<std::optional<std::int32_t>> RemoteMachine::places() {
+    const std::uint32_t homed_axes = homed();
+    const std::vector<std::int32_t> counts = steps();
+    std::vector<std::optional<std::int32_t>> all(counts.size());
+    for (std::size_t axis = 0; axis < all.size(); ++axis) {
+        if ((homed_axes >> axis & 1) == 0) continue;
+        const auto at = static_cast<std::uint32_t>(CURVECORE_ORIGIN0 + 4 * axis);
+        all[axis] = counts[axis] - static_cast<std::int32_t>(read(at));
+    }
+    return all;
 }
 
 }  // namespace curvecore::sysc

@@ -2,6 +2,8 @@
 // rtl/motion_board.sv at the other end of a link, as the registers describe it.
 #pragma once
 
+#include <optional>
+
 #include "sysc/board/board.hpp"
 #include "sysc/host/core_parameters.hpp"
 #include "sysc/wire/frame_stream.hpp"
@@ -34,11 +36,13 @@ class RemoteMachine {
 
     const RemoteBuild& build() const { return build_; }
 
-    /// Scales, times and settings; then the axes stand where the next program begins, and drives
-    /// are on.
-    /// @throws UsageError: drives that the board cannot have, a machine that cannot come on
-    void prepare(const Drives& drives, double unit_mm, const BoardSettings& settings,
-                 int watchdog_samples);
+    /// Drives are off, and have their scales and times. Where axes stand is forgotten if the scale
+    /// was another.
+    /// @throws UsageError: drives that the board cannot have
+    void prepare(const Drives& drives, double unit_mm);
+    /// The axes stand where the next program begins, and drives are on.
+    /// @throws UsageError: a machine that cannot come on
+    void begin(const BoardSettings& settings, int watchdog_samples);
 
     /// Takes words from the front of each while the board has room. False: none went.
     bool push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces);
@@ -63,9 +67,25 @@ class RemoteMachine {
     /// Steps that were given on each axis.
     std::vector<std::int32_t> steps();
 
+    /// The motion holds when the axis' home switch is closed, or open, until the next begin().
+    void wait_for_switch(int axis, bool closed);
+    bool switch_closed(int axis);
+    /// Steps of the axis when it was so.
+    std::int32_t caught_steps(int axis);
+    /// Limit switches that do not stop the machine.
+    void ignore_limits(std::uint32_t axes);
+    /// The axis is homed: its machine coordinate is 0 where its count of steps is `origin`.
+    void set_origin(int axis, std::int32_t origin);
+    void forget_place(int axis);
+    /// Machine coordinates of the axes that are homed, in steps.
+    std::vector<std::optional<std::int32_t>> places();
+
   private:
     void write(std::uint32_t address, std::uint32_t word);
+    std::uint32_t read(std::uint32_t address);
     void control(std::uint32_t bits);
+    void set_scale(int axis, std::uint64_t scale);
+    std::uint32_t homed();
 
     Link& link_;
     FrameStream frames_;

@@ -12,8 +12,9 @@ struct VirtualBoard::Model {
     ClockedDut<Vmotion_board> dut;
 };
 
-VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step)
-    : model_(std::make_unique<Model>()), step_(std::move(step)) {
+VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step,
+                           std::vector<VirtualSwitch> switches)
+    : model_(std::make_unique<Model>()), step_(std::move(step)), switches_(std::move(switches)) {
     ClockedDut<Vmotion_board>& dut = model_->dut;
     dut.limit_cycles(UINT64_MAX);
     dut->byte_valid_i = 0;
@@ -21,7 +22,7 @@ VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step)
     dut->estop_i = 0;
     dut->limit_i = 0;
     dut->probe_i = 0;
-    dut->home_i = 0;
+    dut->home_i = closed();
     dut.reset();
 }
 
@@ -35,6 +36,16 @@ void VirtualBoard::offer(const Bytes& frame) {
 bool VirtualBoard::taken() const { return offered_.empty(); }
 
 std::uint64_t VirtualBoard::clocks() const { return model_->dut.cycle(); }
+
+/// Axes whose home switch is closed.
+unsigned VirtualBoard::closed() const {
+    unsigned axes = 0;
+    for (const VirtualSwitch& one : switches_) {
+        const std::int64_t place = places_[one.axis];
+        if (one.from <= place && place <= one.to) axes |= 1U << one.axis;
+    }
+    return axes;
+}
 
 std::optional<Bytes> VirtualBoard::clock() {
     ClockedDut<Vmotion_board>& dut = model_->dut;
@@ -52,9 +63,12 @@ std::optional<Bytes> VirtualBoard::clock() {
     steps_ = dut->step_o;
     for (int axis = 0; rises >> axis != 0; ++axis) {
         if ((rises >> axis & 1) != 0) {
-            step_({dut.cycle(), axis, (dut->direction_o >> axis & 1) != 0});
+            const bool back = (dut->direction_o >> axis & 1) != 0;
+            places_[axis] += back ? -1 : 1;
+            step_({dut.cycle(), axis, back});
         }
     }
+    if (rises != 0) dut->home_i = closed();
     return answer;
 }
 

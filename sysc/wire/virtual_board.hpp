@@ -2,11 +2,13 @@
 // The Verilated motion_board: bytes and clocks in, bytes and steps out.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "sysc/wire/slip.hpp"
 
@@ -18,6 +20,13 @@ struct VirtualStep {
     bool back = false;
 };
 
+/// A home switch: closed where the axis' count of steps is in [from, to].
+struct VirtualSwitch {
+    int axis = 0;
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+};
+
 class VirtualBoard {
   public:
     static constexpr int kAxes = 3;
@@ -25,7 +34,7 @@ class VirtualBoard {
     static constexpr double kClockHertz = 2'560'000;
 
     /// `step` is called for every rising edge of a step pin while the drives are on.
-    explicit VirtualBoard(std::function<void(const VirtualStep&)> step);
+    VirtualBoard(std::function<void(const VirtualStep&)> step, std::vector<VirtualSwitch> switches);
     ~VirtualBoard();
 
     /// A frame that the board shall take.
@@ -38,8 +47,13 @@ class VirtualBoard {
 
   private:
     struct Model;
+
+    unsigned closed() const;
+
     std::unique_ptr<Model> model_;
     std::function<void(const VirtualStep&)> step_;
+    std::vector<VirtualSwitch> switches_;
+    std::array<std::int64_t, kAxes> places_{};  // steps
     std::deque<std::uint8_t> offered_;
     SlipDecoder answers_;
     unsigned steps_ = 0;  // levels of the pins

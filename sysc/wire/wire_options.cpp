@@ -16,6 +16,15 @@ double duration_of(const std::string& option, const std::string& text) {
     return time;
 }
 
+void plan_for(const RemoteBuild& build, Options& options) {
+    options.core = build.core;
+    options.splines_set = options.aux_axes_set = true;
+    options.sample_period_s = build.sample_period_s;
+    options.clock_hz = build.clock_hz;
+    options.segment_queue_words = build.segment_queue_words;
+    options.profile_queue_words = build.profile_queue_words;
+}
+
 Drives drives_of(const RawWireOptions& raw, int axes) {
     Drives drives;
     std::istringstream list(raw.steps_per_mm);

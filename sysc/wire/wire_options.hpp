@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sysc/host/options.hpp"
 #include "sysc/wire/remote_machine.hpp"
 
 namespace curvecore::sysc {
@@ -21,6 +22,9 @@ struct RawWireOptions {
 
 /// The drives of a board's axes. @throws UsageError
 Drives drives_of(const RawWireOptions& raw, int axes);
+
+/// Plans are for this board.
+void plan_for(const RemoteBuild& build, Options& options);
 
 /// In s; units ns, us, ms, s. @throws UsageError
 double duration_of(const std::string& option, const std::string& text);

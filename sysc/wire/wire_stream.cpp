@@ -29,6 +29,7 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
         }
         look();
         if (machine_.is(kEnds)) return StreamEnd::kFault;
+        if (machine_.is(CURVECORE_STATE_CAUGHT_MASK)) return StreamEnd::kCaught;
         if (machine_.is(CURVECORE_STATE_WATCHDOG_MASK)) machine_.clear_watchdog();
         if (drawn()) return StreamEnd::kDone;
         if (!meet_wishes()) return StreamEnd::kStopped;

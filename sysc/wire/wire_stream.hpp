@@ -10,7 +10,8 @@
 
 namespace curvecore::sysc {
 
-enum class StreamEnd { kDone, kStopped, kFault };
+/// kCaught: the switch that the board was to wait for was there.
+enum class StreamEnd { kDone, kStopped, kFault, kCaught };
 
 class WireStream {
   public:
@@ -21,7 +22,7 @@ class WireStream {
     /// @throws BoardLost, Interrupted (by `turn`), what ended the planning
     StreamEnd run(const std::function<void()>& turn);
 
-    /// Stops on the path, empties the queues: after run() was left by an exception.
+    /// Stops on the path, empties the queues: after run() was left by an exception, or caught.
     void stop();
 
     const PlannedWords& planned() const { return planned_; }

@@ -18,6 +18,18 @@ void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& wo
     all.insert(all.end(), words.begin(), words.end());
 }
 
+/// In mm.
+std::array<double, kBoardAxes> start_of(const Job& part) {
+    const ref::Segment& first = part.plan.segments.front();
+    std::array<double, kBoardAxes> start{};
+    for (std::size_t axis = 0; axis < kBoardAxes; ++axis) {
+        const double units =
+            axis < 3 ? first.start[static_cast<int>(axis)] : first.aux_start[axis - 3];
+        start[axis] = units * part.options.unit_mm;
+    }
+    return start;
+}
+
 void move_to(std::deque<std::uint64_t>& held, std::deque<std::uint64_t>& planned) {
     held.insert(held.end(), planned.begin(), planned.end());
     planned.clear();
@@ -29,18 +41,23 @@ WordSource::WordSource(const Options& options) : stream_(options) {
     thread_ = std::thread([this] { plan(); });
 }
 
+WordSource::WordSource(const Job& planned) {
+    add(planned);
+    planned_.all = true;
+}
+
 WordSource::~WordSource() {
     {
         const std::lock_guard lock(mutex_);
         stop_ = true;
     }
     changed_.notify_all();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 void WordSource::plan() {
     try {
-        while (const Job* part = stream_.next()) {
+        while (const Job* part = stream_->next()) {
             add(*part);
             std::unique_lock lock(mutex_);
             changed_.wait(lock, [this] {
@@ -86,7 +103,10 @@ void WordSource::add(const Job& part) {
     planned_.busiest = busiest_;
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
-    if (!settings_) settings_ = board_settings(part);
+    if (!settings_) {
+        settings_ = board_settings(part);
+        start_ = start_of(part);
+    }
     changed_.notify_all();
 }
 

@@ -2,6 +2,7 @@
 // A program's words, planned by a thread of its own while they are sent.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -32,17 +33,21 @@ class WordSource {
   public:
     /// @throws ref::InputError, UsageError: as JobStream does
     explicit WordSource(const Options& options);
+    /// Of a plan that is there.
+    explicit WordSource(const Job& planned);
     ~WordSource();
     WordSource(const WordSource&) = delete;
     WordSource& operator=(const WordSource&) = delete;
 
     /// Waits for the first part, which says what the board is to be set to.
     BoardSettings settings();
+    /// Where the program begins, mm; after settings().
+    const std::array<double, kBoardAxes>& start() const { return start_; }
     /// Adds what is new to the words that are held; what was planned is as of now.
     /// @throws what ended the planning, when its words are taken
     void take(PlannedWords& held);
     /// When take() says that all is there.
-    const std::vector<std::string>& warnings() const { return stream_.job().program.warnings; }
+    const std::vector<std::string>& warnings() const { return stream_->job().program.warnings; }
 
   private:
     void plan();
@@ -50,7 +55,7 @@ class WordSource {
     void count_words(std::size_t words);
     void pass(double time_s);
 
-    JobStream stream_;
+    std::optional<JobStream> stream_;
     std::mutex mutex_;
     std::condition_variable changed_;
     PlannedWords planned_;
@@ -60,6 +65,7 @@ class WordSource {
     std::uint64_t words_of_second_ = 0;
     std::uint64_t busiest_ = 0;
     std::optional<BoardSettings> settings_;
+    std::array<double, kBoardAxes> start_{};
     std::exception_ptr failed_;
     bool stop_ = false;
     std::thread thread_;  // the last: it uses the others

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Boards, wires and what came of them: for wire_test.py."""
+"""Boards, wires and what came of them: for wire_test.py and home_test.py."""
 
 import csv
 import heapq
@@ -18,7 +18,8 @@ import zlib
 
 CURVECORE = sys.argv[1]
 STEPS_PER_MM = 400
-STATE, EXPECT, SEQUENCE, CONTROL = 0x18, 0x70, 0x74, 0x14
+STATE, EXPECT, SEQUENCE, CONTROL, SWITCHES, AXES = 0x18, 0x70, 0x74, 0x14, 0x84, 0x100
+ENABLED = 1 << 16  # of STATE
 
 
 class Board:

@@ -21,14 +21,14 @@ import time
 import tty
 import unittest
 
-from wire_parts import (CONTROL, CURVECORE, STATE, STEPS_PER_MM, Board, Wire, bridge, command,
-                        counts, numbered, read, system_steps, times)
+from wire_parts import (CONTROL, CURVECORE, ENABLED, STATE, STEPS_PER_MM, Board, Wire, bridge,
+                        command, counts, numbered, read, system_steps, times)
 
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
 PART = f"G21 G90 G61\nG1 X20 F2400\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
 END = (40, 40, 0)
-WATCHDOG, STANDING, ENABLED = 1 << 1, 1 << 19, 1 << 16
+WATCHDOG, STANDING = 1 << 1, 1 << 19
 
 
 def off_path(x, y):

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/curvecore/home_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/program/coordinates.hpp"
+#include "sysc/curvecore/stream_command.hpp"
+#include "sysc/host/interrupt.hpp"
+#include "sysc/host/usage_error.hpp"
+#include "sysc/wire/homing.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Those of the machine that are asked for.
+std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& machine,
+                                  int board_axes) {
+    std::vector<AxisHome> homes = read_homes(machine);
+    std::string known;
+    for (const AxisHome& home : homes) known += ref::kAxisLetters[home.axis];
+    if (known.empty()) {
+        throw UsageError(fmt::format("{} has no axis with HOME_SEARCH_VEL", machine));
+    }
+    for (const char letter : axes) {
+        if (known.find(static_cast<char>(std::toupper(letter))) == std::string::npos) {
+            throw UsageError(fmt::format("--axes {}: home switches are of {}", axes, known));
+        }
+    }
+    const auto left_out = [&](const AxisHome& home) {
+        const auto is = [&](char c) { return std::toupper(c) == ref::kAxisLetters[home.axis]; };
+        return !axes.empty() && std::none_of(axes.begin(), axes.end(), is);
+    };
+    homes.erase(std::remove_if(homes.begin(), homes.end(), left_out), homes.end());
+    for (const AxisHome& home : homes) {
+        if (home.axis < board_axes) continue;
+        throw UsageError(
+            fmt::format("{}: the board has {} axes", ref::kAxisLetters[home.axis], board_axes));
+    }
+    return homes;
+}
+
+}  // namespace
+
+void add_home(CLI::App& command, RawHomeOptions& raw, Options& options) {
+    command
+        .add_option("--machine", options.machine,
+                    "LinuxCNC's .ini: HOME_SEARCH_VEL, HOME_LATCH_VEL, HOME_OFFSET, HOME, "
+                    "HOME_SEQUENCE, HOME_IGNORE_LIMITS and the travel of [JOINT_n]")
+        ->type_name("FILE.ini")
+        ->required();
+    command.add_option("--axes", raw.axes, "of them, as zx; all when left out")
+        ->type_name("LETTERS");
+    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
+    add_wire(command, raw.wire);
+    command.footer(
+        "One axis after the other, Z first unless HOME_SEQUENCE says otherwise. Ctrl-C stops.");
+}
+
+int home_command(Options options, const RawHomeOptions& raw) {
+    const std::unique_ptr<Link> link = open_link(raw.wire.to);
+    try {
+        RemoteMachine machine(*link);
+        const RemoteBuild& build = machine.build();
+        plan_for(build, options);
+        const Drives drives = drives_of(raw.wire, build.axes);
+        const double silence = duration_of("--watchdog", raw.wire.watchdog);
+        const std::vector<AxisHome> homes = asked_homes(raw.axes, options.machine, build.axes);
+        Console console(raw.wire.control, 100);
+        const InterruptGuard guard;
+        machine.prepare(drives, options.unit_mm);
+        Homing homing(machine, options, drives,
+                      static_cast<int>(std::ceil(silence / build.sample_period_s)), console,
+                      [] { InterruptGuard::check(); });
+        int exit = 0;
+        try {
+            for (const AxisHome& home : homes) {
+                const std::int32_t place = homing.home(home);
+                if (options.quiet) continue;
+                fmt::print("{}: its switch is at step {}, {:g} mm; it stands at {:g} mm\n",
+                           ref::kAxisLetters[home.axis], place, home.place, home.home);
+            }
+        } catch (const HomingError& error) {
+            fmt::print(stderr, "{}\n", error.what());
+            exit = 1;
+        } catch (const HomingStopped&) {
+            exit = 130;
+        } catch (const Interrupted&) {
+            exit = 130;
+        }
+        machine.ignore_limits(0);
+        machine.disable();
+        machine.finish();
+        return exit;
+    } catch (const BoardLost& lost) {
+        fmt::print(stderr, "{}: {}\n", raw.wire.to, lost.what());
+        return 1;
+    }
+}
+
+}  // namespace curvecore::sysc

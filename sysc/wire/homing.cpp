@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/homing.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "hls/registers/registers.h"
+#include "ref/program/coordinates.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// A switch that opens elsewhere than it closes: by no more than this.
+constexpr double kHysteresis = 5;  // mm
+
+}  // namespace
+
+Homing::Homing(RemoteMachine& machine, const Options& options, const Drives& drives,
+               int watchdog_samples, Console& console, std::function<void()> turn)
+    : machine_(machine),
+      options_(options),
+      drives_(drives),
+      watchdog_samples_(watchdog_samples),
+      console_(console),
+      turn_(std::move(turn)) {}
+
+/// A straight way from wherever the axis stands: its travel is not known yet.
+Job Homing::line(int axis, double way_mm, double speed) const {
+    ref::Move move;
+    move.line = 1;
+    move.feed = speed;
+    ref::Program program;
+    program.file = fmt::format("homing {}", ref::kAxisLetters[axis]);
+    if (axis < 3) {
+        move.end[axis] = way_mm;
+    } else {
+        move.aux_end[axis - 3] = way_mm;
+        program.aux_axes = axis - 2;
+    }
+    program.moves.push_back(move);
+    Options options = options_;
+    options.exact_path = true;
+    Job job = make_job(options, program);
+    for (ref::AxisLimits& limits : job.machine.axis) {
+        limits.min = -ref::kUnlimited;
+        limits.max = ref::kUnlimited;
+    }
+    plan_job(job);
+    return job;
+}
+
+/// True: the switch was as it was to be. The machine stands, its queues are empty.
+bool Homing::drive(int axis, double way_mm, double speed, Until until) {
+    const Job job = line(axis, way_mm, speed);
+    WordSource words(job);
+    machine_.begin(words.settings(), watchdog_samples_);
+    if (until != Until::kEnd) machine_.wait_for_switch(axis, until == Until::kClosed);
+    WireStream stream(machine_, words, console_, 1);
+    StreamEnd end = StreamEnd::kStopped;
+    try {
+        end = stream.run(turn_);
+    } catch (const BoardLost&) {
+        throw;
+    } catch (...) {
+        stream.stop();
+        throw;
+    }
+    if (end == StreamEnd::kFault) {
+        throw HomingError(fmt::format("{}: the board stopped: {}", ref::kAxisLetters[axis],
+                                      fault_names(stream.faults())));
+    }
+    if (end == StreamEnd::kStopped) throw HomingStopped();
+    stream.stop();
+    return machine_.is(CURVECORE_STATE_CAUGHT_MASK);
+}
+
+void Homing::seek(const AxisHome& axis, double speed, double reach_mm, Until until) {
+    const double way = std::copysign(reach_mm, speed);
+    if (drive(axis.axis, way, std::abs(speed), until)) return;
+    throw HomingError(fmt::format(
+        "{}: the home switch did not {} within {:g} mm {}", ref::kAxisLetters[axis.axis],
+        until == Until::kClosed ? "close" : "open", reach_mm, speed > 0 ? "up" : "down"));
+}
+
+std::int32_t Homing::home(const AxisHome& axis) {
+    const int n = axis.axis;
+    const double steps_per_mm = drives_.steps_per_mm[n];
+    machine_.forget_place(n);
+    machine_.ignore_limits(axis.ignore_limits ? 1U << n : 0);
+    if (machine_.switch_closed(n)) seek(axis, -axis.search, axis.reach, Until::kOpen);
+    seek(axis, axis.search, axis.reach, Until::kClosed);
+    const bool closing = std::signbit(axis.search) == std::signbit(axis.latch);
+    if (closing) seek(axis, -axis.search, axis.reach, Until::kOpen);
+    const double beyond =
+        std::abs(machine_.steps()[n] - machine_.caught_steps(n)) / steps_per_mm + kHysteresis;
+    seek(axis, axis.latch, beyond, closing ? Until::kClosed : Until::kOpen);
+    const std::int32_t place = machine_.caught_steps(n);
+    const auto whole = [steps_per_mm](double mm) {
+        return static_cast<std::int32_t>(std::lround(mm * steps_per_mm));
+    };
+    const std::int32_t origin = place - whole(axis.place);
+    machine_.set_origin(n, origin);
+    const std::int32_t way = origin + whole(axis.home) - machine_.steps()[n];
+    if (way != 0) drive(n, way / steps_per_mm, std::abs(axis.search), Until::kEnd);
+    machine_.ignore_limits(0);
+    return place;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Axes towards their switches, one after the other, until it is known where the machine stands.
+//
+//   switch      ______|^^^^^^^^      closed at the end of the travel
+//   off it        <-----             if it is closed at the beginning
+//   search        -------->          fast; the board holds where it closes
+//   back          <-------           until it opens
+//   latch           -->              slowly; where it closes is HOME_OFFSET
+//   home      <-------
+//
+// Each is a line of its own, planned as any program is; the board notes the steps at the edge.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+#include "sysc/host/options.hpp"
+#include "sysc/wire/home_settings.hpp"
+#include "sysc/wire/wire_stream.hpp"
+
+namespace curvecore::sysc {
+
+/// An axis that cannot be homed, and why.
+class HomingError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The operator ended it; the machine stands.
+class HomingStopped : public std::runtime_error {
+  public:
+    HomingStopped() : std::runtime_error("stopped") {}
+};
+
+class Homing {
+  public:
+    /// `options` as of a program for this machine; it is prepared. `turn` is called again and
+    /// again.
+    Homing(RemoteMachine& machine, const Options& options, const Drives& drives,
+           int watchdog_samples, Console& console, std::function<void()> turn);
+
+    /// Steps of the axis where its switch is.
+    /// @throws HomingError, HomingStopped, BoardLost, what `turn` throws
+    std::int32_t home(const AxisHome& axis);
+
+  private:
+    enum class Until { kEnd, kClosed, kOpen };
+
+    bool drive(int axis, double way_mm, double speed, Until until);
+    void seek(const AxisHome& axis, double speed, double reach_mm, Until until);
+    Job line(int axis, double way_mm, double speed) const;
+
+    RemoteMachine& machine_;
+    const Options& options_;
+    const Drives& drives_;
+    int watchdog_samples_;
+    Console& console_;
+    std::function<void()> turn_;
+};
+
+}  // namespace curvecore::sysc
