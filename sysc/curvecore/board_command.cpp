@@ -29,6 +29,7 @@ void add_board(CLI::App& command, BoardOptions& options) {
                     "a home switch: steps from the start in which it is closed, as x=-9000..-300")
         ->type_name("AXIS=FROM..TO,..")
         ->delimiter(',');
+    command.add_flag("--limits", options.limits, "the home switches are limit switches too");
     command.footer("It ends when it is interrupted (Ctrl-C).");
 }
 
@@ -59,7 +60,7 @@ int board_command(const BoardOptions& options) {
         steps->write("clock,axis,direction\n");
     }
     std::uint64_t count = 0;
-    BoardServerOptions served{options.listen, options.fast, {}};
+    BoardServerOptions served{options.listen, options.fast, {}, options.limits};
     for (const std::string& text : options.home) served.switches.push_back(home_switch(text));
     BoardServer server(served, [&](const VirtualStep& step) {
         ++count;

@@ -14,6 +14,7 @@ struct BoardOptions {
     std::string folder;  // empty: no steps.csv
     bool fast = false;
     std::vector<std::string> home;
+    bool limits = false;
 };
 
 void add_board(CLI::App& command, BoardOptions& options);

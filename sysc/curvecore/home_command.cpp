@@ -42,6 +42,9 @@ std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& ma
     return homes;
 }
 
+/// The limit switch that is its home switch.
+std::uint32_t limit_of(const AxisHome& home) { return home.ignore_limits ? 1U << home.axis : 0; }
+
 }  // namespace
 
 void add_home(CLI::App& command, RawHomeOptions& raw, Options& options) {
@@ -75,9 +78,14 @@ int home_command(Options options, const RawHomeOptions& raw) {
                       static_cast<int>(std::ceil(silence / build.sample_period_s)), console,
                       [] { InterruptGuard::check(); });
         int exit = 0;
+        // Any axis may stand on its switch until it is homed.
+        std::uint32_t limits = 0;
+        for (const AxisHome& home : homes) limits |= limit_of(home);
         try {
             for (const AxisHome& home : homes) {
+                machine.ignore_limits(limits);
                 const std::int32_t place = homing.home(home);
+                limits &= ~limit_of(home);
                 if (options.quiet) continue;
                 fmt::print("{}: its switch is at step {}, {:g} mm; it stands at {:g} mm\n",
                            ref::kAxisLetters[home.axis], place, home.place, home.home);

@@ -41,7 +41,7 @@ struct BoardServer::State {
     };
 
     State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
-        : fast(options.fast), board(std::move(step), options.switches) {}
+        : fast(options.fast), board(std::move(step), options.switches, options.limits) {}
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);

@@ -18,6 +18,7 @@ struct BoardServerOptions {
     /// The clock goes on as frames come, as fast as it can; otherwise as time does.
     bool fast = false;
     std::vector<VirtualSwitch> switches;
+    bool limits = false;  // they are limit switches too
 };
 
 class BoardServer {

@@ -88,7 +88,6 @@ std::int32_t Homing::home(const AxisHome& axis) {
     const int n = axis.axis;
     const double steps_per_mm = drives_.steps_per_mm[n];
     machine_.forget_place(n);
-    machine_.ignore_limits(axis.ignore_limits ? 1U << n : 0);
     if (machine_.switch_closed(n)) seek(axis, -axis.search, axis.reach, Until::kOpen);
     seek(axis, axis.search, axis.reach, Until::kClosed);
     const bool closing = std::signbit(axis.search) == std::signbit(axis.latch);
@@ -104,7 +103,6 @@ std::int32_t Homing::home(const AxisHome& axis) {
     machine_.set_origin(n, origin);
     const std::int32_t way = origin + whole(axis.home) - machine_.steps()[n];
     if (way != 0) drive(n, way / steps_per_mm, std::abs(axis.search), Until::kEnd);
-    machine_.ignore_limits(0);
     return place;
 }
 

@@ -155,8 +155,17 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
     control(CURVECORE_CONTROL_ENABLE_MASK);
     frames_.finish();
     if (!is(CURVECORE_STATE_ENABLED_MASK)) {
-        throw UsageError("the machine does not come on: " + fault_names(telemetry().state));
+        throw UsageError("the machine does not come on: " + fault_names(why_off()));
     }
+}
+
+/// Faults, and pins that are none while the machine is off.
+std::uint32_t RemoteMachine::why_off() const {
+    const Telemetry& now = telemetry();
+    std::uint32_t why = now.state;
+    if (is(CURVECORE_STATE_ESTOP_PIN_MASK)) why |= CURVECORE_STATE_ESTOP_INPUT_MASK;
+    if ((now.axes & CURVECORE_AXES_LIMIT_MASK) != 0) why |= CURVECORE_STATE_LIMIT_MASK;
+    return why == now.state ? why : why & ~CURVECORE_STATE_BUS_MASK;
 }
 
 bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces) {

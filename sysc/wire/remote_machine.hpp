@@ -86,6 +86,7 @@ class RemoteMachine {
     void control(std::uint32_t bits);
     void set_scale(int axis, std::uint64_t scale);
     std::uint32_t homed();
+    std::uint32_t why_off() const;
 
     Link& link_;
     FrameStream frames_;

@@ -13,16 +13,18 @@ struct VirtualBoard::Model {
 };
 
 VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step,
-                           std::vector<VirtualSwitch> switches)
-    : model_(std::make_unique<Model>()), step_(std::move(step)), switches_(std::move(switches)) {
+                           std::vector<VirtualSwitch> switches, bool limits)
+    : model_(std::make_unique<Model>()),
+      step_(std::move(step)),
+      switches_(std::move(switches)),
+      limits_(limits) {
     ClockedDut<Vmotion_board>& dut = model_->dut;
     dut.limit_cycles(UINT64_MAX);
     dut->byte_valid_i = 0;
     dut->byte_ready_i = 1;
     dut->estop_i = 0;
-    dut->limit_i = 0;
     dut->probe_i = 0;
-    dut->home_i = closed();
+    set_switches();
     dut.reset();
 }
 
@@ -37,14 +39,14 @@ bool VirtualBoard::taken() const { return offered_.empty(); }
 
 std::uint64_t VirtualBoard::clocks() const { return model_->dut.cycle(); }
 
-/// Axes whose home switch is closed.
-unsigned VirtualBoard::closed() const {
-    unsigned axes = 0;
+void VirtualBoard::set_switches() {
+    unsigned closed = 0;
     for (const VirtualSwitch& one : switches_) {
         const std::int64_t place = places_[one.axis];
-        if (one.from <= place && place <= one.to) axes |= 1U << one.axis;
+        if (one.from <= place && place <= one.to) closed |= 1U << one.axis;
     }
-    return axes;
+    model_->dut->home_i = closed;
+    model_->dut->limit_i = limits_ ? closed : 0;
 }
 
 std::optional<Bytes> VirtualBoard::clock() {
@@ -68,7 +70,7 @@ std::optional<Bytes> VirtualBoard::clock() {
             step_({dut.cycle(), axis, back});
         }
     }
-    if (rises != 0) dut->home_i = closed();
+    if (rises != 0) set_switches();
     return answer;
 }
 

@@ -34,7 +34,8 @@ class VirtualBoard {
     static constexpr double kClockHertz = 2'560'000;
 
     /// `step` is called for every rising edge of a step pin while the drives are on.
-    VirtualBoard(std::function<void(const VirtualStep&)> step, std::vector<VirtualSwitch> switches);
+    VirtualBoard(std::function<void(const VirtualStep&)> step, std::vector<VirtualSwitch> switches,
+                 bool limits);
     ~VirtualBoard();
 
     /// A frame that the board shall take.
@@ -48,11 +49,12 @@ class VirtualBoard {
   private:
     struct Model;
 
-    unsigned closed() const;
+    void set_switches();
 
     std::unique_ptr<Model> model_;
     std::function<void(const VirtualStep&)> step_;
     std::vector<VirtualSwitch> switches_;
+    bool limits_;                               // they are limit switches too
     std::array<std::int64_t, kAxes> places_{};  // steps
     std::deque<std::uint8_t> offered_;
     SlipDecoder answers_;

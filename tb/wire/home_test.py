@@ -56,8 +56,8 @@ class HomeTest(unittest.TestCase):
         self.machine = self.folder / "mill.ini"
         self.machine.write_text(machine(), encoding="ascii")
 
-    def board(self, places):
-        board = Board(str(self.folder / "board"), *switches(places))
+    def board(self, places, *options):
+        board = Board(str(self.folder / "board"), *switches(places), *options)
         self.addCleanup(board.kill)
         return board
 
@@ -182,6 +182,20 @@ class HomeTest(unittest.TestCase):
                     "X is not homed")
         origin = -100 + round(0.1 * STEPS_PER_MM)
         self.assertEqual(counts(board.end())[:2], [origin, origin + 2 * STEPS_PER_MM])
+
+    def test_limit_switches_are_home_switches_where_the_machine_says_so(self):
+        places = (150, -300, 300)  # X stands on its own
+        board = self.board(places, "--limits")
+        self.home(board, "--axes", "Z", status=2, text="does not come on: a limit switch")
+        self.machine.write_text(machine(HOME_IGNORE_LIMITS="YES", HOME=0, MIN_LIMIT=-3,
+                                        MAX_LIMIT=3), encoding="ascii")
+        found = self.home(board)
+        self.assertEqual(found, [edges(places)[axis] for axis in (2, 0, 1)])
+        # From then on they stop the machine again.
+        self.stream(board, "G1 X-2", 1, "the board stopped: a limit switch")
+        steps = board.end()
+        self.assertEqual(steps[-1][1:], (0, -1))
+        self.assertLessEqual(abs(counts(steps)[0] - places[0]), 1)
 
     def test_machines_that_cannot_be_homed(self):
         board = self.board((-100, -100, 100))
