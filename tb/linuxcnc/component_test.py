@@ -34,6 +34,7 @@ CLOSEST = 0.98  # of the samples' even distance, where more of them are wanted
 # From a sample that waits no more to its last step, in samples, and those of a period that is
 # commanded at the same time.
 UNDER_WAY = 4 + 10
+LONGEST = 240  # s
 VIEW = ["unshare", "--mount", "--ipc", "sh", "-c"]
 
 
@@ -71,9 +72,14 @@ class ComponentTest(unittest.TestCase):
         simulate = (f"{INSIDE}/simulate.py {PROGRAM} --folder {out} --board 127.0.0.1:{port} "
                     f"--scale {STEPS_PER_MM} --buffer {buffer}")
         with subprocess.Popen([*VIEW, f"mount --bind modules {MODULES} && exec {simulate}"],
-                              cwd=self.folder, stderr=subprocess.PIPE, text=True) as runs:
-            meanwhile()
-            said = runs.communicate(timeout=270)[1]
+                              cwd=self.folder, stderr=subprocess.PIPE, text=True,
+                              start_new_session=True) as runs:
+            try:
+                meanwhile()
+                said = runs.communicate(timeout=LONGEST)[1]
+            except BaseException:
+                os.killpg(runs.pid, signal.SIGTERM)  # LinuxCNC ends its processes
+                raise
         log = out / "log"
         self.assertEqual(runs.returncode, 0, said + (log.read_text() if log.exists() else ""))
         rows = np.loadtxt(out / "samples", usecols=range(14))
