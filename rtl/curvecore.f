@@ -1,6 +1,7 @@
 arithmetic/digits_pkg.sv
 bus/registers_pkg.sv
 bus/slip_pkg.sv
+bus/system_pkg.sv
 curvecore_pkg.sv
 network/anchor_pkg.sv
 network/spline_pkg.sv
@@ -116,6 +117,7 @@ path/time_sequencer.sv
 path/underrun_guard.sv
 path/word_streams.sv
 pulse/galvo_pins.sv
+pulse/motion_pins.sv
 pulse/place_scaler.sv
 pulse/pulse_times.sv
 pulse/sample_period.sv

@@ -80,20 +80,10 @@ module motion_system #(
   localparam int FineBits = PositionBits + GuardBits;
 
   // Registers
-  localparam int SegmentLog2 = $clog2(SegmentQueueWords);
-  localparam int ProfileLog2 = $clog2(ProfileQueueWords);
-  localparam int SampleLog2 = $clog2(SampleBufferWords);
-  localparam int Capability = (Axes << registers_pkg::CapabilityAxesLow) +
-      (PeriodLog2 << registers_pkg::CapabilityPeriodLog2Low) +
-      (Build << registers_pkg::CapabilityBuildLow) +
-      (Splines << registers_pkg::CapabilitySplinesLow) +
-      (SegmentLog2 << registers_pkg::CapabilitySegmentQueueLog2Low) +
-      (ProfileLog2 << registers_pkg::CapabilityProfileQueueLog2Low) +
-      (SampleLog2 << registers_pkg::CapabilitySampleBufferLog2Low);
-  localparam int Core = (Order << registers_pkg::CoreOrderLow) +
-      (Mode << registers_pkg::CoreModeLow) + (CoefBits << registers_pkg::CoreCoefBitsLow) +
-      (PositionBits << registers_pkg::CorePositionBitsLow) +
-      (GuardBits << registers_pkg::CoreGuardBitsLow);
+  localparam int Capability = system_pkg::capability(
+      Axes, PeriodLog2, Build, Splines, SegmentQueueWords, ProfileQueueWords, SampleBufferWords
+  );
+  localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
   logic [16:0] override_rate;
   logic [15:0] watchdog;
   logic [3:0] samples_per_tick_log2;
@@ -355,16 +345,14 @@ module motion_system #(
       .fault_o(motion_fault)
   );
 
-  // Steps
-  logic [Axes-1:0] rise;
-  logic [Axes-1:0] back;
-  step_generator #(
+  motion_pins #(
       .Axes(Axes),
       .FineBits(FineBits),
       .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
-      .TimeBits(TimeBits)
-  ) u_steps (
+      .TimeBits(TimeBits),
+      .Galvo(Galvo)
+  ) u_pins (
       .clk_i,
       .rst_ni,
       .scale_write_i(scale_write),
@@ -391,41 +379,17 @@ module motion_system #(
       .stop_i(!enable_o),
       .step_o,
       .direction_o,
+      .galvo_clock_o,
+      .galvo_sync_o,
+      .galvo_data_o,
+      .steps_axis_i(steps_axis),
+      .steps_o(steps),
       .tick_o(tick),
-      .rise_o(rise),
-      .back_o(back),
       .referenced_o(referenced),
       .uncertain_o(uncertain),
       .overrun_o(overrun),
       .refused_o(refused),
       .late_o(late)
-  );
-
-  galvo_pins #(
-      .Galvo     (Galvo),
-      .Axes      (Axes),
-      .FineBits  (FineBits),
-      .PeriodLog2(PeriodLog2)
-  ) u_galvo (
-      .clk_i,
-      .rst_ni,
-      .tick_i        (tick),
-      .sample_taken_i(sample_valid && sample_ready && !by_position),
-      .sample_i      (sample),
-      .clock_o       (galvo_clock_o),
-      .sync_o        (galvo_sync_o),
-      .data_o        (galvo_data_o)
-  );
-
-  step_counters #(
-      .Axes(Axes)
-  ) u_counters (
-      .clk_i,
-      .rst_ni,
-      .rise_i (rise),
-      .back_i (back),
-      .axis_i (steps_axis),
-      .count_o(steps)
   );
 
 endmodule

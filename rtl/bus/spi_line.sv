@@ -58,8 +58,8 @@ module spi_line (
     if (rises) byte_o <= {byte_o[6:0], mosi};
   end
 
-  // A byte goes out from the falling edge before it on, and is gone when its first bit is read: a host
-  // may end before that.
+  // A byte goes out from the falling edge before it on, and is gone when its first bit is read: a
+  // host may end before that.
   logic [7:0] out_q;
   logic something_q;
   logic loads;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// All pins that samples move: steps and directions, and what is counted of them; scan heads.
+`default_nettype none
+module motion_pins #(
+    parameter int Axes       = 3,   // [3, 9]
+    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int ScaleBits  = 44,  // [40, 56]
+    parameter int PeriodLog2 = 13,  // [6, 20]
+    parameter int TimeBits   = 12,  // [4, 16]
+    parameter int Galvo      = 0    // 0, 1
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // All of these: rtl/pulse/step_generator.sv
+    // Scales: 2^-16 steps in 2^FineBits units of a position
+    input wire logic                 scale_write_i,
+    input wire logic [          3:0] scale_axis_i,
+    input wire logic [ScaleBits-1:0] scale_i,
+
+    // Times of the drives, in clocks, 0 counts as 1; steplen + stepspace and steplen + dirhold are
+    // below 2^TimeBits. Levels of the pins
+    input wire logic [TimeBits-1:0] steplen_i,
+    input wire logic [TimeBits-1:0] stepspace_i,
+    input wire logic [TimeBits-1:0] dirsetup_i,
+    input wire logic [TimeBits-1:0] dirhold_i,
+    input wire logic [    Axes-1:0] step_inverted_i,
+    input wire logic [    Axes-1:0] direction_inverted_i,
+
+    // Samples, axis 0 in the low bits
+    input  wire logic                     sample_valid_i,
+    output logic                          sample_ready_o,
+    input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic [         Axes-1:0] reference_i,
+
+    // Or axis by axis: rtl/pulse/place_scaler.sv
+    input  wire logic                by_axis_i,
+    output logic      [         3:0] axis_o,
+    input  wire logic [FineBits-1:0] position_i,
+
+    // From outside, and behind the synchroniser
+    input  wire logic            estop_i,
+    input  wire logic [Axes-1:0] limit_i,
+    output logic                 estop_o,
+    output logic      [Axes-1:0] limit_o,
+    input  wire logic [Axes-1:0] limit_masked_i,  // not obeyed
+    input  wire logic            stop_i,          // all axes, on this clock
+
+    // Pins
+    output logic [Axes-1:0] step_o,
+    output logic [Axes-1:0] direction_o,
+    output logic            galvo_clock_o,
+    output logic            galvo_sync_o,
+    output logic [     2:0] galvo_data_o,
+
+    // Steps of an axis since the reset
+    input  wire logic [ 3:0] steps_axis_i,
+    output logic      [31:0] steps_o,
+
+    // What happens
+    output logic            tick_o,
+    output logic [Axes-1:0] referenced_o,
+    output logic [Axes-1:0] uncertain_o,   // a pulse was cut: by one step
+    output logic [Axes-1:0] overrun_o,     // a step was dropped
+    output logic [Axes-1:0] refused_o,     // too fast
+    output logic            late_o
+);
+
+  logic [Axes-1:0] rise;
+  logic [Axes-1:0] back;
+  step_generator #(
+      .Axes(Axes),
+      .FineBits(FineBits),
+      .ScaleBits(ScaleBits),
+      .PeriodLog2(PeriodLog2),
+      .TimeBits(TimeBits)
+  ) u_steps (
+      .clk_i,
+      .rst_ni,
+      .scale_write_i,
+      .scale_axis_i,
+      .scale_i,
+      .steplen_i,
+      .stepspace_i,
+      .dirsetup_i,
+      .dirhold_i,
+      .step_inverted_i,
+      .direction_inverted_i,
+      .sample_valid_i,
+      .sample_ready_o,
+      .sample_i,
+      .reference_i,
+      .by_axis_i,
+      .axis_o,
+      .position_i,
+      .estop_i,
+      .limit_i,
+      .estop_o,
+      .limit_o,
+      .limit_masked_i,
+      .stop_i,
+      .step_o,
+      .direction_o,
+      .tick_o,
+      .rise_o(rise),
+      .back_o(back),
+      .referenced_o,
+      .uncertain_o,
+      .overrun_o,
+      .refused_o,
+      .late_o
+  );
+
+  step_counters #(
+      .Axes(Axes)
+  ) u_counters (
+      .clk_i,
+      .rst_ni,
+      .rise_i (rise),
+      .back_i (back),
+      .axis_i (steps_axis_i),
+      .count_o(steps_o)
+  );
+
+  // In position mode scan heads stay where they are.
+  galvo_pins #(
+      .Galvo     (Galvo),
+      .Axes      (Axes),
+      .FineBits  (FineBits),
+      .PeriodLog2(PeriodLog2)
+  ) u_galvo (
+      .clk_i,
+      .rst_ni,
+      .tick_i        (tick_o),
+      .sample_taken_i(sample_valid_i && sample_ready_o && !by_axis_i),
+      .sample_i,
+      .clock_o       (galvo_clock_o),
+      .sync_o        (galvo_sync_o),
+      .data_o        (galvo_data_o)
+  );
+
+endmodule
+`default_nettype wire
