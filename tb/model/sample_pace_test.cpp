@@ -100,7 +100,7 @@ TEST(SamplePace, PlansOfTinySegmentsKeepTime) {
 TEST(SamplePace, ThePeriodIsMadeUseOf) {
     const ref::Program program = even_lines(8000);
     const std::vector<std::pair<Build, std::vector<double>>> cases{
-        {Build::kParallel, {20, 133, 200, 500, 3000}}, {Build::kSerial, {190, 240, 300, 1000}}};
+        {Build::kParallel, {20, 133, 200, 500, 3000}}, {Build::kSerial, {195, 240, 300, 1000}}};
     for (const auto& [build, periods] : cases) {
         CoreParameters core;
         core.build = build;
