@@ -14,7 +14,8 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::uint32_t kMostTime = (1U << 12) - 1;  // TimeBits of boards
+/// Clocks of a pin's time: boards have TimeBits = 12, and count two of them together.
+constexpr std::uint32_t kMostTime = (1U << 11) - 1;
 constexpr auto kSettles = std::chrono::seconds(2);
 
 /// Words in two commands of a frame, beside what the stream adds itself.

@@ -216,6 +216,12 @@ class WireTest(unittest.TestCase):
                      "serial:/nowhere", "serial:/dev/null@1200", ""):
             self.finish(self.stream(name), 2, "curvecore: error:")
 
+    def test_times_that_the_board_cannot_count(self):
+        # 2,048 clocks of 2.56 MHz: with another time they are more than its 12 bits.
+        board = self.board("--fast")
+        self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--steplen", "800us"), 2,
+                    "more than 2047 clocks of the board")
+
     def test_strangers_change_nothing(self):
         board = self.board("--fast")
         host = self.stream(f"udp:127.0.0.1:{board.port}")
