@@ -13,6 +13,7 @@ constexpr double kStart = 0.97;                         // of the limit: what a 
 constexpr int kWeightings = 6;                          // of least squares
 constexpr std::array<double, 3> kStages{1, 0.2, 0.04};  // barrier, of the energy
 constexpr int kSteps = 6;                               // Newton's, of a stage
+constexpr double kWorth = 0.02;                         // of the barrier: what one must promise
 constexpr int kHalvings = 30;
 
 }  // namespace
@@ -177,58 +178,66 @@ double TubeSpline::barrier(double mu) const {
 
 /// Slope and second derivative of the barrier by the four control points of a span.
 struct TubeSpline::Local {
-    std::array<Vec3, 4> slope;
-    std::array<std::array<Eigen::Matrix3d, 4>, 4> bend;  // of the points i >= j
+    using Symmetric = std::array<double, 6>;  // xx, yx, yy, zx, zy, zz
 
-    Local() {
-        slope.fill(Vec3::Zero());
-        for (auto& row : bend) row.fill(Eigen::Matrix3d::Zero());
-    }
-    /// Adds f(sum of weight x point) by f' and f''.
-    void add(const std::array<double, 4>& weight, const Vec3& first,
-             const Eigen::Matrix3d& second) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            slope[i] += weight[i] * first;
-            for (std::size_t j = 0; j <= i; ++j) bend[i][j] += weight[i] * weight[j] * second;
+    std::array<std::array<double, 3>, 4> slope{};
+    std::array<Symmetric, 10> bend{};  // of the points i >= j
+
+    /// Adds f(sum of weight x point) by f' = first e and f'' = diagonal I + square e e^T.
+    void add(const std::array<double, 4>& weight, const Vec3& e, double first, double diagonal,
+             double square) {
+        const Symmetric second{diagonal + square * e[0] * e[0],
+                               square * e[1] * e[0],
+                               diagonal + square * e[1] * e[1],
+                               square * e[2] * e[0],
+                               square * e[2] * e[1],
+                               diagonal + square * e[2] * e[2]};
+        for (std::size_t i = 0, at = 0; i < 4; ++i) {
+            for (std::size_t a = 0; a < 3; ++a) {
+                slope[i][a] += weight[i] * first * e[static_cast<Eigen::Index>(a)];
+            }
+            for (std::size_t j = 0; j <= i; ++j, ++at) {
+                const double both = weight[i] * weight[j];
+                for (std::size_t k = 0; k < 6; ++k) bend[at][k] += both * second[k];
+            }
         }
     }
 };
 
 TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
     Local sum;
-    sum.add(third_[span], jerk_weight_[span] * third_difference(span),
-            jerk_weight_[span] * Eigen::Matrix3d::Identity());
+    sum.add(third_[span], third_difference(span), jerk_weight_[span], jerk_weight_[span], 0);
     for (std::size_t k = row_of_span_[span]; k < row_of_span_[span + 1]; ++k) {
         if (!rows_[k].free) continue;
         const Vec3 e = error(rows_[k]);
         const double factor = 2 * mu / (limit_ * limit_ - e.squaredNorm());
-        sum.add(rows_[k].weight, factor * e,
-                factor * Eigen::Matrix3d::Identity() + factor * factor / mu * e * e.transpose());
+        sum.add(rows_[k].weight, e, factor, factor, factor * factor / mu);
     }
     return sum;
 }
 
 /// Whether it got anywhere.
 bool TubeSpline::newton_step(double mu) {
+    constexpr std::size_t kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
     const std::size_t n = last_ - first_;
     BandMatrix<11> matrix(3 * n);
     std::vector<double> step(3 * n, 0);
     for (std::size_t span = 0; span < third_.size(); ++span) {
         const Local sum = local(span, mu);
-        for (std::size_t i = 0; i < 4; ++i) {
-            if (!is_free(span + i)) continue;
-            const std::size_t at = 3 * (span + i - first_);
-            for (std::size_t a = 0; a < 3; ++a) {
-                const auto row = static_cast<Eigen::Index>(a);
-                step[at + a] -= sum.slope[i][row];
-                for (std::size_t j = 0; j <= i; ++j) {
-                    if (!is_free(span + j)) continue;
-                    const std::size_t to = 3 * (span + j - first_);
-                    for (std::size_t b = 0; b < 3; ++b) {
-                        matrix.add(at + a, to + b,
-                                   sum.bend[i][j](row, static_cast<Eigen::Index>(b)));
+        for (std::size_t i = 0, pair = 0; i < 4; ++i) {
+            for (std::size_t j = 0; j <= i; ++j, ++pair) {
+                if (!is_free(span + i) || !is_free(span + j)) continue;
+                const std::size_t at = 3 * (span + i - first_);
+                const std::size_t to = 3 * (span + j - first_);
+                for (std::size_t a = 0; a < 3; ++a) {
+                    for (std::size_t b = 0; b < (i == j ? a + 1 : 3); ++b) {
+                        matrix.add(at + a, to + b, sum.bend[pair][kAt[a][b]]);
                     }
                 }
+            }
+            if (!is_free(span + i)) continue;
+            for (std::size_t a = 0; a < 3; ++a) {
+                step[3 * (span + i - first_) + a] -= sum.slope[i][a];
             }
         }
     }
@@ -246,7 +255,9 @@ bool TubeSpline::newton_step(double mu) {
             const double* by = &step[3 * (point - first_)];
             spline_.points[point] = from[point] + length * Vec3(by[0], by[1], by[2]);
         }
-        if (barrier(mu) < before - 0.01 * length * gain) return gain > 1e-3 * std::abs(mu);
+        if (barrier(mu) < before - 0.01 * length * gain) {
+            return gain > kWorth * mu * static_cast<double>(rows_.size());
+        }
     }
     spline_.points = from;
     return false;
