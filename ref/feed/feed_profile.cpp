@@ -15,7 +15,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kCoverRounds = 12;
-constexpr double kCutFrom = 0.4;  // of the time that is planned: the rest is looked at again
+constexpr double kCutFrom = 0.6;  // of the time that is planned: the rest is looked at again
 // Of the rules' speeds where an optimum joins them at a cut: it begins and ends within its limits.
 constexpr double kPace = 0.95;
 constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
@@ -65,26 +65,22 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
     const FeedTask task{subject.program,  subject.machine, subject.options,
                         subject.geometry, plan.segments,   most,
                         subject.pace};
-    const auto motion = [&]() -> std::optional<WindowMotion> {
-        FeedWindow window(task, subject.given, cut);
-        if (!window.plan()) return {};
-        return std::move(window).take();
-    };
     plan.slowed_moves = 0;
     for (int round = 0;; ++round) {
-        std::optional<WindowMotion> found = motion();
-        if (found && subject.more && cut == 0) {
-            cut = best_cut(*found, given_moves(subject.given), subject.machine);
-            if (std::optional<WindowMotion> passed = cut > 0 ? motion() : std::nullopt) {
-                found = std::move(passed);
+        FeedWindow window(task, subject.given, cut);
+        if (!window.plan()) return {};
+        WindowMotion found = window.motion();
+        if (subject.more && cut == 0) {
+            cut = best_cut(found, given_moves(subject.given), subject.machine);
+            if (cut > 0 && window.cut_before(cut)) {
+                found = window.motion();
             } else {
                 cut = 0;
             }
         }
-        if (!found) return {};
         plan.pieces.clear();
-        found->append(0, count, plan.pieces);
-        found->append_last_dwell(plan.pieces);
+        found.append(0, count, plan.pieces);
+        found.append_last_dwell(plan.pieces);
         plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
         if (!subject.window) {
             set_hold_bounds(subject.machine, subject.options, subject.geometry, plan);
@@ -99,7 +95,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
             set_branches(subject.program, subject.machine, subject.geometry, subject.options, plan);
             slowed = slow();
         }
-        if (slowed == 0) return PlannedWindow{std::move(*found), cut};
+        if (slowed == 0) return PlannedWindow{std::move(found), cut};
         plan.slowed_moves = std::max(plan.slowed_moves, slowed);
         if (round == kCoverRounds) {
             throw InputError(subject.program.file, 0,

@@ -37,6 +37,15 @@ bool FeedWindow::plan() {
     return keep_windows();
 }
 
+bool FeedWindow::cut_before(std::size_t cut) {
+    cut_ = cut;
+    for (Stretch& stretch : stretches_) {
+        stretch.changed = cut >= stretch.first && cut <= stretch.last;
+        if (stretch.changed && !plan_one(stretch)) return false;
+    }
+    return keep_windows();
+}
+
 bool FeedWindow::plan_one(Stretch& stretch) {
     if (!planner_.plan(stretch) || !pass_cut(stretch)) return false;
     if (task_.options.effort == Effort::kOptimum) {
@@ -134,8 +143,8 @@ void FeedWindow::lower(Stretch& stretch, Cap cap, Cap end) const {
     }
 }
 
-WindowMotion FeedWindow::take() && {
-    return {std::move(stretches_), task_.geometry, planner_.grid(), planner_.last_dwell()};
+WindowMotion FeedWindow::motion() const {
+    return {stretches_, task_.geometry, planner_.grid(), planner_.last_dwell()};
 }
 
 }  // namespace curvecore::ref

@@ -10,13 +10,15 @@ namespace curvecore::ref {
 class FeedWindow {
   public:
     /// @param given the motion of the first planned moves
-    /// @param cut planned move before which there is no acceleration; 0: none
+    /// @param cut planned move before which there is no acceleration; 0: none, as yet
     FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut);
 
     /// By options.effort. False: what is given cannot be gone on with.
     bool plan();
+    /// The same motion as far as a cut lets it be.
+    bool cut_before(std::size_t cut);
 
-    WindowMotion take() &&;
+    WindowMotion motion() const;
 
   private:
     bool plan_one(Stretch& stretch);

@@ -11,7 +11,6 @@ constexpr double kJump = 0.3;   // of jerk * JointTime: of acceleration, between
 constexpr double kKept = 1.04;  // of a limit's share, before words are rounded
 constexpr double kSpeedKept = 1.001;
 constexpr double kStill = 1e-9;  // mm/s: rounding of a rest
-constexpr int kPlaces = 4;       // for each phase of the run
 
 /// mm/s; s(t) never goes back.
 double least_speed(const Phase& phase) {
@@ -22,7 +21,7 @@ double least_speed(const Phase& phase) {
 
 class Merger {
   public:
-    Merger(const std::vector<Phase>& run, const std::vector<bool>& apart, RunPath& path,
+    Merger(const std::vector<Phase>& run, const std::vector<bool>& apart, const RunPath& path,
            const Machine& machine)
         : run_(run), apart_(apart), path_(path), jump_(kJump * machine.jerk * machine.joint_time) {
         time_.push_back(0);
@@ -68,14 +67,13 @@ class Merger {
         const double off = phase.acceleration(phase.duration) - back.acceleration(back.duration);
         if (std::abs(phase.a - run_[first].a) > jump_ || std::abs(off) > jump_) return false;
         if (least_speed(phase) < -kStill) return false;
-        const int places = kPlaces * static_cast<int>(end - first);
-        return path_.speed_load(phase, places) <= kSpeedKept &&
-               path_.load(phase, {first == 0, end == run_.size(), places}) <= kKept;
+        const RunLoads loads = path_.loads(phase, first, end, {kKept, kSpeedKept});
+        return loads.load <= kKept && loads.speed <= kSpeedKept;
     }
 
     const std::vector<Phase>& run_;
     const std::vector<bool>& apart_;
-    RunPath& path_;
+    const RunPath& path_;
     double jump_;
     std::vector<double> time_;
 };
@@ -93,7 +91,7 @@ Phase phase_between(long double s, double length, double v0, double v1, double d
 }
 
 std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<bool>& apart,
-                                 RunPath& path, const Machine& machine) {
+                                 const RunPath& path, const Machine& machine) {
     return Merger(run, apart, path, machine).merge();
 }
 

@@ -16,6 +16,6 @@ Phase phase_between(long double s, double length, double v0, double v1, double d
 ///
 /// @param apart phases that stay as they are
 std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<bool>& apart,
-                                 RunPath& path, const Machine& machine);
+                                 const RunPath& path, const Machine& machine);
 
 }  // namespace curvecore::ref

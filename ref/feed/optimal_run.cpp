@@ -20,13 +20,13 @@ constexpr std::size_t kCommitted = 120;
 constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
 // Shares of the time that the barrier may cost: first, to draw back from limits, and last.
 constexpr double kFirstGap = 0.5;
-constexpr double kBackGap = 0.06;
+constexpr double kBackGap = 0.0448;
 constexpr double kGap = 0.004;
-constexpr int kPlaces = 4;           // of an interval, where it is checked
 constexpr double kInside = 0.999;    // of a limit
 constexpr double kKept = 1.01;       // of a limit's share
 constexpr double kTolerated = 1.05;  // of it, after some rounds
 constexpr double kMore = 0.02;       // by which limits are eased more, from round to round
+constexpr RunLoads kAll{1e300, 1e300};
 constexpr int kRounds = 3;
 constexpr int kMostRounds = 8;
 // Intervals that are eased on both sides of where words take too much, and those solved again.
@@ -41,8 +41,8 @@ constexpr double kSpeedCarried = 1.002;
 
 class OptimalRun {
   public:
-    OptimalRun(std::vector<RunKnot> knots, RunPath& path)
-        : knots_(std::move(knots)),
+    OptimalRun(const std::vector<RunKnot>& knots, const RunPath& path)
+        : knots_(knots),
           path_(path),
           optimum_(intervals(), motions()),
           end_(knots_.size() - 2),
@@ -105,7 +105,7 @@ class OptimalRun {
     std::vector<PathInterval> intervals() {
         std::vector<PathInterval> path;
         for (std::size_t k = 0; k + 1 < knots_.size(); ++k) {
-            path.push_back(path_.interval(knots_, k));
+            path.push_back(path_.interval(k));
         }
         return path;
     }
@@ -128,7 +128,7 @@ class OptimalRun {
             double worst = 0;
             for (std::size_t k = first - 1; k <= kept; ++k) {
                 found_[k] = phase(k);
-                const double load = path_.load(found_[k], {k == 0, k == end_, kPlaces});
+                const double load = path_.loads(found_[k], k, k + 1, kAll).load;
                 worst = std::max(worst, load);
                 if (load <= kKept) continue;
                 eased.push_back({k, (1 - kMore * round) * optimum_.load(k) / load, 1});
@@ -176,8 +176,8 @@ class OptimalRun {
                              std::sqrt(spline.knot(k + 1).q), duration);
     }
 
-    std::vector<RunKnot> knots_;
-    RunPath& path_;
+    const std::vector<RunKnot>& knots_;
+    const RunPath& path_;
     TimeOptimum optimum_;
     std::size_t end_;  // of free control points
     std::vector<Phase> found_;
@@ -189,9 +189,10 @@ class OptimalRun {
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                const Geometry& geometry, const Machine& machine, PathPlaces& places,
                                const WordLoads& word_loads) {
-    RunPath path(moves, geometry, machine, places);
     const double step = std::max(ramp_time(machine) / kKnots, machine.joint_time);
-    OptimalRun run(run_knots(phases, moves, step), path);
+    const std::vector<RunKnot> knots = run_knots(phases, moves, step);
+    const RunPath path(moves, geometry, machine, places, knots);
+    OptimalRun run(knots, path);
     if (!run.solve()) return phases;
     for (int round = 0; round <= kMends; ++round) {
         if (!(duration(run.phases()) < duration(phases))) break;

@@ -51,7 +51,8 @@ void ProfileCourse::add(const PieceStretch& stretch) {
             return piece_start_ + stretch.from + (stretch.to - stretch.from) * part / parts;
         };
         std::vector<PlaceLimit> end = limits(stretch, (i + 1.) / parts);
-        cells_.push_back({at(i), at(i + 1), piece_, piece_start_, std::move(begin), end});
+        const PieceMotion start = ref::motion(stretch, static_cast<double>(i) / parts, plan_);
+        cells_.push_back({at(i), at(i + 1), start, std::move(begin), end});
         begin = std::move(end);
     }
 }
@@ -83,10 +84,9 @@ std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, doubl
 }
 
 PieceMotion ProfileCourse::motion(const CourseCell& cell, double tick) const {
-    const PieceState state = piece_state(*cell.piece, tick - cell.piece_start);
-    const double v = quantum_ / plan_.tick_s;
-    const double a = v / plan_.tick_s;
-    return {std::max(0.0, state.v * v), state.a * a, state.j * a / plan_.tick_s};
+    const PieceMotion& m = cell.start;
+    const double t = (tick - cell.from) * plan_.tick_s;
+    return {std::max(0.0, m.v + (m.a + m.j / 2 * t) * t), m.a + m.j * t, m.j};
 }
 
 bool ProfileCourse::even(double from, double to) const {

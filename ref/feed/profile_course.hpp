@@ -12,9 +12,8 @@ namespace curvecore::ref {
 
 /// A short time of one piece on one move: the path's derivatives go linearly through it.
 struct CourseCell {
-    double from, to;            // ticks from the program's start
-    const ProfilePiece* piece;  // of the plan
-    double piece_start;         // ticks
+    double from, to;    // ticks from the program's start
+    PieceMotion start;  // at `from`; constant jerk
     std::vector<PlaceLimit> begin, end;
 };
 

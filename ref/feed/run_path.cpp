@@ -10,6 +10,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kInside = 1e-6;  // of an interval: of two sides of a joint, its own
+constexpr int kParts = 4;         // of an interval
 constexpr double kSame = 0.05;    // of r', r'', r''': as good as constant within an interval
 
 bool differ(const PlaceLimit& a, const PlaceLimit& b) {
@@ -17,18 +18,31 @@ bool differ(const PlaceLimit& a, const PlaceLimit& b) {
     return apart(a.d11, b.d11) || apart(a.d22, b.d22) || apart(a.d33, b.d33);
 }
 
-bool differ(const std::vector<PlaceLimit>& a, const std::vector<PlaceLimit>& b) {
-    return !std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                       [](const PlaceLimit& x, const PlaceLimit& y) { return !differ(x, y); });
+/// Time at which a phase is x mm from its start, near `t`.
+double time_near(const Phase& phase, double t, double x) {
+    constexpr double kExact = 1e-9;  // of the phase
+    constexpr int kRounds = 8;
+    for (int round = 0; round < kRounds; ++round) {
+        const double v = phase.speed(t);
+        if (!(v > 0)) break;
+        const double more = (x - ((phase.j / 6 * t + phase.a / 2) * t + phase.v) * t) / v;
+        t = std::clamp(t + more, 0.0, phase.duration);
+        if (std::abs(more) <= kExact * phase.duration) return t;
+    }
+    Phase local = phase;
+    local.s = 0;
+    return time_at(local, 0, x);
 }
 
 }  // namespace
 
 RunPath::RunPath(const std::vector<RunMove>& moves, const Geometry& geometry,
-                 const Machine& machine, PathPlaces& places)
-    : moves_(moves), geometry_(geometry), machine_(machine), places_(places) {
+                 const Machine& machine, PathPlaces& places, const std::vector<RunKnot>& knots)
+    : moves_(moves), geometry_(geometry), machine_(machine), places_(places), knots_(knots) {
     begin_.push_back(0);
     for (const RunMove& move : moves) begin_.push_back(begin_.back() + move.length);
+    for (std::size_t k = 0; k < count(); ++k) look_at(k);
+    first_look_.push_back(looks_.size());
 }
 
 /// The move at s, which is after it begins or before it ends.
@@ -37,108 +51,136 @@ std::size_t RunPath::move_at(long double s) const {
     return static_cast<std::size_t>(after - begin_.begin()) - 1;
 }
 
-std::vector<PlaceLimit> RunPath::limits(long double s) {
-    const std::size_t move = move_at(s);
-    const RunMove& on = moves_[move];
-    const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
-    std::vector<PlaceLimit> limits = place_limits(at, geometry_.moves[on.planned].shape, machine_);
-    for (PlaceLimit& limit : limits) {
-        limit.acceleration *= kAccelerationShare;
-        limit.jerk = std::min(kJerkShare * limit.jerk, on.jerk);
+/// Just within the ends, and on both sides of joints.
+void RunPath::look_at(std::size_t k) {
+    first_look_.push_back(looks_.size());
+    const long double from = knots_[k].s;
+    const long double length = knots_[k + 1].s - from;
+    const long double inside = length * kInside;
+    std::size_t move = move_at(from + inside);
+    for (int part = 0; part <= kParts; ++part) {
+        const double time = static_cast<double>(part) / kParts;
+        double x = time;
+        if (starts(k)) x = time * time * time;
+        if (ends(k)) x = 1 - (1 - time) * (1 - time) * (1 - time);
+        const long double s = from + std::clamp(x, kInside, 1 - kInside) * length;
+        for (; move + 1 < moves_.size() && begin_[move + 1] <= s; ++move) {
+            add(begin_[move + 1] - inside, -1, move);
+            add(begin_[move + 1] + inside, -1, move + 1);
+        }
+        add(s, part, move);
     }
-    return limits;
 }
 
-PathInterval RunPath::interval(const std::vector<RunKnot>& knots, std::size_t k) {
-    const long double from = knots[k].s;
-    const long double to = knots[k + 1].s;
-    const long double inside = (to - from) * kInside;
+void RunPath::add(long double s, int part, std::size_t move) {
+    looks_.push_back({s, part, move, limits_.size()});
+    const RunMove& on = moves_[move];
+    const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
+    for (PlaceLimit limit : place_limits(at, geometry_.moves[on.planned].shape, machine_)) {
+        limit.acceleration *= kAccelerationShare;
+        limit.jerk = std::min(kJerkShare * limit.jerk, on.jerk);
+        limits_.push_back(limit);
+    }
+}
+
+/// Whether the path bends unevenly.
+bool RunPath::changes(std::size_t k) const {
+    const std::size_t first = first_look_[k];
+    const std::size_t count = limits_end(first) - looks_[first].limits;
+    for (std::size_t i = first + 1; i < first_look_[k + 1]; ++i) {
+        if (limits_end(i) - looks_[i].limits != count) return true;
+        for (std::size_t j = 0; j < count; ++j) {
+            if (differ(limits_[looks_[first].limits + j], limits_[looks_[i].limits + j])) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+PathInterval RunPath::interval(std::size_t k) const {
+    const long double from = knots_[k].s;
+    const long double to = knots_[k + 1].s;
+    const std::size_t first = first_look_[k];
+    const std::size_t end = first_look_[k + 1];
     PathInterval interval;
     interval.length = static_cast<double>(to - from);
     interval.velocity = interval.end_velocity = 1e9;
-    std::vector<long double> places{from + inside};
-    const std::size_t last = move_at(to - inside);
-    for (std::size_t move = move_at(from + inside); move <= last; ++move) {
+    const std::size_t last = looks_[end - 1].move;
+    for (std::size_t move = looks_[first].move; move <= last; ++move) {
         interval.velocity = std::min(interval.velocity, moves_[move].velocity);
         if (move == last) break;
         interval.velocity = std::min(interval.velocity, moves_[move].end_velocity);
-        places.push_back(begin_[move + 1] - inside);
-        places.push_back(begin_[move + 1] + inside);
     }
-    if (begin_[last + 1] < to + inside) interval.end_velocity = moves_[last].end_velocity;
-    places.push_back((from + to) / 2);
-    places.push_back(to - inside);
-    const bool starts = k == 0 && knots[k].v == 0;
-    const bool ends = k + 2 == knots.size() && knots[k + 1].v == 0;
-    if (starts || ends) return resting(std::move(interval), starts ? from : to, starts ? to : from);
-
-    std::vector<std::vector<PlaceLimit>> all;
-    bool changes = false;
-    for (const long double s : places) {
-        all.push_back(limits(s));
-        changes = changes || differ(all.back(), all.front());
+    if (begin_[last + 1] < to + interval.length * kInside) {
+        interval.end_velocity = moves_[last].end_velocity;
     }
-    // Where the path bends evenly, the acceleration at the end and the jerk in the middle do.
-    for (std::size_t i = changes ? 0 : all.size() - 2; i < all.size(); ++i) {
-        const bool end = i + 1 == all.size();
-        for (const PlaceLimit& limit : all[i]) {
-            interval.places.push_back(
-                {static_cast<double>(places[i] - from), changes || end, changes || !end, limit, 1});
+    const bool rests = starts(k) || ends(k);
+    const bool all = !rests && changes(k);
+    for (std::size_t i = first; i < end; ++i) {
+        const int part = looks_[i].part;
+        if (rests) {
+            const long double x = starts(k) ? looks_[i].s - from : to - looks_[i].s;
+            const bool still = part == (starts(k) ? 0 : kParts);
+            if (part >= 0 && !still) {
+                add_resting(i, interval, static_cast<double>(x) / interval.length);
+            }
+        } else if (all) {
+            if (part < 0 || part % 2 == 0) add_places(i, interval, from, true, true);
+        } else if (part == kParts / 2 || part == kParts) {
+            // Where the path bends evenly, the acceleration at the end and the jerk in the middle.
+            add_places(i, interval, from, part == kParts, part != kParts);
         }
     }
     return interval;
+}
+
+void RunPath::add_places(std::size_t look, PathInterval& interval, long double from,
+                         bool acceleration, bool jerk) const {
+    const auto x = static_cast<double>(looks_[look].s - from);
+    for (std::size_t i = looks_[look].limits; i < limits_end(look); ++i) {
+        interval.places.push_back({x, acceleration, jerk, limits_[i], 1});
+    }
 }
 
 /// Between rest and a place h farther on the jerk is constant, so x h from rest q = q(h) x^(4/3):
 /// what bends there counts as at the place, but r'' x times and r''' x^2 times.
-PathInterval RunPath::resting(PathInterval interval, long double rest, long double moving) {
-    for (const double time : {1., 0.75, 0.5, 0.25}) {
-        const double x = std::min(time * time * time, 1 - kInside);
-        for (PlaceLimit limit : limits(rest + x * (moving - rest))) {
-            limit.d12 *= x;
-            limit.d13 *= x * x;
-            limit.d22 *= x * x;
-            limit.d23 *= x * x * x;
-            limit.d33 *= x * x * x * x;
-            interval.places.push_back({0, time == 1, true, limit, 1});
-        }
+void RunPath::add_resting(std::size_t look, PathInterval& interval, double x) const {
+    const bool moving = x > 0.9;
+    for (std::size_t i = looks_[look].limits; i < limits_end(look); ++i) {
+        PlaceLimit limit = limits_[i];
+        limit.d12 *= x;
+        limit.d13 *= x * x;
+        limit.d22 *= x * x;
+        limit.d23 *= x * x * x;
+        limit.d33 *= x * x * x * x;
+        interval.places.push_back({0, moving, true, limit, 1});
     }
-    return interval;
 }
 
-double RunPath::load(const Phase& phase, const Part& part) {
-    double worst = 0;
-    // Just within the ends; where the curve may stand still, not there at all.
-    for (int i = part.first ? 1 : 0; i <= part.places - (part.last ? 1 : 0); ++i) {
-        const double at = std::clamp(1. * i / part.places, kInside, 1 - kInside);
-        const double t = phase.duration * at;
+RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
+                        const RunLoads& most) const {
+    RunLoads worst;
+    double t = 0;
+    for (std::size_t i = first_look_[first]; i < first_look_[end]; ++i) {
+        const Look& look = looks_[i];
+        t = time_near(phase, t, static_cast<double>(look.s - phase.s));
         const double v = phase.speed(t);
-        const double a = phase.acceleration(t);
-        for (const PlaceLimit& limit : limits(phase.place(t))) {
-            worst = std::max({worst, acceleration_of(limit, v, a) / limit.acceleration,
+        worst.speed = std::max(worst.speed, v / moves_[look.move].velocity);
+        if (i > first_look_[first] && looks_[i - 1].move != look.move) {
+            worst.speed = std::max(worst.speed, v / moves_[look.move - 1].end_velocity);
+        }
+        // Where the curve may stand still nothing is asked.
+        if (i > 0 && i + 1 < looks_.size()) {
+            const double a = phase.acceleration(t);
+            for (std::size_t j = look.limits; j < limits_end(i); ++j) {
+                const PlaceLimit& limit = limits_[j];
+                worst.load =
+                    std::max({worst.load, acceleration_of(limit, v, a) / limit.acceleration,
                               jerk_of(limit, v, a, phase.j) / limit.jerk});
+            }
         }
-    }
-    return worst;
-}
-
-double RunPath::speed_load(const Phase& phase, int places) const {
-    double worst = 0;
-    long double from = phase.s;
-    std::size_t on = move_at(from);
-    for (int i = 0; i <= places; ++i) {
-        const double t = phase.duration * i / places;
-        const long double s = phase.place(t);
-        const double v = phase.speed(t);
-        const std::size_t move = move_at(s - (s - from) * kInside);
-        worst = std::max(worst, v / moves_[move].velocity);
-        // Joints since the last place, as if the speed were constant between both.
-        for (; on < move; ++on) {
-            const double part = static_cast<double>((begin_[on + 1] - from) / (s - from));
-            const double joint = phase.speed(t - (1 - part) * phase.duration / places);
-            worst = std::max(worst, joint / moves_[on].end_velocity);
-        }
-        from = s;
+        if (worst.load > most.load || worst.speed > most.speed) break;
     }
     return worst;
 }

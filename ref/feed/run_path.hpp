@@ -10,35 +10,64 @@
 
 namespace curvecore::ref {
 
+/// Of what they may at most: limits of acceleration and jerk; velocities, on moves and where they
+/// join.
+struct RunLoads {
+    double load = 0;
+    double speed = 0;
+};
+
+/// Knots cut the run into intervals. Limits are looked at in the same places of each, whatever the
+/// motion: they are found once.
 class RunPath {
   public:
     RunPath(const std::vector<RunMove>& moves, const Geometry& geometry, const Machine& machine,
-            PathPlaces& places);
+            PathPlaces& places, const std::vector<RunKnot>& knots);
 
     /// From one knot to the next. A curve may stand still at an end of the run: nothing is asked
     /// there.
-    PathInterval interval(const std::vector<RunKnot>& knots, std::size_t k);
+    PathInterval interval(std::size_t k) const;
 
-    /// Where in a phase loads are looked at.
-    struct Part {
-        bool first, last;  // of the run
-        int places;
-    };
-    /// Of acceleration and jerk, the most that a phase takes of the limits' shares.
-    double load(const Phase& phase, const Part& part);
-    /// Of the velocity, on moves and where they join.
-    double speed_load(const Phase& phase, int places) const;
+    /// The most that a phase takes, which lasts from knot `first` to knot `end`; more than `most`,
+    /// and no more is looked at.
+    RunLoads loads(const Phase& phase, std::size_t first, std::size_t end,
+                   const RunLoads& most) const;
 
   private:
+    /// | field  | remark                                                         |
+    /// |--------|----------------------------------------------------------------|
+    /// | part   | of the interval, in quarters of its time; -1: beside a joint in it |
+    /// | limits | where they begin                                               |
+    struct Look {
+        long double s;
+        int part;
+        std::size_t move;
+        std::size_t limits;
+    };
+
+    std::size_t count() const { return knots_.size() - 1; }
+    bool starts(std::size_t k) const { return k == 0 && knots_.front().v == 0; }
+    bool ends(std::size_t k) const { return k + 1 == count() && knots_.back().v == 0; }
     std::size_t move_at(long double s) const;
-    std::vector<PlaceLimit> limits(long double s);
-    PathInterval resting(PathInterval interval, long double rest, long double moving);
+    void look_at(std::size_t k);
+    void add(long double s, int part, std::size_t move);
+    std::size_t limits_end(std::size_t look) const {
+        return look + 1 < looks_.size() ? looks_[look + 1].limits : limits_.size();
+    }
+    bool changes(std::size_t k) const;
+    void add_places(std::size_t look, PathInterval& interval, long double from, bool acceleration,
+                    bool jerk) const;
+    void add_resting(std::size_t look, PathInterval& interval, double x) const;
 
     const std::vector<RunMove>& moves_;
     const Geometry& geometry_;
     const Machine& machine_;
     PathPlaces& places_;
+    const std::vector<RunKnot>& knots_;
     std::vector<long double> begin_;  // of moves, mm
+    std::vector<Look> looks_;
+    std::vector<std::size_t> first_look_;  // of intervals; and the end
+    std::vector<PlaceLimit> limits_;
 };
 
 }  // namespace curvecore::ref

@@ -39,8 +39,10 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
     const double d = b * b - a * c;
     if (d < 0) return false;
     if (a == 0) return true;
-    room.low = std::max(room.low, change((-b - std::sqrt(d)) / a));
-    room.high = std::min(room.high, change((-b + std::sqrt(d)) / a));
+    const double root = std::sqrt(d);
+    const double by_a = 1 / a;
+    room.low = std::max(room.low, change((-b - root) * by_a));
+    room.high = std::min(room.high, change((-b + root) * by_a));
     return room.low <= room.high;
 }
 
@@ -159,15 +161,17 @@ class StopLaw {
     /// Cuts `room` to what one place of a step leaves, n ticks after its start at slope `slope`.
     bool cut(const Scaled& at, std::int64_t slope, std::int64_t n, Room& room) const {
         Here h{};
+        const double per_tick = n > 0 ? 1 / static_cast<double>(n) : 0;
         return each_limit(at, h, [&](const PlaceLimit& l) {
             if (h.v <= 0) return true;
             const double v = h.r * h.v;
             const double q = v * v;
+            const double per_speed = tick_s_ / (h.v * kUnit);
             // |r' alpha + r'' q| <= A
             const double square = l.d22 * q * q - l.acceleration * l.acceleration;
             const auto from_alpha = [&](double alpha) {
-                const double p = (alpha - h.r * h.r * h.a) / h.v * tick_s_;
-                return (p / kUnit - static_cast<double>(slope)) / static_cast<double>(n);
+                const double p = (alpha - h.r * h.r * h.a) * per_speed;
+                return (p - static_cast<double>(slope)) * per_tick;
             };
             if (n > 0 && !cut_square(l.d11, l.d12 * q, square, from_alpha, room)) return false;
             // |r' u + 3 r'' V alpha + r''' V^3| <= J
@@ -177,7 +181,7 @@ class StopLaw {
                 l.d33 * x * x + 9 * l.d22 * y * y + 6 * l.d23 * x * y - l.jerk * l.jerk;
             const auto from_jerk = [&](double u) {
                 const double own = h.r * h.r * h.r * h.j + 3 * h.r * h.p * h.a;
-                return (u - own) / h.v * tick_s_ * tick_s_ / kUnit;
+                return (u - own) * per_speed * tick_s_;
             };
             return cut_square(l.d11, 3 * l.d12 * y + l.d13 * x, rest, from_jerk, room);
         });

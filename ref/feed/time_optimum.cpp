@@ -13,7 +13,7 @@ namespace {
 constexpr double kKept = 0.995;      // of a limit: what is slowed down
 constexpr double kInside = 0.98;     // of it: what that leads to
 constexpr std::size_t kNearby = 3;   // intervals to both sides that are slowed down first
-constexpr double kStage = 8;         // by which the weight of the time grows
+constexpr double kStage = 11.2;      // by which the weight of the time grows
 constexpr int kMostSteps = 30;       // of Newton's method in a stage
 constexpr double kCentred = 0.1;     // half the square of Newton's decrement
 constexpr double kLeastStep = 1e-6;  // of one of Newton's

@@ -113,6 +113,7 @@ int VelocityCourse::count(double time, double off, bool line) const {
 }
 
 AxisVector VelocityCourse::at(double t, std::size_t& knot) const {
+    while (knot > 0 && knots_[knot].t > t) --knot;
     while (knot + 1 < knots_.size() && knots_[knot + 1].t <= t) ++knot;
     const Knot& from = knots_[knot];
     if (t < from.t || knot + 1 == knots_.size()) return {};  // at rest
@@ -123,14 +124,6 @@ AxisVector VelocityCourse::at(double t, std::size_t& knot) const {
         v[i] = from.after[i] + (to.before[i] - from.after[i]) * part;
     }
     return v;
-}
-
-AxisVector VelocityCourse::at(double t) const {
-    const auto next = std::upper_bound(knots_.begin(), knots_.end(), t,
-                                       [](double time, const Knot& knot) { return time < knot.t; });
-    if (next == knots_.begin()) return {};
-    auto knot = static_cast<std::size_t>(next - knots_.begin() - 1);
-    return at(t, knot);
 }
 
 }  // namespace curvecore::ref

@@ -38,9 +38,8 @@ class VelocityCourse {
     const std::vector<std::size_t>& joints() const { return joints_; }  // among the knots
     std::size_t axes() const { return axes_; }
 
-    /// On the late side of a jump. `knot`: the last one at or before an earlier time; moved on.
+    /// On the late side of a jump. `knot`: one near that time; moved there.
     AxisVector at(double t, std::size_t& knot) const;
-    AxisVector at(double t) const;
 
   private:
     AxisVector velocity(std::size_t segment, double s, double v);

@@ -28,6 +28,22 @@ AxisVector combine(std::size_t axes, double p, const AxisVector& a, double q, co
     return sum;
 }
 
+/// |b - a|^2 and |a - 2 b + c|^2 of all axes: at least that of any limit's.
+double change_square(std::size_t axes, const AxisVector& a, const AxisVector& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < axes; ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
+    return sum;
+}
+double second_square(std::size_t axes, const AxisVector& a, const AxisVector& b,
+                     const AxisVector& c) {
+    double sum = 0;
+    for (std::size_t i = 0; i < axes; ++i) {
+        const double second = a[i] - 2 * b[i] + c[i];
+        sum += second * second;
+    }
+    return sum;
+}
+
 }  // namespace
 
 double longest_window(const Machine& machine) {
@@ -47,6 +63,8 @@ WindowRule::WindowRule(const Machine& machine, const VelocityCourse& course)
         if (!implied) limits_.push_back({axis.acceleration, axis.jerk, static_cast<int>(i)});
     }
     for (const Limit& limit : limits_) {
+        weakest_.acceleration = std::min(weakest_.acceleration, limit.acceleration);
+        weakest_.jerk = std::min(weakest_.jerk, limit.jerk);
         fine_ = std::max(fine_, 3 * std::sqrt(limit.acceleration / limit.jerk * joint_time_));
     }
 }
@@ -77,23 +95,30 @@ double WindowRule::ratio(const AxisVector& size, Bound bound) const {
     return std::sqrt(worst);
 }
 
+double WindowRule::most_change(const Limit& limit, double w) const {
+    return limit.acceleration * (w + (1 - kSpare) * joint_time_);
+}
+
+double WindowRule::most_second(const Limit& limit, double w) const {
+    return limit.jerk * w * (w + joint_time_) + (1 - kSpare) * limit.acceleration * joint_time_;
+}
+
 /// (a) of the window that begins at t.
 void WindowRule::change(const AxisVector& from, const AxisVector& to, double t, double w) {
+    const double weakest = most_change(weakest_, w);
+    if (change_square(course_.axes(), from, to) <= weakest * weakest) return;
     const AxisVector size = combine(course_.axes(), 1, to, -1, from);
-    keep(t, t + w, ratio(size, [&](const Limit& limit) {
-             return limit.acceleration * (w + (1 - kSpare) * joint_time_);
-         }));
+    keep(t, t + w, ratio(size, [&](const Limit& limit) { return most_change(limit, w); }));
 }
 
 /// (b) of the windows that begin at t.
 void WindowRule::second(const AxisVector& a, const AxisVector& b, const AxisVector& c, double t,
                         double w) {
     const std::size_t axes = course_.axes();
+    const double weakest = most_second(weakest_, w);
+    if (second_square(axes, a, b, c) <= weakest * weakest) return;
     const AxisVector size = combine(axes, 1, combine(axes, 1, a, -2, b), 1, c);
-    keep(t, t + 2 * w, ratio(size, [&](const Limit& limit) {
-             return limit.jerk * w * (w + joint_time_) +
-                    (1 - kSpare) * limit.acceleration * joint_time_;
-         }));
+    keep(t, t + 2 * w, ratio(size, [&](const Limit& limit) { return most_second(limit, w); }));
 }
 
 /// Less speed for the joints of a window.
@@ -144,36 +169,58 @@ void WindowRule::look_at_length(double w) {
 
 void WindowRule::look_at_pairs() {
     const auto& knots = course_.knots();
-    std::vector<const Knot*> large;
+    std::vector<Jump> large;
     for (const std::size_t joint : course_.joints()) {
         const Knot& knot = knots[joint];
-        const AxisVector jump = combine(course_.axes(), 1, knot.after, -1, knot.before);
+        const std::size_t axes = course_.axes();
+        const AxisVector jump = combine(axes, 1, knot.after, -1, knot.before);
         const double share =
             ratio(jump, [&](const Limit& limit) { return limit.acceleration * joint_time_; });
-        if (share > kLarge) large.push_back(&knot);
+        if (share <= kLarge) continue;
+        large.push_back({&knot, joint, combine(axes, 0.5, knot.before, 0.5, knot.after),
+                         std::sqrt(change_square(axes, knot.before, knot.after)) / 2});
     }
     std::size_t from = 0;
     for (std::size_t i = 0; i < large.size(); ++i) {
-        while (from < large.size() && large[from]->t - large[i]->t < joint_time_) ++from;
+        while (from < large.size() && large[from].knot->t - large[i].knot->t < joint_time_) ++from;
+        Places places{large[i].index, large[i].index, large[i].index};
         for (std::size_t j = from; j < std::min(large.size(), from + kPairs); ++j) {
-            if (large[j]->t - large[i]->t > 2 * longest_) break;
-            look_at_pair(*large[i], *large[j]);
+            if (large[j].knot->t - large[i].knot->t > 2 * longest_) break;
+            look_at_pair(large[i], large[j], places);
         }
     }
 }
 
-/// Windows with two places at these joints, on either side of both jumps.
-void WindowRule::look_at_pair(const Knot& one, const Knot& two) {
+/// Windows with two places at these joints, on either side of both jumps: by the jumps' middles
+/// first, which both sides are half a jump off.
+void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& places) {
+    const Knot& one = *first.knot;
+    const Knot& two = *last.knot;
     const double w = two.t - one.t;
-    const AxisVector before = course_.at(one.t - w);
-    const AxisVector middle = course_.at(one.t + w / 2);
-    const AxisVector after = course_.at(two.t + w);
-    for (const AxisVector* p : {&one.before, &one.after}) {
-        for (const AxisVector* q : {&two.before, &two.after}) {
-            change(*p, *q, one.t, w);
-            second(before, *p, *q, one.t - w, w);
-            second(*p, *q, after, one.t, w);
-            if (w >= 2 * joint_time_) second(*p, middle, *q, one.t, w / 2);
+    const std::size_t axes = course_.axes();
+    const AxisVector before = course_.at(one.t - w, places[0]);
+    const AxisVector middle = course_.at(one.t + w / 2, places[1]);
+    const AxisVector after = course_.at(two.t + w, places[2]);
+    const auto kept = [](double square, double off, double most) {
+        return most >= off && square <= (most - off) * (most - off);
+    };
+    const AxisVector& m = first.middle;
+    const AxisVector& n = last.middle;
+    const double p = first.half;
+    const double q = last.half;
+    const bool thirds = w >= 2 * joint_time_;
+    if (kept(change_square(axes, m, n), p + q, most_change(weakest_, w)) &&
+        kept(second_square(axes, before, m, n), 2 * p + q, most_second(weakest_, w)) &&
+        kept(second_square(axes, m, n, after), p + 2 * q, most_second(weakest_, w)) &&
+        (!thirds || kept(second_square(axes, m, middle, n), p + q, most_second(weakest_, w / 2)))) {
+        return;
+    }
+    for (const AxisVector* a : {&one.before, &one.after}) {
+        for (const AxisVector* b : {&two.before, &two.after}) {
+            change(*a, *b, one.t, w);
+            second(before, *a, *b, one.t - w, w);
+            second(*a, *b, after, one.t, w);
+            if (thirds) second(*a, middle, *b, one.t, w / 2);
         }
     }
 }

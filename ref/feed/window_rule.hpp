@@ -3,6 +3,7 @@
 // how fast these joints may be passed instead.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -68,6 +69,16 @@ class WindowRule {
         double velocity;          // that they may have
     };
 
+    struct Jump {
+        const Knot* knot;
+        std::size_t index;
+        AxisVector middle;
+        double half;  // of its size
+    };
+    using Places = std::array<std::size_t, 3>;  // knots near what was asked last
+
+    double most_change(const Limit& limit, double w) const;
+    double most_second(const Limit& limit, double w) const;
     template <class Bound>
     double ratio(const AxisVector& size, Bound bound) const;
     void change(const AxisVector& from, const AxisVector& to, double t, double w);
@@ -75,7 +86,7 @@ class WindowRule {
     void keep(double from, double to, double ratio);
     void look_at_length(double w);
     void look_at_pairs();
-    void look_at_pair(const Knot& one, const Knot& two);
+    void look_at_pair(const Jump& first, const Jump& last, Places& places);
     void look_at_jumps();
     std::vector<double> speeds(std::vector<bool>& linked);
 
@@ -84,6 +95,7 @@ class WindowRule {
     double longest_;  // s
     double fine_ = 0;
     std::vector<Limit> limits_;
+    Limit weakest_{1e300, 1e300, -1};
     std::vector<Broken> broken_;
 };
 
