@@ -32,6 +32,7 @@ build/release/tb/bench/cam_tables -o build/figures/cam_tables.json >/dev/null
 build/release/tb/bench/form_tables -o build/figures/form_tables.json >/dev/null
 build/release/tb/bench/idle_tables -o build/figures/idle_tables.json >/dev/null
 build/release/tb/bench/search_tables -o build/figures/search_tables.json >/dev/null
+build/release/tb/bench/planner_speed
 build/release/tb/bench/other_interpolators -o build/figures/others.json
 python3 scripts/others_figure.py
 rm -rf build/demo

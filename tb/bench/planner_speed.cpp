@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints what the planner takes for a move of CAM: a 3D surface in chords of 0.2 mm, as a stream.
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "ref/feed/plan_stream.hpp"
+#include "ref/path/smooth_stream.hpp"
+
+namespace {
+
+using namespace curvecore::ref;
+
+constexpr std::size_t kRow = 500;  // chords
+constexpr double kChord = 0.2;     // mm
+constexpr double kApart = 0.5;     // mm: rows
+constexpr double kFeed = 100;      // mm/s
+
+/// There and back over y, z = f(x, y).
+class Surface {
+  public:
+    explicit Surface(std::size_t moves) : moves_(moves) {}
+
+    bool next(Move& move) {
+        if (made_ == moves_) return false;
+        move = Move();
+        move.feed = kFeed;
+        move.tolerance = 0.01;
+        move.start = at(made_);
+        move.end = at(++made_);
+        return true;
+    }
+
+  private:
+    static Vec3 at(std::size_t place) {
+        const std::size_t row = place / (kRow + 1);
+        const std::size_t chord = place % (kRow + 1);
+        const double x = kChord * static_cast<double>(row % 2 == 0 ? chord : kRow - chord);
+        const double y = kApart * static_cast<double>(row);
+        return {x, y, 3 * std::sin(x / 7) * std::cos(y / 9) + 1.5 * std::sin(x / 2.5 + y / 4)};
+    }
+
+    std::size_t moves_;
+    std::size_t made_ = 0;
+};
+
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void row(std::size_t moves, const char* name, Effort effort) {
+    const Machine machine;
+    Surface surface(moves);
+    SmoothStream smooth([&](Move& move) { return surface.next(move); }, machine);
+    double smoothing = 0;
+    const auto source = [&](Move& move) {
+        const double from = seconds();
+        const bool more = smooth.next(move);
+        smoothing += seconds() - from;
+        return more;
+    };
+    PlanOptions options;
+    options.effort = effort;
+    options.format.splines = 1;
+    const double from = seconds();
+    PlanStream stream(source, {"surface", 0, kFeed}, machine, options);
+    double duration = 0;
+    while (const std::optional<Plan> plan = stream.next()) duration += plan->duration_s;
+    const double all = seconds() - from;
+    rusage use{};
+    getrusage(RUSAGE_SELF, &use);
+    const auto a_move = [&](double time) { return 1e6 * time / static_cast<double>(moves); };
+    fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {} |\n", moves, name, a_move(all),
+               a_move(smoothing), duration, use.ru_maxrss / 1024);
+}
+
+}  // namespace
+
+int main() {
+    fmt::print(
+        "| moves | effort | us a move | of it smoothing | motion, s | most memory so far, MB |\n"
+        "|---|---|---|---|---|---|\n");
+    for (const std::size_t moves : {10000, 100000}) {
+        row(moves, "rules", Effort::kRules);
+        row(moves, "optimum", Effort::kOptimum);
+    }
+}
