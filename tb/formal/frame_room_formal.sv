@@ -4,7 +4,7 @@
 // the room that it counts with, but does hold as many.
 // control: EARLY s/words_q > CountBits/words_q >= CountBits/
 // control: FORGETS_OUTPUT s/Most = Depth + 2 - Frame/Most = Depth - Frame/
-// control: BOTH_AT_ONCE s/if (put_i \&\& !take_i)/if (put_i)/
+// control: BOTH_AT_ONCE s/if (put_i != take_i)/if (put_i || take_i)/
 // control: NARROW s/\$clog2(Depth + 3)/$clog2(Depth)/
 // control: NO_RESET s/words_q <= '0;/words_q <= words_q;/
 `default_nettype none

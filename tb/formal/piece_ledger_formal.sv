@@ -2,12 +2,12 @@
 // rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
 // and takes that the queue allows; ticks follow puts two clocks later, takes one. Pieces are of one
 // or two ticks.
-// control: LOSES_PIECE s/!take_i) pieces_q/!take_i \&\& finals_q == '0) pieces_q/
-// control: BOTH_AT_ONCE s/if (put_i \&\& !take_i)/if (put_i)/
-// control: FINAL_STAYS s/if (takes_final \&\& !enters_final)/if (takes_final \&\& !put_i)/
+// control: LOSES_PIECE s/take_i) pieces_q/take_i \&\& finals_q == '0) pieces_q/
+// control: BOTH_AT_ONCE s/if (put_i != take_i)/if (put_i || take_i)/
+// control: FINAL_STAYS s/if (enters_final != takes_final)/if (enters_final != (takes_final \&\& !put_i))/
 // control: NARROW s/PieceWords + 1/PieceWords - 1/
 // control: LOSES_TICKS s/put_ticks_q <= put_i ?/put_ticks_q <= (put_i \&\& !take_i) ?/
-// control: KEEPS_TAKEN s/ - \$signed({12'b0, taken_ticks})//
+// control: KEEPS_TAKEN s/ - \$signed({1'b0, taken_ticks})//
 // control: NO_RESET s/finals_q <= '0;//
 `default_nettype none
 module piece_ledger_formal (
