@@ -4,7 +4,7 @@
 // or two ticks.
 // control: LOSES_PIECE s/take_i) pieces_q/take_i \&\& finals_q == '0) pieces_q/
 // control: BOTH_AT_ONCE s/if (put_i != take_i)/if (put_i || take_i)/
-// control: FINAL_STAYS s/if (enters_final != takes_final)/if (enters_final != (takes_final \&\& !put_i))/
+// control: FINAL_STAYS s/enters_final != takes_final/enters_final != (takes_final \&\& !put_i)/
 // control: NARROW s/PieceWords + 1/PieceWords - 1/
 // control: LOSES_TICKS s/put_ticks_q <= put_i ?/put_ticks_q <= (put_i \&\& !take_i) ?/
 // control: KEEPS_TAKEN s/ - \$signed({1'b0, taken_ticks})//
