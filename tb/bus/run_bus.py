@@ -16,8 +16,9 @@ from cocotb_tools.runner import get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
+PACKAGES = ["queue/words_pkg.sv", "bus/registers_pkg.sv", "bus/slip_pkg.sv"]
 SYNCHRONISER = "pulse/synchroniser.sv"
-FRAMES = ["bus/slip_pkg.sv", "bus/serial_crc.sv", "bus/slip_receiver.sv", "bus/slip_sender.sv",
+FRAMES = ["bus/serial_crc.sv", "bus/slip_receiver.sv", "bus/slip_sender.sv",
           "bus/frame_buffer.sv", "bus/frame_port.sv"]
 FILES = {
     "axi_lite": ["bus/axi_lite_port.sv"],
@@ -33,11 +34,11 @@ def main():
     first = FILES[bus][0]
     port = sys.argv[5] if len(sys.argv) > 5 else RTL / first
     frames = FRAMES[0] in FILES[bus]
-    packages = [RTL / "queue/words_pkg.sv", RTL / "bus/registers_pkg.sv", RTL / FRAMES[0]]
+    packages = [RTL / file for file in PACKAGES]
     version = re.search(r"int Version = (\d+)", packages[0].read_text())[1]
     runner = get_runner("icarus")
     benches = ["bench_registers", *(["bench_frames"] if frames else []), f"{bus}_bench"]
-    runner.build(sources=[*packages, *(RTL / file for file in FILES[bus][1:] if file != FRAMES[0]),
+    runner.build(sources=[*packages, *(RTL / file for file in FILES[bus][1:]),
                           port, RTL / "bus/register_file.sv",
                           *(HERE / f"{bench}.sv" for bench in benches)],
                  hdl_toplevel=f"{bus}_bench", build_dir=folder, always=True,
