@@ -40,6 +40,15 @@ std::vector<Move> Drawing::run(const std::optional<PathCut>& cut) {
             i = draw_curve(i);
         }
     }
+    return finish();
+}
+
+std::vector<Move> Drawing::run_as_programmed(const std::optional<PathCut>& cut) {
+    cut_ = cut;
+    return finish();
+}
+
+std::vector<Move> Drawing::finish() {
     copy_to(cut_ ? cut_->s : joints_.path().length());
     if (!cut_) {
         const Move& last = joints_.move(joints_.count() - 1);

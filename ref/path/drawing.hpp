@@ -30,6 +30,8 @@ class Drawing {
 
     /// Up to a cut, or all of it.
     std::vector<Move> run(const std::optional<PathCut>& cut);
+    /// The same part as it is programmed; one of the two is called, and once.
+    std::vector<Move> run_as_programmed(const std::optional<PathCut>& cut);
 
   private:
     bool free(std::size_t move) const;
@@ -42,6 +44,7 @@ class Drawing {
     TubeEnd end_at(double s, std::size_t move, bool stop) const;
     void round_corner(std::size_t joint);
     void copy_to(double s);
+    std::vector<Move> finish();
     void append(const Move& programmed, Bezier points, double deviation);
 
     const PathJoints& joints_;

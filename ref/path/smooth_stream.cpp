@@ -34,8 +34,8 @@ bool stops(const Move& before, const Move& after) {
 }  // namespace
 
 SmoothStream::SmoothStream(MoveSource source, const Machine& machine, double share,
-                           std::size_t window)
-    : source_(std::move(source)), share_(share), window_(window) {
+                           MovesCheck carried, std::size_t window)
+    : source_(std::move(source)), share_(share), carried_(std::move(carried)), window_(window) {
     pace_.speed = machine.velocity;
     pace_.joint_time = machine.joint_time;
     pace_.acceleration = kAccelerationShare * machine.acceleration;
@@ -95,10 +95,18 @@ bool SmoothStream::draw_group(bool must) {
     const Rest rest{!before_ || stops(*before_, group_.front()),
                     !more_ && (!ahead_ || stops(group_.back(), *ahead_))};
     const PathJoints joints(group_, share_ * group_.front().tolerance, rest, first_, pace_);
-    Drawing drawing(joints, pace_, begun_, report_);
+    Smoothed report = report_;
+    Drawing drawing(joints, pace_, begun_, report);
     const std::optional<PathCut> cut = more_ ? drawing.best_cut() : std::nullopt;
     if (more_ && !cut && !must) return false;
-    give(drawing.run(cut));
+    std::vector<Move> moves = drawing.run(cut);
+    if (!carried_ || carried_(moves)) {
+        report_ = report;
+    } else {
+        refused_ = true;
+        moves = Drawing(joints, pace_, begun_, report).run_as_programmed(cut);
+    }
+    give(moves);
     if (!cut) {
         before_ = group_.back();
         group_.clear();

@@ -8,6 +8,7 @@
 
 #include <deque>
 #include <exception>
+#include <functional>
 #include <optional>
 
 #include "ref/machine/machine.hpp"
@@ -17,12 +18,16 @@
 
 namespace curvecore::ref {
 
+/// Whether core and machine can have these moves.
+using MovesCheck = std::function<bool(const std::vector<Move>&)>;
+
 class SmoothStream {
   public:
     /// @param share of each tolerance that is used
+    /// @param carried what it refuses of a group is drawn as programmed; none: all is carried
     /// @param window moves of a group that are looked at
     SmoothStream(MoveSource source, const Machine& machine, double share = 1,
-                 std::size_t window = 2000);
+                 MovesCheck carried = {}, std::size_t window = 2000);
 
     /// The next move; false: there is none.
     /// @throws InputError of the source, after all that it gave before
@@ -30,6 +35,8 @@ class SmoothStream {
 
     /// Of what was given out.
     const Smoothed& report() const { return report_; }
+    /// Whether a part was refused.
+    bool refused() const { return refused_; }
 
   private:
     void read_ahead();
@@ -41,7 +48,9 @@ class SmoothStream {
     MoveSource source_;
     Pace pace_;
     double share_;
+    MovesCheck carried_;
     std::size_t window_;
+    bool refused_ = false;
     bool begun_reading_ = false;
     std::exception_ptr error_;    // of the source, after what it gave
     std::optional<Move> ahead_;   // read, not yet of a group

@@ -12,7 +12,30 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::size_t kBatch = 500;  // moves whose segments are looked at together
+/// Travel and segments of moves, some at a time.
+class Looker {
+  public:
+    explicit Looker(const Job& job)
+        : machine_(job.machine), options_(segment_options(job.options)) {
+        batch_.file = job.program.file;
+    }
+
+    /// @throws ref::InputError, of one of the last moves
+    void add(const ref::Move& move) {
+        constexpr std::size_t kBatch = 500;
+        batch_.moves.push_back(move);
+        if (batch_.moves.size() == kBatch) look();
+    }
+    void look() {
+        ref::make_geometry(batch_, machine_, options_);
+        batch_.moves.clear();
+    }
+
+  private:
+    const ref::Machine& machine_;
+    ref::PlanOptions options_;
+    ref::Program batch_;
+};
 
 int aux_axes_of(const ref::Move& move) {
     int axes = 0;
@@ -47,13 +70,9 @@ JobStream::JobStream(const Options& options) {
         return;
     }
     try {
-        look_at_file();
-    } catch (const ref::InputError&) {
-        if (job_.options.exact_path) throw;
-        job_.options = options;
-        job_.options.exact_path = true;
-        look_at_file();
-        warn_of_exact_path(job_);
+        look_at_program();
+    } catch (const ref::InputError&) {  // what is drawn may still do
+        look_at_drawn();
     }
     moves_.emplace(job_.options, job_.machine);
 }
@@ -65,25 +84,42 @@ bool JobStream::read(DrawnMoves& moves, ref::Move& move) const {
     return true;
 }
 
-/// In constant memory.
-void JobStream::look_at_file() {
+/// In constant memory: what it draws is looked at again while it is drawn.
+void JobStream::look_at_program() {
+    ref::ProgramStream program(job_.options.file, job_.options.points, job_.options.open_program);
+    job_.program.file = program.file();
+    Seen seen;
+    Looker looker(job_);
+    for (ref::Move move; program.next(move);) {
+        raise_feed(move, job_.options);
+        seen.add(move);
+        looker.add(move);
+    }
+    looker.look();
+    seen.spline = first_drawn_spline();
+    use(seen);
+}
+
+/// A core draws all splines or none of them.
+std::optional<int> JobStream::first_drawn_spline() const {
+    if (draws_arcs(job_.options)) return {};
+    DrawnMoves moves(job_.options, job_.machine);
+    for (ref::Move move; moves.next(move);) {
+        if (is_spline(move)) return move.line;
+    }
+    return {};
+}
+
+void JobStream::look_at_drawn() {
     DrawnMoves moves(job_.options, job_.machine);
     job_.program.file = moves.program().file();
-    ref::PlanOptions options = job_.options.plan_options();
-    options.aux_axes = ref::kAuxAxes;
-    if (draws_splines(job_.options)) options.format.splines = 1;
     Seen seen;
-    ref::Program batch = job_.program;
-    const auto look = [&] {
-        ref::make_geometry(batch, job_.machine, options);
-        batch.moves.clear();
-    };
+    Looker looker(job_);
     for (ref::Move move; read(moves, move);) {
         seen.add(move);
-        batch.moves.push_back(move);
-        if (batch.moves.size() == kBatch) look();
+        looker.add(move);
     }
-    look();
+    looker.look();
     use(seen);
 }
 
@@ -145,6 +181,7 @@ const Job* JobStream::next() {
         const std::vector<std::string>& read = moves_->program().warnings();
         std::vector<std::string>& warnings = job_.program.warnings;
         warnings.insert(warnings.begin(), read.begin(), read.end());
+        if (moves_->refused()) warn_of_exact_path(job_);
         job_.plan.slowed_moves = slowed_;
         warn_of_plan(job_, bounded_);
         return nullptr;

@@ -10,9 +10,9 @@ namespace curvecore::sysc {
 
 class JobStream {
   public:
-    /// Looks at a file, move by move: blocks, path, travel and segments; it is drawn as programmed
-    /// where the core or the machine cannot have the smooth path. Of standard input the first moves
-    /// say what the core must have.
+    /// Looks at a file, move by move: blocks, travel and segments. Where the core or the machine
+    /// cannot have the smooth path it is drawn as programmed. Of standard input the first moves say
+    /// what the core must have.
     /// @throws ref::InputError
     explicit JobStream(const Options& options);
 
@@ -29,7 +29,9 @@ class JobStream {
   private:
     struct Seen;
 
-    void look_at_file();
+    void look_at_program();
+    std::optional<int> first_drawn_spline() const;
+    void look_at_drawn();
     void look_at_input();
     void use(const Seen& seen);
     bool read(DrawnMoves& moves, ref::Move& move) const;

@@ -55,6 +55,55 @@ TEST(Stream, WordsOfALongProgramAreThoseOfItsPlan) {
     }
 }
 
+/// A machine that ends at y = 0, where a chopped curve joins a line: to be smooth, the path would
+/// swing out. Such groups are drawn as programmed, the others are smooth.
+TEST(Stream, DrawsAsProgrammedWhatTheMachineCannotHaveSmooth) {
+    const ProgramRun program;
+    const auto hills = [](double y) {
+        std::string text;
+        for (int i = 1; i <= 15; ++i) {
+            text += fmt::format("G1 X{:.4f} Y{:.4f}\n", 0.4 * i,
+                                y - 1.5 + 1.5 * std::cos(i * M_PI / 15));
+        }
+        for (int i = 1; i <= 15; ++i) {
+            text += fmt::format("G1 X{:.4f} Y{:.4f}\n", 6 + 0.4 * i,
+                                y - 1.5 - 1.5 * std::cos(i * M_PI / 15));
+        }
+        return text + fmt::format("G1 X20 Y{:.4f}\n", y);
+    };
+    const std::string head = "G21 G90 G64 P0.05 F3000\n";
+    const std::string away = "G61 G0 X0 Y-1\nG64 P0.05\n";
+    const auto write = [&](const char* name, double y) {
+        program.write(name, fmt::format("{}{}{}{}M2\n", head, hills(y), away, hills(-1)));
+    };
+    write("at_the_end.ngc", 0);
+    write("within.ngc", -0.2);
+    std::string ini = "[TRAJ]\nCOORDINATES = X Y Z\nLINEAR_UNITS = mm\n";
+    for (const char axis : {'X', 'Y', 'Z'}) {
+        ini += fmt::format("[AXIS_{}]\nMIN_LIMIT = -100\nMAX_LIMIT = {}\n", axis,
+                           axis == 'Y' ? 0 : 100);
+    }
+    program.write("small.ini", ini);
+    const auto words = [&](std::vector<std::string> arguments, int warnings) {
+        arguments.insert(arguments.begin(), "words");
+        arguments.insert(arguments.end(), {"-q", "-o", "out", "--machine", "small.ini"});
+        const ProgramResult result = program.run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        int said = 0;
+        const std::string warning = "drawn as programmed";
+        for (std::size_t at = 0; (at = result.err.find(warning, at)) != std::string::npos; ++at) {
+            ++said;
+        }
+        EXPECT_EQ(said, warnings) << result.err;
+        return Json::parse(program.read("out/words.json"))["samples"].get<int>();
+    };
+    const int exact = words({"at_the_end.ngc", "--path", "exact"}, 0);
+    const int in_part = words({"at_the_end.ngc"}, 1);
+    const int smooth = words({"within.ngc"}, 0);
+    EXPECT_LT(in_part, 0.98 * exact);
+    EXPECT_LT(smooth, 0.98 * in_part);
+}
+
 TEST(Stream, MemoryDoesNotGrowWithTheProgram) {
     const ProgramRun program;
     const auto peak = [&](int chords) {

@@ -23,16 +23,18 @@ struct Drawn {
     Program program;
     Smoothed report;
     std::string error;
+    bool refused = false;
 };
 
-Drawn drawn(const Program& program, std::size_t window, std::size_t fails = 1000000) {
+Drawn drawn(const Program& program, std::size_t window, std::size_t fails = 1000000,
+            const ref::MovesCheck& carried = {}) {
     const auto source = [&program, fails, next = std::size_t(0)](Move& move) mutable {
         if (next == fails) throw ref::InputError("part.ngc", 7, "is odd");
         if (next == program.moves.size()) return false;
         move = program.moves[next++];
         return true;
     };
-    SmoothStream stream(source, Machine(), 1, window);
+    SmoothStream stream(source, Machine(), 1, carried, window);
     Drawn all;
     all.program = program;
     all.program.moves.clear();
@@ -42,6 +44,7 @@ Drawn drawn(const Program& program, std::size_t window, std::size_t fails = 1000
         all.error = refused.what();
     }
     all.report = stream.report();
+    all.refused = stream.refused();
     return all;
 }
 
@@ -76,14 +79,19 @@ TEST(SmoothStream, KeepsTheToleranceWhereverItIsCut) {
     }
 }
 
-/// A wave in chords: one curve, cut in its middle.
-TEST(SmoothStream, PassesACutInACurve) {
+/// 60 mm long.
+Program wave_in_chords() {
     ProgramBuilder builder;
     for (int i = 1; i <= 3000; ++i) {
         const double x = 0.02 * i;
         builder.line({x, std::round(3e4 * std::sin(x)) / 1e4, 0}, 500);
     }
-    const Program program = with_tolerance(builder.program(), 0.005);
+    return with_tolerance(builder.program(), 0.005);
+}
+
+/// One curve, cut in its middle.
+TEST(SmoothStream, PassesACutInACurve) {
+    const Program program = wave_in_chords();
     const Drawn whole = drawn(program, program.moves.size() + 1);
     const Drawn parts = drawn(program, 400);
     EXPECT_EQ(whole.report.curves, 1U);
@@ -98,6 +106,32 @@ TEST(SmoothStream, PassesACutInACurve) {
         EXPECT_LT((one.curvature - two.curvature).norm(), 1e-4) << i;
     }
     EXPECT_LE(duration(parts.program), 1.05 * duration(whole.program));
+}
+
+TEST(SmoothStream, DrawsAsProgrammedWhatIsRefused) {
+    const Program program = wave_in_chords();
+    const double middle = program.moves[1500].end[0];
+    const auto carried = [middle](const std::vector<Move>& moves) {
+        return middle < moves.front().start[0] || middle > moves.back().end[0];
+    };
+    const Drawn all = drawn(program, 400, 1000000, carried);
+    const Drawn smooth = drawn(program, 400);
+    EXPECT_TRUE(all.refused);
+    EXPECT_FALSE(smooth.refused);
+    EXPECT_LT(all.report.curves, smooth.report.curves);
+    EXPECT_GT(all.report.curves, 2U);
+    expect_joined(all.program.moves);
+    EXPECT_LT((all.program.moves.back().end - program.moves.back().end).norm(), 1e-12);
+    std::size_t lines = 0;
+    for (const Move& move : all.program.moves) {
+        if (move.kind != Move::Kind::kLine) continue;
+        ++lines;
+        EXPECT_EQ(move.deviation, 0);
+        EXPECT_LT(std::abs(move.end[0] - middle), 0.02 * 400);
+    }
+    EXPECT_GT(lines, 100U);
+    EXPECT_LE(frechet(polyline(program.moves, 2e-4), polyline(all.program.moves, 2e-4), 0.006),
+              0.0052);
 }
 
 TEST(SmoothStream, GivesAllThatCameBeforeAFault) {
