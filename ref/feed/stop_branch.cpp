@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ref/feed/limits.hpp"
 #include "ref/format/path_words.hpp"
@@ -16,8 +17,9 @@ constexpr double kSteps = 24;       // of a stop, at least
 constexpr double kShortest = 2e-3;  // s: of a step in it
 constexpr int kPlaces = 4;          // of a step, where limits are looked at
 constexpr int kRounds = 8;          // of looking for such a step
-constexpr int kLoose = 1000;        // of the room: what a stop that ends already may leave unused
-constexpr int kFine = 64;           // of it: how well a change is found
+constexpr int kFine = 64;           // of the room: how well a change is found
+constexpr int kLoose = 1000;        // of it: what the end may leave unused
+constexpr double kMost = 0.9;       // of what may be left: what is tried next
 constexpr std::uint32_t kMostTicks = (1u << kStepTicksBits) - 1;  // of a step
 
 /// A rate and its slope, 2^-32, at a time of the profile.
@@ -61,6 +63,12 @@ double least_time(const PieceMotion& m, const std::vector<PlaceLimit>& limits) {
     const double ramp = acceleration / jerk;
     return rise + (v > acceleration * ramp ? v / acceleration + ramp : 2 * std::sqrt(v / jerk));
 }
+
+/// The end of a stop: the slope comes back to 0.
+struct Release {
+    std::int64_t rate;   // that is left then
+    std::int64_t ticks;  // until then
+};
 
 class StopLaw {
   public:
@@ -240,38 +248,52 @@ class StopLaw {
                change <= most;
     }
 
-    /// The slope can come back to 0, before the rate does, after a step with this change.
-    bool safe(std::int64_t change) const {
-        if (!keeps(at_, change)) return false;
+    /// What is left of the rate, and how long it takes, when the slope comes back to 0 after a step
+    /// with this change. None: it cannot before the rate is 0.
+    std::optional<Release> released(std::int64_t change) const {
+        if (!keeps(at_, change)) return {};
         Scaled at = after(at_, change, ticks_);
-        if (at.slope > 0) return false;
-        while (at.slope < 0) {
-            if (!release(at, change)) return false;
+        if (at.slope > 0) return {};
+        std::int64_t ticks = 0;
+        for (; at.slope < 0; ticks += ticks_) {
+            if (!release(at, change)) return {};
             at = after(at, change, ticks_);
         }
-        return at.rate >= 0;
+        if (at.rate < 0) return {};
+        return Release{at.rate, ticks};
+    }
+
+    /// By how much less a step's change may be, at most, so that the rate ends at 0 and not below:
+    /// the slope stays lower all through the release, and longer.
+    double reach(const Release& after) const {
+        const auto n = static_cast<double>(ticks_);
+        return static_cast<double>(after.rate) /
+               (n * (n + 1) / 2 + n * static_cast<double>(after.ticks));
     }
 
     std::int64_t choose() {
         std::int64_t good = 0;
         if (at_.slope < 0) release(at_, good);  // as it was rolled out: it can
+        left_.ticks = std::max<std::int64_t>(0, left_.ticks - ticks_);
         Room room;
         find_room(at_, room);
         auto bad = static_cast<std::int64_t>(std::ceil(room.low));
         settle(at_, room, good, bad);
         if (bad >= good) return good;
-        if (safe(bad)) {
-            ending_ = false;
-            return bad;
+        const auto room_left = static_cast<double>(good - bad);
+        const double fine = std::max(1.0, room_left / kFine);
+        const double loose = room_left / kLoose;
+        const auto try_change = [&](std::int64_t change) {
+            const std::optional<Release> found = released(change);
+            if (found) left_ = *found;
+            (found ? good : bad) = change;
+            return found.has_value();
+        };
+        if (room_left <= reach(left_) && try_change(bad)) return good;
+        while (static_cast<double>(good - bad) > fine && reach(left_) > loose) {
+            const double more = std::min(kMost * reach(left_), static_cast<double>(good - bad) / 2);
+            try_change(good - static_cast<std::int64_t>(std::ceil(more)));
         }
-        const std::int64_t near = good - (good - bad) / kLoose - 1;
-        if (ending_ && at_.slope < 0 && !safe(near)) return good;
-        const std::int64_t fine = std::max<std::int64_t>(1, (good - bad) / kFine);
-        while (good - bad > fine) {
-            const std::int64_t middle = bad + (good - bad) / 2;
-            (safe(middle) ? good : bad) = middle;
-        }
-        ending_ = true;
         return good;
     }
 
@@ -281,7 +303,7 @@ class StopLaw {
     double most_ = 0;  // of a change
     Scaled at_;
     std::int64_t ticks_ = 1;
-    bool ending_ = false;
+    Release left_{kOne, 0};  // with the steps so far
 };
 
 }  // namespace
