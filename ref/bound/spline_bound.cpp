@@ -232,7 +232,7 @@ class Walk {
     }
 
     /// Sum of the orders above P at tau = f, and of a geometric rest.
-    double tail(const std::vector<double>& terms, double f) const {
+    double tail(const Series<double>& terms, double f) const {
         const std::size_t first = static_cast<std::size_t>(format_.order) + 1;
         const std::size_t last = first + kTail - 1;
         double sum = 0;
@@ -244,13 +244,13 @@ class Walk {
     }
 
     /// Sum of all orders at tau = f but that of order 0.
-    static double powers(const std::vector<double>& terms, double f) {
+    static double powers(const Series<double>& terms, double f) {
         double sum = 0;
         for (std::size_t i = terms.size() - 1; i >= 1; --i) sum = (sum + terms[i]) * f;
         return sum;
     }
 
-    const std::vector<double>& series(std::size_t node) const { return network_.series()[node]; }
+    const Series<double>& series(std::size_t node) const { return network_.series()[node]; }
     double bend() const { return (2 * segment_.b + 6 * v_ * segment_.a).norm(); }  // |dV/dv|
     Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
     Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }

@@ -3,13 +3,17 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <stdexcept>
-#include <vector>
 
 #include "ref/series/network.hpp"
 
 namespace curvecore::ref {
+
+/// x_0 .. x_P of a node; no memory is asked for up to such an order.
+template <class Real>
+using Series = boost::container::small_vector<Real, 20>;
 
 /// Numbers as they are: what expand() makes of rates and coefficients unless it is told otherwise.
 struct Exact {
@@ -71,7 +75,7 @@ class Interpreter {
     /// x_0 .. x_P of every node, in the table's order. Each rate and each coefficient passes
     /// through `words`, once made and before it is read.
     template <class Words = Exact>
-    const std::array<std::vector<Real>, Nodes>& expand(const State& state, Words&& words = {}) {
+    const std::array<Series<Real>, Nodes>& expand(const State& state, Words&& words = {}) {
         for (std::size_t n = 0; n < Nodes; ++n) {
             series_[n][0] = state[n];
         }
@@ -86,7 +90,7 @@ class Interpreter {
     }
 
     /// Those of the last expand().
-    const std::array<std::vector<Real>, Nodes>& series() const { return series_; }
+    const std::array<Series<Real>, Nodes>& series() const { return series_; }
 
     /// The state a step h farther on.
     State step(const State& state, const Real& h) {
@@ -139,7 +143,7 @@ class Interpreter {
                    series_[node.addends[2]][i];
         }
         if (node.square) {
-            const std::vector<Real>& root = series_[node.integrand];
+            const Series<Real>& root = series_[node.integrand];
             Real sum(0);
             for (std::size_t j = 0; j <= i; ++j) {
                 sum += root[j] * root[i - j];
@@ -152,8 +156,8 @@ class Interpreter {
     int order_;
     Wiring<Nodes> wiring_;
     std::array<Real, Nodes> gains_;
-    std::array<std::vector<Real>, Nodes> series_;
-    std::array<std::vector<Real>, Nodes> rates_;
+    std::array<Series<Real>, Nodes> series_;
+    std::array<Series<Real>, Nodes> rates_;
 };
 
 template <class Real, std::size_t Nodes, std::size_t Parameters>
