@@ -2,6 +2,7 @@
 #include "ref/path/tube_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,7 +14,8 @@ constexpr std::size_t kMostKnots = 50;  // times those at first
 constexpr double kUneven = 4;           // neighbouring spans
 constexpr double kStrongTurn = 0.3;     // rad: spans are cut there
 constexpr double kFull = 0.97;          // of the tolerance
-constexpr int kWeightings = 3;          // of the jerk, by the speeds of the last curve
+// Of the jerk, by the speeds of the last curve: the first one says little more than these.
+constexpr std::array<TubeSpline::Stages, 3> kWeightings{{{0, 2}, {1, 3}, {1, 3}}};
 
 /// A span's middle, or its sharpest joint.
 double cut_of(double a, double b, const std::vector<Site>& sites) {
@@ -101,9 +103,9 @@ std::vector<TubePiece> tube_run(const ProgrammedPath& path, const TubeTask& task
     }
     if (!found) return {};
     std::vector<double> speeds = first_speeds(tube->spline(), sites);
-    for (int round = 0; round < kWeightings; ++round) {
-        if (round > 0) speeds = speeds_of(tube->spline(), pace);
-        tube->smooth(speeds);
+    for (const TubeSpline::Stages& stages : kWeightings) {
+        tube->smooth(speeds, stages);
+        speeds = speeds_of(tube->spline(), pace);
     }
     std::vector<TubePiece> pieces;
     for (std::size_t span = 0; span < tube->spline().spans(); ++span) {

@@ -178,27 +178,23 @@ double TubeSpline::barrier(double mu) const {
 
 /// Slope and second derivative of the barrier by the four control points of a span.
 struct TubeSpline::Local {
-    using Symmetric = std::array<double, 6>;  // xx, yx, yy, zx, zy, zz
+    using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx, yx, yy, zx, zy, zz
 
-    std::array<std::array<double, 3>, 4> slope{};
-    std::array<Symmetric, 10> bend{};  // of the points i >= j
+    Eigen::Matrix<double, 3, 4> slope = Eigen::Matrix<double, 3, 4>::Zero();
+    Eigen::Matrix<double, 6, 10> bend = Eigen::Matrix<double, 6, 10>::Zero();  // of points i >= j
 
     /// Adds f(sum of weight x point) by f' = first e and f'' = diagonal I + square e e^T.
     void add(const std::array<double, 4>& weight, const Vec3& e, double first, double diagonal,
              double square) {
-        const Symmetric second{diagonal + square * e[0] * e[0],
-                               square * e[1] * e[0],
-                               diagonal + square * e[1] * e[1],
-                               square * e[2] * e[0],
-                               square * e[2] * e[1],
-                               diagonal + square * e[2] * e[2]};
-        for (std::size_t i = 0, at = 0; i < 4; ++i) {
-            for (std::size_t a = 0; a < 3; ++a) {
-                slope[i][a] += weight[i] * first * e[static_cast<Eigen::Index>(a)];
-            }
-            for (std::size_t j = 0; j <= i; ++j, ++at) {
-                const double both = weight[i] * weight[j];
-                for (std::size_t k = 0; k < 6; ++k) bend[at][k] += both * second[k];
+        Symmetric second;
+        second << diagonal + square * e[0] * e[0], square * e[1] * e[0],
+            diagonal + square * e[1] * e[1], square * e[2] * e[0], square * e[2] * e[1],
+            diagonal + square * e[2] * e[2];
+        for (int i = 0, at = 0; i < 4; ++i) {
+            const double own = weight[static_cast<std::size_t>(i)];
+            slope.col(i) += own * first * e;
+            for (int j = 0; j <= i; ++j, ++at) {
+                bend.col(at) += own * weight[static_cast<std::size_t>(j)] * second;
             }
         }
     }
@@ -218,7 +214,7 @@ TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
 
 /// Whether it got anywhere.
 bool TubeSpline::newton_step(double mu) {
-    constexpr std::size_t kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
+    constexpr int kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
     const std::size_t n = last_ - first_;
     BandMatrix<11> matrix(3 * n);
     std::vector<double> step(3 * n, 0);
@@ -231,13 +227,14 @@ bool TubeSpline::newton_step(double mu) {
                 const std::size_t to = 3 * (span + j - first_);
                 for (std::size_t a = 0; a < 3; ++a) {
                     for (std::size_t b = 0; b < (i == j ? a + 1 : 3); ++b) {
-                        matrix.add(at + a, to + b, sum.bend[pair][kAt[a][b]]);
+                        matrix.add(at + a, to + b, sum.bend(kAt[a][b], static_cast<int>(pair)));
                     }
                 }
             }
             if (!is_free(span + i)) continue;
             for (std::size_t a = 0; a < 3; ++a) {
-                step[3 * (span + i - first_) + a] -= sum.slope[i][a];
+                step[3 * (span + i - first_) + a] -=
+                    sum.slope(static_cast<int>(a), static_cast<int>(i));
             }
         }
     }
@@ -263,14 +260,14 @@ bool TubeSpline::newton_step(double mu) {
     return false;
 }
 
-void TubeSpline::smooth(const std::vector<double>& speeds) {
+void TubeSpline::smooth(const std::vector<double>& speeds, const Stages& stages) {
     jerk_weight_.clear();
     for (std::size_t span = 0; span < third_.size(); ++span) {
         jerk_weight_.push_back(std::pow(speeds[span] / spline_.width(span), 5) / (limit_ * limit_));
     }
     if (first_ >= last_) return;
-    for (const double stage : kStages) {
-        const double mu = stage * energy() / static_cast<double>(rows_.size());
+    for (std::size_t i = stages.first; i < stages.end; ++i) {
+        const double mu = kStages[i] * energy() / static_cast<double>(rows_.size());
         if (!(mu > 0)) return;
         for (int step = 0; step < kSteps && newton_step(mu); ++step) {
         }

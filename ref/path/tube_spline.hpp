@@ -40,8 +40,12 @@ class TubeSpline {
 
     /// Least squares, with weights that grow where the tube is left. Whether it is kept.
     bool fit();
+    /// Of three: how far the barrier is to come down, from 1 / 25 of where the first one has it.
+    struct Stages {
+        std::size_t first, end;
+    };
     /// Least jerk at these speeds, one of each span; after fit() was true.
-    void smooth(const std::vector<double>& speeds);
+    void smooth(const std::vector<double>& speeds, const Stages& stages);
 
     const CubicSpline& spline() const { return spline_; }
     /// Bound of |e| over a span, mm.
