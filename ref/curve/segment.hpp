@@ -93,16 +93,20 @@ struct PlannedBranch {
     std::vector<StopStep> steps;
 };
 
-struct Plan {
+/// What all parts of a plan have.
+struct PlanFrame {
     double unit_mm = 1e-6;
     double tick_s = 1e-4;
     int aux_axes = 0;
-    std::vector<Segment> segments;
-    std::vector<ProfilePiece> pieces;
-    std::vector<PlannedBranch> branches;  // by their pieces, none twice
     std::uint32_t hold_acceleration = 1;  // a: second difference of r32 per tick^2
     std::uint32_t hold_slope_steps = 1;   // nmax: largest slope = nmax * a
     std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs at most
+};
+
+struct Plan : PlanFrame {
+    std::vector<Segment> segments;
+    std::vector<ProfilePiece> pieces;
+    std::vector<PlannedBranch> branches;  // by their pieces, none twice
     double duration_s = 0;
     std::size_t slowed_moves = 0;  // so that what is queued outlasts a stop
 };

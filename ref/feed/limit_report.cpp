@@ -42,23 +42,36 @@ void keep_worst(LimitRatios& worst, const LimitRatios& ratios) {
 
 }  // namespace
 
-LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan) {
-    const Geometry geometry = moves_of(program, machine, plan);
-    LimitReport report;
-    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
-    PathPlaces places(program, geometry, plan.unit_mm);
-    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
-        keep_loads(stretch, stretch.move_index, plan, grid, machine, places, report.inside);
+void LimitWatch::add(const Program& program, const Plan& part) {
+    const Geometry geometry = moves_of(program, machine_, part);
+    const PieceGrid grid(machine_, part.unit_mm, part.tick_s);
+    PathPlaces places(program, geometry, part.unit_mm);
+    if (before_ && !geometry.moves.empty()) pass(*before_, geometry.moves.front().shape, speed_);
+    walk_pieces(part, geometry, grid, [&](const PieceStretch& stretch) {
+        keep_loads(stretch, stretch.move_index, part, grid, machine_, places, report_.inside);
+        if (!stretch.ends_move) return;
         const std::size_t next = stretch.move_index + 1;
-        if (!stretch.ends_move || next == geometry.moves.size()) return;
-        const PieceMotion m = motion(stretch, 1, plan);
-        // Words round: a stop ends with a speed of some 1e-9 of the cruise.
-        if (m.v < 1e-6) return;
-        ++report.passed;
-        keep_worst(report.joints,
-                   joint_ratios(stretch.move->shape, geometry.moves[next].shape, machine, m.v));
+        const double speed = motion(stretch, 1, part).v;
+        if (next < geometry.moves.size()) {
+            pass(stretch.move->shape, geometry.moves[next].shape, speed);
+        } else {
+            before_ = stretch.move->shape;
+            speed_ = speed;
+        }
     });
-    return report;
+}
+
+void LimitWatch::pass(const PathShape& before, const PathShape& behind, double speed) {
+    // Words round: a stop ends with a speed of some 1e-9 of the cruise.
+    if (speed < 1e-6) return;
+    ++report_.passed;
+    keep_worst(report_.joints, joint_ratios(before, behind, machine_, speed));
+}
+
+LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan) {
+    LimitWatch watch(machine);
+    watch.add(program, plan);
+    return watch.report();
 }
 
 }  // namespace curvecore::ref

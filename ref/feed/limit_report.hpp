@@ -2,6 +2,8 @@
 // How close a plan comes to the machine's limits, from its pieces and the curvature of its moves.
 #pragma once
 
+#include <optional>
+
 #include "ref/feed/limits.hpp"
 #include "ref/feed/planner.hpp"
 
@@ -18,6 +20,25 @@ struct LimitReport {
     LimitRatios inside;
     LimitRatios joints;
     int passed = 0;  // joints passed in motion
+};
+
+/// Of a plan that comes in parts, as PlanStream gives them.
+class LimitWatch {
+  public:
+    explicit LimitWatch(Machine machine) : machine_(std::move(machine)) {}
+
+    /// The next part; its segments count their moves within `program`.
+    void add(const Program& program, const Plan& part);
+
+    const LimitReport& report() const { return report_; }
+
+  private:
+    void pass(const PathShape& before, const PathShape& behind, double speed);
+
+    Machine machine_;
+    LimitReport report_;
+    std::optional<PathShape> before_;  // the last move
+    double speed_ = 0;                 // at its end, mm/s
 };
 
 /// The plan must come from make_plan with the same arguments.

@@ -25,9 +25,4 @@ void look_at(const Move& move, Smoothed& smoothed) {
     }
 }
 
-void look_again(const Program& program, Smoothed& smoothed) {
-    smoothed.tolerance = smoothed.deviation = smoothed.share = 0;
-    for (const Move& move : program.moves) look_at(move, smoothed);
-}
-
 }  // namespace curvecore::ref

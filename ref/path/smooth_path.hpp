@@ -34,7 +34,4 @@ Smoothed smooth_path(Program& program, const Machine& machine, double share = 1)
 /// Counts one drawn move in.
 void look_at(const Move& move, Smoothed& smoothed);
 
-/// What moves that were changed since have for deviations.
-void look_again(const Program& program, Smoothed& smoothed);
-
 }  // namespace curvecore::ref

@@ -33,7 +33,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
         return;
     }
     if (is_points_file(file)) {
-        points_ = read_points(file, points);
+        whole_ = read_points(file, points);
         return;
     }
     const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap"};
@@ -44,17 +44,19 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, points.fit_tolerance);
 }
 
+ProgramStream::ProgramStream(Program program) : file_(program.file), whole_(std::move(program)) {}
+
 bool ProgramStream::next(Move& move) {
     if (gcode_) return gcode_->next(move);
-    if (next_ == points_.moves.size()) return false;
-    move = points_.moves[next_++];
+    if (next_ == whole_.moves.size()) return false;
+    move = whole_.moves[next_++];
     return true;
 }
 
-int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : points_.aux_axes; }
+int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : whole_.aux_axes; }
 
 const std::vector<std::string>& ProgramStream::warnings() const {
-    return gcode_ ? gcode_->warnings() : points_.warnings;
+    return gcode_ ? gcode_->warnings() : whole_.warnings;
 }
 
 }  // namespace curvecore::ref

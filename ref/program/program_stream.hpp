@@ -26,6 +26,8 @@ class ProgramStream : public MoveStream {
     /// with `points`; or kStandardInput. With `open`, G-code is read by that. @throws InputError
     ProgramStream(const std::string& file, const PointsOptions& points,
                   const OpenProgram& open = {});
+    /// Of one that is there.
+    explicit ProgramStream(Program program);
 
     bool next(Move& move) override;
 
@@ -38,7 +40,7 @@ class ProgramStream : public MoveStream {
     std::string file_;
     std::unique_ptr<std::istream> text_;
     std::unique_ptr<MoveStream> gcode_;
-    Program points_;
+    Program whole_;  // where there is no such stream
     std::size_t next_ = 0;
 };
 

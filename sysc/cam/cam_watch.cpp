@@ -45,7 +45,7 @@ CamWatch::CamWatch(const ref::CamShape& surface, const ref::CamShape& truth, dou
       truth_map_(surface.first_x(), surface.last_x()) {}
 
 void CamWatch::draws(const Job& job) {
-    if (job.program.moves.size() != jumps_.size()) {
+    if (job.plan.moves.size() != jumps_.size()) {
         throw std::logic_error("a cam's program has a move for every piece, and one to the start");
     }
     job_ = &job;
@@ -60,7 +60,7 @@ double CamWatch::jump_at(std::size_t move) const {
 
 void CamWatch::sample(std::size_t segment, const std::int64_t* position) {
     const std::size_t move = job_->plan.segments[segment].move;
-    if (job_->program.moves[move].rapid) return;
+    if (job_->plan.moves[move].rapid) return;
     const double rho = static_cast<double>(position[0]) * unit_;
     const double x = static_cast<double>(position[2]) * unit_;
     const double degrees = static_cast<double>(position[3]) * unit_;

@@ -90,11 +90,11 @@ ref::CamShape truth_of(const CamOptions& options, const std::vector<ref::CamSect
     return {std::move(finer), tensor};
 }
 
-void warn_of_delta(const CamOptions& options, const ref::CamShape& surface, Job& job) {
+void warn_of_delta(const CamOptions& options, const ref::CamShape& surface, ref::Program& program) {
     const double own = surface.own_error();
     if (options.delta >= own) return;
-    job.program.warnings.insert(
-        job.program.warnings.begin(),
+    program.warnings.insert(
+        program.warnings.begin(),
         fmt::format("{}: warning: delta {:g} um is below what the table itself misses, some {:.3g} "
                     "um",
                     options.common.file, options.delta * 1e3, own * 1e3));
@@ -110,11 +110,12 @@ int cam_command(const CamOptions& options) {
     const ref::CamShape surface(sections, options.kind);
     const ref::CamShape truth = truth_of(options, sections);
 
-    Job job =
-        make_job(options.common, ref::read_gcode_text(ref::read_text_file(program), kProgram));
-    warn_of_delta(options, surface, job);
+    ref::Program moves = ref::read_gcode_text(ref::read_text_file(program), kProgram);
+    warn_of_delta(options, surface, moves);
     CamWatch watch(surface, truth, options.delta, cut.jumps);
-    Runner runner(std::move(job));
+    Options drawn = options.common;
+    drawn.program = std::make_shared<const ref::Program>(std::move(moves));
+    Runner runner(std::move(drawn));
     watch.draws(runner.job());
     RunExtras extras;
     extras.sample = [&watch](std::size_t segment, const std::int64_t* position) {

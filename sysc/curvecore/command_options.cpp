@@ -109,6 +109,11 @@ void add_timed_core(CLI::App& command, RawOptions& raw) {
              "a parameter of the core: " + ref::parameter_names());
 }
 
+void add_report(CLI::App& command, Options& options) {
+    command.add_flag("!--no-segments", options.segments_file,
+                     "segments.json is not written: it has a kilobyte of every segment");
+}
+
 void add_common(CLI::App& command, RawOptions& raw, Options& options) {
     add_input(command, raw, options, raw.feed, "SPEED", kAlongPoints)->required();
     add_timed_core(command, raw);

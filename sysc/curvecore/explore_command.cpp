@@ -107,10 +107,9 @@ int explore_command(const RawExplore& explore, Options options) {
     options.sample_period_s = grid.sample_s.front();
 
     const InterruptGuard guard;
-    Job job = read_job(options);
-    take_device(job.options);
-    Job planned = job;
-    plan_and_check(planned);
+    hold_input(options);
+    JobStream stream(options);
+    const Job planned = plan_and_check(stream);
     OutputFolder folder(options.folder);
     constexpr std::uint64_t kParts = 1000;
     ProgressBar bar(kParts, options.quiet);
@@ -118,7 +117,7 @@ int explore_command(const RawExplore& explore, Options options) {
         InterruptGuard::check();
         bar.update(static_cast<std::uint64_t>(share * kParts));
     };
-    const std::vector<ExploreRow> rows = Explorer(job, grid, progress).explore();
+    const std::vector<ExploreRow> rows = Explorer(planned.options, grid, progress).explore();
     const ExploreReport report{planned, grid, rows};
     folder.write("explore.json", report.json().dump(1) + "\n");
     folder.write("explore.svg", report.svg());

@@ -23,10 +23,6 @@ using ref::Program;
 constexpr double kSame = 1e-6;   // mm, 1: ends of a loaded move and of the programs
 constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
 
-ref::Machine machine_of(const Options& options) {
-    return options.machine.empty() ? ref::Machine{} : ref::read_machine(options.machine);
-}
-
 Program working_path(const std::string& name, bool before, const Options& options,
                      const ref::Machine& machine) {
     Program program = ref::read_program(name, {}, options.open_program);
@@ -177,7 +173,9 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
     Program joined = ref::read_gcode_text(text, "join.ngc", options.points.fit_tolerance);
     joined.warnings.insert(joined.warnings.begin(), b.warnings.begin(), b.warnings.end());
     joined.warnings.insert(joined.warnings.begin(), a.warnings.begin(), a.warnings.end());
-    Runner runner(make_job(options, std::move(joined)));
+    Options drawn = options;
+    drawn.program = std::make_shared<const Program>(std::move(joined));
+    Runner runner(std::move(drawn));
     OutputFolder folder(options.folder);
     if (!options.quiet) print_design(file);
     folder.write("join.ngc", text);

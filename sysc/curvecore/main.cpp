@@ -171,6 +171,7 @@ int dispatch(int argc, char** argv) {
     CLI::App* words =
         app.add_subcommand("words", "segment and profile words as memory files for $readmemh");
     for (CLI::App* command : {run, plan, words}) add_common(*command, raw, options);
+    for (CLI::App* command : {run, plan}) add_report(*command, options);
     add_run(*run, raw, options);
     CLI::App* cam = app.add_subcommand(
         "cam", "a volumetric cam: TABLE of radii into a program, which runs as any part does");

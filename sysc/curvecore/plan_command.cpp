@@ -29,13 +29,15 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     meter.take(ref::exact_point(cursor.segment(), cursor.segment().start, 0), 0);
     pictures.sample(0, cursor.index(), cursor.segment().start, true);
     for (std::uint64_t k = 0; k < samples; ++k) {
+        if (k % DrawnPlan::kSamplesHeld == 0) job.plan.let_go();
         const bool tick = source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
         pace.sample(cursor.s());
         if (tick) {
             pictures.tick(source.tick_ds(), curve.curvature(cursor.segment(), cursor.local()));
         }
-        pictures.error(cursor.s(), 0, job.bounded(cursor.segment()) ? cursor.segment().bound : 0);
+        pictures.error(cursor.s(), 0,
+                       job.bounded(cursor.segment().kind) ? cursor.segment().bound : 0);
         const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
         meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
         pictures.sample(cursor.s(), cursor.index(), point, cursor.at_end());
@@ -46,8 +48,10 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
 }  // namespace
 
 int plan_command(const Options& options) {
-    Job job = read_job(options);
-    plan_and_check(job);
+    Options held = options;
+    hold_input(held);
+    JobStream stream(held);
+    Job job = plan_and_check(stream);
     plan_others(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =

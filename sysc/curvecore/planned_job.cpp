@@ -6,10 +6,9 @@
 
 namespace curvecore::sysc {
 
-void plan_and_check(Job& job) {
-    take_device(job.options);
-    plan_job(job);
-    check_words(job);
+Job plan_and_check(JobStream& stream) {
+    take_device(stream.options());
+    return stream.all(check_words);
 }
 
 }  // namespace curvecore::sysc

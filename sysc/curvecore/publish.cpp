@@ -8,7 +8,11 @@
 namespace curvecore::sysc {
 
 int publish(const Report& report, const Pictures& pictures, OutputFolder& folder) {
-    folder.write("segments.json", segments_json(report.job));
+    if (report.job.options.segments_file) {
+        OutputFile segments(folder, "segments.json");
+        write_segments(report.job, [&segments](const std::string& text) { segments.write(text); });
+        segments.close();
+    }
     folder.write("report.json", report.json().dump(2) + "\n");
     folder.write("report.html", report_html(report, pictures));
     folder.commit();

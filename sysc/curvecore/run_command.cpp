@@ -6,7 +6,7 @@
 namespace curvecore::sysc {
 
 int run_command(const Options& options) {
-    Runner runner(read_job(options));
+    Runner runner(options);
     OutputFolder folder(options.folder);
     return runner.run(folder);
 }

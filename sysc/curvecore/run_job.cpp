@@ -37,19 +37,22 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
 
 }  // namespace
 
-Runner::Runner(Job job) : job_(std::move(job)) {
-    const Options& options = job_.options;
-    const CompiledCore* const built_in = options.needs_rtl() ? find_core(options) : nullptr;
+Runner::Runner(Options options) {
+    hold_input(options);
+    JobStream stream(options);
+    CoreParameters& core = stream.options().core;
+    const CompiledCore* const built_in =
+        options.needs_rtl() ? find_core(stream.options()) : nullptr;
     if (built_in != nullptr) {
-        const int form = options.core.multiplier_form;
-        job_.options.core = built_in->parameters;
-        job_.options.core.multiplier_form = form;
+        const int form = core.multiplier_form;
+        core = built_in->parameters;
+        core.multiplier_form = form;
         make_ = built_in->make;
     }
-    plan_and_check(job_);
+    job_ = plan_and_check(stream);
     plan_others(job_);
     if (options.needs_rtl() && built_in == nullptr) {
-        make_ = CoreCache().open(options.core, options.quiet);
+        make_ = CoreCache().open(job_.options.core, options.quiet);
     }
 }
 
@@ -64,9 +67,13 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     const std::string waveform =
         options.trace && options.needs_rtl() ? folder.path("waves.fst") : "";
     const std::string pins = options.trace && options.in_system() ? folder.path("system") : "";
-    const auto progress = [&bar](std::uint64_t done) {
+    std::uint64_t let_go = 0;
+    const auto progress = [&, this](std::uint64_t done) {
         InterruptGuard::check();
         bar.update(done);
+        if (done < let_go + DrawnPlan::kSamplesHeld) return;
+        job_.plan.let_go();
+        let_go = done;
     };
     std::unique_ptr<Board> board = make_board(job_, make_, waveform, pins);
     const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});

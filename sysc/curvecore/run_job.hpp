@@ -22,7 +22,7 @@ class Runner {
   public:
     /// Plans the job and finds or makes its core.
     /// @throws ref::InputError, UsageError
-    explicit Runner(Job job);
+    explicit Runner(Options options);
 
     const Job& job() const { return job_; }
 

@@ -75,25 +75,25 @@ class WordFiles {
     explicit WordFiles(const OutputFolder& folder)
         : segments_(folder, "segments.hex"), profile_(folder, "profile.hex") {}
 
-    void add(const Job& part) {
+    void add(const Job& job, const ref::Plan& part) {
         if (count_ == 0) {
-            segments_.write(segments_head(part));
-            profile_.write(profile_head(part));
+            segments_.write(segments_head(job));
+            profile_.write(profile_head(job));
         }
-        for (const ref::Segment& segment : part.plan.segments) {
+        for (const ref::Segment& segment : part.segments) {
             std::string text = fmt::format("// segment {}, line {}\n", count_, segment.line);
-            append(text, segment_bus_words(segment, count_++, part.options.core));
+            append(text, segment_bus_words(segment, count_++, job.options.core));
             segments_.write(text);
         }
-        for (std::size_t i = 0; i < part.plan.pieces.size(); ++i) {
+        for (std::size_t i = 0; i < part.pieces.size(); ++i) {
             std::string text;
-            append(text, profile_bus_words(part.plan, i, pieces_++));
+            append(text, profile_bus_words(part, i, pieces_++));
             profile_.write(text);
         }
-        branches_ += part.plan.branches.size();
-        profile_words_ += ref::profile_words(part.plan);
-        ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
-        path_ = part.path_length();
+        branches_ += part.branches.size();
+        profile_words_ += ref::profile_words(part);
+        ticks_ += static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
+        path_ = part.segments.back().s_start + part.segments.back().length;
     }
 
     void close() {
@@ -169,9 +169,9 @@ int words_command(const Options& options) {
     WordFiles files(folder);
     std::optional<ref::InputError> failed;
     try {
-        while (const Job* part = stream.next()) {
-            check_words(*part);
-            files.add(*part);
+        while (const ref::Plan* part = stream.next()) {
+            check_words(stream.job(), *part);
+            files.add(stream.job(), *part);
         }
     } catch (const ref::InputError& error) {
         if (files.empty()) throw;

@@ -2,49 +2,58 @@
 #include "sysc/host/as_arcs.hpp"
 
 #include "ref/feed/planned_branches.hpp"
-#include "ref/feed/planner.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/program/input_error.hpp"
-#include "sysc/host/options.hpp"
+#include "sysc/host/job_stream.hpp"
+#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
-
-std::size_t words_of(const ref::Plan& plan) {
-    return ref::segment_bus_words(plan.aux_axes) * plan.segments.size() + ref::profile_words(plan);
-}
-
 namespace {
 
-FormCost cost(const char* form, const ref::Program& program, const ref::Plan& plan) {
-    return {form, program.moves.size(), plan.segments.size(), words_of(plan), plan.duration_s};
+FormCost cost_of(const char* form, JobStream& stream) {
+    FormCost cost;
+    cost.form = form;
+    while (const ref::Plan* part = stream.next()) {
+        cost.segments += part->segments.size();
+        cost.words += ref::segment_bus_words(part->aux_axes) * part->segments.size() +
+                      ref::profile_words(*part);
+        cost.duration_s += part->duration_s;
+    }
+    cost.moves = stream.moves();
+    return cost;
 }
 
-}  // namespace
-
-std::optional<FormCost> exact_cost(const Options& options, const ref::Machine& machine,
-                                   const ref::Program& programmed) {
+std::optional<FormCost> cost_of(const char* name, const Options& options, ref::SplineForm form) {
     try {
-        const ref::Plan plan = ref::make_plan(programmed, machine, options.plan_options());
-        return cost("exact path", programmed, plan);
+        JobStream stream(options, form);
+        return cost_of(name, stream);
     } catch (const ref::InputError&) {
+        return std::nullopt;
+    } catch (const UsageError&) {
         return std::nullopt;
     }
 }
 
-void compare_forms(AsArcs& as_arcs, const Options& options, const ref::Machine& machine,
-                   const ref::Program& arcs, const ref::Plan& plan) {
-    as_arcs.costs = {cost("arcs", arcs, plan)};
-    ref::Program chords = as_arcs.splines;
-    ref::replace_splines(chords, ref::SplineForm::kChords, options.arc_tolerance.value_or(0));
-    Options with_splines = options;
+}  // namespace
+
+void plan_others(Job& job) {
+    if (job.is_smooth()) {
+        Options exact = job.options;
+        exact.exact_path = true;
+        job.exact = cost_of("exact path", exact, ref::SplineForm::kSpline);
+    }
+    if (!job.as_arcs) return;
+    std::vector<FormCost>& costs = job.as_arcs->costs;
+    costs.push_back({"arcs", job.plan.moves.size(), job.plan.segments.size(), job.plan.words(),
+                     job.plan.duration_s});
+    Options with_splines = job.options;
     with_splines.core.splines = 1;
     if (ref::legal(with_splines.core)) {
-        const ref::Plan splines =
-            ref::make_plan(as_arcs.splines, machine, with_splines.plan_options());
-        as_arcs.costs.push_back(cost("splines", as_arcs.splines, splines));
+        const auto splines = cost_of("splines", with_splines, ref::SplineForm::kSpline);
+        if (splines) costs.push_back(*splines);
     }
-    as_arcs.costs.push_back(
-        cost("chords", chords, ref::make_plan(chords, machine, options.plan_options())));
+    const auto chords = cost_of("chords", job.options, ref::SplineForm::kChords);
+    if (chords) costs.push_back(*chords);
 }
 
 }  // namespace curvecore::sysc

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/host/drawn_moves.hpp"
 
+#include <algorithm>
+
 #include "ref/program/input_error.hpp"
-#include "ref/program/spline_form.hpp"
 #include "ref/segment/geometry.hpp"
 
 namespace curvecore::sysc {
+namespace {
+
+/// Of G64's tolerance, for what is made smooth, where arcs take the rest of it.
+constexpr double kShareBesideArcs = 0.5;
+
+}  // namespace
 
 bool draws_splines(const Options& options) {
     CoreParameters core = options.core;
@@ -14,7 +21,16 @@ bool draws_splines(const Options& options) {
     return ref::why_not_built(core).empty();
 }
 
-bool draws_arcs(const Options& options) { return options.arc_tolerance || !draws_splines(options); }
+ref::SplineForm form_of(const Options& options, std::optional<ref::SplineForm> form) {
+    if (form) return *form;
+    const bool arcs = options.arc_tolerance || !draws_splines(options);
+    return arcs ? ref::SplineForm::kArcs : ref::SplineForm::kSpline;
+}
+
+ref::ProgramStream open_program(const Options& options) {
+    if (options.program) return ref::ProgramStream(*options.program);
+    return ref::ProgramStream(options.file, options.points, options.open_program);
+}
 
 ref::PlanOptions segment_options(const Options& options) {
     ref::PlanOptions plan = options.plan_options();
@@ -23,14 +39,16 @@ ref::PlanOptions segment_options(const Options& options) {
     return plan;
 }
 
-DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine)
-    : program_(options.file, options.points, options.open_program),
+DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
+                       std::optional<ref::SplineForm> form)
+    : program_(open_program(options)),
       machine_(machine),
-      plan_options_(segment_options(options)) {
+      plan_options_(segment_options(options)),
+      form_(form_of(options, form)),
+      tolerance_(options.arc_tolerance.value_or(0)) {
     plan_options_.advise = false;
-    const bool arcs = draws_arcs(options);
-    if (arcs) arcs_ = options.arc_tolerance.value_or(0);
     if (options.exact_path) return;
+    const bool arcs = form_of(options) == ref::SplineForm::kArcs;
     smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,
                     arcs ? kShareBesideArcs : 1,
                     [this](const std::vector<ref::Move>& moves) { return carried(moves); });
@@ -41,7 +59,7 @@ bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
     ref::Program drawn;
     drawn.moves = moves;
     try {
-        if (arcs_) ref::replace_splines(drawn, ref::SplineForm::kArcs, *arcs_);
+        ref::replace_splines(drawn, form_, tolerance_);
         ref::make_geometry(drawn, machine_, plan_options_);
     } catch (const ref::InputError&) {
         return false;
@@ -52,15 +70,36 @@ bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
 bool DrawnMoves::next(ref::Move& move) {
     if (ready_.empty()) {
         if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
-        if (!arcs_ || move.kind != ref::Move::Kind::kCubic) return true;
-        ref::Program one;
-        one.moves.push_back(move);
-        ref::replace_splines(one, ref::SplineForm::kArcs, *arcs_);
-        ready_.assign(one.moves.begin(), one.moves.end());
+        if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
+            ref::look_at(move, with_replaced_);
+            return true;
+        }
+        replace(move);
     }
     move = ready_.front();
     ready_.pop_front();
+    ref::look_at(move, with_replaced_);
     return true;
+}
+
+void DrawnMoves::replace(const ref::Move& spline) {
+    ref::Program one;
+    one.moves.push_back(spline);
+    const ref::Replaced replaced = ref::replace_splines(one, form_, tolerance_);
+    replaced_.splines += replaced.splines;
+    replaced_.moves += replaced.moves;
+    replaced_.deviation = std::max(replaced_.deviation, replaced.deviation);
+    ready_.assign(one.moves.begin(), one.moves.end());
+}
+
+std::optional<ref::Smoothed> DrawnMoves::smoothed() const {
+    if (!smooth_) return {};
+    ref::Smoothed smoothed = smooth_->report();
+    smoothed.tolerance = with_replaced_.tolerance;
+    smoothed.deviation = with_replaced_.deviation;
+    smoothed.share = with_replaced_.share;
+    smoothed.line = with_replaced_.line;
+    return smoothed;
 }
 
 }  // namespace curvecore::sysc

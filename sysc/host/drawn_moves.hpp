@@ -8,18 +8,17 @@
 
 #include "ref/path/smooth_stream.hpp"
 #include "ref/program/program_stream.hpp"
+#include "ref/program/spline_form.hpp"
 #include "sysc/host/options.hpp"
 
 namespace curvecore::sysc {
-
-/// Of G64's tolerance, for what is made smooth, where arcs take the rest of it.
-constexpr double kShareBesideArcs = 0.5;
 
 class DrawnMoves {
   public:
     /// @param machine outlives it
     /// @throws ref::InputError when the program cannot be opened
-    DrawnMoves(const Options& options, const ref::Machine& machine);
+    DrawnMoves(const Options& options, const ref::Machine& machine,
+               std::optional<ref::SplineForm> form = {});
 
     /// The next move; false: there is none. @throws ref::InputError
     bool next(ref::Move& move);
@@ -27,23 +26,32 @@ class DrawnMoves {
     const ref::ProgramStream& program() const { return program_; }
     /// Whether a part is drawn as programmed since core or machine cannot have it smooth.
     bool refused() const { return smooth_ && smooth_->refused(); }
+    /// Of the path that was given; none: it is the programmed one.
+    std::optional<ref::Smoothed> smoothed() const;
+    const ref::Replaced& replaced() const { return replaced_; }
 
   private:
     bool carried(const std::vector<ref::Move>& moves) const;
+    void replace(const ref::Move& spline);
 
     ref::ProgramStream program_;
     const ref::Machine& machine_;
     ref::PlanOptions plan_options_;
     std::optional<ref::SmoothStream> smooth_;
-    std::optional<double> arcs_;  // tolerance, mm
+    ref::SplineForm form_;
+    double tolerance_;  // mm, where it is not one of splines
+    ref::Replaced replaced_;
+    ref::Smoothed with_replaced_;  // deviations
     std::deque<ref::Move> ready_;
 };
 
+/// The program that these options name.
+ref::ProgramStream open_program(const Options& options);
 /// What segments of any program are made with.
 ref::PlanOptions segment_options(const Options& options);
 /// Whether a core with these options can draw splines.
 bool draws_splines(const Options& options);
-/// Whether arcs take the place of splines.
-bool draws_arcs(const Options& options);
+/// How splines are drawn; `form`: given.
+ref::SplineForm form_of(const Options& options, std::optional<ref::SplineForm> form = {});
 
 }  // namespace curvecore::sysc

@@ -13,11 +13,10 @@
 
 namespace curvecore::sysc {
 
-BoardSettings board_settings(const Job& job) {
-    const ref::Plan& plan = job.plan;
+BoardSettings board_settings(const Options& options, const ref::PlanFrame& plan) {
     BoardSettings settings;
-    settings.samples_per_tick_log2 = job.options.samples_per_tick_log2();
-    settings.override_word = job.options.override_word();
+    settings.samples_per_tick_log2 = options.samples_per_tick_log2();
+    settings.override_word = options.override_word();
     settings.hold_acceleration = plan.hold_acceleration;
     settings.hold_slope = std::uint64_t(plan.hold_acceleration) * plan.hold_slope_steps;
     settings.stop_ticks = plan.stop_ticks;
@@ -50,7 +49,7 @@ void Feeder::turn(std::vector<Sample>& samples) {
 }
 
 void Feeder::write_segments() {
-    const std::vector<ref::Segment>& segments = job_.plan.segments;
+    const FileList<ref::Segment>& segments = job_.plan.segments;
     while (segments_.send(board_, next_segment_ == segments.size()) &&
            next_segment_ < segments.size()) {
         const ref::Segment& segment = segments[next_segment_];
@@ -60,10 +59,10 @@ void Feeder::write_segments() {
 }
 
 void Feeder::write_profile() {
-    const std::vector<ref::ProfilePiece>& pieces = job_.plan.pieces;
+    const FileList<ref::ProfilePiece>& pieces = job_.plan.pieces;
     while (profile_.send(board_, next_piece_ == pieces.size()) && next_piece_ < pieces.size()) {
-        profile_.load(profile_bus_words(job_.plan, next_piece_, next_piece_),
-                      pieces[next_piece_].ticks);
+        const auto [words, count] = job_.plan.words_of(next_piece_);
+        profile_.load({words, words + count}, pieces[next_piece_].ticks);
         ++next_piece_;
     }
 }

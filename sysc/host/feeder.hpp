@@ -7,8 +7,11 @@
 
 namespace curvecore::sysc {
 
-/// The settings of a job's board.
-BoardSettings board_settings(const Job& job);
+/// The settings of a board that draws a plan.
+BoardSettings board_settings(const Options& options, const ref::PlanFrame& plan);
+inline BoardSettings board_settings(const Job& job) {
+    return board_settings(job.options, job.plan);
+}
 
 class Feeder {
   public:

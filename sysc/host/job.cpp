@@ -8,73 +8,93 @@
 #include "ref/program/input_error.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/segment/geometry.hpp"
-#include "sysc/host/core_clocks.hpp"
-#include "sysc/host/drawn_moves.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/host/job_stream.hpp"
 
 namespace curvecore::sysc {
+namespace {
 
-std::uint64_t Job::path_length() const {
-    const ref::Segment& last = plan.segments.back();
-    return last.s_start + last.length;
+/// Of the path with the widest words.
+std::size_t fewest_segments(const Job& job) {
+    constexpr std::size_t kBatch = 500;
+    ref::PlanOptions options = job.options.plan_options();
+    options.format = widest_words();
+    ref::Program batch;
+    batch.file = job.program.file;
+    std::size_t segments = 0;
+    for (std::size_t i = 0; i < job.plan.moves.size(); ++i) {
+        batch.moves.push_back(job.plan.moves[i]);
+        if (batch.moves.size() < kBatch && i + 1 < job.plan.moves.size()) continue;
+        segments += ref::make_geometry(batch, job.machine, options).segments.size();
+        batch.moves.clear();
+    }
+    return segments;
 }
+
+}  // namespace
 
 const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
 
-bool Job::bounded(const ref::Segment& segment) const {
-    return options.core.anchor != 0 || segment.kind != ref::Segment::Kind::kSpline;
+bool Job::bounded(ref::Segment::Kind kind) const {
+    return options.core.anchor != 0 || kind != ref::Segment::Kind::kSpline;
 }
 
 bool Job::bounded() const {
-    return std::all_of(plan.segments.begin(), plan.segments.end(),
-                       [this](const ref::Segment& segment) { return bounded(segment); });
+    constexpr auto kSpline = ref::Segment::Kind::kSpline;
+    return bounded(kSpline) || plan.count(kSpline) == 0;
 }
 
 double Job::bound() const {
     double bound = 0;
-    for (const ref::Segment& segment : plan.segments) {
-        if (bounded(segment)) bound = std::max(bound, segment.bound);
+    for (const auto kind : {ref::Segment::Kind::kArc, ref::Segment::Kind::kSpline}) {
+        if (bounded(kind)) bound = std::max(bound, plan.bound(kind));
     }
     return bound;
 }
 
-namespace {
-
-std::optional<int> first_spline(const ref::Program& program) {
-    for (const ref::Move& move : program.moves) {
-        if (move.kind == ref::Move::Kind::kCubic) return move.line;
-    }
-    return {};
+bool Job::is_smooth() const {
+    return smoothed && (smoothed->deviation > 0 || smoothed->moves != plan.moves.size());
 }
 
-/// What is drawn in the program's place. Where arcs draw what G64 makes smooth, they take half of
-/// its tolerance.
-void make_path(Job& job) {
-    const bool arcs = draws_arcs(job.options);
-    if (!job.options.exact_path) {
-        job.programmed = job.program;
-        job.smoothed = ref::smooth_path(job.program, job.machine, arcs ? kShareBesideArcs : 1);
-        const bool same = job.program.moves.size() == job.programmed.moves.size();
-        if (same && job.smoothed->deviation == 0) job.programmed = {};
-    }
-    if (!arcs) return;
-    AsArcs as_arcs;
-    as_arcs.splines = job.program;
-    as_arcs.replaced = ref::replace_splines(job.program, ref::SplineForm::kArcs,
-                                            job.options.arc_tolerance.value_or(0));
-    if (as_arcs.replaced.splines == 0) return;
-    if (job.smoothed) ref::look_again(job.program, *job.smoothed);
-    job.as_arcs = std::move(as_arcs);
+ref::Machine machine_of(const Options& options) {
+    return options.machine.empty() ? ref::Machine() : ref::read_machine(options.machine);
 }
 
-/// Narrow words are bought with segments, which the host has to send.
+Job read_job(const Options& options) {
+    Job job;
+    job.options = options;
+    job.machine = machine_of(options);
+    DrawnMoves moves(options, job.machine);
+    job.program.file = moves.program().file();
+    std::optional<int> spline;
+    for (ref::Move move; moves.next(move);) {
+        raise_feed(move, options);
+        if (move.kind == ref::Move::Kind::kCubic && !spline) spline = move.line;
+        job.program.moves.push_back(move);
+    }
+    job.program.aux_axes = moves.program().aux_axes();
+    job.program.warnings = moves.program().warnings();
+    set_splines(job, spline);
+    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
+    return job;
+}
+
+Job plan_job(const Options& options) { return JobStream(options).all(); }
+
+void hold_input(Options& options) {
+    if (options.file != ref::kStandardInput || options.program) return;
+    options.program = std::make_shared<const ref::Program>(
+        ref::read_program(options.file, options.points, options.open_program));
+}
+
+void raise_feed(ref::Move& move, const Options& options) {
+    if (!move.rapid) move.feed *= options.feed_factor();
+}
+
 void warn_of_segments(Job& job) {
     constexpr std::size_t kMany = 10;
     const std::size_t segments = job.plan.segments.size();
-    if (segments <= kMany * job.program.moves.size()) return;
-    ref::PlanOptions options = job.options.plan_options();
-    options.format = widest_words();
-    const std::size_t least = ref::make_geometry(job.program, job.machine, options).segments.size();
+    if (segments <= kMany * job.plan.moves.size()) return;
+    const std::size_t least = fewest_segments(job);
     if (segments <= kMany * least) return;
     const CoreParameters& core = job.options.core;
     job.program.warnings.push_back(fmt::format(
@@ -83,55 +103,6 @@ void warn_of_segments(Job& job) {
         job.program.file, segments, core.order, core.coef_bits, core.guard_bits, segments / least,
         least));
 }
-
-}  // namespace
-
-Job read_job(const Options& options) {
-    return make_job(options, ref::read_program(options.file, options.points, options.open_program));
-}
-
-void raise_feed(ref::Move& move, const Options& options) {
-    if (!move.rapid) move.feed *= options.feed_factor();
-}
-
-Job make_job(const Options& options, ref::Program program) {
-    Job job;
-    job.options = options;
-    job.program = std::move(program);
-    if (!options.machine.empty()) job.machine = ref::read_machine(options.machine);
-    for (ref::Move& move : job.program.moves) raise_feed(move, options);
-    make_path(job);
-    set_splines(job, first_spline(job.program));
-    if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
-    return job;
-}
-
-namespace {
-
-void plan_path(Job& job) {
-    const bool splines = first_spline(job.program).has_value();
-    check_period(job.options.core, splines, job.options.sample_period_s, job.options.clock_hz,
-                 job.options.samples_per_tick);
-    job.plan = ref::make_plan(job.program, job.machine, job.options.plan_options());
-    if (job.plan.segments.empty()) {
-        throw ref::InputError(job.program.file, 0, "the program does not move");
-    }
-}
-
-/// The core or the machine cannot have the smooth path; if they cannot have that of the program
-/// either, its errors name its lines.
-void plan_as_programmed(Job& job) {
-    std::swap(job.program, job.programmed);
-    job.programmed = {};
-    job.smoothed.reset();
-    job.as_arcs.reset();
-    if (!job.options.splines_set) job.options.core.splines = 0;
-    set_splines(job, first_spline(job.program));
-    plan_path(job);
-    warn_of_exact_path(job);
-}
-
-}  // namespace
 
 void warn_of_exact_path(Job& job) {
     job.program.warnings.push_back(
@@ -152,23 +123,6 @@ void set_splines(Job& job, const std::optional<int>& line) {
                           (line ? "a spline, and " : "no spline, and ") + reason);
 }
 
-void plan_job(Job& job) {
-    if (job.programmed.moves.empty()) {
-        plan_path(job);
-    } else {
-        try {
-            plan_path(job);
-        } catch (const ref::InputError&) {
-            plan_as_programmed(job);
-        } catch (const UsageError&) {
-            plan_as_programmed(job);
-        }
-    }
-    warn_of_segments(job);
-    warn_of_plan(job, job.bounded());
-    job.limits = ref::limit_report(job.program, job.machine, job.plan);
-}
-
 void warn_of_plan(Job& job, bool bounded) {
     if (!bounded) {
         job.program.warnings.push_back(fmt::format(
@@ -182,13 +136,6 @@ void warn_of_plan(Job& job, bool bounded) {
                         "would not outlast a stop at their feed",
                         job.program.file, job.plan.slowed_moves));
     }
-}
-
-void plan_others(Job& job) {
-    if (!job.programmed.moves.empty()) {
-        job.exact = exact_cost(job.options, job.machine, job.programmed);
-    }
-    if (job.as_arcs) compare_forms(*job.as_arcs, job.options, job.machine, job.program, job.plan);
 }
 
 }  // namespace curvecore::sysc

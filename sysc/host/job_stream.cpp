@@ -8,6 +8,7 @@
 #include "ref/program/input_error.hpp"
 #include "ref/segment/geometry.hpp"
 #include "sysc/host/core_clocks.hpp"
+#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -62,10 +63,15 @@ struct JobStream::Seen {
     }
 };
 
-JobStream::JobStream(const Options& options) {
+JobStream::JobStream(const Options& options, std::optional<ref::SplineForm> form)
+    : JobStream(options, machine_of(options), form) {}
+
+JobStream::JobStream(const Options& options, ref::Machine machine,
+                     std::optional<ref::SplineForm> form)
+    : form_(form) {
     job_.options = options;
-    if (!options.machine.empty()) job_.machine = ref::read_machine(options.machine);
-    if (options.file == ref::kStandardInput) {
+    job_.machine = std::move(machine);
+    if (!options.program && options.file == ref::kStandardInput) {
         look_at_input();
         return;
     }
@@ -74,7 +80,7 @@ JobStream::JobStream(const Options& options) {
     } catch (const ref::InputError&) {  // what is drawn may still do
         look_at_drawn();
     }
-    moves_.emplace(job_.options, job_.machine);
+    moves_.emplace(job_.options, job_.machine, form_);
 }
 
 /// With the feed that an override above 100 % asks for.
@@ -86,7 +92,7 @@ bool JobStream::read(DrawnMoves& moves, ref::Move& move) const {
 
 /// In constant memory: what it draws is looked at again while it is drawn.
 void JobStream::look_at_program() {
-    ref::ProgramStream program(job_.options.file, job_.options.points, job_.options.open_program);
+    ref::ProgramStream program = open_program(job_.options);
     job_.program.file = program.file();
     Seen seen;
     Looker looker(job_);
@@ -102,8 +108,8 @@ void JobStream::look_at_program() {
 
 /// A core draws all splines or none of them.
 std::optional<int> JobStream::first_drawn_spline() const {
-    if (draws_arcs(job_.options)) return {};
-    DrawnMoves moves(job_.options, job_.machine);
+    if (form_of(job_.options, form_) != ref::SplineForm::kSpline) return {};
+    DrawnMoves moves(job_.options, job_.machine, form_);
     for (ref::Move move; moves.next(move);) {
         if (is_spline(move)) return move.line;
     }
@@ -111,7 +117,7 @@ std::optional<int> JobStream::first_drawn_spline() const {
 }
 
 void JobStream::look_at_drawn() {
-    DrawnMoves moves(job_.options, job_.machine);
+    DrawnMoves moves(job_.options, job_.machine, form_);
     job_.program.file = moves.program().file();
     Seen seen;
     Looker looker(job_);
@@ -125,7 +131,7 @@ void JobStream::look_at_drawn() {
 
 /// As far as the first window of the plan.
 void JobStream::look_at_input() {
-    moves_.emplace(job_.options, job_.machine);
+    moves_.emplace(job_.options, job_.machine, form_);
     job_.program.file = moves_->program().file();
     Seen seen;
     bool more = true;
@@ -147,8 +153,15 @@ void JobStream::use(const Seen& seen) {
     splines_ = seen.spline.has_value();
 }
 
-/// Of standard input the first moves have said what the core has.
 bool JobStream::take(ref::Move& move) {
+    if (!take_next(move)) return false;
+    ++given_;
+    if (keeps_) job_.plan.moves.push_back(move);
+    return true;
+}
+
+/// Of standard input the first moves have said what the core has.
+bool JobStream::take_next(ref::Move& move) {
     if (taken_ < first_.size()) {
         move = first_[taken_++];
         return true;
@@ -167,29 +180,83 @@ bool JobStream::take(ref::Move& move) {
     return true;
 }
 
-const Job* JobStream::next() {
-    if (!plan_) {
+const ref::Plan* JobStream::next() {
+    if (!plan_) begin();
+    part_ = plan_->next();
+    if (!part_) {
+        end();
+        return nullptr;
+    }
+    static_cast<ref::PlanFrame&>(job_.plan) = *part_;
+    slowed_ += part_->slowed_moves;
+    bounded_ =
+        bounded_ && std::all_of(part_->segments.begin(), part_->segments.end(),
+                                [this](const ref::Segment& s) { return job_.bounded(s.kind); });
+    return &*part_;
+}
+
+void JobStream::begin() {
+    const auto check = [this] {
         const Options& options = job_.options;
         check_period(options.core, splines_, options.sample_period_s, options.clock_hz,
                      options.samples_per_tick);
-        plan_.emplace([this](ref::Move& move) { return take(move); },
-                      ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
-                      job_.machine, options.plan_options());
+    };
+    try {
+        check();
+    } catch (const UsageError&) {
+        if (!splines_ || job_.options.exact_path || first_.size() > 0) throw;
+        draw_as_programmed();
+        check();
     }
-    std::optional<ref::Plan> part = plan_->next();
-    if (!part) {
-        const std::vector<std::string>& read = moves_->program().warnings();
-        std::vector<std::string>& warnings = job_.program.warnings;
-        warnings.insert(warnings.begin(), read.begin(), read.end());
-        if (moves_->refused()) warn_of_exact_path(job_);
-        job_.plan.slowed_moves = slowed_;
-        warn_of_plan(job_, bounded_);
-        return nullptr;
+    plan_.emplace([this](ref::Move& move) { return take(move); },
+                  ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
+                  job_.machine, job_.options.plan_options());
+}
+
+/// The core is too slow for splines, which the program may not have.
+void JobStream::draw_as_programmed() {
+    job_.options.exact_path = true;
+    if (!job_.options.splines_set) job_.options.core.splines = 0;
+    look_at_program();
+    moves_.emplace(job_.options, job_.machine, form_);
+    warn_of_exact_path(job_);
+}
+
+void JobStream::end() {
+    const std::vector<std::string>& read = moves_->program().warnings();
+    std::vector<std::string>& warnings = job_.program.warnings;
+    warnings.insert(warnings.begin(), read.begin(), read.end());
+    if (moves_->refused()) warn_of_exact_path(job_);
+    job_.plan.slowed_moves = slowed_;
+    warn_of_plan(job_, bounded_);
+    job_.smoothed = moves_->smoothed();
+    if (moves_->replaced().splines > 0) job_.as_arcs = AsArcs{moves_->replaced(), {}};
+}
+
+Job JobStream::all(const LookAtPart& look) {
+    keeps_ = true;
+    ref::LimitWatch limits(job_.machine);
+    while (const ref::Plan* part = next()) {
+        if (look) look(job_, *part);
+        watch(*part, limits);
+        job_.plan.append(*part);
+        job_.plan.let_go();
     }
-    slowed_ += part->slowed_moves;
-    job_.plan = std::move(*part);
-    bounded_ = bounded_ && job_.bounded();
-    return &job_;
+    job_.limits = limits.report();
+    warn_of_segments(job_);
+    return std::move(job_);
+}
+
+/// The part's moves are all that it needs.
+void JobStream::watch(const ref::Plan& part, ref::LimitWatch& limits) const {
+    const std::size_t first = part.segments.front().move;
+    ref::Program moves;
+    for (std::size_t i = first; i <= part.segments.back().move; ++i) {
+        moves.moves.push_back(job_.plan.moves[i]);
+    }
+    ref::Plan counted = part;
+    for (ref::Segment& segment : counted.segments) segment.move -= first;
+    limits.add(moves, counted);
 }
 
 }  // namespace curvecore::sysc

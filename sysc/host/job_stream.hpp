@@ -2,6 +2,8 @@
 // A job of any length, planned part by part while its program is read.
 #pragma once
 
+#include <functional>
+
 #include "ref/feed/plan_stream.hpp"
 #include "sysc/host/drawn_moves.hpp"
 #include "sysc/host/job.hpp"
@@ -13,18 +15,29 @@ class JobStream {
     /// Looks at a file, move by move: blocks, travel and segments. Where the core or the machine
     /// cannot have the smooth path it is drawn as programmed. Of standard input the first moves say
     /// what the core must have.
+    /// @param form of its splines; none: as core and options want them
     /// @throws ref::InputError
-    explicit JobStream(const Options& options);
+    explicit JobStream(const Options& options, std::optional<ref::SplineForm> form = {});
+    /// For another machine than that of the options.
+    JobStream(const Options& options, ref::Machine machine,
+              std::optional<ref::SplineForm> form = {});
 
-    /// Without moves; with warnings at the end.
+    /// Of its plan what all parts have; with warnings at the end.
     const Job& job() const { return job_; }
+    /// Moves that are drawn, so far.
+    std::size_t moves() const { return given_; }
     /// The core is known; what else there is may be changed before the first part.
     Options& options() { return job_.options; }
 
-    /// The job with the plan of the next part; null: there is none.
+    /// The plan of the next part; null: there is none.
     /// @throws UsageError: a sample period shorter than the core's own clocks
     /// @throws ref::InputError of what was not looked at, after all parts up to a rest before it
-    const Job* next();
+    const ref::Plan* next();
+
+    using LookAtPart = std::function<void(const Job& job, const ref::Plan& part)>;
+    /// All of the job, before its first part was asked for.
+    /// @throws what next() and `look` do
+    Job all(const LookAtPart& look = {});
 
   private:
     struct Seen;
@@ -34,9 +47,15 @@ class JobStream {
     void look_at_drawn();
     void look_at_input();
     void use(const Seen& seen);
+    void begin();
+    void end();
+    void draw_as_programmed();
+    void watch(const ref::Plan& part, ref::LimitWatch& limits) const;
     bool read(DrawnMoves& moves, ref::Move& move) const;
     bool take(ref::Move& move);
+    bool take_next(ref::Move& move);
 
+    std::optional<ref::SplineForm> form_;
     Job job_;
     std::optional<DrawnMoves> moves_;
     std::vector<ref::Move> first_;  // of standard input, that were looked at
@@ -44,6 +63,9 @@ class JobStream {
     bool splines_ = false;
     double fastest_ = 0;
     std::optional<ref::PlanStream> plan_;
+    std::optional<ref::Plan> part_;
+    std::size_t given_ = 0;  // moves
+    bool keeps_ = false;     // in the job's plan
     std::size_t slowed_ = 0;
     bool bounded_ = true;
 };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,7 +26,8 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
-    ref::OpenProgram open_program;  // by another interpreter than this program's
+    ref::OpenProgram open_program;                // by another interpreter than this program's
+    std::shared_ptr<const ref::Program> program;  // that was made, in the file's place
     ref::Effort effort = ref::Effort::kOptimum;
     ref::Holds holds = ref::Holds::kBranches;
     bool exact_path = false;              // G64's tolerance is not used
@@ -52,6 +54,7 @@ struct Options {
     bool trace = false;
     std::uint64_t trace_clocks = 20000;
     std::uint64_t most_rows = 4000000;  // of samples.csv
+    bool segments_file = true;          // `run` and `plan`: segments.json
 
     bool in_system() const {
         return board == BoardKind::kSystemc || board == BoardKind::kSystemcRtl;

@@ -11,7 +11,12 @@ namespace curvecore::sysc {
 /// A segment is left when the path goes beyond its length, as the cores do.
 class PathCursor {
   public:
-    explicit PathCursor(const ref::Plan& plan) : plan_(plan) { skip(); }
+    /// A plan of any kind, which outlives the cursor.
+    template <class Plan>
+    explicit PathCursor(const Plan& plan)
+        : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
+        skip();
+    }
 
     void advance(std::uint64_t ds) {
         s_ += ds;
@@ -20,23 +25,23 @@ class PathCursor {
 
     std::uint64_t s() const { return s_; }  // quanta, program-wide
     std::size_t index() const { return index_; }
-    const ref::Segment& segment() const { return plan_.segments[index_]; }
+    const ref::Segment& segment() const { return segments_[index_]; }
     bool at_end() const { return s_ == end(index_); }
     /// Path length within the segment, length units.
     double local() const { return std::ldexp(static_cast<double>(s_ - segment().s_start), -16); }
 
   private:
     std::uint64_t end(std::size_t index) const {
-        return plan_.segments[index].s_start + plan_.segments[index].length;
+        return segments_[index].s_start + segments_[index].length;
     }
     void skip() {
-        while (index_ + 1 < plan_.segments.size() &&
-               (s_ > end(index_) || plan_.segments[index_].length == 0)) {
+        while (index_ + 1 < count_ && (s_ > end(index_) || segments_[index_].length == 0)) {
             ++index_;
         }
     }
 
-    const ref::Plan& plan_;
+    const ref::Segment* segments_;
+    std::size_t count_;
     std::uint64_t s_ = 0;
     std::size_t index_ = 0;
 };

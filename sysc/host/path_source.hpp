@@ -10,8 +10,11 @@ namespace curvecore::sysc {
 
 class PathSource {
   public:
-    PathSource(const ref::Plan& plan, int samples_per_tick_log2, std::int32_t target)
-        : plan_(plan),
+    /// A plan of any kind, which outlives the source.
+    template <class Plan>
+    PathSource(const Plan& plan, int samples_per_tick_log2, std::int32_t target)
+        : pieces_(&*plan.pieces.begin()),
+          count_(plan.pieces.size()),
           scaler_(plan.hold_acceleration,
                   std::int64_t(plan.hold_acceleration) * plan.hold_slope_steps),
           share_(samples_per_tick_log2),
@@ -23,8 +26,8 @@ class PathSource {
         if (tick) {
             rate_ = scaler_.tick(target_);
             const auto next_piece = [this](hls::ProfileWords& words) {
-                if (piece_ == plan_.pieces.size()) return false;
-                words = hls::to_words(plan_.pieces[piece_++]);
+                if (piece_ == count_) return false;
+                words = hls::to_words(pieces_[piece_++]);
                 return true;
             };
             tick_ds_ = path_.tick(rate_, next_piece, target_ == 0);
@@ -41,7 +44,8 @@ class PathSource {
     bool active() const { return path_.active(); }
 
   private:
-    const ref::Plan& plan_;
+    const ref::ProfilePiece* pieces_;
+    std::size_t count_;
     hls::TimeScaler scaler_;
     hls::PathKernel path_;
     hls::SampleShare share_;
@@ -53,8 +57,8 @@ class PathSource {
 };
 
 /// Samples from rest to rest: whole ticks.
-inline std::uint64_t count_samples(const ref::Plan& plan, int samples_per_tick_log2,
-                                   std::int32_t target) {
+template <class Plan>
+std::uint64_t count_samples(const Plan& plan, int samples_per_tick_log2, std::int32_t target) {
     PathSource source(plan, 0, target);
     std::uint64_t ticks = 0;
     do {

@@ -11,7 +11,12 @@ namespace curvecore::sysc {
 
 class StepWalk {
   public:
-    explicit StepWalk(const ref::Plan& plan) : plan_(plan) { open(0); }
+    /// A plan of any kind, which outlives the walk.
+    template <class Plan>
+    explicit StepWalk(const Plan& plan)
+        : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
+        open(0);
+    }
 
     /// Goes to `s`, quanta. `enter(segment, fresh)` for every step that begins on the way; fresh:
     /// the first of its segment.
@@ -21,28 +26,29 @@ class StepWalk {
             const bool fresh = step_end_ == end_;
             if (fresh && !open(index_ + 1)) return;
             if (!fresh) next_step();
-            enter(plan_.segments[index_], fresh);
+            enter(segments_[index_], fresh);
         }
     }
 
   private:
     /// The next segment that has a length.
     bool open(std::size_t index) {
-        while (index < plan_.segments.size() && plan_.segments[index].length == 0) ++index;
-        if (index == plan_.segments.size()) return false;
+        while (index < count_ && segments_[index].length == 0) ++index;
+        if (index == count_) return false;
         index_ = index;
-        step_end_ = plan_.segments[index].s_start;
-        end_ = step_end_ + plan_.segments[index].length;
+        step_end_ = segments_[index].s_start;
+        end_ = step_end_ + segments_[index].length;
         next_step();
         return true;
     }
 
     void next_step() {
-        const int exponent = plan_.segments[index_].step_exponent + 16;
+        const int exponent = segments_[index_].step_exponent + 16;
         step_end_ = std::min(end_, step_end_ + (std::uint64_t{1} << exponent));
     }
 
-    const ref::Plan& plan_;
+    const ref::Segment* segments_;
+    std::size_t count_;
     std::size_t index_ = 0;
     std::uint64_t step_end_ = 0;  // program-wide
     std::uint64_t end_ = 0;       // of the segment

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "ref/feed/planned_branches.hpp"
 #include "sysc/board/kernel_board.hpp"
 #include "sysc/host/feeder.hpp"
 #include "sysc/host/path_source.hpp"
@@ -37,17 +36,16 @@ Fate draw_job(const Job& job, std::uint64_t samples) {
     return Fate::kFits;
 }
 
-double stop_of(const ref::Plan& plan) {
-    const auto by_branches = static_cast<double>(ref::longest_stop(plan));
-    return (plan.branches.empty() ? static_cast<double>(plan.stop_ticks) : by_branches) *
-           plan.tick_s;
+double stop_of(const DrawnPlan& plan) {
+    const std::uint64_t ticks = plan.branches == 0 ? plan.stop_ticks : plan.longest_stop;
+    return static_cast<double>(ticks) * plan.tick_s;
 }
 
 }  // namespace
 
-Explorer::Explorer(const Job& job, const ExploreGrid& grid,
+Explorer::Explorer(const Options& options, const ExploreGrid& grid,
                    std::function<void(double share)> progress)
-    : job_(job), grid_(grid), progress_(std::move(progress)) {}
+    : options_(options), grid_(grid), progress_(std::move(progress)) {}
 
 std::optional<ExplorePoint> ExploreRow::answer() const {
     std::optional<ExplorePoint> best;
@@ -85,12 +83,12 @@ std::vector<ExploreRow> Explorer::explore_period(double sample_s) {
 }
 
 void Explorer::explore_queues(int segment_queue, int profile_queue, std::vector<ExploreRow>& rows) {
-    Job job = job_;
+    Options planned = options_;
+    planned.sample_period_s = rows.front().surroundings.sample_s;
+    planned.segment_queue_words = segment_queue;
+    planned.profile_queue_words = profile_queue;
+    Job job = plan_job(planned);
     Options& options = job.options;
-    options.sample_period_s = rows.front().surroundings.sample_s;
-    options.segment_queue_words = segment_queue;
-    options.profile_queue_words = profile_queue;
-    plan_job(job);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());
     const double duration = static_cast<double>(samples) * options.sample_period_s;

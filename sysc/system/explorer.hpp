@@ -57,8 +57,9 @@ struct ExploreRow {
 
 class Explorer {
   public:
-    /// `job`: read, not planned. `progress` is called with the share that is done.
-    Explorer(const Job& job, const ExploreGrid& grid, std::function<void(double share)> progress);
+    /// `options`: what draws the program; `progress` is called with the share that is done.
+    Explorer(const Options& options, const ExploreGrid& grid,
+             std::function<void(double share)> progress);
 
     /// @throws ref::InputError, UsageError: plan_job()
     std::vector<ExploreRow> explore();
@@ -68,7 +69,7 @@ class Explorer {
     /// One more point of each row.
     void explore_queues(int segment_queue, int profile_queue, std::vector<ExploreRow>& rows);
 
-    const Job& job_;
+    const Options& options_;
     const ExploreGrid& grid_;
     std::function<void(double share)> progress_;
     double done_ = 0;

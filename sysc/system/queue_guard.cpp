@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hls/words.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore::sysc {
 
@@ -14,20 +14,15 @@ void QueueGuard::Cover::add(std::uint64_t more_words, std::int64_t more_ticks) {
 
 QueueGuard::QueueGuard(const Job& job)
     : stop_ticks_(job.plan.stop_ticks), rate_log2_(16 + job.options.samples_per_tick_log2()) {
-    const ref::Plan& plan = job.plan;
+    const DrawnPlan& plan = job.plan;
     const int segment_words = ref::segment_bus_words(job.options.core.aux_axes);
     for (const ref::Segment& segment : plan.segments) {
         covers_[static_cast<std::size_t>(Stream::kSegments)].add(
             static_cast<std::uint64_t>(segment_words), segment.ticks);
     }
-    auto branch = plan.branches.begin();
     for (std::size_t n = 0; n < plan.pieces.size(); ++n) {
-        std::uint64_t words = hls::kProfileBusWords;
-        if (branch != plan.branches.end() && branch->piece == n) {
-            words += 1 + branch->steps.size();
-            ++branch;
-        }
-        covers_[static_cast<std::size_t>(Stream::kProfile)].add(words, plan.pieces[n].ticks);
+        covers_[static_cast<std::size_t>(Stream::kProfile)].add(plan.words_of(n).second,
+                                                                plan.pieces[n].ticks);
     }
 }
 

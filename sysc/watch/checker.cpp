@@ -10,11 +10,6 @@
 #include "sysc/widths/error_figures.hpp"
 
 namespace curvecore::sysc {
-namespace {
-
-constexpr double kRest = 1e-6;  // mm/s: words round, a stop ends a little above zero
-
-}  // namespace
 
 Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
     : job_(job),
@@ -75,7 +70,7 @@ void Checker::start() {
 }
 
 RunSegment Checker::words(std::size_t segment) const {
-    return hls::to_words(job_.plan.segments.at(segment), format_);
+    return hls::to_words(job_.plan.segments[segment], format_);
 }
 
 void Checker::compare_with_kernel(const Sample& drawn) {
@@ -116,7 +111,7 @@ void Checker::compare_with_curve(const Sample& drawn) {
     KindResult& kind = kind_of(segment);
     ++kind.samples;
     kind.error = std::max(kind.error, worst);
-    const double bound = job_.bounded(segment) ? segment.bound : 0;
+    const double bound = job_.bounded(segment.kind) ? segment.bound : 0;
     if (bound > 0) {
         kind.bound = std::max(kind.bound, bound);
         kind.of_bound = std::max(kind.of_bound, worst / bound);
@@ -153,7 +148,7 @@ void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
         const double error = std::abs((point - last_point_).norm() - length);
         KindResult& kind = kind_of(cursor_.segment());
         kind.speed_error = std::max(kind.speed_error, error);
-        if (job_.bounded(cursor_.segment())) {
+        if (job_.bounded(cursor_.segment().kind)) {
             result_.speed_of_allowed =
                 std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
         }
@@ -166,12 +161,12 @@ void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
 }
 
 bool Checker::stops(std::size_t segment) const {
-    return segment + 1 == job_.plan.segments.size() || job_.plan.segments[segment].feed_end < kRest;
+    return segment + 1 == job_.plan.segments.size() || ends_at_rest(job_.plan.segments[segment]);
 }
 
 /// The output word against the program's own end point.
 void Checker::compare_landing(const Sample& drawn) {
-    const ref::Move& move = job_.program.moves[cursor_.segment().move];
+    const ref::Move& move = job_.plan.moves[cursor_.segment().move];
     for (int axis = 0; axis < axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         const double end = (axis < 3 ? move.end[axis] : move.aux_end[a - 3]) / job_.plan.unit_mm;

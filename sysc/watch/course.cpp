@@ -14,19 +14,18 @@ constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // of the path, besides th
 }  // namespace
 
 Course course(const Job& job) {
-    const ref::Plan& plan = job.plan;
+    const DrawnPlan& plan = job.plan;
     Course found;
     found.curvature.resize(Pictures::kBins);
     found.deviation.resize(Pictures::kBins);
     found.tolerance.resize(Pictures::kBins);
     for (std::vector<Envelope>& slope : found.slope) slope.resize(Pictures::kBins);
-    const ref::Segment& last = plan.segments.back();
-    const double total = std::ldexp(static_cast<double>(last.s_start + last.length), -16);
+    const double total = std::ldexp(static_cast<double>(plan.path_length()), -16);
     ref::CurveFollower curve;
-    for (const ref::Segment& segment : plan.segments) {
+    plan.each_segment([&](const ref::Segment& segment, std::size_t) {
         const double start = std::ldexp(static_cast<double>(segment.s_start), -16);
         const double length = std::ldexp(static_cast<double>(segment.length), -16);
-        const ref::Move& move = job.program.moves[segment.move];
+        const ref::Move& move = plan.moves[segment.move];
         const double pieces = std::ceil(length / total * static_cast<double>(kPlaces));
         for (double i = 0; i <= pieces; ++i) {
             const double s = length * i / std::max(pieces, 1.0);
@@ -42,7 +41,7 @@ Course course(const Job& job) {
                 found.slope[axis][bin].add(slope[static_cast<int>(axis)]);
             }
         }
-    }
+    });
     return found;
 }
 

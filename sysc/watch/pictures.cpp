@@ -11,7 +11,7 @@ Pictures::Pictures(const Job& job, std::uint64_t ticks)
       span_s_(static_cast<double>(span_) * job.plan.tick_s),
       quantum_mm_(std::ldexp(job.plan.unit_mm, -16)),
       unit_mm_(job.plan.unit_mm),
-      length_(std::max<std::uint64_t>(job.path_length(), 1)),
+      length_(std::max<std::uint64_t>(job.plan.path_length(), 1)),
       ticks_(std::max<std::uint64_t>(ticks, 1)),
       errors_(kBins, 0.0),
       bounds_(kBins, 0.0) {

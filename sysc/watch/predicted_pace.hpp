@@ -14,7 +14,8 @@ namespace curvecore::sysc {
 /// three ahead of the one that the last sample lies in.
 class PredictedPace {
   public:
-    PredictedPace(const ref::Plan& plan, const CoreParameters& core, int samples_per_tick = 1)
+    template <class Plan>
+    PredictedPace(const Plan& plan, const CoreParameters& core, int samples_per_tick = 1)
         : walk_(plan),
           serial_(core.build == Build::kSerial),
           latency_(hls::sample_latency(timed_core(core))),

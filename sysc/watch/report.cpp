@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/planned_branches.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/watch/limit_text.hpp"
@@ -16,15 +15,6 @@ namespace curvecore::sysc {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Stops that the profile plans: sample after sample falls on them at full speed.
-std::uint64_t planned_stops(const ref::Plan& plan) {
-    std::uint64_t stops = 1;
-    for (std::size_t i = 0; i + 1 < plan.segments.size(); ++i) {
-        stops += plan.segments[i].length > 0 && plan.segments[i].feed_end < 1e-6;
-    }
-    return stops;
-}
 
 template <class Value>
 nlohmann::ordered_json per_axis(const Job& job, Value value) {
@@ -49,10 +39,10 @@ nlohmann::ordered_json ratios_json(const ref::LimitRatios& ratios) {
             {"jerk", ratios.jerk}};
 }
 
-nlohmann::ordered_json hold_json(const ref::Plan& plan) {
-    const double longest = static_cast<double>(ref::longest_stop(plan)) * plan.tick_s;
-    return {{"branches", plan.branches.size()},
-            {"longest_stop_s", plan.branches.empty() ? Json() : Json(longest)},
+nlohmann::ordered_json hold_json(const DrawnPlan& plan) {
+    const double longest = static_cast<double>(plan.longest_stop) * plan.tick_s;
+    return {{"branches", plan.branches},
+            {"longest_stop_s", plan.branches == 0 ? Json() : Json(longest)},
             {"stop_ticks", plan.stop_ticks}};
 }
 
@@ -177,7 +167,7 @@ std::vector<Check> Report::checks() const {
     if (drawn != nullptr) {
         const CheckResult& check = drawn->check;
         const bool full_speed = job.options.override_percent >= 100;
-        const std::uint64_t stops = planned_stops(job.plan);
+        const std::uint64_t stops = job.plan.stops;
         const double of_bound = check.worst(&KindResult::of_bound);
         checks = {
             {fmt::format("{} equals kernel", title_of(job.options.board)),
@@ -237,14 +227,15 @@ nlohmann::ordered_json Report::json() const {
     json["build"] = build_name(job.options.core.build);
     json["parameters"] = parameters_json(job.options.core);
     json["effort"] = ref::kEffortNames[static_cast<std::size_t>(job.options.effort)];
-    json["moves"] = job.program.moves.size();
+    json["moves"] = job.plan.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
-    json["words"] = words_of(job.plan);
+    json["words"] = job.plan.words();
     json["hold"] = hold_json(job.plan);
     json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
-    json["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
+    json["path_mm"] =
+        std::ldexp(static_cast<double>(job.plan.path_length()), -16) * job.plan.unit_mm;
     json["samples"] = samples;
     json["board"] = nullptr;
     if (drawn != nullptr) {
@@ -270,7 +261,7 @@ nlohmann::ordered_json Report::json() const {
                                    {"speed_max_error_lsb", kind.speed_error}};
         }
         json["landing_lsb"] = check.landing;
-        json["stops"] = {{"planned", planned_stops(job.plan)}, {"sampled", check.stops}};
+        json["stops"] = {{"planned", job.plan.stops}, {"sampled", check.stops}};
         json["path_increment"] = {{"max_error_quanta", check.increment}};
         json["speed"] = {{"max_relative_error", check.speed_relative},
                          {"max_error_lsb", check.worst(&KindResult::speed_error)}};
@@ -317,10 +308,10 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     };
     row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
                             ref::parameters_text(job.options.core)));
-    row("program",
-        fmt::format("{} moves, {} segments, {} words, {:.3f} mm", job.program.moves.size(),
-                    job.plan.segments.size(), words_of(job.plan),
-                    std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm));
+    row("program", fmt::format("{} moves, {} segments, {} words, {:.3f} mm", job.plan.moves.size(),
+                               job.plan.segments.size(), job.plan.words(),
+                               std::ldexp(static_cast<double>(job.plan.path_length()), -16) *
+                                   job.plan.unit_mm));
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.exact) row(job.exact->form, cost_text(*job.exact));
     if (job.as_arcs) {
@@ -336,10 +327,10 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     }
     row("duration", fmt::format("{}, {} samples of {:g} us", time_text(duration_s()), samples,
                                 job.options.sample_period_s * 1e6));
-    if (!job.plan.branches.empty()) {
+    if (job.plan.branches > 0) {
         row("hold", fmt::format("at rest within {:.3f} s, {} branches",
-                                static_cast<double>(ref::longest_stop(job.plan)) * job.plan.tick_s,
-                                job.plan.branches.size()));
+                                static_cast<double>(job.plan.longest_stop) * job.plan.tick_s,
+                                job.plan.branches));
     }
     if (drawn != nullptr) {
         const CheckResult& check = drawn->check;

@@ -62,7 +62,8 @@ std::string data(const Report& report, const Pictures& pictures) {
     head["rtl"] = report.drawn != nullptr;
     head["held"] = report.held();
     head["unit"] = unit_text(job);
-    head["path_mm"] = std::ldexp(static_cast<double>(job.path_length()), -16) * job.plan.unit_mm;
+    head["path_mm"] =
+        std::ldexp(static_cast<double>(job.plan.path_length()), -16) * job.plan.unit_mm;
     head["duration_s"] = report.duration_s();
     head["limits"] = {job.machine.velocity, job.machine.acceleration, job.machine.jerk};
     for (const auto& [name, value] : report.table()) head["table"].push_back({name, value});
@@ -104,7 +105,7 @@ std::string data(const Report& report, const Pictures& pictures) {
     envelope(rest, "jerk", pictures.jerk());
     const Course shape = course(job);
     envelope(rest, "curvature", shape.curvature);
-    if (!job.programmed.moves.empty()) {
+    if (job.is_smooth()) {
         envelope(rest, "deviation", shape.deviation);
         envelope(rest, "tolerance", shape.tolerance);
     }

@@ -61,15 +61,13 @@ void shape(Text& text, const ref::Segment& segment, double unit_mm) {
 
 }  // namespace
 
-std::string segments_json(const Job& job) {
-    Text text;
-    const auto out = std::back_inserter(text);
-    fmt::format_to(out,
-                   "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n"
-                   "\"segments\": [",
-                   job.plan.unit_mm, std::ldexp(1.0, -16));
-    for (std::size_t i = 0; i < job.plan.segments.size(); ++i) {
-        const ref::Segment& segment = job.plan.segments[i];
+void write_segments(const Job& job, const std::function<void(const std::string& text)>& write) {
+    write(fmt::format(
+        "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n\"segments\": [",
+        job.plan.unit_mm, std::ldexp(1.0, -16)));
+    job.plan.each_segment([&](const ref::Segment& segment, std::size_t i) {
+        Text text;
+        const auto out = std::back_inserter(text);
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
                        i == 0 ? "" : ",", i, segment.move, segment.line, ref::kind_name(segment));
         point(text, "start_mm", job, segment.start, segment.aux_start, segment.aux_turned);
@@ -83,7 +81,7 @@ std::string segments_json(const Job& job) {
                        segment.s_start, segment.length,
                        std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
                        segment.radius * job.plan.unit_mm, segment.step_exponent,
-                       job.bounded(segment) ? fmt::format("{:.6g}", segment.bound) : "null",
+                       job.bounded(segment.kind) ? fmt::format("{:.6g}", segment.bound) : "null",
                        segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";
         for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {
@@ -91,9 +89,9 @@ std::string segments_json(const Job& job) {
             comma = ", ";
         }
         fmt::format_to(out, "]}}");
-    }
-    fmt::format_to(out, "\n]\n}}\n");
-    return fmt::to_string(text);
+        write(fmt::to_string(text));
+    });
+    write("\n]\n}\n");
 }
 
 }  // namespace curvecore::sysc

@@ -11,11 +11,11 @@
 
 namespace curvecore::sysc {
 
-void check_words(const Job& job) {
+void check_words(const Job& job, const ref::Plan& part) {
     const CoreParameters& core = job.options.core;
     ValueRanges ranges(core.coef_bits);
     const RunTimeFormat format(core, core.axes(), &ranges);
-    for (const ref::Segment& segment : job.plan.segments) {
+    for (const ref::Segment& segment : part.segments) {
         const auto refuse = [&](const std::string& reason) {
             throw ref::InputError(job.program.file, segment.line, reason);
         };

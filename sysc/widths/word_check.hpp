@@ -6,9 +6,9 @@
 
 namespace curvecore::sysc {
 
-/// Quantises every segment and draws its integration steps, which the planner has proven to keep
-/// their words: a second look, at this very part.
+/// Quantises every segment of a part of the job's plan and draws its integration steps, which the
+/// planner has proven to keep their words: a second look, at these very ones.
 /// @throws ref::InputError with the move's line
-void check_words(const Job& job);
+void check_words(const Job& job, const ref::Plan& part);
 
 }  // namespace curvecore::sysc

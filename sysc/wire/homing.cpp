@@ -26,8 +26,7 @@ Homing::Homing(RemoteMachine& machine, const Options& options, const Drives& dri
       console_(console),
       turn_(std::move(turn)) {}
 
-/// A straight way from wherever the axis stands: its travel is not known yet.
-Job Homing::line(int axis, double way_mm, double speed) const {
+ref::Program Homing::line(int axis, double way_mm, double speed) const {
     ref::Move move;
     move.line = 1;
     move.feed = speed;
@@ -40,21 +39,21 @@ Job Homing::line(int axis, double way_mm, double speed) const {
         program.aux_axes = axis - 2;
     }
     program.moves.push_back(move);
+    return program;
+}
+
+/// A straight way from wherever the axis stands: its travel is not known yet. True: the switch was
+/// as it was to be. The machine stands, its queues are empty.
+bool Homing::drive(int axis, double way_mm, double speed, Until until) {
     Options options = options_;
     options.exact_path = true;
-    Job job = make_job(options, program);
-    for (ref::AxisLimits& limits : job.machine.axis) {
+    options.program = std::make_shared<const ref::Program>(line(axis, way_mm, speed));
+    ref::Machine machine = machine_of(options);
+    for (ref::AxisLimits& limits : machine.axis) {
         limits.min = -ref::kUnlimited;
         limits.max = ref::kUnlimited;
     }
-    plan_job(job);
-    return job;
-}
-
-/// True: the switch was as it was to be. The machine stands, its queues are empty.
-bool Homing::drive(int axis, double way_mm, double speed, Until until) {
-    const Job job = line(axis, way_mm, speed);
-    WordSource words(job);
+    WordSource words(options, machine);
     machine_.begin(words.settings(), watchdog_samples_);
     if (until != Until::kEnd) machine_.wait_for_switch(axis, until == Until::kClosed);
     WireStream stream(machine_, words, console_, 1);

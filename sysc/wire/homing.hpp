@@ -48,7 +48,7 @@ class Homing {
 
     bool drive(int axis, double way_mm, double speed, Until until);
     void seek(const AxisHome& axis, double speed, double reach_mm, Until until);
-    Job line(int axis, double way_mm, double speed) const;
+    ref::Program line(int axis, double way_mm, double speed) const;
 
     RemoteMachine& machine_;
     const Options& options_;

@@ -19,13 +19,12 @@ void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& wo
 }
 
 /// In mm.
-std::array<double, kBoardAxes> start_of(const Job& part) {
-    const ref::Segment& first = part.plan.segments.front();
+std::array<double, kBoardAxes> start_of(const ref::Segment& first, double unit_mm) {
     std::array<double, kBoardAxes> start{};
     for (std::size_t axis = 0; axis < kBoardAxes; ++axis) {
         const double units =
             axis < 3 ? first.start[static_cast<int>(axis)] : first.aux_start[axis - 3];
-        start[axis] = units * part.options.unit_mm;
+        start[axis] = units * unit_mm;
     }
     return start;
 }
@@ -37,13 +36,9 @@ void move_to(std::deque<std::uint64_t>& held, std::deque<std::uint64_t>& planned
 
 }  // namespace
 
-WordSource::WordSource(const Options& options) : stream_(options) {
+WordSource::WordSource(const Options& options, const ref::Machine& machine) {
+    stream_.emplace(options, machine);
     thread_ = std::thread([this] { plan(); });
-}
-
-WordSource::WordSource(const Job& planned) {
-    add(planned);
-    planned_.all = true;
 }
 
 WordSource::~WordSource() {
@@ -57,7 +52,7 @@ WordSource::~WordSource() {
 
 void WordSource::plan() {
     try {
-        while (const Job* part = stream_->next()) {
+        while (const ref::Plan* part = stream_->next()) {
             add(*part);
             std::unique_lock lock(mutex_);
             changed_.wait(lock, [this] {
@@ -73,39 +68,39 @@ void WordSource::plan() {
     changed_.notify_all();
 }
 
-void WordSource::add(const Job& part) {
+void WordSource::add(const ref::Plan& part) {
+    const Options& options = stream_->job().options;
     PlannedWords words;
-    const double tick_s = part.options.sample_period_s * part.options.samples_per_tick;
+    const double tick_s = options.sample_period_s * options.samples_per_tick;
     std::size_t next = 0;  // segment to be counted
     double segment_s = 0;  // its begin, from the part's
     double piece_s = 0;
-    for (const ref::Segment& segment : part.plan.segments) {
-        append(words.segments, segment_bus_words(segment, segments_++, part.options.core));
+    for (const ref::Segment& segment : part.segments) {
+        append(words.segments, segment_bus_words(segment, segments_++, options.core));
     }
-    const std::size_t each =
-        words.segments.size() / std::max<std::size_t>(part.plan.segments.size(), 1);
-    for (std::size_t i = 0; i < part.plan.pieces.size(); ++i) {
-        const std::vector<std::uint64_t> piece = profile_bus_words(part.plan, i, pieces_++);
+    const std::size_t each = words.segments.size() / std::max<std::size_t>(part.segments.size(), 1);
+    for (std::size_t i = 0; i < part.pieces.size(); ++i) {
+        const std::vector<std::uint64_t> piece = profile_bus_words(part, i, pieces_++);
         append(words.pieces, piece);
-        for (; next < part.plan.segments.size() && segment_s <= piece_s; ++next) {
-            segment_s += part.plan.segments[next].ticks * tick_s;
+        for (; next < part.segments.size() && segment_s <= piece_s; ++next) {
+            segment_s += part.segments[next].ticks * tick_s;
             count_words(each);
         }
         count_words(piece.size());
-        piece_s += part.plan.pieces[i].ticks * tick_s;
-        pass(part.plan.pieces[i].ticks * tick_s);
+        piece_s += part.pieces[i].ticks * tick_s;
+        pass(part.pieces[i].ticks * tick_s);
     }
-    const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.plan.pieces));
+    const auto ticks = static_cast<std::uint64_t>(ref::ticks_of(part.pieces));
     const std::lock_guard lock(mutex_);
     planned_.words += words.segments.size() + words.pieces.size();
-    planned_.samples += ticks << part.options.samples_per_tick_log2();
-    planned_.path = part.path_length();
+    planned_.samples += ticks << options.samples_per_tick_log2();
+    planned_.path = part.segments.back().s_start + part.segments.back().length;
     planned_.busiest = busiest_;
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
     if (!settings_) {
-        settings_ = board_settings(part);
-        start_ = start_of(part);
+        settings_ = board_settings(options, part);
+        start_ = start_of(part.segments.front(), options.unit_mm);
     }
     changed_.notify_all();
 }

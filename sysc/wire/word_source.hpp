@@ -32,9 +32,8 @@ struct PlannedWords {
 class WordSource {
   public:
     /// @throws ref::InputError, UsageError: as JobStream does
-    explicit WordSource(const Options& options);
-    /// Of a plan that is there.
-    explicit WordSource(const Job& planned);
+    explicit WordSource(const Options& options) : WordSource(options, machine_of(options)) {}
+    WordSource(const Options& options, const ref::Machine& machine);
     ~WordSource();
     WordSource(const WordSource&) = delete;
     WordSource& operator=(const WordSource&) = delete;
@@ -51,7 +50,7 @@ class WordSource {
 
   private:
     void plan();
-    void add(const Job& part);
+    void add(const ref::Plan& part);
     void count_words(std::size_t words);
     void pass(double time_s);
 

@@ -104,22 +104,38 @@ TEST(Stream, DrawsAsProgrammedWhatTheMachineCannotHaveSmooth) {
     EXPECT_LT(smooth, 0.98 * in_part);
 }
 
-TEST(Stream, MemoryDoesNotGrowWithTheProgram) {
+/// The arguments of a command.
+class Memory : public testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(Memory, DoesNotGrowWithTheProgram) {
     const ProgramRun program;
     const auto peak = [&](int chords) {
-        program.write("part.ngc", raster(chords, "G64 P0.01"));
-        const ProgramResult result = program.run({"words", "part.ngc", "-q", "-o", "words"});
+        program.write("part.ngc", raster(chords, "G61"));
+        std::vector<std::string> arguments = GetParam();
+        arguments.insert(arguments.end(), {"part.ngc", "-q", "--effort", "rules", "-o", "out"});
+        const ProgramResult result = program.run(arguments);
         EXPECT_EQ(result.status, 0) << result.err;
         return result.peak_kib;
     };
     const long short_one = peak(15000);
-    const long long_one = peak(30000);
+    const long long_one = peak(60000);
     EXPECT_LT(long_one, 64 * 1024);
     EXPECT_LT(long_one, 1.25 * static_cast<double>(short_one));
-    // Control: a plan keeps all of it.
-    program.write("part.ngc", raster(30000, "G61"));
-    EXPECT_GT(program.run({"plan", "part.ngc", "-q", "-o", "plan"}).peak_kib,
-              1.5 * static_cast<double>(long_one));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Memory,
+                         testing::Values(std::vector<std::string>{"words"},
+                                         std::vector<std::string>{"plan"},
+                                         std::vector<std::string>{"run", "--on", "kernel"}),
+                         [](const auto& of) { return of.param.front(); });
+
+TEST(Stream, SegmentsAreWrittenUnlessTheyAreNotWanted) {
+    const ProgramRun program;
+    program.write("part.ngc", "G21 G90 F900\nG1 X10\n");
+    ASSERT_EQ(program.run({"plan", "part.ngc", "-q", "-o", "plan"}).status, 0);
+    EXPECT_TRUE(program.exists("plan/segments.json"));
+    ASSERT_EQ(program.run({"plan", "part.ngc", "-q", "--no-segments", "-o", "plan"}).status, 0);
+    EXPECT_FALSE(program.exists("plan/segments.json"));
 }
 
 class Pipe : public testing::Test {

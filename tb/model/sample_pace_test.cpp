@@ -119,8 +119,7 @@ TEST(SamplePace, ALargerPeriodThanThereIsBreaksTheCheck) {
     Job job;
     ProgramBuilder builder;
     builder.line({1, 0, 0}, 50);
-    job.program = builder.program();
-    job.plan = make_plan(job.program, job.machine, job.options.plan_options());
+    job.plan.append(make_plan(builder.program(), job.machine, job.options.plan_options()));
     const LimitLoads limits;
     const auto kept = [&](std::optional<double> clocks) {
         for (const Check& check : Report{job, 1, limits, nullptr, clocks}.checks()) {

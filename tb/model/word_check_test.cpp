@@ -12,44 +12,49 @@ namespace curvecore::tb {
 namespace {
 
 /// A line, then a spline whose speed has its minimum, half its maximum, on the way.
-sysc::Job job() {
+ref::Program program() {
     ProgramBuilder builder;
     builder.line({1, 0, 0}, 20);
     builder.cubic({1.625151909490, 0, 0}, {1.877775853916, 0, 0}, {2.202284592285, 0, 0}, 20);
+    return builder.program();
+}
+
+sysc::Job job() {
     sysc::Job job;
     job.options.core.splines = 1;
-    job.program = builder.program();
-    plan_job(job);
+    job.program.file = program().file;
     return job;
 }
 
-std::string refusal(const sysc::Job& job) {
+ref::Plan plan() { return make_plan(program(), ref::Machine(), job().options.plan_options()); }
+
+std::string refusal(const ref::Plan& plan) {
     try {
-        check_words(job);
+        check_words(job(), plan);
     } catch (const ref::InputError& error) {
         return error.what();
     }
     return "accepted";
 }
 
-TEST(WordCheck, AcceptsWhatThePlannerMade) { EXPECT_EQ(refusal(job()), "accepted"); }
+TEST(WordCheck, AcceptsWhatThePlannerMade) { EXPECT_EQ(refusal(plan()), "accepted"); }
 
 TEST(WordCheck, RefusesAnOverflowAtItsLine) {
-    sysc::Job whole = job();
-    const ref::Cubic& cubic = whole.program.moves[1].cubic;
+    ref::Plan whole = plan();
+    const ref::Cubic cubic = program().moves[1].cubic;
     ref::Segment segment =
         ref::spline_segment({1e6 * cubic.a, 1e6 * cubic.b, 1e6 * cubic.c, 1e6 * cubic.d}, {});
     segment.line = 2;
     segment.step_exponent = segment.lambda - 5;
-    whole.plan.segments = {segment};
+    whole.segments = {segment};
     EXPECT_EQ(refusal(whole),
               "test.ngc:2: error: a word of the core's network would need 1 more bits for this "
               "spline");
 }
 
 TEST(WordCheck, RefusesALengthBeyondItsWord) {
-    sysc::Job longer = job();
-    longer.plan.segments[0].length = std::uint64_t{1} << 44;
+    ref::Plan longer = plan();
+    longer.segments[0].length = std::uint64_t{1} << 44;
     EXPECT_EQ(refusal(longer), "test.ngc:1: error: a planned length does not fit its word");
 }
 

@@ -48,14 +48,14 @@ struct Part {
         options.core.mode = 1;
         options.splines_set = true;
         options.clock_hz = static_cast<double>(kSystemPeriod) / options.sample_period_s;
-        job = sysc::read_job(options);
-        sysc::plan_job(job);
+        job = sysc::plan_job(options);
         settings = sysc::board_settings(job);
         for (std::size_t n = 0; n < job.plan.segments.size(); ++n) {
             add(segments, sysc::segment_bus_words(job.plan.segments[n], n, job.options.core));
         }
         for (std::size_t n = 0; n < job.plan.pieces.size(); ++n) {
-            add(pieces, sysc::profile_bus_words(job.plan, n, n));
+            const auto [words, count] = job.plan.words_of(n);
+            add(pieces, {words, words + count});
         }
     }
     /// 2^-16 steps in 2^42 units of 2^-10 nm.
@@ -64,7 +64,7 @@ struct Part {
                             std::exp2(kFineBits + 16 - 10));
     }
     int64_t end(int axis) const {
-        return std::llround(job.program.moves.back().end[axis] * kStepsPerMm);
+        return std::llround(job.plan.moves.back().end[axis] * kStepsPerMm);
     }
 
     sysc::Job job;
@@ -191,7 +191,7 @@ class RegisterHost {
     }
     /// Until the part's path is drawn since `from`, and its last sample is out.
     void finish(const Part& part, uint64_t from = 0) {
-        while (path() != from + part.job.path_length() && !testing::Test::HasFailure()) {
+        while (path() != from + part.job.plan.path_length() && !testing::Test::HasFailure()) {
             samples(1);
             EXPECT_EQ(state() & kMotionFaults, 0U);
         }

@@ -146,8 +146,7 @@ int64_t draw(const std::string& file) {
     options.core.mode = 1;
     options.splines_set = true;
     options.clock_hz = static_cast<double>(kPeriod) / options.sample_period_s;
-    Job job = read_job(options);
-    plan_job(job);
+    const Job job = plan_job(options);
     // 400 steps per mm, of 2^42 units of 2^-10 nm.
     const auto scale = std::llround(static_cast<double>(kStepsPerMm) * options.unit_mm *
                                     std::exp2(kFineBits + hls::kStepFraction - 10));
@@ -164,7 +163,7 @@ int64_t draw(const std::string& file) {
     EXPECT_EQ(machine.late(), 0);
     EXPECT_EQ(machine.steps().overrun_o | machine.steps().refused_o, 0);
     int64_t steps = 0;
-    const ref::Move& last = job.program.moves.back();
+    const ref::Move& last = job.plan.moves.back();
     for (int a = 0; a < kStepAxes; ++a) {
         const WatchedAxis& axis = machine.axis(a);
         EXPECT_TRUE(axis.idle()) << "axis " << a << ": steps are lost";

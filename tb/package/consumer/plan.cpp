@@ -8,8 +8,7 @@
 int main(int, char** argv) {
     curvecore::sysc::Options options;
     options.file = argv[1];
-    curvecore::sysc::Job job = curvecore::sysc::read_job(options);
-    curvecore::sysc::plan_job(job);
+    const curvecore::sysc::Job job = curvecore::sysc::plan_job(options);
     std::printf("%zu segments, bound %.3f\n", job.plan.segments.size(), job.bound());
 
     using Kernel =

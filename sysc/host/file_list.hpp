@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// A list that grows to any length in little memory: a file without a name, mapped.
+#pragma once
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <new>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+namespace curvecore::sysc {
+
+/// One thread appends; then any number may read. References stay good.
+template <class T>
+class FileList {
+    static_assert(std::is_trivially_destructible_v<T>, "a file keeps bytes");
+
+  public:
+    FileList() = default;
+    FileList(FileList&& other) noexcept { swap(other); }
+    FileList& operator=(FileList&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+    ~FileList() {
+        if (first_ != nullptr) munmap(first_, kReserved);
+        if (file_ != nullptr) std::fclose(file_);
+    }
+
+    /// @throws std::system_error: the disk is full, or cannot be written
+    void push_back(const T& value) {
+        if ((size_ + 1) * sizeof(T) > mapped_) grow();
+        new (first_ + size_) T(value);
+        ++size_;
+    }
+
+    std::size_t size() const { return size_; }
+    bool empty() const { return size_ == 0; }
+    const T& operator[](std::size_t index) const { return first_[index]; }
+    const T* begin() const { return first_; }
+    const T* end() const { return first_ + size_; }
+    const T& front() const { return *first_; }
+    const T& back() const { return first_[size_ - 1]; }
+
+    /// Leaves the file alone in memory's place; what is read comes back from there.
+    void let_go() const {
+        if (mapped_ > 0) madvise(first_, mapped_, MADV_DONTNEED);
+    }
+
+  private:
+    static constexpr std::size_t kLeast = std::size_t(1) << 16;  // bytes at once
+    static constexpr std::size_t kMost = std::size_t(1) << 22;
+    static constexpr std::size_t kReserved = std::size_t(1) << 38;  // of addresses
+
+    void grow() {
+        if (file_ == nullptr) open();
+        const std::size_t more = std::clamp(mapped_, kLeast, kMost);
+        // Room on the disk now: a mapping that finds none later ends the process.
+        const int error =
+            posix_fallocate(fileno(file_), static_cast<off_t>(mapped_), static_cast<off_t>(more));
+        if (error != 0) fail(error);
+        void* const at = reinterpret_cast<char*>(first_) + mapped_;
+        if (mmap(at, more, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_FIXED, fileno(file_),
+                 static_cast<off_t>(mapped_)) == MAP_FAILED) {
+            fail(errno);
+        }
+        mapped_ += more;
+    }
+
+    void open() {
+        file_ = std::tmpfile();
+        if (file_ == nullptr) fail(errno);
+        void* const at =
+            mmap(nullptr, kReserved, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (at == MAP_FAILED) fail(errno);
+        first_ = static_cast<T*>(at);
+    }
+
+    [[noreturn]] static void fail(int error) {
+        throw std::system_error(error, std::generic_category(), "a plan's temporary file");
+    }
+
+    void swap(FileList& other) noexcept {
+        std::swap(file_, other.file_);
+        std::swap(first_, other.first_);
+        std::swap(mapped_, other.mapped_);
+        std::swap(size_, other.size_);
+    }
+
+    std::FILE* file_ = nullptr;
+    T* first_ = nullptr;
+    std::size_t mapped_ = 0;  // bytes
+    std::size_t size_ = 0;
+};
+
+}  // namespace curvecore::sysc
