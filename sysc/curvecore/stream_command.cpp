@@ -94,7 +94,7 @@ void add_wire(CLI::App& command, RawWireOptions& raw) {
                                 const char* help) {
         return command.add_option(name, text, help)->type_name(type)->capture_default_str();
     };
-    add("--to", raw.to, "BOARD", "udp:ADDRESS[:PORT], or serial:DEVICE[@BAUD]")->required();
+    add("--to", raw.to, "BOARD", kLinkNames)->required();
     add("--steps-per-mm", raw.steps_per_mm, "LIST", "of the drives, one value or one an axis");
     add("--steplen", raw.steplen, "TIME", "a pulse is so long");
     add("--stepspace", raw.stepspace, "TIME", "and the pause behind it");

@@ -2,7 +2,6 @@
 #include "sysc/wire/board_server.hpp"
 
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <algorithm>
 #include <boost/asio/ip/udp.hpp>
@@ -10,7 +9,7 @@
 
 #include "sysc/host/usage_error.hpp"
 #include "sysc/wire/frame.hpp"
-#include "sysc/wire/link.hpp"
+#include "sysc/wire/readable.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -63,10 +62,7 @@ struct BoardServer::State {
 };
 
 void BoardServer::State::receive(milliseconds wait) {
-    pollfd one{socket.native_handle(), POLLIN, 0};
-    int time = static_cast<int>(wait.count());
-    while (poll(&one, 1, time) > 0) {
-        time = 0;
+    for (; readable(socket.native_handle(), wait); wait = milliseconds(0)) {
         Bytes frame(65536);
         Udp::endpoint from;
         boost::system::error_code gone;  // the one that the last answer went to

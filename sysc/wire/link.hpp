@@ -34,7 +34,9 @@ constexpr unsigned short kWirePort = 27181;  // Mesa's
 /// @throws UsageError
 unsigned short take_port(std::string& address);
 
-/// udp:ADDRESS[:PORT], or serial:DEVICE[@BAUD], 115200 when left out.
+/// What open_link() takes; 115200 baud and 1000000 Hz when left out.
+constexpr const char* kLinkNames = "udp:ADDRESS[:PORT], serial:DEVICE[@BAUD] or spi:DEVICE[@HERTZ]";
+
 /// @throws UsageError: what is not such a name, or cannot be opened
 std::unique_ptr<Link> open_link(const std::string& name);
 

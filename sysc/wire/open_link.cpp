@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <array>
 #include <boost/asio/ip/udp.hpp>
@@ -9,19 +8,14 @@
 #include <charconv>
 
 #include "sysc/host/usage_error.hpp"
-#include "sysc/wire/link.hpp"
+#include "sysc/wire/readable.hpp"
+#include "sysc/wire/spi_link.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
 using std::chrono::milliseconds;
 namespace asio = boost::asio;
-
-bool readable(int handle, WireClock::duration wait) {
-    pollfd one{handle, POLLIN, 0};
-    const auto time = std::chrono::ceil<milliseconds>(std::max(wait, WireClock::duration::zero()));
-    return poll(&one, 1, static_cast<int>(time.count())) > 0;
-}
 
 /// A datagram is a frame: UDP has a checksum of its own.
 class UdpLink : public Link {
@@ -124,11 +118,14 @@ std::unique_ptr<Link> open_link(const std::string& name) {
             const unsigned baud = number_behind('@', where, 115200, 12'000'000);
             return std::make_unique<SerialLink>(where, baud);
         }
+        if (kind == "spi" && !where.empty()) {
+            const unsigned hertz = number_behind('@', where, 1'000'000, 100'000'000);
+            return std::make_unique<SpiLink>(open_spi_device(where, hertz), hertz);
+        }
     } catch (const boost::system::system_error& error) {
         throw UsageError(fmt::format("{}: {}", name, error.code().message()));
     }
-    throw UsageError(
-        fmt::format("'{}' is no board: udp:ADDRESS[:PORT] or serial:DEVICE[@BAUD]", name));
+    throw UsageError(fmt::format("'{}' is no board: {}", name, kLinkNames));
 }
 
 }  // namespace curvecore::sysc

@@ -7,7 +7,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::uint8_t kEnd = 0xc0;
 constexpr std::uint8_t kEscape = 0xdb;
 constexpr std::uint8_t kEscapedEnd = 0xdc;
 constexpr std::uint8_t kEscapedEscape = 0xdd;
@@ -31,7 +30,7 @@ Bytes slip_encode(const Bytes& frame) {
     for (std::size_t n = 0; n < kCrcBytes; ++n) whole.push_back(byte_of(crc, n));
     Bytes line;
     for (const std::uint8_t byte : whole) {
-        if (byte == kEnd) {
+        if (byte == kSlipEnd) {
             line.insert(line.end(), {kEscape, kEscapedEnd});
         } else if (byte == kEscape) {
             line.insert(line.end(), {kEscape, kEscapedEscape});
@@ -39,12 +38,12 @@ Bytes slip_encode(const Bytes& frame) {
             line.push_back(byte);
         }
     }
-    line.push_back(kEnd);
+    line.push_back(kSlipEnd);
     return line;
 }
 
 std::optional<Bytes> SlipDecoder::take(std::uint8_t byte) {
-    if (byte == kEnd) {
+    if (byte == kSlipEnd) {
         Bytes frame = std::exchange(held_, {});
         const bool broken = std::exchange(broken_, false) || std::exchange(escaped_, false);
         if (broken || frame.size() <= kCrcBytes) return std::nullopt;
@@ -58,7 +57,7 @@ std::optional<Bytes> SlipDecoder::take(std::uint8_t byte) {
     }
     if (std::exchange(escaped_, byte == kEscape)) {
         broken_ = broken_ || (byte != kEscapedEnd && byte != kEscapedEscape);
-        held_.push_back(byte == kEscapedEnd ? kEnd : kEscape);
+        held_.push_back(byte == kEscapedEnd ? kSlipEnd : kEscape);
     } else if (byte != kEscape) {
         held_.push_back(byte);
     }

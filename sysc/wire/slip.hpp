@@ -11,6 +11,9 @@ namespace curvecore::sysc {
 
 using Bytes = std::vector<std::uint8_t>;
 
+/// Ends a frame; alone it says nothing.
+constexpr std::uint8_t kSlipEnd = 0xc0;
+
 Bytes slip_encode(const Bytes& frame);
 
 class SlipDecoder {

@@ -213,7 +213,8 @@ class WireTest(unittest.TestCase):
 
     def test_names_that_are_no_board(self):
         for name in ("tcp:127.0.0.1", "udp:", "udp:localhost", "udp:127.0.0.1:70000",
-                     "serial:/nowhere", "serial:/dev/null@1200", ""):
+                     "serial:/nowhere", "serial:/dev/null@1200", "spi:/nowhere",
+                     "spi:/dev/null@1000000", "spi:/dev/null@fast", ""):
             self.finish(self.stream(name), 2, "curvecore: error:")
 
     def test_times_that_the_board_cannot_count(self):

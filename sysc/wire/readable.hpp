@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether there is something to read from a file or socket, waited for so long.
+#pragma once
+
+#include <poll.h>
+
+#include <algorithm>
+
+#include "sysc/wire/link.hpp"
+
+namespace curvecore::sysc {
+
+inline bool readable(int handle, WireClock::duration wait) {
+    using std::chrono::milliseconds;
+    pollfd one{handle, POLLIN, 0};
+    const auto time = std::chrono::ceil<milliseconds>(std::max(wait, WireClock::duration::zero()));
+    return poll(&one, 1, static_cast<int>(time.count())) > 0;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// The virtual board's RTL (sysc/wire/CMakeLists.txt) behind SPI's pins.
+`default_nettype none
+module spi_board (
+    input  wire logic       clk_i,
+    input  wire logic       rst_ni,
+    input  wire logic       cs_ni,
+    input  wire logic       sclk_i,
+    input  wire logic       mosi_i,
+    output logic            miso_o,
+    output logic      [2:0] step_o,
+    output logic      [2:0] direction_o
+);
+
+  logic in_valid;
+  logic [7:0] in;
+  logic out_valid;
+  logic out_ready;
+  logic [7:0] out;
+  spi_line u_line (
+      .clk_i,
+      .rst_ni,
+      .cs_ni,
+      .sclk_i,
+      .mosi_i,
+      .miso_o,
+      .byte_valid_o(in_valid),
+      .byte_o      (in),
+      .byte_valid_i(out_valid),
+      .byte_ready_o(out_ready),
+      .byte_i      (out)
+  );
+  motion_board #(
+      .PeriodLog2       (8),
+      .ClockHertz       (2_560_000),
+      .SegmentQueueWords(4096),
+      .SamplesAhead     (15)
+  ) u_board (
+      .clk_i,
+      .rst_ni,
+      .byte_valid_i (in_valid),
+      .byte_ready_o (),
+      .byte_i       (in),
+      .byte_valid_o (out_valid),
+      .byte_ready_i (out_ready),
+      .byte_o       (out),
+      .estop_i      (1'b0),
+      .limit_i      (3'd0),
+      .probe_i      (1'b0),
+      .home_i       (3'd0),
+      .step_o,
+      .direction_o,
+      .enable_o     (),
+      .galvo_clock_o(),
+      .galvo_sync_o (),
+      .galvo_data_o ()
+  );
+
+endmodule
+`default_nettype wire
