@@ -18,6 +18,7 @@ CORE = ["--build", "serial", "--set", "Splines=1", "--set", "Mode=1", "--clock",
 BLOCKS = {
     "kernel, steps by kernel": "interpolator=kernel,steps=kernel",
     "kernel, Verilated step generator": "interpolator=kernel,steps=rtl",
+    "kernel, step generator by its pins": "interpolator=kernel,steps=pins",
     "Verilated core, steps by kernel": "interpolator=rtl,steps=kernel",
     "both Verilated": "interpolator=rtl,steps=rtl",
 }

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # verilated_model(<target> TOP <module> [PREFIX V<module>] [TRACE] [PARAMS Name=Value ...]
-#                 [SOURCES <file or flag> ...] [FLAT])
+#                 [SOURCES <file or flag> ...] [FLAT] [SC])
 # A library: one module as a C++ class PREFIX in PREFIX.h.  Verilator runs at build time, and again
 # only when a source that this model reads has changed (it writes the dependency file).
 # SOURCES may have another file of the module itself.
+# SC: a module of SystemC.
 # FLAT: of the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
@@ -33,7 +34,7 @@ find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
 function(verilated_model target)
-  cmake_parse_arguments(ARG "TRACE;FLAT" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "TRACE;FLAT;SC" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
   if(NOT ARG_PREFIX)
     set(ARG_PREFIX V${ARG_TOP})
   endif()
@@ -59,6 +60,9 @@ function(verilated_model target)
     if(NOT "${ARG_SOURCES}" MATCHES "/${ARG_TOP}\\.sv")
       list(APPEND sources ${top_file})
     endif()
+  endif()
+  if(ARG_SC)
+    list(APPEND flags --sc)
   endif()
   if(ARG_TRACE)
     list(APPEND flags --trace-fst)

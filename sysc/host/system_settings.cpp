@@ -30,10 +30,6 @@ double time_of(const std::string& name, const std::string& text, double low, dou
     return within(name, duration(name, text), low, high, " s");
 }
 
-BlockKind block_of(const std::string& name, const std::string& text) {
-    return static_cast<BlockKind>(choice(name, text, kBlockNames));
-}
-
 using Settings = SystemSettings;
 using Text = const std::string;
 
@@ -41,9 +37,13 @@ constexpr double kLongestPin = 1e-3;
 
 constexpr std::array<Setting, 14> kTable{{
     {"interpolator", "kernel|rtl",
-     [](Settings& s, Text& name, Text& text) { s.interpolator = block_of(name, text); }},
-    {"steps", "kernel|rtl",
-     [](Settings& s, Text& name, Text& text) { s.steps = block_of(name, text); }},
+     [](Settings& s, Text& name, Text& text) {
+         s.interpolator = static_cast<BlockKind>(choice(name, text, kBlockNames));
+     }},
+    {"steps", "kernel|rtl|pins",
+     [](Settings& s, Text& name, Text& text) {
+         s.steps = static_cast<StepsKind>(choice(name, text, kStepsNames));
+     }},
     {"host", "1ms",
      [](Settings& s, Text& name, Text& text) { s.host_s = time_of(name, text, 1e-6, 100); }},
     {"jitter", "0ms",

@@ -12,6 +12,9 @@ namespace curvecore::sysc {
 /// What makes the blocks of the system that the RTL has.
 enum class BlockKind { kKernel, kRtl };
 constexpr std::array<std::string_view, 2> kBlockNames{"kernel", "rtl"};
+/// kPins: the RTL as a SystemC module, whose pins are signals.
+enum class StepsKind { kKernel, kRtl, kPins };
+constexpr std::array<std::string_view, 3> kStepsNames{"kernel", "rtl", "pins"};
 
 /// Times of the drives' pins, seconds.
 struct PinTimes {
@@ -31,7 +34,7 @@ struct AxisSettings {
 
 struct SystemSettings {
     BlockKind interpolator = BlockKind::kKernel;
-    BlockKind steps = BlockKind::kKernel;
+    StepsKind steps = StepsKind::kKernel;
     double host_s = 1e-3;     // from one look of the host to the next
     double jitter_s = 0;      // and up to so much later
     double word_s = 1e-6;     // of a word of 48 bits on the bus

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // One Verilated step generator as a block: compiled once for each model.
 #include CFG_HEADER
-#include "sysc/system/rtl_steps.hpp"
+#include CFG_BLOCK_HEADER
 
 namespace curvecore::sysc {
 
-StepBlock* CFG_FUNCTION(const StepSetup& setup) { return new RtlSteps<CFG_MODEL>(setup, CFG_Axes); }
+StepBlock* CFG_FUNCTION(const StepSetup& setup) {
+    return new CFG_BLOCK<CFG_MODEL>(setup, CFG_Axes);
+}
 
 }  // namespace curvecore::sysc

@@ -54,11 +54,24 @@ StepSetup step_setup(const MachineSetup& setup, const SystemSettings& settings) 
     steps.period_log2 = period_log2(setup);
     steps.scale = scale_of(setup, settings.step_mm);
     const double clock_s = std::ldexp(setup.sample_s, -steps.period_log2);
+    steps.clock_s = clock_s;
     steps.times.steplen = clocks_of(settings.pins.steplen, clock_s);
     steps.times.stepspace = clocks_of(settings.pins.stepspace, clock_s);
     steps.times.dirsetup = clocks_of(settings.pins.dirsetup, clock_s);
     steps.times.dirhold = clocks_of(settings.pins.dirhold, clock_s);
     return steps;
+}
+
+std::unique_ptr<StepBlock> make_steps(StepsKind kind, const StepSetup& setup) {
+    switch (kind) {
+        case StepsKind::kRtl:
+            return make_rtl_steps(setup);
+        case StepsKind::kPins:
+            return make_pins_steps(setup);
+        case StepsKind::kKernel:
+            break;
+    }
+    return make_kernel_steps(setup);
 }
 
 }  // namespace
@@ -67,8 +80,8 @@ Machine::Machine(const MachineSetup& setup, const SystemSettings& settings) {
     const StepSetup steps = step_setup(setup, settings);
     scale_ = steps.scale;
     period_clocks_ = std::uint64_t(1) << steps.period_log2;
-    clock_s_ = std::ldexp(setup.sample_s, -steps.period_log2);
-    steps_ = settings.steps == BlockKind::kRtl ? make_rtl_steps(steps) : make_kernel_steps(steps);
+    clock_s_ = steps.clock_s;
+    steps_ = make_steps(settings.steps, steps);
     const DriveAxis drive(settings.axis, settings.step_mm, setup.sample_s);
     axes_.assign(static_cast<std::size_t>(setup.axes), {drive, {}});
 }

@@ -37,6 +37,7 @@ struct StepSetup {
     int period_log2 = 13;
     std::int64_t scale = 0;  // 2^-16 steps in 2^kStepFineBits units
     hls::PulseTimes times;   // clocks
+    double clock_s = 0;      // of simulated time
 };
 
 /// What an axis could not do: a step was dropped, a sample was too far away.
@@ -60,5 +61,8 @@ std::unique_ptr<StepBlock> make_kernel_steps(const StepSetup& setup);
 
 /// @throws UsageError where no Verilated step generator of the program fits
 std::unique_ptr<StepBlock> make_rtl_steps(const StepSetup& setup);
+
+/// The same as a module of SystemC: pins_steps.hpp.
+std::unique_ptr<StepBlock> make_pins_steps(const StepSetup& setup);
 
 }  // namespace curvecore::sysc

@@ -8,9 +8,7 @@ namespace curvecore::sysc {
 TimedBoard::TimedBoard(const sc_core::sc_module_name& name) : sc_module(name) {
     SC_HAS_PROCESS(TimedBoard);
     bus.register_b_transport(this, &TimedBoard::transport);
-    SC_METHOD(period);
-    sensitive << tick_;
-    dont_initialize();
+    SC_THREAD(run_periods);
 }
 
 void TimedBoard::begin(const BoardParts& parts) {
@@ -73,6 +71,15 @@ bool TimedBoard::under_way() const {
     return run_.wanted > 0 || run_.asked > 0 || !run_.made.empty() || run_.rest > 0;
 }
 
+void TimedBoard::run_periods() {
+    for (;;) {
+        wait(tick_);
+        const sc_core::sc_time next = sc_core::sc_time_stamp() + sample_time_;
+        period();
+        if (under_way()) tick_.notify(next - sc_core::sc_time_stamp());
+    }
+}
+
 void TimedBoard::period() {
     if (run_.rest > 0) {
         move(&run_.last);
@@ -80,7 +87,6 @@ void TimedBoard::period() {
     } else {
         take_sample();
     }
-    if (under_way()) tick_.notify(sample_time_);
 }
 
 void TimedBoard::move(const Sample* sample) {
@@ -105,9 +111,9 @@ void TimedBoard::take_sample() {
         run_.made.pop_front();
         run_.samples.push_back(run_.last);
     }
-    move(late ? nullptr : &run_.last);
     const bool last = !late && !under_way();
     if (last) run_.rest = kRest;
+    move(late ? nullptr : &run_.last);
 }
 
 }  // namespace curvecore::sysc

@@ -62,6 +62,7 @@ class TimedBoard : public sc_core::sc_module {
     void want(std::uint64_t samples);
     void work();
     bool under_way() const;
+    void run_periods();
     void period();
     void take_sample();
     void move(const Sample* sample);

@@ -80,7 +80,9 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SystemElsewhere", run_with({"--on", "kernel", "--system", "host=1ms"}),
      "curvecore: error: --system is for --on systemc and systemc-rtl"},
     {"SystemBlockUnknown", run_with({"--on", "systemc", "--system", "steps=fast"}),
-     "curvecore: error: --system steps 'fast': must be one of kernel, rtl"},
+     "curvecore: error: --system steps 'fast': must be one of kernel, rtl, pins"},
+    {"SystemInterpolatorHasNoPins", run_with({"--on", "systemc", "--system", "interpolator=pins"}),
+     "curvecore: error: --system interpolator 'pins': must be one of kernel, rtl"},
     {"SystemTimeOfAnotherUnit", run_with({"--on", "systemc", "--system", "word=1us,host=2m"}),
      "curvecore: error: --system host '2m': the unit must be ns, us, ms or s"},
     {"SystemDampingNone", run_with({"--on", "systemc", "--system", "damping=0"}),
@@ -89,6 +91,11 @@ const std::vector<BadCommandLine> kBadCommandLines{
      run_with({"--on", "systemc", "--system", "steps=rtl", "--sample-period", "500us"}),
      "curvecore: error: --system steps=rtl: 3 axes at 2^15 clocks a sample are not built in; there "
      "are 3 axes at 2^8, 3 axes at 2^13, 9 axes at 2^13 (--sample-period times --clock)"},
+    {"SystemPinsNotBuiltIn",
+     run_with({"--on", "systemc", "--system", "steps=pins", "--sample-period", "500us"}),
+     "curvecore: error: --system steps=pins: 3 axes at 2^15 clocks a sample are not built in; "
+     "there "
+     "are 3 axes at 2^8, 3 axes at 2^13 (--sample-period times --clock)"},
     {"SystemPulseTooLong", run_with({"--on", "systemc", "--system", "steplen=1ms"}),
      "curvecore: error: --system: a pin's time of 1000 us is beyond the 32767 clocks that the step "
      "generator counts"},

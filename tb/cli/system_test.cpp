@@ -45,7 +45,8 @@ class System : public testing::Test {
         const Json pulses = kernel.pulses();
         for (const Json& axis : pulses["axes"]) steps += axis["steps"].get<std::int64_t>();
         EXPECT_GT(steps, 1000);
-        for (const char* blocks : {"steps=rtl", "interpolator=rtl", "interpolator=rtl,steps=rtl"}) {
+        for (const char* blocks :
+             {"steps=rtl", "interpolator=rtl", "interpolator=rtl,steps=rtl", "steps=pins"}) {
             const Drawn other = draw(file, blocks, kFewClocks);
             EXPECT_EQ(other.report["late_samples"], 0) << blocks;
             EXPECT_TRUE(other.samples == kernel.samples) << blocks;
