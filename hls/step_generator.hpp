@@ -3,6 +3,7 @@
 // in which it has taken a sample.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -44,12 +45,14 @@ class StepGenerator {
 
     /// One rising edge.
     void clock() {
+        late_ = count_ == last_ && !valid_ && moved_ &&
+                std::any_of(axes_.begin(), axes_.end(),
+                            [](const StepAxis& axis) { return axis.referenced(); });
         for (std::size_t a = 0; a < axes_.size(); ++a) {
             const bool load = count_ == int(a) + 2;
             axes_[a].clock(times_, load && !none_ ? &loads_[a] : nullptr, load && none_,
                            stopped_[a]);
         }
-        late_ = count_ == last_ && !valid_ && moved_;
         if (count_ == last_) {
             none_ = !valid_;
             moved_ = valid_ && moving_;

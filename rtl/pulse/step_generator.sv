@@ -28,7 +28,7 @@
 // refused rate: half a step per clock or more.
 //
 // The flags of an axis stay until its next reference. late_o, for one clock: a sample was not there
-// in time while the axes were moving.
+// in time while the axes were moving; those that were stopped do not.
 `default_nettype none
 module step_generator #(
     parameter int Axes       = 3,   // [1, 9]
@@ -106,7 +106,7 @@ module step_generator #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) fresh_q <= '0;
     else fresh_q <= (fresh_q & ~fresh_taken) | reference_i;
-    late_o <= rst_ni && late;
+    late_o <= rst_ni && late && referenced_o != '0;
   end
 
   logic rates_valid;

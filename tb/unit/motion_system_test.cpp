@@ -226,6 +226,23 @@ TEST_F(MotionSystem, EstopReachesThePinsOneClockAfterTheSynchroniser) {
     expect_drawn(start);
 }
 
+/// What moved before the stop is not waited for.
+TEST_F(MotionSystem, ComesOnAtOnceAfterAnEstopInMotion) {
+    for (int repeat = 0; repeat < 12 && !HasFailure(); ++repeat) {
+        begin(500 + random_() % 500);
+        host_.clocks(random_() % kSystemPeriod);
+        host_.write(CURVECORE_CONTROL, CURVECORE_CONTROL_ESTOP_MASK);
+        do {
+            clear_faults();
+        } while (!host_.write(CURVECORE_CONTROL, kEnable));
+        clear_faults();  // of the refused ones
+        host_.samples(4);
+        EXPECT_EQ(host_.state() & (kFaults | CURVECORE_STATE_ENABLED_MASK),
+                  uint32_t{CURVECORE_STATE_ENABLED_MASK});
+        host_.write(CURVECORE_CONTROL, 0);
+    }
+}
+
 TEST_F(MotionSystem, LimitSwitchesStopAllAxesUnlessTheyAreMasked) {
     host_.write(CURVECORE_PINS, 2U << CURVECORE_PINS_LIMIT_MASKED_LOW);
     host_->limit_i = 2;
