@@ -61,13 +61,7 @@ for form in serial flat; do
   CURVECORE_PART=demo.ngc build/release/tb/motion_system_$form --gtest_filter=*.Draws* |
     grep "clocks$"
 done
-# 20,000 accesses by others' masters on each bus.
-for bus in axi_lite wishbone spi uart spi_line; do
-  mkdir -p build/campaign/$bus
-  .venv/bin/python tb/bus/run_bus.py $bus 20000 build/release/tb/bus/registers/registers.json \
-    "$PWD/build/campaign/$bus" 2>&1 | tee "build/campaign/$bus.log" | grep "as described"
-done
-CURVECORE_DATAGRAMS=20000 .venv/bin/python tb/wire/wire_test.py build/curvecore
+scripts/buses.sh
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json

@@ -121,7 +121,15 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
         ->required();
     add("--feed", raw.feed, "SPEED", "along the path, where acceleration lets it: 10m/min, 100mm/s")
         ->required();
-    add("--device", raw.device, "NAME", device_names())->required();
+    CLI::Option_group* const where = command.add_option_group("where");
+    where->require_option(1);
+    CLI::Option* const board =
+        where
+            ->add_option("--board", raw.board,
+                         "a motion_board with its UART on this board (scripts/boards) or a file of "
+                         "yours: its device, clock and sample period")
+            ->type_name("NAME");
+    where->add_option("--device", raw.device, device_names())->type_name("NAME");
     add("--radius", raw.radius, "LENGTH",
         "largest radius of arcs and helices; lines come with them");
     add("--least-radius", raw.least_radius, "LENGTH", "smallest radius; 10um when left out");
@@ -130,8 +138,9 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
         "positions go so far to both sides; the largest radius or length when left out");
     add("--unit", raw.unit, "LENGTH",
         "length unit; the best of 1nm, 10nm, 0.1um and 1um when left out");
-    add("--sample-rate", raw.sample_rate, "FREQUENCY", "samples a second");
-    add("--clock", raw.clock, "FREQUENCY", "that the core must run at; any when left out");
+    add("--sample-rate", raw.sample_rate, "FREQUENCY", "samples a second")->excludes(board);
+    add("--clock", raw.clock, "FREQUENCY", "that the core must run at; any when left out")
+        ->excludes(board);
     add("--host-words", raw.host_words, "N", "words of 48 bits a second that the host can send");
     add("--build", raw.build, "BUILD", "parallel or serial; either when left out");
     command.add_option("--machine", options.machine, "acceleration and jerk from LinuxCNC's .ini")
@@ -140,8 +149,10 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
         .add_option("-o,--output", options.folder,
                     "folder for choose.json, and core.json that --core takes")
         ->type_name("DIR");
-    command.add_flag("--confirm", options.confirm,
-                     "place and route the answer with scripts/synth.sh: minutes");
+    command
+        .add_flag("--confirm", options.confirm,
+                  "place and route the answer with scripts/synth.sh: minutes")
+        ->excludes(board);
     command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
     command.footer(
         "Exit status: 0 there is one; 1 --confirm failed or is too slow; 2 the command line is "

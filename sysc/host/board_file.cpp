@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <regex>
@@ -49,6 +50,22 @@ std::map<std::string, int> defaults_of(const fs::path& module) {
     return values;
 }
 
+/// "25k" of ECP5 is ecp5-25, die GW2A-18C is gw2a-18, up5k is itself; empty: not said.
+std::string device_of(const Json& board) {
+    if (!board.contains("device")) return "";
+    const Json& device = board.at("device");
+    const std::string family = board.at("family");
+    if (family == "ice40") return device.at("size");
+    std::string name = family == "ecp5" ? family + "-" + std::string(device.at("size"))
+                                        : std::string(device.at("die"));
+    while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) == 0) {
+        name.pop_back();
+    }
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return name;
+}
+
 }  // namespace
 
 BoardFile read_board_file(const std::string& name) {
@@ -74,6 +91,7 @@ BoardFile read_board_file(const std::string& name) {
         }
         const std::string reason = ref::why_not_built(core);
         if (!reason.empty()) throw std::invalid_argument(reason);
+        board.device = device_of(json);
         board.core.clock_hz = clock_hz;
         board.core.sample_period_s = std::exp2(values.at("PeriodLog2")) / clock_hz;
         board.segment_queue_words = values.at("SegmentQueueWords");

@@ -11,6 +11,7 @@ namespace curvecore::sysc {
 
 struct BoardFile {
     CoreFile core;
+    std::string device;  // as sysc/widths/devices.def names it, if it is there
     int segment_queue_words = 0;
     int profile_queue_words = 0;
 };

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "sysc/widths/board_cost.hpp"
+
 namespace curvecore::sysc {
 namespace {
 
@@ -63,19 +65,29 @@ std::optional<Candidate> make_candidate(const Requirement& requirement,
     candidate.limit = requirement.error_mm / unit_mm - parameters.rounding();
     const int bits = position_bits(requirement, unit_mm);
     if (candidate.limit < kLeastLimit || bits > 32) return std::nullopt;
-    candidate.core = core_for(requirement.arcs(), requirement.splines(), parameters.build);
+    // A board draws arcs whatever it is asked for.
+    const bool arcs = requirement.arcs() || requirement.whole_board;
+    candidate.core = core_for(arcs, requirement.splines(), parameters.build);
     candidate.parameters = parameters;
     candidate.parameters.position_bits = std::max(16, bits);
     candidate.unit_mm = unit_mm;
     return candidate;
 }
 
+std::optional<CostEstimate> cost_of(const Requirement& requirement, const Candidate& candidate) {
+    const auto cost = requirement.whole_board ? board_estimate : estimate;
+    return cost(candidate.core, candidate.parameters, *requirement.device);
+}
+
 std::vector<Candidate> all_candidates(const Requirement& requirement) {
     std::vector<Candidate> all;
     const auto add = [&](const CoreParameters& parameters, double unit) {
+        // motion_board has no such parameters.
+        const bool special = parameters.turn_bits > 0 || parameters.parameter_guard > 0;
+        if (requirement.whole_board && special) return;
         std::optional<Candidate> one = make_candidate(requirement, parameters, unit);
         if (!one) return;
-        const auto cost = estimate(one->core, one->parameters, *requirement.device);
+        const auto cost = cost_of(requirement, *one);
         if (!cost || !cost->fits(*requirement.device)) return;
         one->cost = *cost;
         one->size = cost->size(*requirement.device);
@@ -106,7 +118,10 @@ std::vector<Candidate> all_candidates(const Requirement& requirement) {
 }
 
 bool cost_is_known(const Requirement& requirement) {
-    const auto known = [&](Build build) { return cost_is_known(build, *requirement.device); };
+    const auto known = [&](Build build) {
+        return cost_is_known(build, *requirement.device) &&
+               (!requirement.whole_board || board_cost_is_known(build, *requirement.device));
+    };
     if (requirement.build) return known(*requirement.build);
     return known(Build::kSerial) || known(Build::kParallel);
 }

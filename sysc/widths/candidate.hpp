@@ -32,6 +32,9 @@ struct Candidate {
 std::optional<Candidate> make_candidate(const Requirement& requirement,
                                         const CoreParameters& parameters, double unit_mm);
 
+/// Of the core, or of the whole board. Nothing where it is not known.
+std::optional<CostEstimate> cost_of(const Requirement& requirement, const Candidate& candidate);
+
 /// Every configuration that the device holds, smallest first.
 std::vector<Candidate> all_candidates(const Requirement& requirement);
 

@@ -83,10 +83,11 @@ std::string requirement_text(const Requirement& requirement) {
         curves += fmt::format("{}splines of up to {}", curves.empty() ? "" : ", ",
                               length_text(requirement.length_mm));
     }
-    return fmt::format("error {} on any axis, {}, {}, {} samples, {}{}",
-                       length_text(requirement.error_mm), curves, feed_text(requirement.feed),
-                       frequency_text(1 / requirement.sample_period_s), requirement.device->name,
-                       requirement.clock_hz ? " at " + frequency_text(*requirement.clock_hz) : "");
+    return fmt::format(
+        "error {} on any axis, {}, {}, {} samples, {}{}", length_text(requirement.error_mm), curves,
+        feed_text(requirement.feed), frequency_text(1 / requirement.sample_period_s),
+        (requirement.whole_board ? "a board with " : "") + std::string(requirement.device->name),
+        requirement.clock_hz ? " at " + frequency_text(*requirement.clock_hz) : "");
 }
 
 using Columns = std::vector<const ref::Parameter*>;
@@ -140,9 +141,13 @@ std::string ChooseReport::text() const {
         "curve, of segments planned\nwith --core core.json, which choose -o DIR writes.\n");
     fmt::format_to(out,
                    "Estimates are off by {:.0f} % (LUT4), {:.0f} % (FF), {:.0f} % (MHz), root mean "
-                   "square; {}.\nDSP and RAM blocks are exact.\n",
+                   "square; {}.\n{}\n",
                    100 * cost.lut4_error, 100 * cost.ff_error, 100 * cost.mhz_error,
-                   cost_model_source());
+                   cost_model_source(),
+                   requirement.whole_board
+                       ? "That is of the core; the rest of the board is as another one was placed, "
+                         "with queues of 1,024\nwords."
+                       : "DSP and RAM blocks are exact.");
     if (confirmation) {
         const auto off = [](double measured, double planned) {
             return 100 * (measured / planned - 1);
@@ -186,7 +191,8 @@ Json ChooseReport::json() const {
                 {"sample_period_s", requirement.sample_period_s},
                 {"clock_hz", requirement.clock_hz ? Json(*requirement.clock_hz) : Json(nullptr)},
                 {"host_words_per_s", requirement.host_words},
-                {"device", requirement.device->name}}},
+                {"device", requirement.device->name},
+                {"whole_board", requirement.whole_board}}},
               {"possible", !choices.empty()},
               {"cost_model", cost_model_source()},
               {"seconds", seconds}};

@@ -146,7 +146,7 @@ void Chooser::find_binds(Choice& choice) {
         }
         std::optional<Candidate> other =
             make_candidate(requirement_, smaller, choice.candidate.unit_mm);
-        other->cost = *estimate(other->core, other->parameters, *requirement_.device);
+        other->cost = *cost_of(requirement_, *other);
         Choice unused;
         choice.binds.emplace_back(row.name, judge(*other, unused));
     }

@@ -17,11 +17,15 @@ std::string device_names() {
     return names;
 }
 
-const Device* device_of(const std::string& name) {
+const Device* find_device(const std::string& name) {
     const auto* const found =
         std::find_if(kDevices.begin(), kDevices.end(),
                      [&](const Device& device) { return device.name == name; });
-    if (found != kDevices.end()) return &*found;
+    return found == kDevices.end() ? nullptr : found;
+}
+
+const Device* device_of(const std::string& name) {
+    if (const Device* const device = find_device(name)) return device;
     throw UsageError(fmt::format("--device '{}': must be one of {}", name, device_names()));
 }
 

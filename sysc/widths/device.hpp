@@ -28,6 +28,8 @@ inline constexpr std::array kDevices{
 /// "up5k, hx8k, ..."
 std::string device_names();
 
+/// Null: there is none of this name.
+const Device* find_device(const std::string& name);
 /// @throws UsageError that lists them: there is none of this name
 const Device* device_of(const std::string& name);
 

@@ -22,6 +22,7 @@ namespace curvecore::sysc {
 /// | sample_period_s | s       |                                                                  |
 /// | clock_hz        | Hz      | that the core must run at; none: any that it reaches             |
 /// | host_words      | 1/s     | bus words of segments that the host can send, 48 bits each       |
+/// | whole_board     |         | the device holds a motion_board with its UART, not a core alone  |
 /// | machine         |         | acceleration and jerk                                            |
 struct Requirement {
     double error_mm = 0;
@@ -36,6 +37,7 @@ struct Requirement {
     double host_words = 100e3;
     const Device* device = nullptr;
     std::optional<Build> build;
+    bool whole_board = false;
     ref::Machine machine;
 
     bool arcs() const { return radius_mm > 0; }

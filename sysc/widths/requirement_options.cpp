@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sysc/host/board_file.hpp"
 #include "sysc/host/options.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -21,7 +22,21 @@ constexpr double kMostLength = 1e5;   // mm
 void interpret(const RawRequirement& raw, ChooseOptions& options) {
     Requirement& requirement = options.requirement;
     requirement.error_mm = length("--error", raw.error, kLeastError, 10);
-    requirement.device = device_of(raw.device);
+    if (raw.board.empty()) {
+        requirement.device = device_of(raw.device);
+        requirement.sample_period_s = 1 / frequency("--sample-rate", raw.sample_rate, 1, 1e9);
+        if (!raw.clock.empty()) requirement.clock_hz = frequency("--clock", raw.clock, 1e3, 1e10);
+    } else {
+        const BoardFile board = read_board_file(raw.board);
+        requirement.whole_board = true;
+        requirement.device = find_device(board.device);
+        if (requirement.device == nullptr) {
+            throw UsageError(
+                fmt::format("--board {}: there are no measured runs of its device yet", raw.board));
+        }
+        requirement.sample_period_s = *board.core.sample_period_s;
+        requirement.clock_hz = board.core.clock_hz;
+    }
     requirement.feed = speed("--feed", raw.feed);
     if (raw.radius.empty() && raw.length.empty()) {
         throw UsageError("--radius of arcs or --length of splines, or both, must be given");
@@ -39,8 +54,6 @@ void interpret(const RawRequirement& raw, ChooseOptions& options) {
                                 ? std::max(requirement.radius_mm, requirement.length_mm)
                                 : length("--travel", raw.travel, 1e-3, kMostLength);
     if (!raw.unit.empty()) requirement.unit_mm = unit_of(raw.unit);
-    requirement.sample_period_s = 1 / frequency("--sample-rate", raw.sample_rate, 1, 1e9);
-    if (!raw.clock.empty()) requirement.clock_hz = frequency("--clock", raw.clock, 1e3, 1e10);
     requirement.host_words = quantity("--host-words", raw.host_words, {{"", 0}});
     if (!(requirement.host_words >= 1 && requirement.host_words <= 1e12)) {
         throw UsageError("--host-words must be in [1, 1e12] a second");
@@ -48,9 +61,11 @@ void interpret(const RawRequirement& raw, ChooseOptions& options) {
     if (!raw.build.empty()) requirement.build = build_of(raw.build);
     if (!options.machine.empty()) requirement.machine = ref::read_machine(options.machine);
     if (!cost_is_known(requirement)) {
-        throw UsageError(fmt::format("--device {}: there are no measured runs{} for it yet",
-                                     requirement.device->name,
-                                     raw.build.empty() ? "" : " of the " + raw.build + " build"));
+        throw UsageError(fmt::format(
+            "--{} {}: there are no measured runs{} for it yet",
+            requirement.whole_board ? "board" : "device",
+            requirement.whole_board ? std::string_view(raw.board) : requirement.device->name,
+            raw.build.empty() ? "" : " of the " + raw.build + " build"));
     }
 }
 

@@ -22,6 +22,7 @@ struct RawRequirement {
     std::string length;
     std::string feed;
     std::string device;
+    std::string board;  // instead of device, sample rate and clock
     std::string unit;
     std::string travel;
     std::string sample_rate = "10kHz";

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A bus port under Icarus, driven by a master that is not of this project:
 
-    run_bus.py axi_lite|wishbone|spi|uart|spi_line ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
+    run_bus.py BUS ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
 
-PORT_SOURCE takes the place of the file of its bus.
+BUS is one of FILES. PORT_SOURCE takes the place of the file of its bus.
 """
 
 import pathlib
@@ -22,6 +22,7 @@ FRAMES = ["bus/serial_crc.sv", "bus/slip_receiver.sv", "bus/slip_sender.sv",
           "bus/frame_buffer.sv", "bus/frame_port.sv"]
 FILES = {
     "axi_lite": ["bus/axi_lite_port.sv"],
+    "axi_stream": ["bus/word_sources.sv"],
     "wishbone": ["bus/wishbone_port.sv"],
     "spi": ["bus/spi_port.sv", SYNCHRONISER],
     "uart": ["bus/frame_reader.sv", *FRAMES, "bus/uart_line.sv", SYNCHRONISER],

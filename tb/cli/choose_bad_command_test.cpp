@@ -36,6 +36,9 @@ const std::vector<BadRequirement> kBadRequirementes{
      {"--device", "ecp5-12"},
      "--device 'ecp5-12': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
      "gw2a-18, lifcl-40"},
+    {"BoardBesideDevice",
+     {"--board", "colorlight_i5"},
+     "Exactly 1 option from [--board,--device] is required and 2 were given"},
     {"RadiusZero", {"--radius", "0mm"}, "--radius must be in [0.001, 100000] mm"},
     {"RadiusTooLarge", {"--radius", "1000m"}, "--radius must be in [0.001, 100000] mm"},
     {"LeastRadiusZero", {"--least-radius", "0um"}, "--least-radius must be in [0.0001, 300] mm"},

@@ -41,6 +41,42 @@ class ChooseCommand : public testing::Test {
     ProgramRun program_;
 };
 
+/// What runs on a board is more than its core: 4,000 LUT4 and 10 RAM blocks at least.
+TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
+    const Arguments asked{"--error", "1um", "--radius", "300mm", "--feed", "10m/min"};
+    const auto choice = [&](const Arguments& where) {
+        Arguments all{"choose"};
+        all.insert(all.end(), where.begin(), where.end());
+        return choose(all, asked);
+    };
+    const Json core = choice({"--device", "ecp5-25"})["choice"]["estimate"];
+    const Json json = choice({"--board", "colorlight_i5"});
+    const Json& board = json["choice"]["estimate"];
+    EXPECT_EQ(json["requirement"]["device"], "ecp5-25");
+    EXPECT_GT(board["lut4"], core["lut4"].get<double>() + 4000);
+    EXPECT_GT(board["bram"], core["bram"].get<double>() + 10);
+    EXPECT_LT(board["fmax_mhz"], core["fmax_mhz"]);
+    const Json file = Json::parse(program_.read("out/core.json"));
+    EXPECT_EQ(file["clock_hz"], 25e6);
+    EXPECT_EQ(file["sample_period_s"], 2048 / 25e6);
+    const ProgramResult plan = run({"plan", DATA_DIR "/arcs.ngc", "-q", "--core", "out/core.json"});
+    EXPECT_EQ(plan.status, 0) << plan.err;
+}
+
+TEST_F(ChooseCommand, KnowsNoBoardThatWasNotPlaced) {
+    for (const char* board : {"tang_nano_9k", "icebreaker"}) {
+        const ProgramResult none = run(
+            {"choose", "--error", "1um", "--radius", "1m", "--feed", "10m/min", "--board", board});
+        EXPECT_EQ(none.status, 2);
+        EXPECT_EQ(none.out, "");
+        EXPECT_EQ(none.err.rfind(std::string("curvecore: error: --board ") + board +
+                                     ": there are no measured runs",
+                                 0),
+                  0U)
+            << none.err;
+    }
+}
+
 /// Both are below a second of an idle processor; a minute is what is promised.
 TEST_F(ChooseCommand, AnswersInTime) {
     for (const Arguments& requirement : {kMicrometre, kNanometre}) {

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The long form of the tests of buses: accesses by others' masters with random pauses on each bus,
+# then as many random datagrams and random writes of registers to a virtual board.
+#
+#   scripts/buses.sh [ACCESSES]      on each bus, default 20000; logs in build/campaign
+set -euo pipefail
+accesses=${1:-20000}
+case $accesses in
+  -h | --help)
+    sed -n '3,7s/^# \{0,1\}//p' "$0"
+    exit 0
+    ;;
+  "" | *[!0-9]* | 0*)
+    echo "buses: '$accesses' is no number of accesses: digits only, such as 20000" >&2
+    exit 2
+    ;;
+esac
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+PATH=$PWD/.venv/bin:$PATH
+cmake --preset release >/dev/null
+cmake --build --preset release -j "$(nproc)" -- curvecore made_registers
+for bus in axi_lite axi_stream wishbone spi uart spi_line; do
+  folder=$PWD/build/campaign/$bus
+  mkdir -p "$folder"
+  echo "$bus:"
+  python tb/bus/run_bus.py "$bus" "$accesses" "$PWD/build/release/tb/bus/registers/registers.json" \
+    "$folder" >"$folder.log" 2>&1 || {
+    echo "FAILED: $folder.log"
+    exit 1
+  }
+  grep "as described" "$folder.log"
+done
+CURVECORE_DATAGRAMS=$((2 * accesses)) python tb/wire/wire_test.py build/curvecore \
+  WireTest.test_random_writes_give_no_step
