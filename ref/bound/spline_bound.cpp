@@ -88,7 +88,8 @@ class Walk {
         // Series cut after P; the words q_i.
         const double cut = tail(series(spline_node::kU), f) * speed * h_;
         double words = 0;
-        for (int i = 1; i <= order; ++i) words += words_.q(i).rounding * std::pow(f, i);
+        double power = 1;
+        for (int i = 1; i <= order; ++i) words += words_.q(i).rounding * (power *= f);
         sample(f, q_end, cut, words * speed * h_, speed, velocity, velocity_end);
         if (!another) return;
 
@@ -196,10 +197,11 @@ class Walk {
     double horner(int k, double f) const {
         const double half = half_bit(format_.coef_bits - 2);
         double sum = 0;
+        double power = 1;
         int stages = 1;
         for (int i = 1; i <= format_.order; ++i) {
             const Enclosed& x = words_.x(k, i);
-            sum += x.rounding * std::pow(f, i);
+            sum += x.rounding * (power *= f);
             if (x.size() + x.rounding > half) stages = i;
         }
         return sum + stages * half;
@@ -236,11 +238,10 @@ class Walk {
         const std::size_t first = static_cast<std::size_t>(format_.order) + 1;
         const std::size_t last = first + kTail - 1;
         double sum = 0;
-        for (std::size_t i = first; i <= last; ++i) {
-            sum += std::abs(terms[i]) * std::pow(f, static_cast<double>(i));
-        }
+        double power = std::pow(f, static_cast<double>(first));
+        for (std::size_t i = first; i < last; ++i, power *= f) sum += std::abs(terms[i]) * power;
         // The singularity is at least two steps away: the rest is at most the last term again.
-        return sum + std::abs(terms[last]) * std::pow(f, static_cast<double>(last));
+        return sum + 2 * std::abs(terms[last]) * power;
     }
 
     /// Sum of all orders at tau = f but that of order 0.

@@ -15,6 +15,7 @@ namespace curvecore::ref {
 /// |-----------|---------|-------------------------------------------|
 /// | position  | units   | that of exact_position()                  |
 /// | direction | 1       | r'; roundings                             |
+/// | bend      | 1/units | r''; roundings                            |
 /// | curvature | 1/units | of |r''|; roundings. Infinite at a cusp   |
 class CurveFollower {
   public:
@@ -34,6 +35,17 @@ class CurveFollower {
         const double angle = s * segment.cos_pitch / segment.radius;
         return segment.advance + segment.cos_pitch * (segment.tangent * std::cos(angle) -
                                                       segment.normal * std::sin(angle));
+    }
+
+    Vec3 bend(const Segment& segment, double s) {
+        if (segment.kind == Segment::Kind::kSpline) {
+            const double u = parameter(segment, s);
+            return curvature_vector(cubic_, u);
+        }
+        if (segment.radius == 0) return Vec3::Zero();
+        const double twist = segment.cos_pitch / segment.radius;
+        return -segment.cos_pitch * twist *
+               (segment.normal * std::cos(twist * s) + segment.tangent * std::sin(twist * s));
     }
 
     double curvature(const Segment& segment, double s) {

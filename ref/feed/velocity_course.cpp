@@ -8,10 +8,17 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kRest = 1e-9;  // mm/s
+// Of an acceleration and of kStraight A T: so little that the jumps of all joints of a window are
+// nothing.
+constexpr double kSameShare = 1e-6;
 
 double position(const Phase& phase, double t) { return static_cast<double>(phase.place(t)); }
 
 double speed(const Phase& phase, double t) { return std::max(0.0, phase.speed(t)); }
+
+double local_length(const Segment& segment) {
+    return std::ldexp(static_cast<double>(segment.length), -16);
+}
 
 bool is_line(const Segment& segment) {
     return segment.kind == Segment::Kind::kArc && segment.radius == 0;
@@ -29,6 +36,7 @@ VelocityCourse::VelocityCourse(const std::vector<Segment>& segments, double unit
     const auto add = [&](double acceleration, double jerk) {
         resolution_ = std::min(resolution_, std::sqrt(8 * straight * acceleration / jerk));
         precision_ = std::min(precision_, straight * acceleration);
+        least_acceleration_ = std::min(least_acceleration_, acceleration);
     };
     add(machine.acceleration, machine.jerk);
     for (std::size_t i = 0; i < axes_; ++i) {
@@ -84,15 +92,26 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
             if (!leaves) break;
             const Segment& next = segments_[++segment];
             Knot& knot = knots_.back();
+            const bool joint = on.move != next.move;
+            const Vec3 bend = joint ? curve_.bend(on, local_length(on)) : Vec3::Zero();
             knot.after = velocity(segment, 0, knot.v);
-            const bool straight = is_line(on) && is_line(next) && knot.before == knot.after;
-            if (on.move == next.move || straight) continue;
+            if (!joint || passes(knot, (curve_.bend(next, 0) - bend).norm() / unit_mm_)) continue;
             knot.s = next.s_start;
             knot.joint = true;
             joints_.push_back(knots_.size() - 1);
         }
         time_ += phase.duration;
     }
+}
+
+/// Whether neither V nor V' jumps, by the bend's jump, 1/mm: V goes on as it does inside a move.
+bool VelocityCourse::passes(const Knot& knot, double bend) const {
+    if (!(knot.v * knot.v * bend <= kSameShare * least_acceleration_)) return false;
+    double square = 0;
+    for (std::size_t i = 0; i < axes_; ++i) {
+        square += (knot.after[i] - knot.before[i]) * (knot.after[i] - knot.before[i]);
+    }
+    return std::sqrt(square) <= kSameShare * precision_;
 }
 
 /// Of V in the middle from the straight line.

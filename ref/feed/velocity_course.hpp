@@ -16,7 +16,8 @@ constexpr double kStraight = 0.0075;
 
 /// V(t) = v r'(s), mm/s, linear between knots: joints, ends of segments and of phases, and where V
 /// bends as many more as kStraight needs, with |V''| <= J at most every sqrt(8 kStraight T A / J).
-/// A joint is the end of a move, but not between lines in one direction.
+/// A joint is the end of a move where V or V' jumps: not between lines in one direction, nor where
+/// curves go on into each other.
 class VelocityCourse {
   public:
     struct Knot {
@@ -44,6 +45,7 @@ class VelocityCourse {
   private:
     AxisVector velocity(std::size_t segment, double s, double v);
     double distance(const Knot& middle, const Knot& from, const Knot& to) const;
+    bool passes(const Knot& knot, double bend) const;
     int count(double time, double off, bool line) const;
 
     const std::vector<Segment>& segments_;
@@ -51,6 +53,7 @@ class VelocityCourse {
     std::size_t axes_;
     double resolution_;         // s
     double precision_ = 1e300;  // mm/s
+    double least_acceleration_ = 1e300;
     CurveFollower curve_;
     double time_ = 0;
     std::vector<Knot> knots_;

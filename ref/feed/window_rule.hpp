@@ -32,8 +32,8 @@ double longest_window(const Machine& machine);
 ///
 /// (b) / w is the change of the mean acceleration between adjacent windows. Why a plan keeps them:
 /// - Inside moves the zones keep |V'| <= A and |V''| <= J (ref/feed/limits.hpp). So a window
-/// without
-///   a joint has (a) and (b) with A w and J w^2. All others are looked at here.
+///   without a joint, a jump of V or of V', has (a) and (b) with A w and J w^2. All others are
+///   looked at here.
 /// - V is taken as linear between knots (VelocityCourse): off by kStraight A T, in (b) by four
 /// times
 ///   that, which is kept free.

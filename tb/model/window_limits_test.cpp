@@ -8,9 +8,13 @@
 
 #include "ref/feed/limits.hpp"
 #include "ref/feed/profile_words.hpp"
+#include "ref/feed/velocity_course.hpp"
+#include "ref/path/smooth_path.hpp"
+#include "ref/segment/geometry.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_joints.hpp"
+#include "tb/support/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -102,6 +106,31 @@ TEST(WindowLimits, JointsThatDoNotAddUpBreakThem) {
         EXPECT_GT(loads.worst[sysc::kAcceleration].ratio, 2) << curve.name;
         EXPECT_GT(loads.worst[sysc::kJerk].ratio, 3) << curve.name;
     }
+}
+
+/// That the rule has to look at, of a motion at 10 mm/s.
+std::size_t joints(const Program& program) {
+    const Machine machine;
+    const ref::Geometry geometry = make_geometry(program, machine, PlanOptions());
+    double length = 0;
+    for (const ref::Move& move : program.moves) length += move.length();
+    ref::VelocityCourse course(geometry.segments, PlanOptions().unit_mm, 3, machine);
+    course.run({{length / 10, 0, 10, 0, 0}}, 0, geometry.segments.size() - 1);
+    return course.joints().size();
+}
+
+TEST(WindowLimits, AreLookedAtWhereVelocityOrItsSlopeJumps) {
+    const Program chords = with_tolerance(chopped_wave(0.1, 100), 0.005);
+    Program smooth = chords;
+    smooth_path(smooth, Machine());
+    EXPECT_GT(smooth.moves.size(), 10U);
+    EXPECT_EQ(joints(smooth), 0U);
+    EXPECT_EQ(joints(chords), chords.moves.size() - 1);
+    ProgramBuilder stadium;  // a tangent arc: the slope alone jumps, twice
+    stadium.line({20, 0, 0}, 100);
+    stadium.arc({20, 10, 0}, {0, 0, 1}, M_PI, 0, 100);
+    stadium.line({0, 20, 0}, 100);
+    EXPECT_EQ(joints(stadium.program()), 2U);
 }
 
 TEST(WindowLimits, RandomJointsKeepThem) {
