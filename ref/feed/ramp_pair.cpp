@@ -36,9 +36,12 @@ class PairSearch {
             most.jerk < kWorthwhile * gap_.jerk) {
             return best;
         }
-        for (int round = 0; round < 2; ++round) {
-            for (RampLimits* side : {&up, &down}) improve(up, down, *side, most, {cap, top}, best);
-        }
+        // Each side once more, where the other one has changed since.
+        const auto improved = [&](RampLimits& side) {
+            return improve(up, down, side, most, {cap, top}, best);
+        };
+        improved(up);
+        if (improved(down) && improved(up)) improved(down);
         return best;
     }
 
@@ -52,10 +55,11 @@ class PairSearch {
         return pair;
     }
 
-    /// Tries other limits for `side`, which is `up` or `down`.
-    void improve(RampLimits& up, RampLimits& down, RampLimits& side, const RampLimits& most,
+    /// Tries other limits for `side`, which is `up` or `down`. Whether some are better.
+    bool improve(RampLimits& up, RampLimits& down, RampLimits& side, const RampLimits& most,
                  const std::array<double, 2>& caps, RampPair& best) const {
         RampLimits found = side;
+        bool better = false;
         // The lower the limits, the slower: a jerk below one that is slower is not looked at.
         enum class Trial { kBetter, kForbidden, kSlower };
         const auto attempt = [&](double acceleration, double jerk, double cap) {
@@ -65,6 +69,7 @@ class PairSearch {
             if (trial.rest < 0 || !allowed(trial)) return Trial::kForbidden;
             best = trial;
             found = side;
+            better = true;
             return Trial::kBetter;
         };
         for (const double share : {0.0, 0.5, 1.0}) {
@@ -80,6 +85,7 @@ class PairSearch {
             }
         }
         side = found;
+        return better;
     }
 
     bool allowed(const RampPair& pair) const {
