@@ -32,9 +32,11 @@ arithmetic/multiplier_up5k.sv
 arithmetic/product_sum.sv
 arithmetic/step_scale.sv
 bus/axi_lite_port.sv
+bus/following_error.sv
 bus/frame_buffer.sv
 bus/frame_port.sv
 bus/frame_reader.sv
+bus/machine_inputs.sv
 bus/machine_state.sv
 bus/paced_motion.sv
 bus/position_buffer.sv
@@ -117,6 +119,7 @@ path/time_sequencer.sv
 path/underrun_guard.sv
 path/word_streams.sv
 pulse/galvo_pins.sv
+pulse/glitch_filter.sv
 pulse/motion_pins.sv
 pulse/place_scaler.sv
 pulse/pulse_times.sv

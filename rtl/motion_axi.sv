@@ -25,7 +25,8 @@ module motion_axi #(
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
     parameter int Galvo             = 0,     // 0, 1
-    parameter int ClockHertz        = 0      // for CLOCK
+    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int Encoders          = 0      // [0, 15]
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -62,6 +63,8 @@ module motion_axi #(
     input  wire logic [3+AuxAxes-1:0] limit_i,
     input  wire logic                 probe_i,
     input  wire logic [3+AuxAxes-1:0] home_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_a_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_b_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -126,7 +129,8 @@ module motion_axi #(
       .SamplesAhead(SamplesAhead),
       .SampleBufferWords(SampleBufferWords),
       .Galvo(Galvo),
-      .ClockHertz(ClockHertz)
+      .ClockHertz(ClockHertz),
+      .Encoders(Encoders)
   ) u_system (
       .clk_i,
       .rst_ni,
@@ -147,6 +151,8 @@ module motion_axi #(
       .limit_i,
       .probe_i,
       .home_i,
+      .encoder_a_i,
+      .encoder_b_i,
       .step_o,
       .direction_o,
       .enable_o,

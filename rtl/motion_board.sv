@@ -21,7 +21,8 @@ module motion_board #(
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 0, 1
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
-    parameter int ClockHertz        = 0      // for CLOCK
+    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int Encoders          = 0      // [0, 15]
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -39,6 +40,8 @@ module motion_board #(
     input  wire logic [3+AuxAxes-1:0] limit_i,
     input  wire logic                 probe_i,
     input  wire logic [3+AuxAxes-1:0] home_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_a_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_b_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -91,7 +94,8 @@ module motion_board #(
       .SamplesAhead(SamplesAhead),
       .Galvo(Galvo),
       .SampleBufferWords(SampleBufferWords),
-      .ClockHertz(ClockHertz)
+      .ClockHertz(ClockHertz),
+      .Encoders(Encoders)
   ) u_system (
       .clk_i,
       .rst_ni,
@@ -112,6 +116,8 @@ module motion_board #(
       .limit_i,
       .probe_i,
       .home_i,
+      .encoder_a_i,
+      .encoder_b_i,
       .step_o,
       .direction_o,
       .enable_o,

@@ -41,7 +41,8 @@ module motion_system #(
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
-    parameter int ClockHertz        = 0      // for CLOCK
+    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int Encoders          = 0      // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -68,6 +69,8 @@ module motion_system #(
     input  wire logic [3+AuxAxes-1:0] limit_i,
     input  wire logic                 probe_i,
     input  wire logic [3+AuxAxes-1:0] home_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_a_i,
+    input  wire logic [3+AuxAxes-1:0] encoder_b_i,
     output logic      [3+AuxAxes-1:0] step_o,
     output logic      [3+AuxAxes-1:0] direction_o,
     output logic                      enable_o,
@@ -81,44 +84,33 @@ module motion_system #(
 
   // Registers
   localparam int Capability = system_pkg::capability(
-      Axes, PeriodLog2, Build, Splines, SegmentQueueWords, ProfileQueueWords, SampleBufferWords
+      Axes,
+      PeriodLog2,
+      Build,
+      Splines,
+      SegmentQueueWords,
+      ProfileQueueWords,
+      SampleBufferWords,
+      Encoders
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
   logic [16:0] override_rate;
   logic [15:0] watchdog;
-  logic [3:0] samples_per_tick_log2;
+  logic [ 3:0] samples_per_tick_log2;
   logic [31:0] hold_acceleration;
   logic [32:0] hold_slope;
   logic [31:0] stop_ticks;
-  logic [TimeBits-1:0] steplen;
-  logic [TimeBits-1:0] stepspace;
-  logic [TimeBits-1:0] dirsetup;
-  logic [TimeBits-1:0] dirhold;
-  logic [Axes-1:0] step_inverted;
-  logic [Axes-1:0] direction_inverted;
-  logic [Axes-1:0] limit_masked;
+  logic [TimeBits-1:0] steplen, stepspace, dirsetup, dirhold;
+  logic [Axes-1:0] step_inverted, direction_inverted, limit_masked;
   logic scale_write;
   logic [3:0] scale_axis;
   logic [ScaleBits-1:0] scale;
-  logic segment_valid;
-  logic segment_ready;
-  logic profile_valid;
-  logic profile_ready;
+  logic segment_valid, segment_ready, profile_valid, profile_ready;
   logic [47:0] register_word;
-  logic position_write;
-  logic position_ready;
-  logic control_write;
-  logic control_ready;
-  logic state_write;
-  logic reference_write;
-  logic reference_ready;
-  logic probe_write;
-  logic homed_write;
-  logic [31:0] command;
-  logic [31:0] state;
-  logic [31:0] axes;
-  logic [31:0] room;
-  logic [31:0] samples;
+  logic position_write, position_ready;
+  logic control_write, control_ready, state_write, reference_write, reference_ready;
+  logic probe_write, homed_write;
+  logic [31:0] command, state, axes, room, samples;
   logic [63:0] path;
   logic [16:0] rate;
   logic [3:0] steps_axis;
@@ -126,8 +118,9 @@ module motion_system #(
   logic note_ready;
   logic [6:0] note_word;
   logic [31:0] note_data;
-  logic words;  // may be taken
-  logic positions;  // may be taken
+  logic [6:0] kept_word;
+  logic [31:0] kept;
+  logic words, positions;  // may be taken
   register_file #(
       .Axes      (Axes),
       .ScaleBits (ScaleBits),
@@ -187,36 +180,27 @@ module motion_system #(
       .steps_i(steps),
       .note_ready_o(note_ready),
       .note_word_i(note_word),
-      .note_data_i(note_data)
+      .note_data_i(note_data),
+      .kept_word_i(kept_word),
+      .kept_o(kept)
   );
 
   // What may be
-  logic hold;
-  logic ends;
-  logic empty;
-  logic active;
-  logic standing;
-  logic underrun;
+  logic hold, ends, empty, active, standing, underrun;
   logic [7:0] motion_fault;
-  logic sample_valid;
-  logic sample_ready;
+  logic sample_valid, sample_ready;
   logic [Axes*FineBits-1:0] sample;
   logic [FineBits-1:0] position;
   logic [3:0] position_axis;
-  logic by_position;
-  logic queued;
-  logic word_taken;
-  logic tick;
-  logic estop;
-  logic [Axes-1:0] limit;
-  logic [Axes-1:0] referenced;
-  logic [Axes-1:0] uncertain;
-  logic [Axes-1:0] overrun;
-  logic [Axes-1:0] refused;
+  logic by_position, queued, word_taken;
+  logic tick, estop;
+  logic [Axes-1:0] limit, referenced, uncertain, overrun, refused;
   logic late;
-  logic [Axes-1:0] reference_axes;
-  logic [Axes-1:0] homed;
+  logic [Axes-1:0] reference_axes, homed;
   logic caught;
+  logic [2*Axes-1:0] step_counts;
+  logic encoder, following;
+  logic [3:0] fault_axis;
   machine_state #(
       .Axes(Axes)
   ) u_state (
@@ -257,6 +241,9 @@ module motion_system #(
       .overrun_i(overrun != '0),
       .refused_i(refused != '0),
       .late_i(late),
+      .encoder_i(encoder),
+      .following_i(following),
+      .fault_axis_i(fault_axis),
       .reference_o(reference_axes),
       .enable_o
   );
@@ -267,22 +254,33 @@ module motion_system #(
     axes[registers_pkg::AxesLimitLow+:Axes] = limit;
   end
 
-  probe_catch #(
-      .Axes(Axes)
-  ) u_probe (
+  machine_inputs #(
+      .Axes(Axes),
+      .Encoders(Encoders)
+  ) u_inputs (
       .clk_i,
       .rst_ni,
       .probe_i,
       .home_i,
+      .encoder_a_i,
+      .encoder_b_i,
       .write_i(probe_write),
       .command_i(command[5:0]),
       .homed_i(homed),
       .caught_o(caught),
+      .steps_i(steps),
+      .path_i(path[47:16]),
       .note_ready_i(note_ready),
       .note_word_o(note_word),
       .note_data_o(note_data),
-      .steps_i(steps),
-      .path_i(path[47:16])
+      .word_i,
+      .kept_word_o(kept_word),
+      .kept_i(kept),
+      .step_counts_i(step_counts),
+      .referenced_i(referenced),
+      .encoder_o(encoder),
+      .following_o(following),
+      .fault_axis_o(fault_axis)
   );
 
   // What moves the axes
@@ -384,6 +382,7 @@ module motion_system #(
       .galvo_data_o,
       .steps_axis_i(steps_axis),
       .steps_o(steps),
+      .step_counts_o(step_counts),
       .tick_o(tick),
       .referenced_o(referenced),
       .uncertain_o(uncertain),

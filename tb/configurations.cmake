@@ -266,6 +266,7 @@ endforeach()
 illegal_parameter_test(xy2_100 Axes=2 "Axes must be in .3, 9.")
 illegal_parameter_test(xy2_100 FineBits=45 "FineBits must be in .18, 44.")
 illegal_parameter_test(motion_system Galvo=2 "Galvo must be 0 or 1")
+illegal_parameter_test(motion_system Encoders=16 "Encoders must be in .0, 15.")
 illegal_parameter_test(xy2_100 PeriodLog2=6 "PeriodLog2 must be in .7, 20.")
 illegal_parameter_test(step_generator Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(step_generator FineBits=45 "FineBits must be in .18, 44.")
@@ -308,12 +309,13 @@ core_test(motion_system parallel TOP motion_system LIBRARIES curvecore_host
           ${system} Build=0 Galvo=1)
 core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${serial})
 core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_host ${serial})
+core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_host ${serial} Encoders=2)
 # The same beside its flat file, clock by clock.
 verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
 core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
           LIBRARIES curvecore_host flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial
-             motion_probe_serial)
+             motion_probe_serial motion_encoder_serial)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()

@@ -24,7 +24,8 @@ def sentence(node):
 
 
 def read_registers():
-    """Registers in the order of their addresses; those of axes: of axis 0. NAME[n]: NAMEn."""
+    """Registers in the order of their addresses; those of axes: of axis 0. NAME[n]: NAMEn, of which
+    only the first has a name in the package and the header."""
     compiler = RDLCompiler()
     compiler.compile_file(str(HERE / "registers.rdl"))
     registers, axes = [], {}
@@ -46,7 +47,8 @@ def read_registers():
         registers += [{
             "name": f"{node.inst_name}{number}", "what": sentence(node), "axis": in_axis,
             "address": address + (number or 0) * (node.array_stride or 0),
-            "read": node.has_sw_readable, "write": node.has_sw_writable, "fields": fields}
+            "read": node.has_sw_readable, "write": node.has_sw_writable, "fields": fields,
+            "first": number in ("", 0)}
             for number in numbers]
     return registers, axes
 
@@ -69,11 +71,18 @@ def function(name, bits, cases, default):
     return [*lines, f"      default: {name} = {default};", "    endcase", "  endfunction"]
 
 
+def word(register):
+    """Its address in the package."""
+    return camel(register["name"]) if register["first"] else f"7'd{register['address'] // 4}"
+
+
 def package(registers, axes):
     plain = [register for register in registers if not register["axis"]]
     lines = ["// SPDX-License-Identifier: Apache-2.0", f"// {MADE}", "`default_nettype none",
              "package registers_pkg;", "", "  // Addresses in words of 32 bits"]
     for register in plain:
+        if not register["first"]:
+            continue
         lines.append(f"  localparam logic [6:0] {camel(register['name'])} = "
                      f"7'd{register['address'] // 4};")
     lines += ["", "  // Of axes: the first one's words, and how many each has", "  "
@@ -85,15 +94,15 @@ def package(registers, axes):
                          f"2'd{(register['address'] - axes['address']) // 4};")
     lines += ["", "  // Lowest bits, and how many"]
     for register in registers:
-        for field in register["fields"]:
+        for field in register["fields"] if register["first"] else ():
             name = camel(register["name"], field["name"])
             lines += [f"  localparam int {name}Low = {field['low']};",
                       f"  localparam int {name}Bits = {field['bits']};"]
     for what in ("read", "write"):
-        names = [camel(register["name"]) for register in plain if register[what]]
+        names = [word(register) for register in plain if register[what]]
         lines += ["", f"  // What can be {'read' if what == 'read' else 'written'}, but of axes",
                   *function(f"can_{what}", "", [(names, "1'b1")], "1'b0")]
-    resets = [((camel(register["name"]),), f"32'h{reset_of(register):08x}")
+    resets = [((word(register),), f"32'h{reset_of(register):08x}")
               for register in plain if reset_of(register) != 0]
     lines += ["", "  // What a word is after a reset", *function("reset_value", "[31:0] ", resets,
                                                                 "32'd0")]
@@ -107,6 +116,8 @@ def header(registers, axes):
              f"#define CURVECORE_MOST_AXES {axes['number']}",
              f"#define CURVECORE_AXIS_STRIDE 0x{axes['stride']:x}"]
     for register in registers:
+        if not register["first"]:
+            continue
         prefix = "CURVECORE_AXIS_" if register["axis"] else "CURVECORE_"
         name = prefix + register["name"]
         lines += ["", f"/* {register['what']}" + (" Of axis 0." if register["axis"] else "")

@@ -37,6 +37,8 @@
 #define CURVECORE_CAPABILITY_PROFILE_QUEUE_LOG2_MASK 0x001f0000u
 #define CURVECORE_CAPABILITY_SAMPLE_BUFFER_LOG2_LOW 21
 #define CURVECORE_CAPABILITY_SAMPLE_BUFFER_LOG2_MASK 0x01e00000u
+#define CURVECORE_CAPABILITY_ENCODERS_LOW 25
+#define CURVECORE_CAPABILITY_ENCODERS_MASK 0x02000000u
 
 /* Widths that words are planned for: hls/configuration.hpp. */
 #define CURVECORE_CORE 0x00c
@@ -107,6 +109,12 @@
 #define CURVECORE_STATE_READY_MASK 0x00800000u
 #define CURVECORE_STATE_ESTOP_PIN_LOW 24
 #define CURVECORE_STATE_ESTOP_PIN_MASK 0x01000000u
+#define CURVECORE_STATE_ENCODER_LOW 25
+#define CURVECORE_STATE_ENCODER_MASK 0x02000000u
+#define CURVECORE_STATE_FOLLOWING_LOW 26
+#define CURVECORE_STATE_FOLLOWING_MASK 0x04000000u
+#define CURVECORE_STATE_FAULT_AXIS_LOW 27
+#define CURVECORE_STATE_FAULT_AXIS_MASK 0x78000000u
 #define CURVECORE_STATE_CAUGHT_LOW 31
 #define CURVECORE_STATE_CAUGHT_MASK 0x80000000u
 
@@ -274,45 +282,15 @@
 #define CURVECORE_ORIGIN0_STEPS_LOW 0
 #define CURVECORE_ORIGIN0_STEPS_MASK 0xffffffffu
 
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN1 0x094
-#define CURVECORE_ORIGIN1_STEPS_LOW 0
-#define CURVECORE_ORIGIN1_STEPS_MASK 0xffffffffu
+/* Edges that the encoder of axis n gave since the reset, signed. This and what follows from it: rtl/bus/following_error.sv. */
+#define CURVECORE_ENCODER0 0x0b4
+#define CURVECORE_ENCODER0_COUNT_LOW 0
+#define CURVECORE_ENCODER0_COUNT_MASK 0xffffffffu
 
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN2 0x098
-#define CURVECORE_ORIGIN2_STEPS_LOW 0
-#define CURVECORE_ORIGIN2_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN3 0x09c
-#define CURVECORE_ORIGIN3_STEPS_LOW 0
-#define CURVECORE_ORIGIN3_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN4 0x0a0
-#define CURVECORE_ORIGIN4_STEPS_LOW 0
-#define CURVECORE_ORIGIN4_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN5 0x0a4
-#define CURVECORE_ORIGIN5_STEPS_LOW 0
-#define CURVECORE_ORIGIN5_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN6 0x0a8
-#define CURVECORE_ORIGIN6_STEPS_LOW 0
-#define CURVECORE_ORIGIN6_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN7 0x0ac
-#define CURVECORE_ORIGIN7_STEPS_LOW 0
-#define CURVECORE_ORIGIN7_STEPS_MASK 0xffffffffu
-
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
-#define CURVECORE_ORIGIN8 0x0b0
-#define CURVECORE_ORIGIN8_STEPS_LOW 0
-#define CURVECORE_ORIGIN8_STEPS_MASK 0xffffffffu
+/* FOLLOWING of axis n when it was the farthest from 0 since the last reference. */
+#define CURVECORE_FOLLOWING_WORST0 0x0d8
+#define CURVECORE_FOLLOWING_WORST0_ERROR_LOW 0
+#define CURVECORE_FOLLOWING_WORST0_ERROR_MASK 0xffffffffu
 
 /* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100
@@ -333,5 +311,22 @@
 #define CURVECORE_AXIS_CAUGHT 0x10c
 #define CURVECORE_AXIS_CAUGHT_COUNT_LOW 0
 #define CURVECORE_AXIS_CAUGHT_COUNT_MASK 0xffffffffu
+
+/* Following error of axis n, signed: steps x ENCODER_RATIO.counts - edges x ENCODER_RATIO.steps, both since the axis was referenced; it stays when it is no more. The unit is 1 / ENCODER_RATIO.counts of a step. */
+#define CURVECORE_FOLLOWING0 0x190
+#define CURVECORE_FOLLOWING0_ERROR_LOW 0
+#define CURVECORE_FOLLOWING0_ERROR_MASK 0xffffffffu
+
+/* So many edges of axis n's encoder are so many of its steps. */
+#define CURVECORE_ENCODER_RATIO0 0x1b4
+#define CURVECORE_ENCODER_RATIO0_COUNTS_LOW 0
+#define CURVECORE_ENCODER_RATIO0_COUNTS_MASK 0x0000ffffu
+#define CURVECORE_ENCODER_RATIO0_STEPS_LOW 16
+#define CURVECORE_ENCODER_RATIO0_STEPS_MASK 0xffff0000u
+
+/* FOLLOWING beyond this, either way, is the fault of that name. 0: none is. */
+#define CURVECORE_FOLLOWING_LIMIT0 0x1d8
+#define CURVECORE_FOLLOWING_LIMIT0_LIMIT_LOW 0
+#define CURVECORE_FOLLOWING_LIMIT0_LIMIT_MASK 0xffffffffu
 
 #endif

@@ -59,6 +59,9 @@ module machine_state #(
     input  wire logic            overrun_i,     // of any axis
     input  wire logic            refused_i,
     input  wire logic            late_i,
+    input  wire logic            encoder_i,     // of the axis fault_axis_i, as is following_i
+    input  wire logic            following_i,
+    input  wire logic [     3:0] fault_axis_i,
     output logic      [Axes-1:0] reference_o,
     output logic                 enable_o
 );
@@ -69,14 +72,15 @@ module machine_state #(
   // Faults: those of steps count as they begin, for they stay until the next reference.
   logic [2:0] steps;
   logic [2:0] steps_q;
-  logic [15:0] faults_q;
-  logic [15:0] sources;
+  logic [17:0] faults_q;
+  logic [17:0] sources;
+  logic [3:0] axis_q;
   logic silent;
   logic estop;
   assign steps = {late_i, refused_i, overrun_i};
   assign estop = control_write_i && command_i[registers_pkg::ControlEstopLow];
   always_comb begin
-    sources = 16'd0;
+    sources = 18'd0;
     sources[registers_pkg::StateBusLow] = error_i;
     sources[registers_pkg::StateWatchdogLow] = silent;
     sources[registers_pkg::StateEstopLow] = estop;
@@ -84,23 +88,27 @@ module machine_state #(
     sources[registers_pkg::StateLimitLow] = limit_i != '0 && enable_o;
     sources[registers_pkg::StateOverrunLow+:3] = enable_o ? steps & ~steps_q : 3'd0;
     sources[FirstMotion+:8] = motion_fault_i;
+    sources[17:16] = enable_o ? {following_i, encoder_i} : 2'd0;
   end
+  logic [17:0] cleared;
+  assign cleared = {command_i[registers_pkg::StateEncoderLow+:2], command_i[15:0]};
   always_ff @(posedge clk_i) begin
+    if (faults_q[17:16] == '0) axis_q <= fault_axis_i;
     if (!rst_ni) begin
       faults_q <= '0;
       steps_q  <= '0;
     end else begin
-      faults_q <= (faults_q & ~(state_write_i ? command_i[15:0] : 16'd0)) | sources;
+      faults_q <= (faults_q & ~(state_write_i ? cleared : 18'd0)) | sources;
       steps_q  <= steps;
     end
   end
 
   // Enable
-  localparam logic [15:0] Stops = 16'(8'b1111_1100) | (16'd1 << NoSample);
+  localparam logic [17:0] Stops = 18'(8'b1111_1100) | (18'd1 << NoSample) | 18'h30000;
   // Of a host that moves the axes itself: if it is gone, nobody does; if it is late, it goes on.
-  localparam logic [15:0] Other = (16'd1 << registers_pkg::StateWatchdogLow) |
-      (16'd1 << registers_pkg::StateLateLow);
-  logic [15:0] stop_mask;
+  localparam logic [17:0] Other = (18'd1 << registers_pkg::StateWatchdogLow) |
+      (18'd1 << registers_pkg::StateLateLow);
+  logic [17:0] stop_mask;
   logic stops;
   logic stopped;
   logic asks;
@@ -170,9 +178,11 @@ module machine_state #(
   end
 
   // Homed: counts of steps say where these axes stand, as long as each pulse was a step.
+  logic [Axes-1:0] astray;
+  assign astray = following_i ? Axes'(1) << fault_axis_i : '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) homed_o <= '0;
-    else homed_o <= (homed_write_i ? command_i[Axes-1:0] : homed_o) & ~uncertain_i;
+    else homed_o <= (homed_write_i ? command_i[Axes-1:0] : homed_o) & ~uncertain_i & ~astray;
   end
 
   // The host's silence, in samples
@@ -187,7 +197,9 @@ module machine_state #(
 
   always_comb begin
     state_o = 32'd0;
-    state_o[15:0] = faults_q;
+    state_o[15:0] = faults_q[15:0];
+    state_o[registers_pkg::StateEncoderLow+:2] = faults_q[17:16];
+    state_o[registers_pkg::StateFaultAxisLow+:4] = axis_q;
     state_o[registers_pkg::StateEnabledLow] = enable_o;
     state_o[registers_pkg::StateHoldingLow] = hold_o;
     state_o[registers_pkg::StateActiveLow] = active_i;

@@ -29,6 +29,7 @@ module probe_catch #(
 
     // Notes
     input  wire logic        note_ready_i,
+    output logic             notes_o,       // more than the switches
     output logic      [ 6:0] note_word_o,
     output logic      [31:0] note_data_o,
     input  wire logic [31:0] steps_i,       // of the axis in note_word_o
@@ -84,6 +85,7 @@ module probe_catch #(
     else if (note_ready_i) note_q <= note_q + 1'b1;
   end
 
+  assign notes_o = notes_q;
   logic [31:0] switches;
   always_comb begin
     switches = 32'd0;

@@ -85,10 +85,13 @@ module register_file #(
     output logic      [ 3:0] steps_axis_o,
     input  wire logic [31:0] steps_i,       // of that axis
 
-    // Notes: what a word is to be read as from now on
+    // Notes: what a word is to be read as from now on; in the same clock another word is read, and
+    // is there in the next one
     output logic             note_ready_o,
     input  wire logic [ 6:0] note_word_i,
-    input  wire logic [31:0] note_data_i
+    input  wire logic [31:0] note_data_i,
+    input  wire logic [ 6:0] kept_word_i,
+    output logic      [31:0] kept_o
 );
 
   initial if (Axes < 1 || Axes > 9) $fatal(1, "Axes must be in [1, 9]");
@@ -118,7 +121,7 @@ module register_file #(
   logic [1:0] axis_word;
   logic axis_scale;
   logic exists;
-  assign of_axis      = word_i[6];
+  assign of_axis      = word_i[6] && word_i < registers_pkg::Following0;
   assign scale_axis_o = word_i[5:2];
   assign steps_axis_o = note_ready_o ? note_word_i[5:2] : word_i[5:2];
   assign axis_word    = word_i[1:0];
@@ -241,9 +244,10 @@ module register_file #(
   (* no_rw_check *)
   logic [31:0] memory [128];
   logic [31:0] kept_q;
+  assign kept_o = kept_q;
   always_ff @(posedge clk_i) begin
     if (!filled || note_ready_o || writes) memory[address] <= data;
-    kept_q <= memory[word_i];
+    kept_q <= memory[note_ready_o?kept_word_i : word_i];
   end
 
   // Answers. Of the path all parts are those of one clock.

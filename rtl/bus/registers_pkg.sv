@@ -39,14 +39,11 @@ package registers_pkg;
   localparam logic [6:0] CaughtPath = 7'd34;
   localparam logic [6:0] Homed = 7'd35;
   localparam logic [6:0] Origin0 = 7'd36;
-  localparam logic [6:0] Origin1 = 7'd37;
-  localparam logic [6:0] Origin2 = 7'd38;
-  localparam logic [6:0] Origin3 = 7'd39;
-  localparam logic [6:0] Origin4 = 7'd40;
-  localparam logic [6:0] Origin5 = 7'd41;
-  localparam logic [6:0] Origin6 = 7'd42;
-  localparam logic [6:0] Origin7 = 7'd43;
-  localparam logic [6:0] Origin8 = 7'd44;
+  localparam logic [6:0] Encoder0 = 7'd45;
+  localparam logic [6:0] FollowingWorst0 = 7'd54;
+  localparam logic [6:0] Following0 = 7'd100;
+  localparam logic [6:0] EncoderRatio0 = 7'd109;
+  localparam logic [6:0] FollowingLimit0 = 7'd118;
 
   // Of axes: the first one's words, and how many each has
   localparam logic [6:0] AxisFirst = 7'd64;
@@ -77,6 +74,8 @@ package registers_pkg;
   localparam int CapabilityProfileQueueLog2Bits = 5;
   localparam int CapabilitySampleBufferLog2Low = 21;
   localparam int CapabilitySampleBufferLog2Bits = 4;
+  localparam int CapabilityEncodersLow = 25;
+  localparam int CapabilityEncodersBits = 1;
   localparam int CoreOrderLow = 0;
   localparam int CoreOrderBits = 4;
   localparam int CoreModeLow = 4;
@@ -135,6 +134,12 @@ package registers_pkg;
   localparam int StateReadyBits = 1;
   localparam int StateEstopPinLow = 24;
   localparam int StateEstopPinBits = 1;
+  localparam int StateEncoderLow = 25;
+  localparam int StateEncoderBits = 1;
+  localparam int StateFollowingLow = 26;
+  localparam int StateFollowingBits = 1;
+  localparam int StateFaultAxisLow = 27;
+  localparam int StateFaultAxisBits = 4;
   localparam int StateCaughtLow = 31;
   localparam int StateCaughtBits = 1;
   localparam int AxesReferencedLow = 0;
@@ -217,22 +222,10 @@ package registers_pkg;
   localparam int HomedAxesBits = 9;
   localparam int Origin0StepsLow = 0;
   localparam int Origin0StepsBits = 32;
-  localparam int Origin1StepsLow = 0;
-  localparam int Origin1StepsBits = 32;
-  localparam int Origin2StepsLow = 0;
-  localparam int Origin2StepsBits = 32;
-  localparam int Origin3StepsLow = 0;
-  localparam int Origin3StepsBits = 32;
-  localparam int Origin4StepsLow = 0;
-  localparam int Origin4StepsBits = 32;
-  localparam int Origin5StepsLow = 0;
-  localparam int Origin5StepsBits = 32;
-  localparam int Origin6StepsLow = 0;
-  localparam int Origin6StepsBits = 32;
-  localparam int Origin7StepsLow = 0;
-  localparam int Origin7StepsBits = 32;
-  localparam int Origin8StepsLow = 0;
-  localparam int Origin8StepsBits = 32;
+  localparam int Encoder0CountLow = 0;
+  localparam int Encoder0CountBits = 32;
+  localparam int FollowingWorst0ErrorLow = 0;
+  localparam int FollowingWorst0ErrorBits = 32;
   localparam int ScaleLoScaleLow = 0;
   localparam int ScaleLoScaleBits = 32;
   localparam int ScaleHiScaleLow = 0;
@@ -241,6 +234,14 @@ package registers_pkg;
   localparam int StepsCountBits = 32;
   localparam int CaughtCountLow = 0;
   localparam int CaughtCountBits = 32;
+  localparam int Following0ErrorLow = 0;
+  localparam int Following0ErrorBits = 32;
+  localparam int EncoderRatio0CountsLow = 0;
+  localparam int EncoderRatio0CountsBits = 16;
+  localparam int EncoderRatio0StepsLow = 16;
+  localparam int EncoderRatio0StepsBits = 16;
+  localparam int FollowingLimit0LimitLow = 0;
+  localparam int FollowingLimit0LimitBits = 32;
 
   // What can be read, but of axes
   function automatic logic can_read(input logic [6:0] word);
@@ -271,14 +272,59 @@ package registers_pkg;
       Switches,
       CaughtPath,
       Origin0,
-      Origin1,
-      Origin2,
-      Origin3,
-      Origin4,
-      Origin5,
-      Origin6,
-      Origin7,
-      Origin8:
+      7'd37,
+      7'd38,
+      7'd39,
+      7'd40,
+      7'd41,
+      7'd42,
+      7'd43,
+      7'd44,
+      Encoder0,
+      7'd46,
+      7'd47,
+      7'd48,
+      7'd49,
+      7'd50,
+      7'd51,
+      7'd52,
+      7'd53,
+      FollowingWorst0,
+      7'd55,
+      7'd56,
+      7'd57,
+      7'd58,
+      7'd59,
+      7'd60,
+      7'd61,
+      7'd62,
+      Following0,
+      7'd101,
+      7'd102,
+      7'd103,
+      7'd104,
+      7'd105,
+      7'd106,
+      7'd107,
+      7'd108,
+      EncoderRatio0,
+      7'd110,
+      7'd111,
+      7'd112,
+      7'd113,
+      7'd114,
+      7'd115,
+      7'd116,
+      7'd117,
+      FollowingLimit0,
+      7'd119,
+      7'd120,
+      7'd121,
+      7'd122,
+      7'd123,
+      7'd124,
+      7'd125,
+      7'd126:
       can_read = 1'b1;
       default: can_read = 1'b0;
     endcase
@@ -309,14 +355,32 @@ package registers_pkg;
       Probe,
       Homed,
       Origin0,
-      Origin1,
-      Origin2,
-      Origin3,
-      Origin4,
-      Origin5,
-      Origin6,
-      Origin7,
-      Origin8:
+      7'd37,
+      7'd38,
+      7'd39,
+      7'd40,
+      7'd41,
+      7'd42,
+      7'd43,
+      7'd44,
+      EncoderRatio0,
+      7'd110,
+      7'd111,
+      7'd112,
+      7'd113,
+      7'd114,
+      7'd115,
+      7'd116,
+      7'd117,
+      FollowingLimit0,
+      7'd119,
+      7'd120,
+      7'd121,
+      7'd122,
+      7'd123,
+      7'd124,
+      7'd125,
+      7'd126:
       can_write = 1'b1;
       default: can_write = 1'b0;
     endcase

@@ -54,8 +54,9 @@ module motion_pins #(
     output logic [     2:0] galvo_data_o,
 
     // Steps of an axis since the reset
-    input  wire logic [ 3:0] steps_axis_i,
-    output logic      [31:0] steps_o,
+    input  wire logic [       3:0] steps_axis_i,
+    output logic      [      31:0] steps_o,
+    output logic      [2*Axes-1:0] step_counts_o, // low bits, of each axis
 
     // What happens
     output logic            tick_o,
@@ -119,7 +120,8 @@ module motion_pins #(
       .rise_i (rise),
       .back_i (back),
       .axis_i (steps_axis_i),
-      .count_o(steps_o)
+      .count_o(steps_o),
+      .low_o  (step_counts_o)
   );
 
   // In position mode scan heads stay where they are.

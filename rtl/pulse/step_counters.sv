@@ -4,12 +4,13 @@
 module step_counters #(
     parameter int Axes = 3  // [1, 9]
 ) (
-    input  wire logic            clk_i,
-    input  wire logic            rst_ni,
-    input  wire logic [Axes-1:0] rise_i,
-    input  wire logic [Axes-1:0] back_i,
-    input  wire logic [     3:0] axis_i,
-    output logic      [    31:0] count_o
+    input  wire logic              clk_i,
+    input  wire logic              rst_ni,
+    input  wire logic [  Axes-1:0] rise_i,
+    input  wire logic [  Axes-1:0] back_i,
+    input  wire logic [       3:0] axis_i,
+    output logic      [      31:0] count_o,
+    output logic      [2*Axes-1:0] low_o     // bits of each
 );
 
   logic [31:0] counts[16];
@@ -22,6 +23,7 @@ module step_counters #(
           .back_i (back_i[a]),
           .count_o(counts[a])
       );
+      assign low_o[2*a+:2] = counts[a][1:0];
     end else begin : g_none
       assign counts[a] = 32'd0;
     end

@@ -54,6 +54,7 @@ MOTION = """  reg [7:0] start = 8'd0;
     .byte_valid_i(in_valid), .byte_ready_o(), .byte_i(in),
     .byte_valid_o(out_valid), .byte_ready_i(out_ready), .byte_o(out),
     .estop_i(estop), .limit_i(limit), .probe_i(1'b0), .home_i(limit),
+    .encoder_a_i(1'b0), .encoder_b_i(1'b0),
     .step_o(step), .direction_o(direction), .enable_o(enable)
   );
 """

@@ -41,7 +41,9 @@ module bench_registers (
       .steps_i(32'd0),
       .note_ready_o(),
       .note_word_i(registers_pkg::Switches),
-      .note_data_i(32'd0)
+      .note_data_i(32'd0),
+      .kept_word_i(word_i),
+      .kept_o()
   );
 
 endmodule

@@ -67,6 +67,8 @@ module motion_axi_bench (
       .limit_i         (3'd0),
       .probe_i         (1'b0),
       .home_i          (3'd0),
+      .encoder_a_i     (3'd0),
+      .encoder_b_i     (3'd0),
       .step_o          (step),
       .direction_o     (direction),
       .enable_o        (),

@@ -10,7 +10,7 @@
 // control: KEEPS_REFERENCE s/!rst_ni || turned_off/!rst_ni/
 // control: WORDS_UNREFERENCED s/enable_o \&\& ready/enable_o/
 // control: FLUSHES_MOVING s/(flush_q \&\& rests)/flush_q/
-// control: FORGETS_FAULT s/(faults_q \& ~/(16'd0 \& ~/
+// control: FORGETS_FAULT s/(faults_q \& ~/(18'd0 \& ~/
 // control: BOTH s/ \&\& !position_o;/;/
 // control: CHANGES s/enable_o ? clean || asks_position == position_o/enable_o ? 1'b1/
 // control: FLUSHES_QUEUED s/position_o ? !queued_i/position_o ? 1'b1/
@@ -19,6 +19,9 @@
 // control: STAYS_HOMED s/& ~uncertain_i/\& ~(2'd0 \& uncertain_i)/
 // control: PASSES_THE_PROBE s/ || caught_i//
 // control: SLEEPS s/silence_q == watchdog_i/1'b0/
+// control: FOLLOWS_PASSES s/{following_i, encoder_i}/{1'b0, encoder_i}/
+// control: HOMED_ASTRAY s/ \& ~astray//
+// control: NAMES_THE_LAST s/if (faults_q\[17:16\] == '0) axis_q/axis_q/
 `default_nettype none
 module machine_state_formal (
     input wire logic        clk_i,
@@ -41,7 +44,10 @@ module machine_state_formal (
     input wire logic [ 1:0] referenced_i,
     input wire logic [ 1:0] uncertain_i,
     input wire logic        caught_i,
-    input wire logic        late_i
+    input wire logic        late_i,
+    input wire logic        encoder_i,
+    input wire logic        following_i,
+    input wire logic        axis_i
 );
 
   logic control;
@@ -106,6 +112,9 @@ module machine_state_formal (
       .overrun_i(1'b0),
       .refused_i(1'b0),
       .late_i,
+      .encoder_i,
+      .following_i,
+      .fault_axis_i({3'd0, axis_i}),
       .enable_o(enable)
   );
 
@@ -115,8 +124,13 @@ module machine_state_formal (
   logic asked_q;  // to come on
   logic empty_q;
   logic enable_q;
-  logic [15:0] faults_q;
-  logic [15:0] cleared_q;
+  logic [17:0] faults;
+  logic [17:0] faults_q;
+  logic [17:0] cleared_q;
+  logic [3:0] axis_q;
+  logic [1:0] astray;
+  assign faults = {state[26:25], state[15:0]};
+  assign astray = following_i ? 2'd1 << axis_i : 2'd0;
   logic [1:0] known_q;  // axes that are or will be referenced, since the machine went off
   logic [1:0] home_q;  // axes that the host called homed, and no pulse was cut since
   logic flush_q;  // asked for, and not done
@@ -128,15 +142,17 @@ module machine_state_formal (
   logic watches;
   assign watches = active_i || (position && enable);
   always_ff @(posedge clk_i) begin
-    started_q  <= 1'b1;
-    ran_q      <= rst_ni;
-    wrong_q    <= estop_i || limit_i != 2'd0 || motion_fault_i[7];
-    asked_q    <= control && command_i[0];
-    empty_q    <= empty;
-    enable_q   <= enable;
-    faults_q   <= state[15:0];
+    started_q <= 1'b1;
+    ran_q <= rst_ni;
+    wrong_q    <= estop_i || limit_i != 2'd0 || motion_fault_i[7] ||
+        (enable && (encoder_i || following_i));
+    asked_q <= control && command_i[0];
+    empty_q <= empty;
+    enable_q <= enable;
+    faults_q <= faults;
+    axis_q <= faults[17:16] != 2'd0 ? state[30:27] : {3'd0, axis_i};
     position_q <= position;
-    cleared_q  <= state_write ? command_i[15:0] : 16'd0;
+    cleared_q <= state_write ? {command_i[26:25], command_i[15:0]} : 18'd0;
     if (!rst_ni) begin
       known_q   <= 2'd0;
       home_q    <= 2'd0;
@@ -148,8 +164,8 @@ module machine_state_formal (
     end else begin
       if (empty) used_q <= 1'b0;
       else if (word) used_q <= 1'b1;
-      if (homes) home_q <= command_i[1:0] & ~uncertain_i;
-      else home_q <= home_q & ~uncertain_i;
+      if (homes) home_q <= command_i[1:0] & ~uncertain_i & ~astray;
+      else home_q <= home_q & ~uncertain_i & ~astray;
       if (reference) known_q <= known_q | command_i[1:0];
       if (enable_q && !enable) known_q <= reference ? command_i[1:0] : 2'd0;
       if (control && command_i[2]) flush_q <= 1'b1;
@@ -166,13 +182,16 @@ module machine_state_formal (
     if (!started_q) assume (!rst_ni);
     if (started_q && rst_ni) begin
       Stops : assert (!(wrong_q && enable));
-      Comes_on : assert (!(enable && !enable_q) || (asked_q && empty_q && faults_q[7:2] == 6'd0));
+      Comes_on :
+      assert (!(enable && !enable_q) || (asked_q && empty_q && faults_q[17:16] == 2'd0 &&
+          faults_q[7:2] == 6'd0));
       Words : assert (!(words || samples) || (enable && (referenced_i | known_q) == 2'b11));
       One : assert (!(words && samples) && !(words && position) && !(samples && !position));
       Chosen : assert (!ran_q || position == position_q || !enable_q || !used_q);
       Ends :
       assert (!(ends && enable) || (flush_q && (position ? !queued_i : standing_i || !moved_q)));
-      Stay : assert (!ran_q || (faults_q & ~cleared_q & ~state[15:0]) == 16'd0);
+      Stay : assert (!ran_q || (faults_q & ~cleared_q & ~faults) == 18'd0);
+      Names : assert (!ran_q || faults[17:16] == 2'd0 || state[30:27] == axis_q);
       Homed : assert (homed == home_q);
       Caught : assert (!caught_i || hold);
       Watches : assert (!silent_q || (state[1] && hold));

@@ -67,7 +67,8 @@ module register_file_formal (
       .steps_i(32'd0),
       .note_ready_o(note_ready),
       .note_word_i(7'd0),
-      .note_data_i(32'd0)
+      .note_data_i(32'd0),
+      .kept_word_i(7'd0)
   );
 
   logic started_q = 1'b0;

@@ -24,6 +24,8 @@ class FlatTwin {
         dut_->profile_valid_i = 0;
         dut_->probe_i = 0;
         dut_->home_i = 0;
+        dut_->encoder_a_i = 0;
+        dut_->encoder_b_i = 0;
         dut_.reset();
     }
 
