@@ -11,6 +11,7 @@
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
 #include "sysc/wire/board_server.hpp"
+#include "sysc/wire/wire_options.hpp"
 
 namespace curvecore::sysc {
 
@@ -30,13 +31,22 @@ void add_board(CLI::App& command, BoardOptions& options) {
         ->type_name("AXIS=FROM..TO,..")
         ->delimiter(',');
     command.add_flag("--limits", options.limits, "the home switches are limit switches too");
+    command
+        .add_option("--slip", options.slip,
+                    "an axis that slips: steps from the start that it does not make, as "
+                    "x=1000..1040")
+        ->type_name("AXIS=FROM..TO,..")
+        ->delimiter(',');
+    command.add_option("--lag", options.lag, "axes, as their encoders see them, are so late")
+        ->type_name("TIME")
+        ->capture_default_str();
     command.footer("It ends when it is interrupted (Ctrl-C).");
 }
 
 namespace {
 
-VirtualSwitch home_switch(const std::string& text) {
-    VirtualSwitch one;
+VirtualRange range_of(const char* option, const std::string& text) {
+    VirtualRange one;
     char axis = 0;
     int end = 0;
     const int count =
@@ -44,7 +54,7 @@ VirtualSwitch home_switch(const std::string& text) {
     one.axis = axis - 'x';
     if (count != 3 || text.begin() + end != text.end() || one.axis < 0 ||
         one.axis >= VirtualBoard::kAxes || one.from > one.to) {
-        throw UsageError(fmt::format("--home {}: must be as x=-9000..-300, axes x y z", text));
+        throw UsageError(fmt::format("{} {}: must be as x=-9000..-300, axes x y z", option, text));
     }
     return one;
 }
@@ -60,8 +70,14 @@ int board_command(const BoardOptions& options) {
         steps->write("clock,axis,direction\n");
     }
     std::uint64_t count = 0;
-    BoardServerOptions served{options.listen, options.fast, {}, options.limits};
-    for (const std::string& text : options.home) served.switches.push_back(home_switch(text));
+    BoardServerOptions served{options.listen, options.fast, {}};
+    VirtualAxes& axes = served.axes;
+    axes.limits = options.limits;
+    axes.lag_s = duration_of("--lag", options.lag);
+    for (const std::string& text : options.home) {
+        axes.switches.push_back(range_of("--home", text));
+    }
+    for (const std::string& text : options.slip) axes.slips.push_back(range_of("--slip", text));
     BoardServer server(served, [&](const VirtualStep& step) {
         ++count;
         if (steps)

@@ -15,6 +15,8 @@ struct BoardOptions {
     bool fast = false;
     std::vector<std::string> home;
     bool limits = false;
+    std::vector<std::string> slip;
+    std::string lag = "0ms";
 };
 
 void add_board(CLI::App& command, BoardOptions& options);

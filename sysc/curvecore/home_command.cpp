@@ -10,6 +10,7 @@
 #include "sysc/curvecore/stream_command.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
+#include "sysc/wire/encoders.hpp"
 #include "sysc/wire/homing.hpp"
 
 namespace curvecore::sysc {
@@ -74,6 +75,7 @@ int home_command(Options options, const RawHomeOptions& raw) {
         Console console(raw.wire.control, 100);
         const InterruptGuard guard;
         machine.prepare(drives, options.unit_mm);
+        const Encoders encoders(machine, options.machine, drives);
         Homing homing(machine, options, drives,
                       static_cast<int>(std::ceil(silence / build.sample_period_s)), console,
                       [] { InterruptGuard::check(); });

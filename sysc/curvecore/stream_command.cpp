@@ -8,9 +8,11 @@
 #include <optional>
 
 #include "hls/registers/registers.h"
+#include "ref/program/coordinates.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
+#include "sysc/wire/encoders.hpp"
 #include "sysc/wire/start_check.hpp"
 #include "sysc/wire/wire_stream.hpp"
 
@@ -60,7 +62,8 @@ class StatusLine {
 /// What was planned and what the board saw.
 nlohmann::ordered_json report(const Options& options, const RemoteMachine& machine,
                               const WireStream& stream, const std::vector<std::int32_t>& steps,
-                              double seconds, const std::string& end) {
+                              const std::vector<Following>& following, double seconds,
+                              const std::string& end) {
     const PlannedWords& planned = stream.planned();
     const LinkFigures& link = machine.figures();
     const RemoteBuild& build = machine.build();
@@ -78,6 +81,10 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
                        {"words", planned.words},
                        {"words_of_busiest_second", planned.busiest}};
     json["drawn"] = {{"path_quanta", stream.path()}, {"steps", steps}, {"held", stream.held()}};
+    for (const Following& axis : following) {
+        json["following_error_mm"][std::string(1, ref::kAxisLetters[axis.encoder.axis])] = {
+            {"worst", axis.worst_mm}, {"end", axis.now_mm}};
+    }
     json["link"] = {{"duration_s", seconds},
                     {"frames", link.frames},
                     {"repeated", link.repeated},
@@ -121,6 +128,7 @@ int stream_command(Options options, const RawWireOptions& wire) {
         WordSource words(options);
         const BoardSettings settings = words.settings();
         machine.prepare(drives, options.unit_mm);
+        const Encoders encoders(machine, options.machine, drives);
         check_start(machine, words.start(), drives, options.machine);
         machine.begin(settings, static_cast<int>(std::ceil(silence / build.sample_period_s)));
         WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
@@ -148,15 +156,20 @@ int stream_command(Options options, const RawWireOptions& wire) {
         status.reset();
         const double seconds = std::chrono::duration<double>(WireClock::now() - begin).count();
         const std::vector<std::int32_t> steps = machine.steps();
+        const std::vector<Following> following = encoders.following();
+        const std::string astray = exit == 0 ? Encoders::astray(following) : "";
+        if (!astray.empty()) exit = 1;
         machine.disable();
         machine.finish();
         if (!options.folder.empty()) {
             OutputFolder folder(options.folder);
-            folder.write("report.json",
-                         report(options, machine, stream, steps, seconds, end).dump(2) + "\n");
+            folder.write(
+                "report.json",
+                report(options, machine, stream, steps, following, seconds, end).dump(2) + "\n");
             folder.commit();
         }
-        if (exit == 1) fmt::print(stderr, "the board stopped: {}\n", fault_names(stream.faults()));
+        if (end == "fault")
+            fmt::print(stderr, "the board stopped: {}\n", fault_names(stream.faults()));
         if (!options.quiet) {
             fmt::print(
                 "{} {:.3f} of {:.3f} mm, steps {}, {} frames, {} repeated, round trip {:.2f} ms\n",
@@ -164,7 +177,12 @@ int stream_command(Options options, const RawWireOptions& wire) {
                 static_cast<double>(stream.planned().path) / kQuantaPerUnit * options.unit_mm,
                 fmt::join(steps, " "), machine.figures().frames, machine.figures().repeated,
                 1e3 * machine.figures().round_trip_s);
+            for (const Following& axis : following) {
+                fmt::print("{}: worst following error {:.4f} mm\n",
+                           ref::kAxisLetters[axis.encoder.axis], std::abs(axis.worst_mm));
+            }
         }
+        if (!astray.empty()) fmt::print(stderr, "{}\n", astray);
         if (stream.link_rate() < 1) {
             fmt::print(
                 stderr,

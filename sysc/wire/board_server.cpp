@@ -40,7 +40,7 @@ struct BoardServer::State {
     };
 
     State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
-        : fast(options.fast), board(std::move(step), options.switches, options.limits) {}
+        : fast(options.fast), board(std::move(step), options.axes) {}
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);

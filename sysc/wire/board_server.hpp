@@ -17,8 +17,7 @@ struct BoardServerOptions {
     std::string address;  // ADDRESS[:PORT]; port 0: any that is free
     /// The clock goes on as frames come, as fast as it can; otherwise as time does.
     bool fast = false;
-    std::vector<VirtualSwitch> switches;
-    bool limits = false;  // they are limit switches too
+    VirtualAxes axes;
 };
 
 class BoardServer {

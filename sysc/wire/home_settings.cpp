@@ -12,6 +12,7 @@
 #include "ref/program/coordinates.hpp"
 #include "ref/program/input_error.hpp"
 #include "ref/program/text_file.hpp"
+#include "sysc/wire/joints.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -23,20 +24,10 @@ constexpr double kLastInTurn = 1e9;
 class HomeReader {
   public:
     HomeReader(const ref::IniFile& ini, const ref::Machine& machine)
-        : ini_(ini), machine_(machine) {
-        const auto units = ini.find("TRAJ", "LINEAR_UNITS");
-        inches_ = units && units->value[0] == 'i';
-    }
+        : ini_(ini), machine_(machine) {}
 
     std::vector<AxisHome> read() {
-        const auto entry = ini_.find("TRAJ", "COORDINATES");
-        const std::string letters = entry ? entry->value : std::string(ref::kAxisLetters);
-        int joint = 0;
-        for (const char c : letters) {
-            const auto axis = ref::kAxisLetters.find(static_cast<char>(std::toupper(c)));
-            if (axis == std::string_view::npos) continue;
-            read_axis(static_cast<int>(axis), fmt::format("JOINT_{}", joint++));
-        }
+        for (const Joint& joint : joints_of(ini_)) read_axis(joint);
         std::sort(found_.begin(), found_.end(),
                   [](const Found& a, const Found& b) { return key(a) < key(b); });
         std::vector<AxisHome> homes;
@@ -54,16 +45,15 @@ class HomeReader {
         return {one.sequence, one.home.axis != 2, one.home.axis};
     }
 
-    void read_axis(int axis, const std::string& section) {
-        const bool angle = axis >= 3 && axis < 6;
-        const double unit = inches_ && !angle ? 25.4 : 1;
+    void read_axis(const Joint& joint) {
+        const auto& [axis, section, unit] = joint;
         const auto number = [&](const char* name) {
-            return ini_.number(section, name).value_or(0);
+            return ini_.number(joint.section, name).value_or(0);
         };
         const auto refuse = [&](const char* name, const std::string& reason) {
-            const auto entry = ini_.find(section, name);
+            const auto entry = ini_.find(joint.section, name);
             throw ref::InputError(ini_.file(), entry ? entry->line : 0,
-                                  fmt::format("[{}] {}", section, reason));
+                                  fmt::format("[{}] {}", joint.section, reason));
         };
         AxisHome home;
         home.axis = axis;
@@ -104,7 +94,6 @@ class HomeReader {
 
     const ref::IniFile& ini_;
     const ref::Machine& machine_;
-    bool inches_ = false;
     std::vector<Found> found_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "hls/registers/registers.h"
 #include "hls/words.hpp"
+#include "ref/program/coordinates.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/host/usage_error.hpp"
 
@@ -46,6 +47,7 @@ RemoteBuild build_of(const std::vector<std::uint32_t>& constants) {
         std::exp2(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2)) / build.clock_hz;
     build.segment_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_SEGMENT_QUEUE_LOG2);
     build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
+    build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
     build.core.build =
         CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0 ? Build::kSerial : Build::kParallel;
     build.core.splines = static_cast<int>(CURVECORE_FIELD(capability, CAPABILITY_SPLINES));
@@ -76,6 +78,14 @@ std::string fault_names(std::uint32_t state) {
         if ((state >> n & 1) != 0) text += (text.empty() ? "" : "; ") + std::string(kNames[n]);
     }
     const unsigned motion = (state & CURVECORE_STATE_MOTION_MASK) >> CURVECORE_STATE_MOTION_LOW;
+    const auto of_axis = [&](std::uint32_t mask, const char* what) {
+        if ((state & mask) == 0) return;
+        const unsigned axis =
+            (state & CURVECORE_STATE_FAULT_AXIS_MASK) >> CURVECORE_STATE_FAULT_AXIS_LOW;
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", ref::kAxisLetters[axis], what);
+    };
+    of_axis(CURVECORE_STATE_ENCODER_MASK, "an encoder that skips, or goes too fast to be followed");
+    of_axis(CURVECORE_STATE_FOLLOWING_MASK, "following error");
     if (motion != 0) text += (text.empty() ? "" : "; ") + fault_text(motion);
     return text;
 }
@@ -253,6 +263,19 @@ void RemoteMachine::set_origin(int axis, std::int32_t origin) {
     write(CURVECORE_ORIGIN0 + 4 * static_cast<std::uint32_t>(axis),
           static_cast<std::uint32_t>(origin));
     write(CURVECORE_HOMED, homed() | 1U << axis);
+}
+
+void RemoteMachine::watch(int axis, EncoderRatio encoder, std::uint32_t limit) {
+    const auto at = static_cast<std::uint32_t>(4 * axis);
+    write(CURVECORE_ENCODER_RATIO0 + at, (static_cast<std::uint32_t>(encoder.counts) & 0xffff) |
+                                             static_cast<std::uint32_t>(encoder.steps) << 16);
+    write(CURVECORE_FOLLOWING_LIMIT0 + at, limit);
+}
+
+std::pair<std::int32_t, std::int32_t> RemoteMachine::following(int axis) {
+    const auto at = static_cast<std::uint32_t>(4 * axis);
+    return {static_cast<std::int32_t>(read(CURVECORE_FOLLOWING0 + at)),
+            static_cast<std::int32_t>(read(CURVECORE_FOLLOWING_WORST0 + at))};
 }
 
 std::vector<std::optional<std::int32_t>> RemoteMachine::places() {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
+#include "hls/registers/registers.h"
 #include "sysc/board/board.hpp"
 #include "sysc/host/core_parameters.hpp"
 #include "sysc/wire/frame_stream.hpp"
@@ -17,6 +19,7 @@ struct RemoteBuild {
     double sample_period_s = 0;
     int segment_queue_words = 0;
     int profile_queue_words = 0;
+    bool encoders = false;  // it has inputs of them
     CoreParameters core;
 };
 
@@ -27,6 +30,12 @@ struct Drives {
     double stepspace_s = 2e-6;
     double dirsetup_s = 4e-6;
     double dirhold_s = 4e-6;
+};
+
+/// So many edges of an encoder are so many steps; steps < 0: it counts backwards.
+struct EncoderRatio {
+    int counts = 0;
+    int steps = 0;
 };
 
 class RemoteMachine {
@@ -77,6 +86,11 @@ class RemoteMachine {
     /// The axis is homed: its machine coordinate is 0 where its count of steps is `origin`.
     void set_origin(int axis, std::int32_t origin);
     void forget_place(int axis);
+    /// An axis whose encoder is this, and which stops the machine beyond the limit, in 1 / counts
+    /// of a step; 0: never.
+    void watch(int axis, EncoderRatio encoder, std::uint32_t limit);
+    /// How far the axis is from where its steps say, in that unit: now, and when it was the worst.
+    std::pair<std::int32_t, std::int32_t> following(int axis);
     /// Machine coordinates of the axes that are homed, in steps.
     std::vector<std::optional<std::int32_t>> places();
 
@@ -95,7 +109,8 @@ class RemoteMachine {
 };
 
 /// All faults in a word of STATE.
-constexpr std::uint32_t kFaultBits = 0xffff;
+constexpr std::uint32_t kFaultBits =
+    0xffff | CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK;
 
 /// Names of the faults in a word of STATE.
 std::string fault_names(std::uint32_t state);

@@ -40,7 +40,8 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
 void WireStream::look() {
     machine_.work();
     path_ = std::max(path_, machine_.telemetry().path);
-    faults_ |= machine_.telemetry().state & kFaultBits;
+    faults_ = (faults_ & kFaultBits) |
+              (machine_.telemetry().state & (kFaultBits | CURVECORE_STATE_FAULT_AXIS_MASK));
     held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
 }
 

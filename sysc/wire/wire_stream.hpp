@@ -28,6 +28,7 @@ class WireStream {
     const PlannedWords& planned() const { return planned_; }
     /// Quanta that the board has drawn.
     std::uint64_t path() const { return path_; }
+    /// Bits of STATE.
     std::uint32_t faults() const { return faults_; }
     bool held() const { return held_; }
     /// Rate of time that the link's words a second allow, at most 1.

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/wire/encoders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hls/registers/registers.h"
+#include "ref/program/coordinates.hpp"
+#include "ref/program/input_error.hpp"
+#include "ref/program/text_file.hpp"
+#include "sysc/host/usage_error.hpp"
+#include "sysc/wire/joints.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr double kMostCounts =
+    CURVECORE_ENCODER_RATIO0_COUNTS_MASK >> CURVECORE_ENCODER_RATIO0_COUNTS_LOW;
+constexpr double kMostSteps = 32767;  // signed
+/// A ratio that is so far off moves an axis by a micrometre in a metre.
+constexpr double kSameRatio = 1e-6;
+/// The sum behind a limit has 32 bits and goes on by a count's or a step's weight at a time.
+constexpr double kMostLimit = 2147483648.0 - 131072;
+
+/// Until axes stand where they are to.
+constexpr auto kSettles = std::chrono::milliseconds(500);
+
+}  // namespace
+
+std::vector<AxisEncoder> read_encoders(const std::string& machine_file) {
+    const ref::IniFile ini(ref::read_text_file(machine_file), machine_file);
+    std::vector<AxisEncoder> encoders;
+    for (const Joint& joint : joints_of(ini)) {
+        const auto scale = ini.number(joint.section, "ENCODER_SCALE");
+        if (!scale || *scale == 0) continue;
+        const auto most = ini.number(joint.section, "FERROR");
+        if (!most || *most <= 0) {
+            throw ref::InputError(
+                machine_file, ini.find(joint.section, "ENCODER_SCALE")->line,
+                fmt::format("[{}] ENCODER_SCALE: FERROR is missing", joint.section));
+        }
+        encoders.push_back(
+            {joint.axis, *scale / joint.unit_mm, *most * joint.unit_mm,
+             ini.number(joint.section, "MIN_FERROR").value_or(*most) * joint.unit_mm});
+    }
+    return encoders;
+}
+
+/// The last convergent of the continued fraction that fits.
+EncoderRatio ratio_of(double counts_per_mm, double steps_per_mm) {
+    const double wanted = std::abs(counts_per_mm) / steps_per_mm;
+    std::pair<double, double> before{0, 1};
+    std::pair<double, double> best{1, 0};
+    for (double rest = wanted;;) {
+        const double whole = std::floor(rest);
+        const std::pair<double, double> next{whole * best.first + before.first,
+                                             whole * best.second + before.second};
+        if (next.first > kMostCounts || next.second > kMostSteps) break;
+        before = std::exchange(best, next);
+        // What is left of a ratio of whole numbers is noise.
+        if (std::abs(best.first / best.second - wanted) < 1e-12 * wanted) break;
+        rest = 1 / (rest - whole);
+    }
+    const auto [counts, steps] = best;
+    if (counts == 0 || steps == 0 || std::abs(counts / steps - wanted) > kSameRatio * wanted) {
+        throw UsageError(
+            fmt::format("ENCODER_SCALE of {:g} edges a mm beside {:g} steps a mm: no "
+                        "ratio that the board can have",
+                        counts_per_mm, steps_per_mm));
+    }
+    return {static_cast<int>(counts), static_cast<int>(std::copysign(steps, counts_per_mm))};
+}
+
+Encoders::Encoders(RemoteMachine& machine, const std::string& machine_file, const Drives& drives)
+    : machine_(machine) {
+    if (!machine.build().encoders) return;
+    for (int axis = 0; axis < machine.build().axes; ++axis) machine.watch(axis, {}, 0);
+    if (machine_file.empty()) return;
+    for (const AxisEncoder& encoder : read_encoders(machine_file)) {
+        if (encoder.axis >= machine.build().axes) continue;
+        const double steps_per_mm = drives.steps_per_mm[encoder.axis];
+        const EncoderRatio ratio = ratio_of(encoder.counts_per_mm, steps_per_mm);
+        const double units = steps_per_mm * ratio.counts;
+        const double limit = std::floor(encoder.limit_mm * units);
+        if (limit < 1 || limit > kMostLimit) {
+            throw UsageError(
+                fmt::format("FERROR of {:g} mm is more or less than the board can "
+                            "watch: {:g} .. {:g} mm",
+                            encoder.limit_mm, 1 / units, kMostLimit / units));
+        }
+        machine.watch(encoder.axis, ratio, static_cast<std::uint32_t>(limit));
+        encoders_.push_back(encoder);
+        units_per_mm_.push_back(units);
+    }
+}
+
+std::vector<Following> Encoders::following() const {
+    const WireClock::time_point end = WireClock::now() + kSettles;
+    for (;;) {
+        std::vector<Following> all;
+        for (std::size_t n = 0; n < encoders_.size(); ++n) {
+            const auto [now, worst] = machine_.following(encoders_[n].axis);
+            all.push_back({encoders_[n], now / units_per_mm_[n], worst / units_per_mm_[n]});
+        }
+        if (astray(all).empty() || WireClock::now() > end) return all;
+        machine_.work();
+    }
+}
+
+std::string Encoders::astray(const std::vector<Following>& axes) {
+    std::string text;
+    for (const Following& axis : axes) {
+        if (std::abs(axis.now_mm) <= axis.encoder.rest_mm) continue;
+        text += fmt::format("{}{} stands {:.3g} mm off, and MIN_FERROR is {:g} mm",
+                            text.empty() ? "" : "; ", ref::kAxisLetters[axis.encoder.axis],
+                            std::abs(axis.now_mm), axis.encoder.rest_mm);
+    }
+    return text;
+}
+
+}  // namespace curvecore::sysc
