@@ -2,7 +2,7 @@
 """The files that are made of a board's table: constraints and the top.
 
 Switches have pull-ups and close to ground: a wire that is off is an open switch, which stops.
-Limit switches are the home switches too; there is no probe.
+Without pins of their own limit switches are the home switches too; there is no probe, no encoder.
 """
 
 
@@ -53,8 +53,8 @@ MOTION = """  reg [7:0] start = 8'd0;
     .clk_i(clock), .rst_ni(start[7]),
     .byte_valid_i(in_valid), .byte_ready_o(), .byte_i(in),
     .byte_valid_o(out_valid), .byte_ready_i(out_ready), .byte_o(out),
-    .estop_i(estop), .limit_i(limit), .probe_i(1'b0), .home_i(limit),
-    .encoder_a_i(1'b0), .encoder_b_i(1'b0),
+    .estop_i(estop), .limit_i(limit), .probe_i({probe}), .home_i({home}),
+    .encoder_a_i({encoder_a}), .encoder_b_i({encoder_b}),
     .step_o(step), .direction_o(direction), .enable_o(enable)
   );
 """
@@ -62,18 +62,24 @@ MOTION = """  reg [7:0] start = 8'd0;
 PINS = """  reg [7:0] count = 8'd0;
   always @(posedge clock) count <= count + 8'd1;
   assign uart_tx = uart_rx;
-  assign step = limit;
-  assign direction = limit;
-  assign enable = estop ^ count[7];
+  assign step = limit & {home};
+  assign direction = limit ^ {encoder_a} ^ {encoder_b};
+  assign enable = estop ^ count[7] ^ {probe};
 """
 
 
 def top(board, pins_alone=False):
     """Verilog of module top; with `pins_alone` something that uses every pin, and no motion."""
     axes = f"[{board.axes - 1}:0]"
+    none = f"{board.axes}'d0"
+    inputs = {"probe": "1'b0", "home": "limit", "encoder_a": none, "encoder_b": none}
+    inputs |= {name: name for name in inputs if name in board.pins}
+    more = "".join(f", input {'' if name == 'probe' else axes + ' '}{name}" for name in inputs
+                   if name in board.pins)
     values = ", ".join(f".{name}({value})" for name, value in board.settings.items())
-    return (f"module top (\n  input clk, input uart_rx, input estop, input {axes} limit,\n"
+    return (f"module top (\n  input clk, input uart_rx, input estop, input {axes} limit{more},\n"
             f"  output uart_tx, output {axes} step, output {axes} direction, output enable\n);\n"
             + (CLOCK if board.clock_hz == board.oscillator_hz else PLL)
-            + (PINS if pins_alone else MOTION.format(values=values, bit_clocks=board.bit_clocks))
+            + (PINS.format(**inputs) if pins_alone else
+               MOTION.format(values=values, bit_clocks=board.bit_clocks, **inputs))
             + "endmodule\n")

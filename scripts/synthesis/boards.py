@@ -5,7 +5,8 @@
     oscillator_hz           at the pin clk; clock_hz: of the design, by a PLL where it is another
     baud                    of the UART
     parameters              of rtl/motion_board.sv; the other ones follow or have their defaults
-    pins                    names of balls or pins; of step, direction and limit one for each axis
+    pins                    names of balls or pins; of step, direction and limit one for each axis;
+                            and where there are any probe, home, encoder_a, encoder_b
     board, where            for people
 """
 
@@ -20,8 +21,9 @@ from synthesis.refused import Refused
 FOLDER = ROOT / "scripts" / "boards"
 TOP = "motion_board"
 PINS = ("clk", "uart_rx", "uart_tx", "step", "direction", "enable", "estop", "limit")
-PULLED_UP = ("uart_rx", "estop", "limit")
-OF_AXES = ("step", "direction", "limit")
+OPTIONAL = ("probe", "home", "encoder_a", "encoder_b")
+PULLED_UP = ("uart_rx", "estop", "limit", *OPTIONAL)
+OF_AXES = ("step", "direction", "limit", "home", "encoder_a", "encoder_b")
 BAUD_ERROR = 0.02  # a byte of ten bits is sampled in their middle: half a bit off in 9.5 is 5 %
 LEAST_BIT_CLOCKS = 8
 
@@ -55,7 +57,9 @@ class Board:
 
     def ports(self):
         """(port, pin, has a pull-up) of every bit."""
-        for name in PINS:
+        for name in PINS + OPTIONAL:
+            if name not in self.pins:
+                continue
             if name in OF_AXES:
                 yield from ((f"{name}[{axis}]", pin, name in PULLED_UP)
                             for axis, pin in enumerate(self.pins[name]))
@@ -112,9 +116,15 @@ def check(board):
 
 
 def check_pins(board):
-    if set(board.pins) != set(PINS):
-        raise Refused(f"pins must be {', '.join(PINS)}")
+    if not set(PINS) <= set(board.pins) <= set(PINS + OPTIONAL):
+        raise Refused(f"pins must be {', '.join(PINS)}; and may be {', '.join(OPTIONAL)}")
+    given = {"encoder_a" in board.pins, "encoder_b" in board.pins,
+             board.parameters.get("Encoders", "0") != "0"}
+    if len(given) > 1:
+        raise Refused("encoders have pins encoder_a and encoder_b, and the parameter Encoders")
     for name in OF_AXES:
+        if name not in board.pins:
+            continue
         if len(board.pins[name]) != board.axes:
             raise Refused(f"{name} has {len(board.pins[name])} pins for {board.axes} axes")
     used = {}

@@ -12,6 +12,7 @@
 namespace curvecore::tb {
 namespace {
 
+using testing::IsNotSubstring;
 using testing::IsSubstring;
 using Json = nlohmann::json;
 
@@ -77,6 +78,36 @@ TEST(SynthBoard, ConstraintsAndTopFollowFromTheTable) {
                         synth.read("out/boards/tang_nano_9k/board.cst"));
 }
 
+constexpr const char* kMoreInputs =
+    R"({"pins": {"probe": "P1", "home": ["P2", "P4", "P5"], "encoder_a": ["Q1", "Q2", "Q3"],
+                 "encoder_b": ["R1", "R2", "R3"]}, "parameters": {"Encoders": 3}})";
+
+TEST(SynthBoard, InputsThatABoardMayHaveAreThereOrTied) {
+    const SynthRun synth(kTools);
+    EXPECT_EQ(synth.synth({"--board", "colorlight_i5"}).status, 0);
+    const std::string without = synth.read("out/boards/colorlight_i5/top.v");
+    EXPECT_PRED_FORMAT2(IsSubstring, ".probe_i(1'b0), .home_i(limit),", without);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".encoder_a_i(3'd0), .encoder_b_i(3'd0),", without);
+    EXPECT_PRED_FORMAT2(IsNotSubstring, "input probe", without);
+
+    Json table = table_of("colorlight_i5");
+    table.merge_patch(Json::parse(kMoreInputs));
+    synth.write("mine.json", table.dump());
+    EXPECT_EQ(synth.synth({"--board", "mine.json"}).status, 0);
+    const std::string top = synth.read("out/boards/mine/top.v");
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "input [2:0] limit, input probe, input [2:0] home, input [2:0] encoder_a, "
+                        "input [2:0] encoder_b,",
+                        top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".probe_i(probe), .home_i(home),", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".encoder_a_i(encoder_a), .encoder_b_i(encoder_b),", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".Encoders(3)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        "LOCATE COMP \"encoder_b[2]\" SITE \"R3\";\n"
+                        "IOBUF PORT \"encoder_b[2]\" IO_TYPE=LVCMOS33 PULLMODE=UP;\n",
+                        synth.read("out/boards/mine/board.lpf"));
+}
+
 TEST(SynthBoard, AParameterGivenIsInTheTop) {
     const SynthRun synth(kTools);
     EXPECT_EQ(synth.synth({"--board", "icebreaker", "--set", "Order=4"}).status, 0);
@@ -95,6 +126,11 @@ const std::vector<BadBoard> kBadBoards{
     {"PinTwice", R"({"pins": {"estop": "C17"}})", "pin C17 is step[0] and estop"},
     {"PinMissing", R"({"pins": {"estop": null}})", "pins must be clk, uart_rx, uart_tx, "},
     {"AxesWithoutPins", R"({"parameters": {"AuxAxes": 1}})", "step has 3 pins for 4 axes"},
+    {"PinUnknown", R"({"pins": {"coolant": "P1"}})", "and may be probe, home, encoder_a, encod"},
+    {"HalfAnEncoder", R"({"pins": {"encoder_a": ["P1", "P2", "P4"]}})",
+     "encoders have pins encoder_a and encoder_b, and the parameter Encoders"},
+    {"EncodersWithoutPins", R"({"parameters": {"Encoders": 3}})", "encoders have pins encoder_a"},
+    {"HomeOfOneAxis", R"({"pins": {"home": ["P1"]}})", "home has 1 pins for 3 axes"},
     {"UnknownParameter", R"({"parameters": {"Degree": 3}})", "motion_board has no parameter Deg"},
     {"PeriodTooShort", R"({"parameters": {"PeriodLog2": 7}})",
      "Axes (FineBits + 7) + 4 clocks must fit"},
