@@ -4,7 +4,7 @@
 package path_control_pkg;
 
   // For rtl/path/path_datapath.sv
-  localparam int Read = 0;  // 4 bits: the operand; from 8 on of the present piece
+  localparam int Read = 0;  // 4 bits: the operand; of the present piece: 8 a coefficient, 11 ds
   localparam int Write = 4;  // 4 bits: what is written
   localparam int Store = 8;  // it is: the sum,
   localparam int OfRate = 9;  // the rate in place of its low bits, the sum being 0
@@ -13,20 +13,21 @@ package path_control_pkg;
   localparam int Add = 12;  // the operand to it
   localparam int Invert = 13;  // the bits of what Add gives
   localparam int Halve = 14;  // what Add gives
-  localparam int Multiply = 15;  // add it only if the factor's next bit is 1; operand 2, no other
+  localparam int Multiply = 15;  // to the factor's next bit
   localparam int Round = 16;  // add the bit that Halve dropped in the clock before
   localparam int Load = 17;  // the sum is the factor
-  localparam int Bits = 18;
+  localparam int Choose = 18;  // read 2, if the factor's next bit is 1; with Read 0 only
+  localparam int Bits = 19;
 
   // For rtl/path/path_sequencer.sv
-  localparam int Target = 18;  // 6 bits: where it jumps to
-  localparam int Condition = 24;  // 4 bits: if
-  localparam int Stay = 28;  // or else: to be obeyed again
-  localparam int Ready = 29;  // for a tick
-  localparam int Take = 30;  // the next piece
-  localparam int Send = 31;  // the sum is an increment
-  localparam int Next = 32;  // coefficient
-  localparam int WordBits = 33;
+  localparam int Target = 19;  // 6 bits: where it jumps to
+  localparam int Condition = 25;  // 4 bits: if
+  localparam int Stay = 29;  // or else: to be obeyed again
+  localparam int Ready = 30;  // for a tick
+  localparam int Take = 31;  // the next piece
+  localparam int Send = 32;  // the sum is an increment
+  localparam int Next = 33;  // coefficient
+  localparam int WordBits = 34;
 
   // Conditions
   localparam logic [3:0] Never = 4'd0;

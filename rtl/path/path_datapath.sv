@@ -38,21 +38,19 @@ module path_datapath (
   logic multiply;
   assign multiply = control_i[path_control_pkg::Multiply];
 
-  // What is read for the next clock. A product's bits choose between places 2 and 0; behind the
-  // last one they are 0, as time in a piece is less than 2^m.
+  // What is read for the next clock. While a product's word is obeyed again the one behind it is
+  // ahead, so both choose; behind the last bit are zeros, as time in a piece is less than 2^m.
   logic [34:0] factor_q;
   logic [3:0] read;
-  logic chooses;
   logic next_bit;
   assign read     = ahead_i[path_control_pkg::Read+:4];
-  assign chooses  = multiply || ahead_i[path_control_pkg::Multiply];
   assign next_bit = control_i[path_control_pkg::Load] ? sum_o[0] : factor_q[1];
 
-  // Words of a piece: {1, bank, pass}, ds as pass 3.
+  // Words of a piece: {1, bank, pass}, ds as pass 3. Memories are slow: few gates behind ahead_i.
   logic [3:0] address;
   always_comb begin
-    address = {1'b0, read[2], chooses ? next_bit : read[1], read[0]};
-    if (read[3]) address = {1'b1, !bank_i, read[0] ? pass_i : 2'd3};
+    address = {read[3], read[3] ? !bank_i : read[2], read[1:0] | ({2{read[3]}} & pass_i)};
+    if (ahead_i[path_control_pkg::Choose] && next_bit) address[1] = 1'b1;
   end
 
   logic loads;

@@ -83,8 +83,8 @@ module path_program (
   localparam logic [3:0] Path = 4'd4;  // since the piece began
   localparam logic [3:0] Rate = 4'd5;
   localparam logic [3:0] Rest = 4'd6;  // of the piece before
-  localparam logic [3:0] Ds = 4'd8;  // of the piece
-  localparam logic [3:0] Coefficient = 4'd9;  // c3, c2, c1, one after the other
+  localparam logic [3:0] Ds = 4'd11;  // of the piece
+  localparam logic [3:0] Coefficient = 4'd8;  // c3, c2, c1, one after the other
 
   localparam int Bits = path_control_pkg::WordBits;
   localparam logic [Bits-1:0] One = 1;
@@ -93,6 +93,7 @@ module path_program (
   localparam logic [Bits-1:0] Clear = One << path_control_pkg::Clear;
   localparam logic [Bits-1:0] Round = One << path_control_pkg::Round;
   localparam logic [Bits-1:0] Multiply = One << path_control_pkg::Multiply;
+  localparam logic [Bits-1:0] Choose = One << path_control_pkg::Choose;
   localparam logic [Bits-1:0] Load = One << path_control_pkg::Load;
   localparam logic [Bits-1:0] Takes = One << path_control_pkg::Take;
   localparam logic [Bits-1:0] Next = One << path_control_pkg::Next;
@@ -170,8 +171,9 @@ module path_program (
     program_rom[SetFactor] = write(Factor) | Clear;
     program_rom[ReadTime] = add(Time);
     program_rom[LoadTime] = Load | Clear;
-    program_rom[Product] = Multiply | halve(Factor) | stay_if(path_control_pkg::MoreBits);
-    program_rom[RoundProduct] = Round | add(Zero) | go_if(path_control_pkg::LastPass, Scale);
+    program_rom[Product] = Multiply | Choose | halve(Zero) | stay_if(path_control_pkg::MoreBits);
+    program_rom[RoundProduct] = Choose | Round | add(Zero) |
+        go_if(path_control_pkg::LastPass, Scale);
     program_rom[NextPower] = add(Coefficient) | Next | go(SetFactor);
     program_rom[Scale] = Next | go_if(path_control_pkg::IsAbove, Double);
     program_rom[NoScale] = go_if(path_control_pkg::IsExact, Forward);

@@ -53,7 +53,7 @@ module word_queue #(
   logic [Bits-1:0] read_data_q;
   logic [Bits-1:0] memory[Depth];
   always_ff @(posedge clk_i) begin
-    if (write) memory[write_q[AddressBits-1:0]] <= data_i;
+    if (ready_o) memory[write_q[AddressBits-1:0]] <= data_i;  // a free place: valid_i may be late
     if (read) read_data_q <= memory[read_q[AddressBits-1:0]];
     if (move) data_o <= read_data_q;
   end
