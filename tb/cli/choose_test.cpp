@@ -59,7 +59,8 @@ TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
     const Json file = Json::parse(program_.read("out/core.json"));
     EXPECT_EQ(file["clock_hz"], 25e6);
     EXPECT_EQ(file["sample_period_s"], 2048 / 25e6);
-    const ProgramResult plan = run({"plan", DATA_DIR "/arcs.ngc", "-q", "--core", "out/core.json"});
+    const ProgramResult plan =
+        run({"plan", DATA_DIR "/arcs.ngc", "-q", "-o", "plan", "--core", "out/core.json"});
     EXPECT_EQ(plan.status, 0) << plan.err;
 }
 
