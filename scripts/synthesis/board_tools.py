@@ -10,7 +10,9 @@ from synthesis.refused import Refused
 
 @dataclasses.dataclass(frozen=True)
 class BoardTools:
-    """Commands have {part}, and {..} of what is in the board's `device`."""
+    """Commands have {part}, and {..} of what is in the board's `device`.
+
+    Boards are slow and full: without multiplexers behind LUTs a design needs fewer of these."""
 
     family: Family
     synthesis: str  # of Yosys
@@ -24,7 +26,7 @@ class BoardTools:
 
 TOOLS = {
     "ecp5": BoardTools(
-        ECP5, "synth_ecp5 -top top", lpf, "board.lpf",
+        ECP5, "synth_ecp5 -nowidelut -top top", lpf, "board.lpf",
         ("--{size}", "--package", "{package}", "--speed", "{speed}", "--lpf", "board.lpf",
          "--textcfg", "board.config"),
         ("ecppack", "board.config", "board.bit"), "board.bit",
@@ -35,7 +37,7 @@ TOOLS = {
         ("--{size}", "--package", "{package}", "--pcf", "board.pcf", "--asc", "board.asc"),
         ("icepack", "board.asc", "board.bin"), "board.bin"),
     "gowin": BoardTools(
-        GOWIN, "synth_gowin -family {yosys} -top top", cst, "board.cst",
+        GOWIN, "synth_gowin -family {yosys} -nowidelut -top top", cst, "board.cst",
         ("--device", "{part}", "--vopt", "family={die}", "--vopt", "cst=board.cst",
          "--write", "placed.json"),
         ("gowin_pack", "-d", "{die}", "-o", "board.fs", "placed.json"), "board.fs"),
