@@ -13,10 +13,10 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kKnots = 16;  // in the time to full acceleration
-// Intervals that are solved at once, ten such times, and how many of them are kept: the rest, more
+// Intervals that are solved at once, 17.5 such times, and how many of them are kept: the rest, more
 // than it takes to full deceleration, is solved again with what follows.
-constexpr std::size_t kWindow = 160;
-constexpr std::size_t kCommitted = 120;
+constexpr std::size_t kWindow = 280;
+constexpr std::size_t kCommitted = 240;
 constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
 // Shares of the time that the barrier may cost: first, to draw back from limits, and last.
 constexpr double kFirstGap = 0.5;
