@@ -11,6 +11,8 @@ namespace {
 
 /// Faults behind which the machine is off, or its words are lost.
 constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
+/// Those that turn it off. Words that are under way are refused then: no fault of their own.
+constexpr std::uint32_t kOff = kEnds & ~(CURVECORE_STATE_BUS_MASK | CURVECORE_STATE_MOTION_MASK);
 /// Of the words a second that a link carries: the rest is for repetitions.
 constexpr double kOfLink = 0.9;
 constexpr auto kStops = std::chrono::seconds(10);
@@ -42,6 +44,7 @@ void WireStream::look() {
     path_ = std::max(path_, machine_.telemetry().path);
     faults_ = (faults_ & kFaultBits) |
               (machine_.telemetry().state & (kFaultBits | CURVECORE_STATE_FAULT_AXIS_MASK));
+    if ((faults_ & kOff) != 0) faults_ &= ~CURVECORE_STATE_BUS_MASK;
     held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
 }
 
