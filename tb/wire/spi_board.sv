@@ -48,6 +48,8 @@ module spi_board (
       .limit_i      (3'd0),
       .probe_i      (1'b0),
       .home_i       (3'd0),
+      .encoder_a_i  (3'd0),
+      .encoder_b_i  (3'd0),
       .step_o,
       .direction_o,
       .enable_o     (),
