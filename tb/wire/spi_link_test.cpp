@@ -104,7 +104,7 @@ TEST(SpiLink, DrawsTheStepsThatUdpDraws) {
                            "G1 X0\nM2\n";
     Steps over_udp;
     {
-        BoardServer server({"127.0.0.1:0", true, {}, false}, [&](const VirtualStep& step) {
+        BoardServer server({"127.0.0.1:0", true, {}}, [&](const VirtualStep& step) {
             over_udp.push_back(
                 {static_cast<std::int64_t>(step.clock), step.axis, step.back ? -1 : 1});
         });
