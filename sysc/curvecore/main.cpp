@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <system_error>
 
 #include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
@@ -281,6 +282,9 @@ int main(int argc, char** argv) {
         return 2;
     } catch (const curvecore::sysc::Interrupted&) {
         return 130;
+    } catch (const std::system_error& error) {  // a disk that is full
+        fmt::print(stderr, "curvecore: error: {}\n", error.what());
+        return 2;
     } catch (const std::exception& error) {
         fmt::print(stderr, "curvecore: internal error: {}\n", error.what());
         return 1;

@@ -84,7 +84,7 @@ TEST_F(MotionSystem, DrawsAProgramThatIsWrittenToRegisters) {
     expect_drawn();
     EXPECT_FALSE(host_.is(CURVECORE_STATE_UNDERRUN_MASK));
     for (int a = 0; a < kSystemAxes && CFG_Galvo == 1; ++a) {
-        const double units = part_.job.program.moves.back().end[a] / part_.job.options.unit_mm;
+        const double units = part_.job.plan.moves.back().end[a] / part_.job.options.unit_mm;
         const int64_t fine = std::llround(units) << (kFineBits - 32);
         EXPECT_EQ(host_.galvo_frame(a), hls::xy2_frame(fine, kFineBits)) << "axis " << a;
     }
