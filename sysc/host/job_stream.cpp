@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "ref/program/input_error.hpp"
 #include "ref/segment/geometry.hpp"
@@ -77,8 +78,13 @@ JobStream::JobStream(const Options& options, ref::Machine machine,
     }
     try {
         look_at_program();
-    } catch (const ref::InputError&) {  // what is drawn may still do
-        look_at_drawn();
+    } catch (const ref::InputError&) {
+        const std::exception_ptr programmed = std::current_exception();
+        try {
+            look_at_drawn();  // it may still do
+        } catch (const ref::InputError&) {
+            std::rethrow_exception(programmed);
+        }
     }
     moves_.emplace(job_.options, job_.machine, form_);
 }
@@ -102,13 +108,15 @@ void JobStream::look_at_program() {
         looker.add(move);
     }
     looker.look();
-    seen.spline = first_drawn_spline();
+    seen.spline = first_drawn_spline(seen.spline);
     use(seen);
 }
 
 /// A core draws all splines or none of them.
-std::optional<int> JobStream::first_drawn_spline() const {
-    if (form_of(job_.options, form_) != ref::SplineForm::kSpline) return {};
+std::optional<int> JobStream::first_drawn_spline(std::optional<int> programmed) const {
+    if (form_of(job_.options, form_) != ref::SplineForm::kSpline) {
+        return job_.options.arc_tolerance ? std::nullopt : programmed;
+    }
     DrawnMoves moves(job_.options, job_.machine, form_);
     for (ref::Move move; moves.next(move);) {
         if (is_spline(move)) return move.line;

@@ -43,7 +43,7 @@ class JobStream {
     struct Seen;
 
     void look_at_program();
-    std::optional<int> first_drawn_spline() const;
+    std::optional<int> first_drawn_spline(std::optional<int> programmed) const;
     void look_at_drawn();
     void look_at_input();
     void use(const Seen& seen);
