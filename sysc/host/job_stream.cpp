@@ -114,9 +114,9 @@ void JobStream::look_at_program() {
 
 /// A core draws all splines or none of them.
 std::optional<int> JobStream::first_drawn_spline(std::optional<int> programmed) const {
-    if (form_of(job_.options, form_) != ref::SplineForm::kSpline) {
-        return job_.options.arc_tolerance ? std::nullopt : programmed;
-    }
+    const bool splines = form_of(job_.options, form_) == ref::SplineForm::kSpline;
+    if (!splines && job_.options.arc_tolerance) return {};
+    if (!splines || job_.options.exact_path) return programmed;
     DrawnMoves moves(job_.options, job_.machine, form_);
     for (ref::Move move; moves.next(move);) {
         if (is_spline(move)) return move.line;
