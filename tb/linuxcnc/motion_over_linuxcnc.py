@@ -102,7 +102,7 @@ def finer(places):
 
 
 def off(places, path):
-    """How far places and path are off each other, both ways, in X Y Z."""
+    """How far places and path are off each other, both ways, on nine axes, a degree as a mm."""
     length = np.linalg.norm(np.diff(path, axis=0), axis=1)
     path = path[np.concatenate(([True], length > 1e-9))]
     way = np.diff(path, axis=0)
@@ -138,7 +138,7 @@ def figures(places, path, step):
     """Of positions every millisecond; `step`: the time between those that were given."""
     sampled = places[::round(PERIOD / step)]
     return {"s": (len(moving(places)) - 1) * step, "a": accelerations(sampled),
-            "off_mm": off(moving(sampled)[:, :3], path)}
+            "off_mm": off(moving(sampled), path)}
 
 
 def tolerance(file, folder):
@@ -184,7 +184,7 @@ def row(curvecore, name):
         (folder / "scratch").mkdir()
         subprocess.run([CALLBACKS, file, "--scratch", folder / "scratch", "--ini",
                         HERE / "machine.ini", "--path", folder / "path"], check=True)
-        path = np.fromfile(folder / "path").reshape(-1, 10)[:, :3]
+        path = np.fromfile(folder / "path").reshape(-1, 10)[:, :9]
         found = {"program": name, "tolerance_mm": tolerance(file, folder)}
         found["linuxcnc"] = theirs(file, path, folder)
         for label, jerk in JERKS.items():
