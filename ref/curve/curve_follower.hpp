@@ -2,6 +2,7 @@
 // The exact curve of a plan for who asks at every sample, in the order of the path.
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "ref/curve/segment_curve.hpp"
@@ -9,7 +10,7 @@
 namespace curvecore::ref {
 
 /// exact_position() and the curvature, with the table of a spline's path length kept as long as the
-/// segment stays the same.
+/// segment stays the same; its ends need none.
 ///
 /// | function  | unit    | error                                     |
 /// |-----------|---------|-------------------------------------------|
@@ -61,8 +62,11 @@ class CurveFollower {
         if (&segment != segment_) {
             segment_ = &segment;
             cubic_ = to_cubic(segment);
-            path_.emplace(cubic_);
+            path_.reset();
         }
+        if (s <= 0) return 0;
+        if (s >= std::ldexp(static_cast<double>(segment.length), -16)) return 1;
+        if (!path_) path_.emplace(cubic_);
         return path_->parameter(s);
     }
 

@@ -15,9 +15,6 @@ constexpr int kCutRounds = 5;  // of making a cut
 // By which the speed at a cut is lowered: off its limits; four times more if that was not enough.
 constexpr double kSlower = 0.01;
 constexpr double kSame = 1 + 1e-9;  // of a speed
-// Windows reach so many of the longest to both sides of a place that they see. Those that see what
-// is not given must be kept; what others see of what is given was looked at before.
-constexpr double kSeen = 4;
 
 }  // namespace
 
@@ -76,7 +73,8 @@ bool FeedWindow::keep_windows() {
     for (const Stretch& stretch : stretches_) {
         if (stretch.given.moves > 0) given += stretch.dwell + duration(stretch.given.phases);
     }
-    const double seen = given - kSeen * longest_window(task_.machine);
+    // Windows that see what is not given must be kept; what others see was looked at before.
+    const double seen = given - window_reach(task_.machine);
     for (int round = 0; round < kRounds; ++round) {
         look_near_changes();
         VelocityCourse course(segments, task_.options.unit_mm, 3 + task_.program.aux_axes,
@@ -92,7 +90,7 @@ bool FeedWindow::keep_windows() {
                 course.rest(duration(stretch.phases));
             }
         }
-        const std::vector<JointCap> caps = WindowRule(task_.machine, course).caps();
+        const std::vector<JointCap> caps = joint_caps(task_.machine, course);
         auto cap = caps.begin();
         for (; cap != caps.end() && open_ > 0 && cap->s <= given_end_; ++cap) {
             if (cap->t > seen) return false;

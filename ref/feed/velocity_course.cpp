@@ -11,6 +11,9 @@ constexpr double kRest = 1e-9;  // mm/s
 // Of an acceleration and of kStraight A T: so little that the jumps of all joints of a window are
 // nothing.
 constexpr double kSameShare = 1e-6;
+constexpr std::size_t kMany = 1 << 14;  // knots of a part: 3 MB
+constexpr double kReaches = 20;         // of a part at least: two of them are in two parts
+constexpr double kNever = 1e300;        // s
 
 double position(const Phase& phase, double t) { return static_cast<double>(phase.place(t)); }
 
@@ -59,59 +62,108 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
     const auto path = [&](std::uint64_t s) {  // mm in this run
         return static_cast<double>(s - segments_[first_segment].s_start) * unit_mm_ / 65536;
     };
-    const auto place = [&](double t, double s, double v) {
-        const double local = (s - path(segments_[segment].s_start)) / unit_mm_;
-        const AxisVector now = velocity(segment, local, v);
-        knots_.push_back({t, v, now, now, 0, false});
-    };
-    place(time_, 0, speed(phases.front(), 0));
     for (const Phase& phase : phases) {
         const double end = position(phase, phase.duration);
         bool leaves = true;  // the segment, within this phase
         for (double from = 0; leaves;) {
             const Segment& on = segments_[segment];
+            const double start = path(on.s_start);
             const double edge = path(on.s_start + on.length);
             leaves = segment < last_segment && edge <= end;
             const double to = leaves ? time_at(phase, from, edge) : phase.duration;
-            const std::size_t first = knots_.size() - 1;
-            place(time_ + to, leaves ? edge : end, speed(phase, to));
-            const Knot last = knots_.back();
-            if ((phase.j != 0 || !is_line(on)) && to - from > resolution_) {
-                const double half = from + (to - from) / 2;
-                place(time_ + half, position(phase, half), speed(phase, half));
-                const double off = distance(knots_.back(), knots_[first], last);
-                const int parts = count(to - from, off, is_line(on));
-                knots_.resize(first + 1);
-                for (int i = 1; i < parts; ++i) {
-                    const double t = from + (to - from) * i / parts;
-                    place(time_ + t, position(phase, t), speed(phase, t));
-                }
-                knots_.push_back(last);
-            }
+            Piece piece{&phase, from, to, time_ + from, start, segment, leaves, false};
+            piece.joint = leaves && is_joint(piece);
+            if (piece.joint) all_joints_.push_back({piece.end(), segments_[segment + 1].s_start});
+            pieces_.push_back(piece);
             from = to;
-            if (!leaves) break;
-            const Segment& next = segments_[++segment];
-            Knot& knot = knots_.back();
-            const bool joint = on.move != next.move;
-            const Vec3 bend = joint ? curve_.bend(on, local_length(on)) : Vec3::Zero();
-            knot.after = velocity(segment, 0, knot.v);
-            if (!joint || passes(knot, (curve_.bend(next, 0) - bend).norm() / unit_mm_)) continue;
-            knot.s = next.s_start;
-            knot.joint = true;
-            joints_.push_back(knots_.size() - 1);
+            if (leaves) ++segment;
         }
         time_ += phase.duration;
     }
 }
 
-/// Whether neither V nor V' jumps, by the bend's jump, 1/mm: V goes on as it does inside a move.
-bool VelocityCourse::passes(const Knot& knot, double bend) const {
-    if (!(knot.v * knot.v * bend <= kSameShare * least_acceleration_)) return false;
+/// Unless neither V nor V' jumps at the end of a move: it goes on as it does inside one.
+bool VelocityCourse::is_joint(const Piece& piece) {
+    const Segment& on = segments_[piece.segment];
+    const Segment& next = segments_[piece.segment + 1];
+    if (on.move == next.move) return false;
+    const double v = speed(*piece.phase, piece.to);
+    const double length = local_length(on);
+    const double bend = (curve_.bend(on, length) - curve_.bend(next, 0)).norm() / unit_mm_;
+    if (!(v * v * bend <= kSameShare * least_acceleration_)) return true;
+    const AxisVector before = velocity(piece.segment, length, v);
+    const AxisVector after = velocity(piece.segment + 1, 0, v);
     double square = 0;
     for (std::size_t i = 0; i < axes_; ++i) {
-        square += (knot.after[i] - knot.before[i]) * (knot.after[i] - knot.before[i]);
+        square += (after[i] - before[i]) * (after[i] - before[i]);
     }
-    return std::sqrt(square) <= kSameShare * precision_;
+    return std::sqrt(square) > kSameShare * precision_;
+}
+
+std::size_t VelocityCourse::look_at(std::size_t first, double reach) {
+    knots_.clear();
+    joints_.clear();
+    const double begin = all_joints_[first].t - reach;
+    const auto ended = [](const Piece& piece, double t) { return piece.end() < t; };
+    auto piece = std::lower_bound(pieces_.begin(), pieces_.end(), begin, ended);
+    std::size_t next = first;  // joint behind the piece
+    while (next > 0 && piece != pieces_.end() && all_joints_[next - 1].t >= piece->end()) --next;
+    std::size_t done = first;
+    bool goes_on = false;
+    for (; piece != pieces_.end(); ++piece) {
+        const double near_since = next < all_joints_.size() ? all_joints_[next].t - reach : kNever;
+        const double near_until = next > 0 ? all_joints_[next - 1].t + reach : -kNever;
+        const bool near = piece->t <= near_until || piece->end() >= near_since;
+        if (near) {
+            if (!goes_on) knots_.push_back(knot(*piece, 0));
+            add_knots(*piece, near_until, near_since);
+        } else if (next == all_joints_.size()) {
+            break;
+        }
+        goes_on = near;
+        if (piece->joint) ++next;
+        while (done < all_joints_.size() && all_joints_[done].t + reach <= piece->end()) ++done;
+        if (done > first && knots_.size() > kMany && piece->end() > begin + kReaches * reach) {
+            return done;
+        }
+    }
+    return all_joints_.size();
+}
+
+/// At a time of a piece. At its end it may be on the next segment.
+VelocityCourse::Knot VelocityCourse::knot(const Piece& piece, double after) {
+    const double t = piece.from + after;
+    const double v = speed(*piece.phase, t);
+    const double s = (position(*piece.phase, t) - piece.start) / unit_mm_;
+    const AxisVector now = velocity(piece.segment, s, v);
+    return {piece.t + after, v, now, now, 0, false};
+}
+
+/// Those behind the piece's begin: up to a time, from another on, and the piece's end.
+void VelocityCourse::add_knots(const Piece& piece, double until, double since) {
+    const Segment& on = segments_[piece.segment];
+    const double time = piece.to - piece.from;
+    Knot last = knot(piece, time);
+    if (piece.leaves) {
+        last.before = velocity(piece.segment, local_length(on), last.v);
+        last.after = last.before;
+    }
+    if ((piece.phase->j != 0 || !is_line(on)) && time > resolution_) {
+        const Knot middle = knot(piece, time / 2);
+        const int parts = count(time, distance(middle, knots_.back(), last), is_line(on));
+        for (int i = 1; i < parts; ++i) {
+            const double after = time * i / parts;
+            const double t = piece.t + after;
+            if (t <= until || t >= since) knots_.push_back(knot(piece, after));
+        }
+    }
+    if (piece.leaves) last.after = velocity(piece.segment + 1, 0, last.v);
+    last.joint = piece.joint;
+    if (piece.joint) {
+        last.s = segments_[piece.segment + 1].s_start;
+        joints_.push_back(knots_.size());
+    }
+    knots_.push_back(last);
 }
 
 /// Of V in the middle from the straight line.

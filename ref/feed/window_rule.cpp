@@ -53,6 +53,8 @@ double longest_window(const Machine& machine) {
     return 2 * full + machine.joint_time;
 }
 
+double window_reach(const Machine& machine) { return 4 * longest_window(machine); }
+
 WindowRule::WindowRule(const Machine& machine, const VelocityCourse& course)
     : course_(course), joint_time_(machine.joint_time), longest_(longest_window(machine)) {
     limits_.push_back({machine.acceleration, machine.jerk, -1});
@@ -67,6 +69,19 @@ WindowRule::WindowRule(const Machine& machine, const VelocityCourse& course)
         weakest_.jerk = std::min(weakest_.jerk, limit.jerk);
         fine_ = std::max(fine_, 3 * std::sqrt(limit.acceleration / limit.jerk * joint_time_));
     }
+}
+
+std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course) {
+    const auto& joints = course.all_joints();
+    std::vector<JointCap> caps;
+    for (std::size_t first = 0; first < joints.size();) {
+        const std::size_t end = course.look_at(first, window_reach(machine));
+        for (const JointCap& cap : WindowRule(machine, course).caps()) {
+            if (cap.s >= joints[first].s && cap.s <= joints[end - 1].s) caps.push_back(cap);
+        }
+        first = end;
+    }
+    return caps;
 }
 
 std::vector<JointCap> WindowRule::caps() {

@@ -22,6 +22,8 @@ struct JointCap {
 
 /// A window beyond which (a) below implies (b), s.
 double longest_window(const Machine& machine);
+/// To both sides of a place that windows see, s: three places up to two of the longest apart.
+double window_reach(const Machine& machine);
 
 /// For every window w >= T = JointTime, of the path (X Y Z as a vector; U V W where these stand)
 /// and of every axis, with V(t) = v r'(s) and its jumps dV at joints:
@@ -35,8 +37,7 @@ double longest_window(const Machine& machine);
 ///   without a joint, a jump of V or of V', has (a) and (b) with A w and J w^2. All others are
 ///   looked at here.
 /// - V is taken as linear between knots (VelocityCourse): off by kStraight A T, in (b) by four
-/// times
-///   that, which is kept free.
+///   times that, which is kept free.
 /// - Then the left sides are norms of functions linear in t between the times at which a place of
 ///   the window (t, t + w, t + 2w) meets a knot. Such norms are largest at an end: for a given w,
 ///   windows with a place at a knot, on either side of its jump, are all that count.
@@ -47,15 +48,17 @@ double longest_window(const Machine& machine);
 ///   up to J w^2 = 9 A T, then of 2, where the right side grows as fast as the left one can.
 /// - From w = 2 A / J + T on, (a) implies (b).
 /// - A plan slowed in time keeps what it kept, and its jumps shrink with the speed. So the joints
-/// of
-///   a window that breaks a bound get less speed, and the plan is made and looked at again.
+///   of a window that breaks a bound get less speed, and the plan is made and looked at again.
 ///
-/// O(n) in joints and phases, for each w.
+/// Joints are returned in ascending order; none: the motion keeps the rule. O(n) in joints and
+/// phases, for each w.
+std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course);
+
+/// Of the part of a motion whose knots are made.
 class WindowRule {
   public:
     WindowRule(const Machine& machine, const VelocityCourse& course);
 
-    /// In ascending order; none: the motion keeps the rule.
     std::vector<JointCap> caps();
 
   private:

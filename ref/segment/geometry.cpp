@@ -121,6 +121,8 @@ class Cutter {
             if (first == geometry_.moves.size()) continue;
             geometry_.moves[first].miss = static_cast<double>(begin - std::round(begin));
         }
+        geometry_.moves.shrink_to_fit();
+        geometry_.segments.shrink_to_fit();
         return std::move(geometry_);
     }
 

@@ -104,21 +104,50 @@ TEST(Stream, DrawsAsProgrammedWhatTheMachineCannotHaveSmooth) {
     EXPECT_LT(smooth, 0.98 * in_part);
 }
 
-/// The arguments of a command.
-class Memory : public testing::TestWithParam<std::vector<std::string>> {};
+/// Long moves: lines to and fro with corners, or arcs that go on into each other with a jump of
+/// the curvature at every joint.
+std::string strokes(int moves, const char* mode) {
+    std::string text = fmt::format("G21 G90 {} F6000\n", mode);
+    for (int i = 1; i <= moves; ++i) {
+        text += fmt::format("G1 X{} Y{}\n", i % 2 * 40 + i % 7, i % 11);
+    }
+    return text;
+}
 
-TEST_P(Memory, DoesNotGrowWithTheProgram) {
-    const ProgramRun program;
-    const auto peak = [&](int chords) {
-        program.write("part.ngc", raster(chords, "G61"));
+std::string waves(int arcs, const char* mode) {
+    std::string text = fmt::format("G21 G90 {} F6000\n", mode);
+    for (int i = 0; i < arcs; ++i) {
+        const int step = i / 50 % 2 == 0 ? 10 : -10;
+        text += fmt::format("G{} X{} Y0 I{} J0\n", i % 2 == 0 ? 3 : 2,
+                            step > 0 ? i % 50 * 10 + 10 : 490 - i % 50 * 10, step / 2);
+    }
+    return text;
+}
+
+/// The arguments of a command.
+class Memory : public testing::TestWithParam<std::vector<std::string>> {
+  protected:
+    long peak_kib(const std::string& text) const {
+        program_.write("part.ngc", text);
         std::vector<std::string> arguments = GetParam();
         arguments.insert(arguments.end(), {"part.ngc", "-q", "--effort", "rules", "-o", "out"});
-        const ProgramResult result = program.run(arguments);
+        const ProgramResult result = program_.run(arguments);
         EXPECT_EQ(result.status, 0) << result.err;
         return result.peak_kib;
-    };
-    const long short_one = peak(15000);
-    const long long_one = peak(60000);
+    }
+
+  private:
+    ProgramRun program_;
+};
+
+TEST_P(Memory, HasABoundForLongMoves) {
+    EXPECT_LT(peak_kib(strokes(3500, "G64 P0.01")), 64 * 1024);
+    EXPECT_LT(peak_kib(waves(3500, "G61")), 64 * 1024);
+}
+
+TEST_P(Memory, DoesNotGrowWithTheProgram) {
+    const long short_one = peak_kib(raster(15000, "G61"));
+    const long long_one = peak_kib(raster(60000, "G61"));
     EXPECT_LT(long_one, 64 * 1024);
     EXPECT_LT(long_one, 1.25 * static_cast<double>(short_one));
 }

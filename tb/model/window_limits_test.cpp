@@ -115,8 +115,9 @@ std::size_t joints(const Program& program) {
     double length = 0;
     for (const ref::Move& move : program.moves) length += move.length();
     ref::VelocityCourse course(geometry.segments, PlanOptions().unit_mm, 3, machine);
-    course.run({{length / 10, 0, 10, 0, 0}}, 0, geometry.segments.size() - 1);
-    return course.joints().size();
+    const std::vector<ref::Phase> steady{{length / 10, 0, 10, 0, 0}};
+    course.run(steady, 0, geometry.segments.size() - 1);
+    return course.all_joints().size();
 }
 
 TEST(WindowLimits, AreLookedAtWhereVelocityOrItsSlopeJumps) {
