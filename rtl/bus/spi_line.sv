@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes over SPI (mode 0, most significant bit first), both ways at once, for frames as a UART has
 // them. sclk_i is sampled: 16 clocks a bit at least. Where there is nothing to say the byte that
-// ends a frame goes out; a host that has nothing to say sends it too. What arrives has to be taken
-// at once.
+// ends a frame goes out; a host that has nothing to say sends it too. Inside a frame, whose next
+// byte may have to wait for writes between its reads, that would end it: two escapes go out, which
+// are no byte. What arrives has to be taken at once.
 //
 //   cs_ni         ^^\_________________________________________________/^^
 //   mosi_i          | byte            | byte            | ..
@@ -62,17 +63,26 @@ module spi_line (
   // host may end before that.
   logic [7:0] out_q;
   logic something_q;
+  logic inside_q;  // a frame has begun and not ended
+  logic half_q;  // the first one of two escapes is out
+  logic takes;
+  logic leaves;
   logic loads;
   assign loads = !cs_n && (cs_n_q || (falls && bit_q == '0));
-  assign byte_ready_o = rises && bit_q == '0 && something_q;
+  assign takes = byte_valid_i && !half_q;
+  assign leaves = rises && bit_q == '0;
+  assign byte_ready_o = leaves && something_q;
   assign miso_o = out_q[7];
   always_ff @(posedge clk_i) begin
     if (loads) begin
-      out_q       <= byte_valid_i ? byte_i : slip_pkg::End;
-      something_q <= byte_valid_i;
+      out_q       <= takes ? byte_i : inside_q ? slip_pkg::Escape : slip_pkg::End;
+      something_q <= takes;
     end else if (falls) begin
       out_q <= {out_q[6:0], 1'b0};
     end
+    if (!rst_ni) {inside_q, half_q} <= '0;
+    else if (byte_ready_o) inside_q <= byte_i != slip_pkg::End;
+    else if (leaves) half_q <= inside_q && !half_q;
   end
 
 endmodule

@@ -55,10 +55,12 @@ std::optional<Bytes> SlipDecoder::take(std::uint8_t byte) {
         frame.resize(count);
         return frame;
     }
-    if (std::exchange(escaped_, byte == kEscape)) {
+    if (byte == kEscape) {
+        escaped_ = !escaped_;  // two of them are no byte
+    } else if (std::exchange(escaped_, false)) {
         broken_ = broken_ || (byte != kEscapedEnd && byte != kEscapedEscape);
         held_.push_back(byte == kEscapedEnd ? kSlipEnd : kEscape);
-    } else if (byte != kEscape) {
+    } else {
         held_.push_back(byte);
     }
     return std::nullopt;

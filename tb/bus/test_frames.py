@@ -12,6 +12,7 @@ from lines import line_of
 from register_model import Registers
 
 END, ESCAPE, ESCAPED_END, ESCAPED_ESCAPE = b"\xc0", b"\xdb", b"\xdb\xdc", b"\xdb\xdd"
+NOTHING = 2 * ESCAPE  # of a line that cannot wait
 EXPECT, SEQUENCE, IDENTITY = 0x70, 0x74, 0x00
 WRITE, ADDRESS, WORDS, PAIRS, INCREMENT = 0x8000, 0x4000, 0x200, 0x300, 0x80
 LONGEST = 251
@@ -24,7 +25,8 @@ def slip(frame):
 
 
 def unslip(line):
-    whole = line[:-1].replace(ESCAPED_END, END).replace(ESCAPED_ESCAPE, ESCAPE)
+    whole = line[:-1].replace(NOTHING, b"")
+    whole = whole.replace(ESCAPED_END, END).replace(ESCAPED_ESCAPE, ESCAPE)
     assert zlib.crc32(whole[:-4]).to_bytes(4, "little") == whole[-4:], whole.hex()
     return whole[:-4]
 
@@ -153,6 +155,17 @@ async def every_frame_is_obeyed_once_and_answered_as_described(dut):
             await check_sequence(host)
     assert host.accesses // 8 < host.errors < 4 * host.accesses // 5
     cocotb.log.info("%d accesses, %d errors as described", host.accesses, host.errors)
+
+
+@cocotb.test()
+async def answers_wait_for_writes_between_reads(dut):
+    host = await start(dut)
+    for writes in (1, 16, 20, 27):
+        before, after = host.sequence, host.chance.getrandbits(32)
+        read = command(WORDS, 1, SEQUENCE)
+        frame = number(before, after) + read + writes * write(IDENTITY, 0) + read
+        await check(host, frame, 2 * [after.to_bytes(4, "little")])
+        host.sequence = after
 
 
 @cocotb.test()

@@ -145,6 +145,7 @@ TEST(SpiLink, HearsWhatTheBoardSaysWhileTheHostSpeaks) {
     const Bytes first{1, 2, 0xc0, 0xdb};
     const Bytes second{3};
     Bytes line = slip_encode(first);
+    line.insert(line.begin() + 1, {0xdb, 0xdb});
     for (const std::uint8_t byte : slip_encode(second)) line.push_back(byte);
     SpiLink link(std::make_unique<Talker>(line), 1e6);
     link.send(Bytes(100, 7));
