@@ -10,11 +10,18 @@
 #include "ref/feed/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/segment/spline_cut.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
+
+/// Windows have moves in common.
+PlanOptions with_cuts(PlanOptions options) {
+    if (!options.cuts) options.cuts = std::make_shared<KnownCuts>();
+    return options;
+}
 
 }  // namespace
 
@@ -37,7 +44,7 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
                        const PlanOptions& options)
     : source_(std::move(source)),
       machine_(std::move(machine)),
-      options_(options),
+      options_(with_cuts(options)),
       fastest_(frame.fastest) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;

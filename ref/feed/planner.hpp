@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string_view>
 
 #include "ref/bound/error_bound.hpp"
@@ -10,6 +11,8 @@
 #include "ref/format/queues.hpp"
 
 namespace curvecore::ref {
+
+class KnownCuts;  // ref/segment/spline_cut.hpp
 
 /// Seconds that a core takes for the start of a step within its segment, and of a segment.
 struct CurveTime {
@@ -61,6 +64,7 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// | holds                  |        | by stop branches, with an optimum; or by bounds alone      |
 /// | window                 | 1      | moves that are planned at once, 2 at least                 |
 /// | advise                 |        | a refusal says which width would do: takes many plans      |
+/// | cuts                   |        | of cubics that were cut before; none: they are not kept    |
 struct PlanOptions {
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
@@ -76,6 +80,7 @@ struct PlanOptions {
     Effort effort = Effort::kOptimum;
     Holds holds = Holds::kBranches;
     std::size_t window = 3000;
+    std::shared_ptr<KnownCuts> cuts;
 
     bool has_branches() const { return effort == Effort::kOptimum && holds == Holds::kBranches; }
     double tick_s() const { return sample_period_s * samples_per_tick; }

@@ -36,6 +36,13 @@ class Standstills {
     std::vector<double> places_;
 };
 
+SplineCut cut_of(const Cubic& piece, const Aux& rate, const PlanOptions& options) {
+    if (!options.cuts) {
+        return cut_spline(piece, options.format, options.error_limit, rate, options.max_pieces);
+    }
+    return options.cuts->of(piece, options.format, options.error_limit, rate, options.max_pieces);
+}
+
 }  // namespace
 
 std::vector<Segment> spline_segments(const Program& program, std::size_t index,
@@ -63,8 +70,7 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
     const long double begin = path;
     for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
         const Cubic piece = sub_cubic(cubic, cuts[part], cuts[part + 1]);
-        for (Segment& segment : split_spline(piece, options.format, options.error_limit, path, rate,
-                                             options.max_pieces)) {
+        for (Segment& segment : placed(cut_of(piece, rate, options), path)) {
             if (segment.length == 0) continue;
             segment.move = index;
             segment.line = move.line;
@@ -135,6 +141,7 @@ bool spline_fits(const Program& program, std::size_t index, PlanOptions options,
                  const CoreParameters& format, double unit_mm) {
     options.format = format;
     options.unit_mm = unit_mm;
+    options.cuts.reset();  // those of the program's own words stay
     long double path = 0;
     try {
         spline_segments(program, index, options, path);

@@ -57,8 +57,7 @@ struct Splitter {
     double limit;
     Aux aux_advance;
     std::size_t max_pieces;
-    std::vector<Segment> pieces;
-    std::vector<double> lengths;
+    SplineCut found;
 
     void cut(double from, double to, int depth) {
         const Cubic part = sub_cubic(cubic, from, to);
@@ -68,8 +67,8 @@ struct Splitter {
             piece.aux_advance = aux_advance;
             if (piece.lambda <= kMaxStepExponent && piece.lambda < format.position_bits &&
                 choose_step(format, limit, piece)) {
-                lengths.push_back(ArcLength(part).length());
-                pieces.push_back(piece);
+                found.lengths.push_back(ArcLength(part).length());
+                found.pieces.push_back(piece);
                 return;
             }
         }
@@ -78,12 +77,12 @@ struct Splitter {
             double aside = 0;  // of the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aux_advance, aside);
             if (aside <= 0.4 * limit && line.bound <= limit) {
-                lengths.push_back(length);
-                pieces.push_back(line);
+                found.lengths.push_back(length);
+                found.pieces.push_back(line);
                 return;
             }
         }
-        if (depth == kMaxHalvings || pieces.size() >= max_pieces) {
+        if (depth == kMaxHalvings || found.pieces.size() >= max_pieces) {
             throw std::domain_error("a cubic that no splitting makes drawable");
         }
         const double middle = (from + to) / 2;
@@ -138,23 +137,31 @@ bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
     return false;
 }
 
-std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
-                                  long double& path, const Aux& aux_advance, int max_pieces) {
+SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
+                     const Aux& aux_advance, int max_pieces) {
     if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
         throw std::domain_error("a limit below the roundings of a position");
     }
-    Splitter splitter{cubic, format, limit, aux_advance, static_cast<std::size_t>(max_pieces),
-                      {},    {}};
+    Splitter splitter{cubic, format, limit, aux_advance, static_cast<std::size_t>(max_pieces), {}};
     splitter.cut(0, 1, 0);
+    return std::move(splitter.found);
+}
+
+std::vector<Segment> placed(SplineCut cut, long double& path) {
     const auto quanta = [&path] {
         return static_cast<std::uint64_t>(std::llround(path * static_cast<long double>(kQuanta)));
     };
-    for (std::size_t i = 0; i < splitter.pieces.size(); ++i) {
-        splitter.pieces[i].s_start = quanta();
-        path += splitter.lengths[i];
-        splitter.pieces[i].length = quanta() - splitter.pieces[i].s_start;
+    for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+        cut.pieces[i].s_start = quanta();
+        path += cut.lengths[i];
+        cut.pieces[i].length = quanta() - cut.pieces[i].s_start;
     }
-    return std::move(splitter.pieces);
+    return std::move(cut.pieces);
+}
+
+std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
+                                  long double& path, const Aux& aux_advance, int max_pieces) {
+    return placed(cut_spline(cubic, format, limit, aux_advance, max_pieces), path);
 }
 
 std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,

@@ -7,6 +7,7 @@
 #include "ref/bound/error_bound.hpp"
 #include "ref/curve/cubic.hpp"
 #include "ref/curve/segment.hpp"
+#include "ref/segment/spline_cut.hpp"
 
 namespace curvecore::ref {
 
@@ -36,11 +37,14 @@ Cubic to_cubic(const Segment& segment);
 /// the segment unchanged, when there is none.
 bool choose_step(const CoreParameters& format, double limit, Segment& segment);
 
+/// The pieces of a cubic that begins at `path`, program-wide and in units, moved to its end: a
+/// piece's length is the difference of two rounded sums.
+std::vector<Segment> placed(SplineCut cut, long double& path);
+
 /// The pieces of a cubic, cut in halves of u until each fits and keeps the limit. Tips of a few
 /// units' radius, and cusps, are drawn by lines of a few units (kind kArc).
 ///
-/// `path`, program-wide and in units, is where the cubic starts and then where it ends; a piece's
-/// length is the difference of two rounded sums. Auxiliary axes share the bound.
+/// `path` is that of placed(). Auxiliary axes share the bound.
 /// @throws std::domain_error when halving does not help, the limit is below four half guard bits,
 ///         or the pieces are more than max_pieces
 std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,

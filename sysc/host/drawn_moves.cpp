@@ -5,6 +5,7 @@
 
 #include "ref/program/input_error.hpp"
 #include "ref/segment/geometry.hpp"
+#include "ref/segment/spline_cut.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -47,6 +48,7 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
       form_(form_of(options, form)),
       tolerance_(options.arc_tolerance.value_or(0)) {
     plan_options_.advise = false;
+    plan_options_.cuts = std::make_shared<ref::KnownCuts>();
     if (options.exact_path) return;
     const bool arcs = form_of(options) == ref::SplineForm::kArcs;
     smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,

@@ -29,6 +29,8 @@ class DrawnMoves {
     /// Of the path that was given; none: it is the programmed one.
     std::optional<ref::Smoothed> smoothed() const;
     const ref::Replaced& replaced() const { return replaced_; }
+    /// Of what was checked: for the plan of these moves, in the same thread.
+    const std::shared_ptr<ref::KnownCuts>& cuts() const { return plan_options_.cuts; }
 
   private:
     bool carried(const std::vector<ref::Move>& moves) const;

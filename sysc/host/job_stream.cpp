@@ -216,9 +216,11 @@ void JobStream::begin() {
         draw_as_programmed();
         check();
     }
+    ref::PlanOptions options = job_.options.plan_options();
+    options.cuts = moves_->cuts();
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
-                  job_.machine, job_.options.plan_options());
+                  job_.machine, options);
 }
 
 /// The core is too slow for splines, which the program may not have.

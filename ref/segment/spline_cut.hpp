@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a cubic is cut into, wherever on the path it lies: found once and kept, since checks and
+// windows ask for the same cubics again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "ref/bound/error_bound.hpp"
+#include "ref/curve/cubic.hpp"
+#include "ref/curve/segment.hpp"
+
+namespace curvecore::ref {
+
+/// | field   | unit  | remark                                                     |
+/// |---------|-------|------------------------------------------------------------|
+/// | pieces  |       | from 0 <= u <= 1 in order; s_start is not set              |
+/// | lengths | units | theirs, not rounded                                        |
+struct SplineCut {
+    std::vector<Segment> pieces;
+    std::vector<double> lengths;
+};
+
+/// The pieces of split_spline() (ref/segment/spline_segment.hpp), which places them.
+/// @throws std::domain_error as that does
+SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
+                     const Aux& aux_advance, int max_pieces);
+
+/// The cuts that were asked for last, some thousands of them, of one core and limit.
+class KnownCuts {
+  public:
+    /// cut_spline() of the same; valid up to the next call.
+    const SplineCut& of(const Cubic& cubic, const CoreParameters& format, double limit,
+                        const Aux& aux_advance, int max_pieces);
+
+    std::size_t size() const { return recent_.size() + before_.size(); }
+
+  private:
+    using Key = std::array<std::uint64_t, 12 + kAuxAxes>;  // a cubic's and a rate's doubles
+    struct Hash {
+        std::size_t operator()(const Key& key) const;
+    };
+    using Cuts = std::unordered_map<Key, SplineCut, Hash>;
+
+    CoreParameters format_;
+    double limit_ = 0;
+    int max_pieces_ = 0;
+    Cuts recent_;
+    Cuts before_;  // those that were recent before these
+};
+
+}  // namespace curvecore::ref
