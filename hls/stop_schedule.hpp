@@ -3,8 +3,10 @@
 // rtl/path/stop_memory.sv.
 //
 // A branch stands before a piece. Where that begins in a tick of rate 1, the branch is the next
-// one: due kStopLead ticks later, when every tick that was on its way has been taken. One that
-// comes before the last was due is left out, and so is one while time does not run at the rate 1.
+// one: due kStopLead ticks later, when every tick that was on its way has been taken. At other
+// rates it cannot be taken, but tells, as late, how long it is until the next one. So does a
+// program's first piece if it has none: what was before the program counts no more. What comes
+// before the last was due is left out.
 #pragma once
 
 #include <array>
@@ -30,11 +32,11 @@ class StopSchedule {
         banks_[write_][static_cast<std::size_t>(count_++ % kStopSteps)] = step;
     }
 
-    /// Once per tick, before its rate is made: TimeScaler's next_wait.
-    std::int32_t due() {
+    /// Once per tick, before its rate is made.
+    StopDue due() {
         if (gap_ <= kStopLead) ++gap_;
-        if (due_ == 0 || --due_ > 0) return 0;
-        return wait_;
+        if (due_ == 0 || --due_ > 0) return {};
+        return next_;
     }
 
     /// The next step of the branch that was due last.
@@ -42,12 +44,15 @@ class StopSchedule {
         return banks_[1 - write_][static_cast<std::size_t>(read_++ % kStopSteps)];
     }
 
-    /// The next piece begins in a tick of this rate.
-    void begin_piece(std::int32_t rate) {
-        if (loaded_ && rate == 1 << 16 && gap_ > kStopLead) {
-            write_ = 1 - write_;
-            read_ = 0;
-            wait_ = next_wait_;
+    /// The next piece begins in a tick of this rate; `first`: of a program.
+    void begin_piece(std::int32_t rate, bool first) {
+        if ((loaded_ || first) && gap_ > kStopLead) {
+            const bool begins = loaded_ && rate == 1 << 16;
+            if (begins) {
+                write_ = 1 - write_;
+                read_ = 0;
+            }
+            next_ = StopDue(loaded_ ? next_wait_ : 1, begins);
             due_ = kStopLead;
             gap_ = 0;
         }
@@ -60,10 +65,10 @@ class StopSchedule {
     bool loaded_ = false;
     int count_ = 0;
     std::int32_t next_wait_ = 0;
-    std::int32_t wait_ = 0;
+    StopDue next_;
     int read_ = 0;
     int due_ = 0;
-    int gap_ = kStopLead + 1;  // ticks since the last branch was taken on
+    int gap_ = kStopLead + 1;  // ticks since the last one that counted
 };
 
 }  // namespace hls

@@ -10,7 +10,9 @@
 // on an eighth of both bounds holds, and r rests on 7/8 when it goes from one side to the other.
 //
 // Where a plan has stop branches, a stop from r = 1 waits for the next of them and is then made of
-// its steps, r'' each, which end at r = 0; the bounds serve all other changes.
+// its steps, r'' each, which end at r = 0; the bounds serve all other changes. How long it may wait
+// is told by the branches that pass, in ticks at r = 1: only those are counted. A stop always waits
+// as long as a branch may be on its way, kStopLead ticks.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +29,16 @@ struct StopStep {
     bool last = false;  // of its branch: then the rate is 0
 };
 
+/// What a tick begins with: a stop waits for the next branch for so many ticks from here on, 0: as
+/// before; a branch begins, with these.
+struct StopDue {
+    StopDue() = default;
+    StopDue(std::int32_t ticks, bool is_branch) : wait(ticks), begins(is_branch) {}
+
+    std::int32_t wait = 0;
+    bool begins = false;
+};
+
 class TimeScaler {
   public:
     /// acceleration in [8, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. What does not fit
@@ -41,25 +53,22 @@ class TimeScaler {
 
     /// One tick towards target (0 .. 2^16 = 1.0); returns the new rate, 0 .. 2^16.
     std::int32_t tick(std::int32_t target) {
-        return tick(target, 0, [] { return StopStep{1, 0, true}; });
+        return tick(target, StopDue(), [] { return StopStep{1, 0, true}; });
     }
 
-    /// The same where a branch begins with the tick if next_wait is not 0: so many ticks from here
-    /// on a stop waits for the next one. next_step() gives the steps of this one.
+    /// The same with branches; next_step() gives the steps of the one that began last.
     template <class NextStep>
-    std::int32_t tick(std::int32_t target, std::int32_t next_wait, NextStep&& next_step) {
-        if (stopping_) return stop_on(next_step);
+    std::int32_t tick(std::int32_t target, const StopDue& due, NextStep&& next_step) {
         const bool held = at_one_ && target == 0;
         const bool waits = held && wait_ > 0;
-        if (held && next_wait > 0) {
+        count(due.wait, waits, at_one_ && target == 1 << 16);
+        if (held && due.begins) {
             stopping_ = true;
             left_ = 0;
             last_ = false;
             at_one_ = false;
-            wait_ = 0;
-            return stop_on(next_step);
         }
-        wait_ = next_wait > 0 ? next_wait : wait_ > 0 ? wait_ - 1 : 0;
+        if (stopping_) return stop_on(next_step);
         const std::int32_t obeyed = waits ? 1 << 16 : target;
         const bool same = !fresh_ && obeyed == target_;
         target_ = obeyed;
@@ -69,6 +78,17 @@ class TimeScaler {
     }
 
   private:
+    /// wait_ after a tick, in which a stop waits, or time runs on at the rate 1.
+    void count(std::int32_t told, bool waits, bool runs) {
+        if (told > 0) {
+            wait_ = told;
+        } else if (waits || (runs && wait_ >= ref::kStopLead)) {
+            --wait_;
+        } else if (wait_ < ref::kStopLead) {
+            wait_ = ref::kStopLead - 1;
+        }
+    }
+
     template <class NextStep>
     std::int32_t stop_on(NextStep&& next_step) {
         if (left_ == 0) {
@@ -151,10 +171,10 @@ class TimeScaler {
     bool settling_ = false;  // the last tick moved less than a slope step: rest one tick, or a
                              // reversal would change the slope by more than `acceleration`
 
-    std::int32_t target_ = 0;  // of the last tick, as it was obeyed
-    bool arrived_ = false;     // at rest, on it or on 7/8
-    bool at_one_ = false;      // at rest on 1, again
-    std::int32_t wait_ = 0;    // ticks in which the next branch is due
+    std::int32_t target_ = 0;                 // of the last tick, as it was obeyed
+    bool arrived_ = false;                    // at rest, on it or on 7/8
+    bool at_one_ = false;                     // at rest on 1, again
+    std::int32_t wait_ = ref::kStopLead - 1;  // ticks at the rate 1 until a branch is due, at most
     bool stopping_ = false;
     std::int32_t left_ = 0;  // ticks of the present step
     std::int32_t change_ = 0;

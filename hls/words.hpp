@@ -51,7 +51,7 @@
 //
 //   | tag | word | fields                                                              |
 //   |-----|------|---------------------------------------------------------------------|
-//   | 13  | stop | wait [19:0] 1 ..: ticks that a stop then waits for the next branch  |
+//   | 13  | stop | wait [19:0] 1 ..: ticks that a stop waits for the next one, at most |
 //   | 14  | step | ticks [10:0] 1 ..; change [42:11] of the slope of time's rate, each |
 //   |     |      | tick, 2^-32 per tick; last [43]                                     |
 //

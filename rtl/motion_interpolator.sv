@@ -182,7 +182,7 @@ module motion_interpolator #(
   logic wanted;
   logic [3:0] samples_per_tick_log2;
   logic scaled;
-  logic [19:0] next_wait;
+  logic [20:0] due;
   logic step_valid;
   logic step_ready;
   logic [43:0] step;
@@ -218,7 +218,7 @@ module motion_interpolator #(
       .rate_o(rate),
       .held_o(held),
       .scaled_o(scaled),
-      .next_wait_i(next_wait),
+      .due_i(due),
       .step_valid_i(step_valid),
       .step_ready_o(step_ready),
       .step_i(step),
@@ -253,7 +253,7 @@ module motion_interpolator #(
       .held_i(held),
       .tick_taken_o(tick_taken),
       .scaled_i(scaled),
-      .next_wait_o(next_wait),
+      .due_o(due),
       .step_valid_o(step_valid),
       .step_ready_i(step_ready),
       .step_o(step),

@@ -30,6 +30,7 @@ build/release/tb/bench/paper_table -o build/figures/paper_table.json >/dev/null
 build/release/tb/bench/spline_tables -o build/figures/spline_tables.json >/dev/null
 build/release/tb/bench/cam_tables -o build/figures/cam_tables.json >/dev/null
 build/release/tb/bench/form_tables -o build/figures/form_tables.json >/dev/null
+build/release/tb/bench/hold_tables -o build/figures/hold_tables.json >/dev/null
 build/release/tb/bench/idle_tables -o build/figures/idle_tables.json >/dev/null
 build/release/tb/bench/search_tables -o build/figures/search_tables.json >/dev/null
 build/release/tb/bench/planner_speed

@@ -66,6 +66,7 @@ TABLES = {
     "drawn": Table(drawn, "scripts/oracle.sh"),
     "linuxcnc": Table(linuxcnc, "scripts/linuxcnc.sh"),
     "forms": Table(bench("form_tables", "forms"), BENCH, exact=True),
+    "holds": Table(bench("hold_tables", "holds"), BENCH, exact=True),
     "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
     "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),
     "cam_pieces": Table(bench("cam_tables", "cam_pieces"), BENCH, exact=True),

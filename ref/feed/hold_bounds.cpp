@@ -118,7 +118,7 @@ std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) 
     const double ticks = std::min(fine.n, fine.time(2 * border) / 2) +
                          fine.time(border) * (1 + kFineFrom) / 2 +
                          whole.time(kFineFrom) * kFineFrom / 2;
-    return static_cast<std::uint32_t>(std::min(std::ceil(ticks) + 6, 0x1p31));
+    return static_cast<std::uint32_t>(std::min(std::ceil(ticks) + 6 + kStopLead, 0x1p31));
 }
 
 void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {

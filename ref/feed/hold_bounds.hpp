@@ -32,7 +32,7 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, double 
 /// Last are stops from a rate that rises to 1 with an eighth of the bounds: at a rate of at most 1
 /// while it may not overshoot, for half of time(2/8) or n; then time(1/8) at a rate of 15/16; then,
 /// with the whole bounds, time(7/8) at 7/16. Two ticks more for each part that is rounded to whole
-/// ticks.
+/// ticks. Before all that a stop waits up to kStopLead ticks, in which a branch may come.
 std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps);
 
 /// Segment::ticks, feed_start, feed_end (mm/s along the path) from the pieces; both begin at s = 0.

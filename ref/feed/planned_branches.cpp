@@ -72,9 +72,10 @@ class BranchPlanner {
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const std::uint64_t next =
                 i + 1 < branches_.size() ? due_[branches_[i + 1].piece] : end_;
-            // Not through a rest, to move again.
+            // Not through a rest, to move again. A branch that passes at another rate is told as
+            // late as kStopLead ticks after its place.
             const std::uint64_t wait =
-                std::min(next - due_[branches_[i].piece], distance_.slow_ticks);
+                std::min(next - due_[branches_[i].piece], distance_.slow_ticks) + kStopLead;
             branches_[i].wait = static_cast<std::uint32_t>(wait);
         }
         return std::move(branches_);
@@ -149,7 +150,7 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     plan.branches = planner.finish();
     // Of machines that stop at once a wait for a branch would be the longer stop.
     double most = 0;
-    std::uint32_t wait = 0;
+    std::uint32_t wait = kStopLead;
     for (const PlannedBranch& branch : plan.branches) {
         most = std::max(most, std::ceil(wait + passed(branch.steps)));
         wait = branch.wait;
@@ -165,7 +166,7 @@ std::size_t profile_words(const Plan& plan) {
 
 std::uint64_t longest_stop(const Plan& plan) {
     std::uint64_t most = 0;
-    std::uint64_t wait = 0;
+    std::uint64_t wait = plan.branches.empty() ? 0 : kStopLead;
     for (const PlannedBranch& branch : plan.branches) {
         most = std::max(most, wait + ticks_of(branch.steps));
         wait = branch.wait;

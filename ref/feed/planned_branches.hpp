@@ -19,7 +19,7 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
 inline std::size_t branch_words(const PlannedBranch& branch) { return 1 + branch.steps.size(); }
 std::size_t profile_words(const Plan& plan);
 
-/// Ticks from a hold to rest, at most, from the first branch on; 0: the plan has none.
+/// Ticks from a hold at the rate 1 to rest, at most; 0: the plan has no branches.
 std::uint64_t longest_stop(const Plan& plan);
 
 }  // namespace curvecore::ref

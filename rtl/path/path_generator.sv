@@ -38,7 +38,7 @@ module path_generator #(
 
     // Stop branches, to the time scaler: rtl/path/stop_memory.sv
     input  wire logic        scaled_i,      // a tick that the scaler takes in
-    output logic      [19:0] next_wait_o,
+    output logic      [20:0] due_o,         // begins, next_wait
     output logic             step_valid_o,
     input  wire logic        step_ready_i,
     output logic      [43:0] step_o,
@@ -116,9 +116,11 @@ module path_generator #(
       .word_i(word_i[43:0]),
       .tick_taken_i(tick_taken_o),
       .take_i(piece_take_o),
+      .first_i(!active_o),
       .full_i(full),
       .tick_i(scaled_i),
-      .next_wait_o,
+      .next_wait_o(due_o[19:0]),
+      .begins_o(due_o[20]),
       .step_valid_o,
       .step_ready_i,
       .step_o

@@ -44,7 +44,7 @@ module rate_generator #(
 
     // Stop branches: rtl/path/stop_memory.sv
     output logic             scaled_o,      // a tick is taken in
-    input  wire logic [19:0] next_wait_i,
+    input  wire logic [20:0] due_i,         // begins, next_wait
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [43:0] step_i,
@@ -141,7 +141,8 @@ module rate_generator #(
         .valid_i(next_valid),
         .ready_o(next_ready),
         .target_i(next_target),
-        .next_wait_i,
+        .next_wait_i(due_i[19:0]),
+        .begins_i(due_i[20]),
         .step_valid_i,
         .step_ready_o,
         .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
@@ -178,7 +179,8 @@ module rate_generator #(
         .valid_i(next_valid),
         .ready_o(next_ready),
         .target_i(next_target),
-        .next_wait_i,
+        .next_wait_i(due_i[19:0]),
+        .begins_i(due_i[20]),
         .step_valid_i,
         .step_ready_o,
         .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),

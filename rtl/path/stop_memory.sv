@@ -6,6 +6,9 @@
 //             bank of the present one -> steps -> time scaler, which takes them from the tick on
 //                                        that is StopLead after that; some are on their way already
 //
+// At other rates the branch only tells how long it is until the next one, and so does a program's
+// first piece without one.
+//
 // step_valid_o comes 3 clocks after the step before was taken.
 `default_nettype none
 module stop_memory #(
@@ -22,11 +25,13 @@ module stop_memory #(
     // Ticks as the generator takes them; with take_i the next piece begins
     input wire logic tick_taken_i,
     input wire logic take_i,
+    input wire logic first_i,       // it is a program's first
     input wire logic full_i,        // the tick's rate is 1
 
-    // Ticks as the scaler takes them in: next_wait_o is that of the next one
+    // Ticks as the scaler takes them in: next_wait_o is that of the next one, begins_o with it
     input  wire logic        tick_i,
     output logic      [19:0] next_wait_o,
+    output logic             begins_o,
     output logic             step_valid_o,
     input  wire logic        step_ready_i,
     output logic      [43:0] step_o
@@ -41,10 +46,12 @@ module stop_memory #(
   logic loaded_q;
   logic [19:0] loaded_wait_q;
   logic [Address-1:0] write_q;
+  logic tells;
   logic accept;
-  logic [Count-1:0] gap_q;  // ticks taken since the present one was, Lead + 1 at most
+  logic [Count-1:0] gap_q;  // ticks taken since the last one told, Lead + 1 at most
   logic apart;
   assign apart  = gap_q >= Count'(Lead);
+  assign tells  = take_i && (loaded_q || first_i) && apart;
   assign accept = take_i && loaded_q && full_i && apart;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -55,7 +62,7 @@ module stop_memory #(
       if (accept) bank_q <= !bank_q;
       if (stop_write_i) loaded_q <= 1'b1;
       else if (take_i) loaded_q <= 1'b0;
-      if (accept) gap_q <= '0;
+      if (tells) gap_q <= '0;
       else if (tick_taken_i && !apart) gap_q <= gap_q + 1'b1;
     end
   end
@@ -70,7 +77,7 @@ module stop_memory #(
 
   // When it is due: ticks that the scaler takes in before
   logic [Count-1:0] under_way_q;  // between scaler and generator
-  logic accepted_q;
+  logic told_q;
   logic due_q;
   logic [Count-1:0] left_q;
   logic [19:0] wait_q;
@@ -78,18 +85,19 @@ module stop_memory #(
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       under_way_q <= '0;
-      accepted_q  <= 1'b0;
+      told_q      <= 1'b0;
       due_q       <= 1'b0;
     end else begin
       under_way_q <= under_way_q + Count'(tick_i) - Count'(tick_taken_i);
-      accepted_q  <= accept;
-      if (accepted_q) due_q <= 1'b1;
+      told_q      <= tells;
+      if (told_q) due_q <= 1'b1;
       else if (tick_i && left_q == '0) due_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
-    if (accept) wait_q <= loaded_wait_q;
-    if (accepted_q) left_q <= Count'(Lead - 1) - under_way_q - Count'(tick_i);
+    if (tells) wait_q <= loaded_q ? loaded_wait_q : 20'd1;
+    if (tells) begins_o <= accept;
+    if (told_q) left_q <= Count'(Lead - 1) - under_way_q - Count'(tick_i);
     else if (tick_i && left_q != '0) left_q <= left_q - 1'b1;
   end
 

@@ -10,7 +10,8 @@
 //   stop_o                  of the tick, until the next one is taken
 //
 // A stop from the rate 1 begins with a tick in which a branch does; until then, for as long as one
-// is due, time runs on. It ends with its last step, on its target.
+// may come, time runs on: for StopLead - 1 ticks at least, for as many at the rate 1 as were told.
+// It ends with its last step, on its target.
 `default_nettype none
 module stop_taker (
     input wire logic clk_i,
@@ -25,6 +26,7 @@ module stop_taker (
     output logic      [16:0] obeyed_o,
     output logic             stopping_o,
     input  wire logic [19:0] next_wait_i,    // of time_scaler
+    input  wire logic        begins_i,
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [10:0] step_ticks_i,
@@ -37,9 +39,12 @@ module stop_taker (
 );
 
   localparam logic [16:0] One = 17'h10000;
+  localparam int LeadBits = $clog2(words_pkg::StopLead);
   logic [19:0] wait_q;
+  logic short_wait;
   logic held;
   logic waits;
+  logic runs;
   logic begins;
   logic stopping_q;
   logic new_step;
@@ -53,11 +58,13 @@ module stop_taker (
   assign old_ends     = last_q && left_q == 11'd1;
   assign held         = one_i && target_i == '0;
   assign waits        = held && wait_q != '0;
-  assign begins       = held && next_wait_i != '0 && !stopping_q;
+  assign short_wait   = wait_q[19:LeadBits] == '0;
+  assign begins       = held && begins_i && next_wait_i != '0 && !stopping_q;
   assign stopping_o   = stopping_q || begins;
   assign new_step     = begins || left_q == '0;
   assign left         = (new_step ? step_ticks_i : left_q) - 1'b1;
   assign ends         = stopping_o && (new_step ? new_ends : old_ends);
+  assign runs         = one_i && target_i == One;
   assign obeyed_o     = stopping_o ? '0 : waits ? One : target_i;
 
   assign ready_o      = room_i && !(stopping_o && new_step && !step_valid_i);
@@ -67,12 +74,12 @@ module stop_taker (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       stopping_q <= 1'b0;
-      wait_q     <= '0;
+      wait_q     <= 20'(words_pkg::StopLead - 1);
     end else if (taken_o) begin
       stopping_q <= stopping_o && !ends;
-      if (stopping_o) wait_q <= '0;
-      else if (next_wait_i != '0) wait_q <= next_wait_i;
-      else if (wait_q != '0) wait_q <= wait_q - 1'b1;
+      if (next_wait_i != '0) wait_q <= next_wait_i;
+      else if (waits || (runs && !short_wait)) wait_q <= wait_q - 1'b1;
+      else if (short_wait) wait_q <= 20'(words_pkg::StopLead - 1);
     end
   end
   always_ff @(posedge clk_i) begin

@@ -25,8 +25,9 @@ module time_scaler_serial (
     output logic             ready_o,
     input  wire logic [16:0] target_i, // 16 fraction bits, up to 1
 
-    // Of target_i: a stop branch begins here; for how long a stop waits for the next one, or 0
+    // Of target_i: for how long a stop from here on waits for the next branch, or 0; one begins
     input  wire logic [19:0] next_wait_i,
+    input  wire logic        begins_i,
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [10:0] step_ticks_i,   // [1, 2047]
@@ -62,6 +63,7 @@ module time_scaler_serial (
       .obeyed_o(obeyed),
       .stopping_o(unused),
       .next_wait_i,
+      .begins_i,
       .step_valid_i,
       .step_ready_o,
       .step_ticks_i,

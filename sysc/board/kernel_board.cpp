@@ -69,7 +69,7 @@ bool KernelBoard::piece_queued() {
 bool KernelBoard::next_piece(hls::ProfileWords& words) {
     if (!piece_queued()) return false;
     words = hls::unpack_piece([this] { return profile_.pop(); });
-    stops_.begin_piece(rate_);
+    stops_.begin_piece(rate_, !path_.active());
     final_ = words.final;
     return true;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "ref/feed/stop_branch.hpp"
-#include "ref/format/path_words.hpp"
 #include "sysc/host/bus_words.hpp"
 
 namespace curvecore::sysc {
@@ -23,7 +22,7 @@ void DrawnPlan::append(const ref::Plan& part) {
         longest_stop = std::max(longest_stop, wait_ + ref::ticks_of(branch.steps));
         wait_ = branch.wait;
     }
-    longest_stop = std::max(longest_stop, wait_);
+    if (!part.branches.empty()) longest_stop = std::max(longest_stop, wait_);
     branches += part.branches.size();
     duration_s += part.duration_s;
     slowed_moves += part.slowed_moves;

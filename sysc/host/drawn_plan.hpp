@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ref/curve/segment.hpp"
+#include "ref/format/path_words.hpp"
 #include "sysc/host/file_list.hpp"
 
 namespace curvecore::sysc {
@@ -22,7 +23,7 @@ class DrawnPlan : public ref::PlanFrame {
     double duration_s = 0;
     std::size_t slowed_moves = 0;
     std::size_t branches = 0;
-    std::uint64_t longest_stop = 0;  // ticks from a hold to rest, from the first branch on
+    std::uint64_t longest_stop = 0;  // ticks from a hold at the rate 1 to rest, with branches
     std::size_t stops = 0;           // that the profile plans
 
     /// The next part, whose moves there are.
@@ -63,7 +64,7 @@ class DrawnPlan : public ref::PlanFrame {
     FileList<std::uint64_t> profile_words_;  // of all pieces
     FileList<std::size_t> first_word_;       // of each
     std::array<OfKind, 2> kinds_;            // by Segment::Kind
-    std::uint64_t wait_ = 0;                 // ticks from the last branch on
+    std::uint64_t wait_ = ref::kStopLead;    // ticks from the last branch on
     bool stop_behind_ = false;               // the last segment that has a length ends at rest
 };
 

@@ -138,7 +138,7 @@ TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(Json::parse(program.read("words/words.json"))["words_version"], 4);
     EXPECT_EQ(digest(memory(program.read("words/segments.hex"))), 2393373893985587652u);
-    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 3564502126210331939u);
+    EXPECT_EQ(digest(memory(program.read("words/profile.hex"))), 8152477450416481436u);
 }
 
 }  // namespace

@@ -60,6 +60,8 @@ TEST(StopWords, KeepTheirSteps) {
     }
 }
 
+constexpr std::int32_t kOne = 1 << 16;
+
 /// A scaler with branches of 64 ticks to rest before some pieces, one of which begins in `begin`.
 class Stops {
   public:
@@ -70,9 +72,14 @@ class Stops {
             schedule_.load_wait(100);
             schedule_.load_step({32, -(1 << 22), false});
             schedule_.load_step({32, 1 << 22, true});
-            schedule_.begin_piece(rate);
+            schedule_.begin_piece(rate, false);
         }
         return rate;
+    }
+    /// Some ticks, in the last of which a program begins that has no branches.
+    void begin_program(int ticks) {
+        for (int n = 0; n < ticks; ++n) tick(kOne);
+        schedule_.begin_piece(kOne, true);
     }
 
     /// Ticks until the rate is 0, of at most 100,000; a piece begins every so many ticks.
@@ -105,6 +112,59 @@ TEST(StopSchedule, AStopWaitsForTheNextBranch) {
     for (int n = 0; n < 20; ++n) EXPECT_EQ(stops.tick(0), 1 << 16);
     EXPECT_EQ(stops.tick(0, true), 1 << 16);
     EXPECT_EQ(stops.stop(), hls::kStopLead - 1 + 62);
+}
+
+TEST(StopSchedule, AStopInAProgramsFirstTicksWaitsForTheirBranch) {
+    for (int after = 0; after < hls::kStopLead; ++after) {
+        Stops stops;
+        stops.tick(kOne);
+        stops.tick(kOne);
+        stops.tick(kOne, true);
+        for (int n = 0; n < after; ++n) stops.tick(kOne);
+        EXPECT_EQ(stops.stop(), hls::kStopLead - 1 - after + 62) << after;
+    }
+}
+
+/// Ticks of a stop after time was slower for a while, in which a branch passed; the next one
+/// follows 100 ticks at the rate 1 after it was told, or not.
+int stop_after_slower(bool follows) {
+    Stops stops;
+    for (int n = 0; n < 10; ++n) stops.tick(kOne);
+    for (int n = 0; n < 1000; ++n) stops.tick(65000, n == 200);
+    int ones = 0;
+    while (ones < 3) ones += stops.tick(kOne) == kOne ? 1 : 0;
+    for (int n = 0; n < 100 - hls::kStopLead - 10; ++n) {
+        if (stops.tick(0) != kOne) return -1;
+    }
+    stops.tick(0, follows);
+    return stops.stop();
+}
+TEST(StopSchedule, AStopWaitsForABranchOfWhichASlowerOneTold) {
+    EXPECT_EQ(stop_after_slower(true), hls::kStopLead - 1 + 62);
+    EXPECT_GT(stop_after_slower(false), 4000);
+}
+
+TEST(StopSchedule, AStopWaitsForTheBranchAfterTheOneThatWasTaken) {
+    Stops stops;
+    for (int n = 0; n < 5 + hls::kStopLead; ++n) stops.tick(kOne, n == 5);
+    EXPECT_LT(stops.stop(), 200);
+    while (stops.tick(kOne) != kOne) {
+    }
+    for (int n = 0; n < 3; ++n) stops.tick(kOne);
+    for (int n = 0; n < 60; ++n) ASSERT_EQ(stops.tick(0), kOne) << n;
+    stops.tick(0, true);
+    EXPECT_EQ(stops.stop(), hls::kStopLead - 1 + 62);
+}
+
+TEST(StopSchedule, AProgramDoesNotWaitForBranchesOfTheOneBefore) {
+    Stops stops;
+    stops.tick(kOne);
+    stops.tick(kOne, true);
+    stops.begin_program(hls::kStopLead + 1);
+    for (int n = 0; n < hls::kStopLead; ++n) stops.tick(kOne);
+    int ticks = 0;
+    while (stops.tick(0) == kOne) ++ticks;
+    EXPECT_LT(ticks, hls::kStopLead + 10);
 }
 
 TEST(StopSchedule, AStopThatIsLetDownGoesTheSlowWay) {

@@ -45,7 +45,7 @@ class HoldRun {
                 schedule_.load_step(hls::to_words(step, &step == &branch.steps.back()));
             }
         }
-        schedule_.begin_piece(rate);
+        schedule_.begin_piece(rate, piece == 0);
     }
 
     const ref::Plan& plan_;

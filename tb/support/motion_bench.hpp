@@ -191,7 +191,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
                 piece = pieces_[next_piece_++];
                 if (stop.wait > 0) schedule_.load_wait(stop.wait);
                 for (const hls::StopStep& step : stop.steps) schedule_.load_step(step);
-                schedule_.begin_piece(rate);
+                schedule_.begin_piece(rate, !path_kernel_.active());
                 return true;
             };
             if (rates_ == Rates::kOfKernel) follow_rate(rate);

@@ -41,7 +41,7 @@ class RateGenerator : public testing::Test {
         dut_->tick_taken_i = 0;
         dut_->sent_i = 0;
         dut_->leaves_i = 0;
-        dut_->next_wait_i = 0;
+        dut_->due_i = 0;
         dut_->step_valid_i = 0;
         ask(settings_);
         dut_.reset();

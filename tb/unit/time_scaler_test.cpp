@@ -43,6 +43,7 @@ class TimeScalerBench : public testing::Test {
         dut_->valid_i = 0;
         dut_->step_valid_i = 0;
         dut_->next_wait_i = 0;
+        dut_->begins_i = 0;
         dut_.reset();
         expected_.clear();
         steps_ = 0;
@@ -50,11 +51,12 @@ class TimeScalerBench : public testing::Test {
     }
 
     /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
-    bool clock(int32_t target, int32_t next_wait = 0) {
+    bool clock(int32_t target, const hls::StopDue& due = {}) {
         dut_->valid_i = target >= 0 ? 1 : 0;
         const bool room = give_way(random_() % 100 >= hold_percent_);
         dut_->target_i = to_port(target, 17);
-        dut_->next_wait_i = to_port(next_wait, 20);
+        dut_->next_wait_i = to_port(due.wait, 20);
+        dut_->begins_i = due.begins ? 1 : 0;
         const hls::StopStep offered = step(steps_);
         dut_->step_valid_i = random_() % 4 != 0 ? 1 : 0;
         dut_->step_ticks_i = to_port(offered.ticks, 11);
@@ -65,7 +67,7 @@ class TimeScalerBench : public testing::Test {
         const bool stepped = dut_->step_ready_o && dut_->step_valid_i;
         const uint64_t before = steps_;
         if (taken) {
-            const int32_t rate = kernel_.tick(target, next_wait, [this] { return step(steps_++); });
+            const int32_t rate = kernel_.tick(target, due, [this] { return step(steps_++); });
             expected_.push_back({target, rate});
         }
         EXPECT_EQ(stepped, steps_ != before);
@@ -88,8 +90,8 @@ class TimeScalerBench : public testing::Test {
         ++ticks_;
     }
 
-    void take(int32_t target, int32_t next_wait = 0) {
-        while (!clock(target, next_wait)) {
+    void take(int32_t target, const hls::StopDue& due = {}) {
+        while (!clock(target, due)) {
         }
     }
 
@@ -164,7 +166,7 @@ TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
             const bool due = random_() % (every / 4) == 0;
             const auto wait = static_cast<int32_t>(random_() % every);
             while (random_() % 8 == 0) clock(-1);
-            take(target, due ? wait : 0);
+            take(target, due && wait > 0 ? hls::StopDue(wait, random_() % 2) : hls::StopDue());
             if (HasFatalFailure()) FAIL() << "a new target every " << every << " ticks";
         }
         steps += steps_;

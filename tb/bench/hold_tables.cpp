@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Prints how long holds take, from ticks all along plans with stop branches, and writes it as JSON.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "ref/feed/planner.hpp"
+#include "tb/bench/claim_table.hpp"
+#include "tb/support/chopped_curves.hpp"
+#include "tb/support/even_paths.hpp"
+#include "tb/support/hold_run.hpp"
+#include "tb/support/random_splines.hpp"
+
+namespace {
+
+using namespace curvecore;
+using curvecore::tb::HoldRun;
+using curvecore::tb::Table;
+
+constexpr std::int32_t kOne = 1 << 16;
+constexpr std::uint64_t kSettled = 2;    // ticks in which the rate is 1 before it is one that stays
+constexpr std::uint64_t kFlights = 400;  // ticks in flight, about
+constexpr std::uint64_t kResumes = 12;   // holds that are followed by others, about
+constexpr std::uint64_t kWhile = 50;     // ticks from one of those to the next
+
+/// The longest of some holds.
+class Longest {
+  public:
+    /// From where the run stands.
+    void see(HoldRun run) {
+        if (run.active()) ticks_ = std::max(ticks_, run.stop());
+    }
+    std::string text(const ref::Plan& plan) const {
+        return ticks_ == 0 ? "-" : fmt::format("{:.3f}", static_cast<double>(ticks_) * plan.tick_s);
+    }
+
+  private:
+    std::uint64_t ticks_ = 0;
+};
+
+struct Holds {
+    Longest first;      // in a program's first ticks
+    Longest in_flight;  // at full rate ever since
+    Longest resumed;    // at full rate again
+    Longest back;       // while time comes back
+};
+
+/// Holds from a run that has just stopped and goes on.
+void resume(HoldRun run, Holds& holds) {
+    std::uint64_t full = 0;  // ticks
+    for (std::uint64_t n = 0; run.active(); ++n) {
+        full = run.tick(kOne) == kOne ? full + 1 : 0;
+        if (full < kSettled) {
+            if (n % kWhile == 0) holds.back.see(run);
+        } else if ((full - kSettled) % kWhile == 0) {
+            holds.resumed.see(run);
+        }
+    }
+}
+
+Holds hold(const ref::Plan& plan) {
+    const auto ticks = static_cast<std::uint64_t>(plan.duration_s / plan.tick_s);
+    Holds holds;
+    HoldRun run(plan, ref::Machine());
+    for (std::uint64_t tick = 1; run.active(); ++tick) {
+        run.tick(kOne);
+        if (tick >= kSettled && tick <= ref::kStopLead) holds.first.see(run);
+        if (tick > ref::kStopLead && tick % (ticks / kFlights + 1) == 0) holds.in_flight.see(run);
+        if (tick % (ticks / kResumes + 1) == ticks / kResumes / 2) {
+            HoldRun held = run;
+            held.stop();
+            resume(held, holds);
+        }
+    }
+    return holds;
+}
+
+void add_row(Table& table, const std::string& name, const ref::Program& program) {
+    const ref::Plan plan = make_plan(program, ref::Machine(), {});
+    const Holds holds = hold(plan);
+    table.rows.push_back({name, fmt::format("{:.3f}", plan.duration_s),
+                          std::to_string(plan.branches.size()), holds.first.text(plan),
+                          holds.in_flight.text(plan), holds.resumed.text(plan),
+                          holds.back.text(plan)});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("how long holds take");
+    std::string output;
+    app.add_option("-o", output, "also as JSON")->type_name("FILE");
+    CLI11_PARSE(app, argc, argv);
+    Table table{"holds",
+                "The longest hold to rest on the built-in machine, s, from sampled ticks: in a "
+                "program's first 32 ticks, at full rate from there on, at full rate after a "
+                "resume, and while time comes back to it",
+                {"path", "plan, s", "branches", "first ticks", "in flight", "after a resume",
+                 "while time comes back"},
+                {}};
+    add_row(table, "line of 950 mm", tb::fast_line(950));
+    add_row(table, "line of 100 mm", tb::fast_line(100));
+    add_row(table, "circles of 50 mm", tb::fast_arc(25, 8 * M_PI, 0));
+    add_row(table, "circles of 4 mm", tb::fast_arc(2, 20 * M_PI, 0));
+    add_row(table, "helix", tb::fast_arc(10, 6 * M_PI, 12));
+    add_row(table, "wave", tb::chopped_wave(0, 500));
+    for (const unsigned seed : {1U, 2U, 3U, 4U}) {
+        add_row(table, fmt::format("random curves {}", seed), tb::random_splines(seed, 30));
+    }
+    tb::print(table);
+    return tb::write_tables({table}, output);
+}
