@@ -123,6 +123,7 @@ pulse/glitch_filter.sv
 pulse/motion_pins.sv
 pulse/place_scaler.sv
 pulse/pulse_times.sv
+pulse/sample_gather.sv
 pulse/sample_period.sv
 pulse/step_axis.sv
 pulse/step_counter.sv

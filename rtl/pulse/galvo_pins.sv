@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them.
+// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them. A sample that is
+// taken axis by axis goes out whole.
 `default_nettype none
 module galvo_pins #(
     parameter int Galvo      = 0,   // 0, 1
@@ -12,6 +13,9 @@ module galvo_pins #(
     input  wire logic                     tick_i,
     input  wire logic                     sample_taken_i,
     input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic                     by_axis_i,
+    input  wire logic [              3:0] axis_i,          // a clock later its position
+    input  wire logic [     FineBits-1:0] position_i,
     output logic                          clock_o,
     output logic                          sync_o,
     output logic      [              2:0] data_o
@@ -20,6 +24,16 @@ module galvo_pins #(
   initial if (Galvo != 0 && Galvo != 1) $fatal(1, "Galvo must be 0 or 1");
 
   if (Galvo == 1) begin : gen_galvo
+    logic [Axes*FineBits-1:0] gathered;
+    sample_gather #(
+        .Axes    (Axes),
+        .FineBits(FineBits)
+    ) u_gather (
+        .clk_i,
+        .axis_i,
+        .position_i,
+        .sample_o(gathered)
+    );
     xy2_100 #(
         .Axes      (Axes),
         .FineBits  (FineBits),
@@ -29,17 +43,18 @@ module galvo_pins #(
         .rst_ni,
         .tick_i,
         .sample_taken_i,
-        .sample_i,
+        .sample_i(by_axis_i ? gathered : sample_i),
         .clock_o,
         .sync_o,
         .data_o
     );
   end else begin : gen_none
     logic unused;
-    assign unused  = &{clk_i, rst_ni, tick_i, sample_taken_i, sample_i};
+    assign unused  = &{clk_i, rst_ni, tick_i, sample_taken_i, sample_i,
+                       by_axis_i, axis_i, position_i};
     assign clock_o = 1'b0;
-    assign sync_o  = 1'b0;
-    assign data_o  = '0;
+    assign sync_o = 1'b0;
+    assign data_o = '0;
   end
 
 endmodule

@@ -124,7 +124,6 @@ module motion_pins #(
       .low_o  (step_counts_o)
   );
 
-  // In position mode scan heads stay where they are.
   galvo_pins #(
       .Galvo     (Galvo),
       .Axes      (Axes),
@@ -134,8 +133,11 @@ module motion_pins #(
       .clk_i,
       .rst_ni,
       .tick_i        (tick_o),
-      .sample_taken_i(sample_valid_i && sample_ready_o && !by_axis_i),
+      .sample_taken_i(sample_valid_i && sample_ready_o),
       .sample_i,
+      .by_axis_i,
+      .axis_i        (axis_o),
+      .position_i,
       .clock_o       (galvo_clock_o),
       .sync_o        (galvo_sync_o),
       .data_o        (galvo_data_o)

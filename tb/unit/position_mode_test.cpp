@@ -7,6 +7,7 @@
 #include <random>
 
 #include "hls/step_generator.hpp"
+#include "hls/xy2_frame.hpp"
 #include "tb/support/register_host.hpp"
 
 namespace curvecore::tb {
@@ -26,11 +27,12 @@ using Sample = std::array<int32_t, kSystemAxes>;
 class PositionMode : public testing::Test {
   protected:
     /// Drives on, every axis where the first sample says.
-    void begin(uint32_t control = kPosition) {
+    void begin(uint32_t control = kPosition, int64_t scale = kScale) {
         for (uint32_t a = 0; a < kSystemAxes; ++a) {
             const uint32_t axis = a * CURVECORE_AXIS_STRIDE;
             EXPECT_TRUE(host_.write(CURVECORE_AXIS_SCALE_LO + axis, 0));
-            EXPECT_TRUE(host_.write(CURVECORE_AXIS_SCALE_HI + axis, kScale >> 32));
+            EXPECT_TRUE(
+                host_.write(CURVECORE_AXIS_SCALE_HI + axis, static_cast<uint32_t>(scale >> 32)));
         }
         host_.write(CURVECORE_PULSE, 2 | 2 << 16);
         host_.write(CURVECORE_DIRECTION, 4 | 4 << 16);
@@ -133,6 +135,38 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
     int64_t steps = 0;
     for (int a = 0; a < kSystemAxes; ++a) steps += host_.drive(a).steps();
     EXPECT_GT(steps, 50'000);
+}
+
+/// Whole samples, in order, and nothing between them.
+TEST_F(PositionMode, ScanHeadsFollowItsSamples) {
+    if (CFG_Galvo != 1) GTEST_SKIP() << "no scan heads";
+    using Frame = std::array<uint32_t, 3>;
+    std::vector<Frame> seen;
+    std::vector<Frame> wanted;
+    const auto add = [](const Frame& frame, std::vector<Frame>& frames) {
+        if (frames.empty() || frames.back() != frame) frames.push_back(frame);
+    };
+    begin(kPosition, kScale >> 6);  // a sample may change all bits of a frame
+    host_.samples(3);
+    host_.each_clock = [&] {
+        add({host_.galvo_frame(0), host_.galvo_frame(1), host_.galvo_frame(2)}, seen);
+    };
+    Sample place{};
+    for (int n = 0; n < 1000 && !HasFailure(); ++n) {
+        while (room() == 0) host_.clocks(50);
+        ASSERT_TRUE(push(place));
+        Frame frame;
+        for (int a = 0; a < 3; ++a) {
+            frame[a] = hls::xy2_frame(int64_t{place[a]} * (1 << kGuardBits), kFineBits);
+            place[a] += static_cast<int32_t>(random_() % (1 << 21)) - (1 << 20);
+        }
+        add(frame, wanted);
+        host_.clocks(random_() % 400);
+    }
+    run_out();
+    EXPECT_GT(wanted.size(), 990U);
+    EXPECT_EQ(seen, wanted);
+    EXPECT_EQ(faults() & ~uint32_t{CURVECORE_STATE_LATE_MASK}, 0U);
 }
 
 TEST_F(PositionMode, AxesWaitForALateHostAndLoseNothing) {
