@@ -39,6 +39,7 @@ struct link_frame {
 struct board_status {
     uint32_t state, axes, samples;
     int32_t steps[CURVECORE_MOST_AXES];
+    int32_t edges[CURVECORE_MOST_AXES], following[CURVECORE_MOST_AXES]; /* of encoders */
 };
 /* Of the first answer only. */
 struct board_kind {
@@ -47,6 +48,7 @@ struct board_kind {
 
 struct board_link {
     int socket, axes;
+    int watched;     /* axes of which encoders are asked for */
     int known;       /* which board it is */
     int same;        /* it is the one that was known before */
     uint32_t number; /* of the last frame that was made */
@@ -103,14 +105,22 @@ static unsigned link_steps(int axis) {
     return CURVECORE_AXIS_STEPS + (unsigned)axis * CURVECORE_AXIS_STRIDE;
 }
 
-/* What every frame asks for at its end. */
-static int link_asked(const struct board_link* link) { return 4 * (3 + link->axes); }
+/* What every frame asks for at its end, in bytes, and what is answered. */
+static int link_asked(const struct board_link* link) {
+    return 4 * (3 + link->axes + (link->watched > 0 ? 2 : 0));
+}
+static int link_answered(const struct board_link* link) {
+    return 4 * (3 + link->axes + 2 * link->watched);
+}
 static void link_ask(const struct board_link* link, struct link_frame* frame) {
     int axis;
     link_command(frame, WORDS, 1, CURVECORE_SEQUENCE);
     link_command(frame, WORDS | INCREMENT, 2, CURVECORE_STATE);
     link_command(frame, WORDS, 1, CURVECORE_SAMPLES);
     for (axis = 0; axis < link->axes; ++axis) link_command(frame, WORDS, 1, link_steps(axis));
+    if (link->watched == 0) return;
+    link_command(frame, WORDS | INCREMENT, (unsigned)link->watched, CURVECORE_ENCODER0);
+    link_command(frame, WORDS | INCREMENT, (unsigned)link->watched, CURVECORE_FOLLOWING0);
 }
 static int link_room(const struct board_link* link, const struct link_frame* frame) {
     return LINK_LONGEST - link_asked(link) - frame->length;
@@ -181,6 +191,8 @@ static void link_take(struct board_link* link, const uint8_t* bytes, int64_t now
     status->axes = link_get(&bytes);
     status->samples = link_get(&bytes);
     for (axis = 0; axis < link->axes; ++axis) status->steps[axis] = (int32_t)link_get(&bytes);
+    for (n = 0; n < link->watched; ++n) status->edges[n] = (int32_t)link_get(&bytes);
+    for (n = 0; n < link->watched; ++n) status->following[n] = (int32_t)link_get(&bytes);
     link->answered = now;
 }
 
@@ -206,6 +218,7 @@ static void link_know(struct board_link* link, const uint8_t* bytes, int64_t now
     link->chance = (uint32_t)now * 2654435761u;
     link->known = kind->id == CURVECORE_ID_ID_VALUE;
     link_take(link, status, now);
+    link->watched = kind->capability & CURVECORE_CAPABILITY_ENCODERS_MASK ? link->axes : 0;
 }
 
 /* What has come. A board that is silent, or does not obey any more, has to be known anew. */
@@ -213,14 +226,14 @@ static void link_receive(struct board_link* link, int64_t now) {
     uint8_t bytes[LINK_LONGEST + 64];
     ssize_t got;
     while ((got = recv(link->socket, bytes, sizeof bytes, 0)) >= 0) {
-        const int asked = link_asked(link) + 4;
-        if (!link->known && got == asked + 20) {
+        const int answered = link_answered(link) + 4;
+        if (!link->known && got == answered + 20) {
             link_know(link, bytes, now);
-        } else if (link->known && got == asked) {
+        } else if (link->known && got == answered) {
             link_take(link, bytes, now);
         }
     }
-    if (now - link->answered > LINK_SILENT) link->known = 0;
+    if (now - link->answered > LINK_SILENT) link->known = link->watched = 0;
 }
 
 /* Once more what is not answered. A question, where nothing is under way: a board that is slow gets

@@ -22,12 +22,18 @@ A servo thread that comes late by less than buffer-time changes no step. If it c
 joints move, they wait where they are and go on with the next sample: late counts that, and no
 position is lost. Where the board or its link comes late, more samples wait; hold stops the motion
 on its path until they are drawn. A thread that is silent for watchdog-time turns the drives off,
-and so does a board that does not answer for a second.""";
+and so does a board that does not answer for a second.
+
+A board with inputs of encoders watches the joints that have encoder-counts: a joint whose encoder
+is following-limit away from where its steps say turns the drives off.""";
 
 pin in bit enable "drives on; a fault goes when it is off";
 pin out bit enabled "drives are on, and joints follow";
 pin out bit fault "the board went off by itself, or cannot be reached: amp-fault-in";
 pin out u32 faults "what the board says, STATE of hls/registers/registers.rdl";
+pin out bit following_fault "a joint was beyond its following-limit";
+pin out bit encoder_fault "edges of an encoder came too fast, or both at once";
+pin out s32 fault_joint "of these two: of the first; -1: there is none";
 pin out bit connected "the board answers";
 pin out bit estop_in "level of the board's pin";
 pin out bit hold "too many samples wait: to motion.feed-inhibit";
@@ -37,12 +43,17 @@ pin out float latency "s that a new position waits";
 pin in float joint.#.position_cmd[9:personality];
 pin out float joint.#.position_fb[9:personality] "steps that were given, in the machine's unit";
 pin out s32 joint.#.counts[9:personality] "steps that were given";
+pin out s32 joint.#.encoder[9:personality] "edges since the board's reset";
+pin out float joint.#.following[9:personality] "steps less edges, in the machine's unit";
 pin out bit joint.#.limit[9:personality] "level of the limit switch";
 
 param rw float joint.#.scale[9:personality] = 1 "steps per unit; read when drives come on, as all";
 param rw bit joint.#.invert_step[9:personality] "a pulse is low";
 param rw bit joint.#.invert_dir[9:personality];
 param rw bit joint.#.ignore_limit[9:personality];
+param rw u32 joint.#.encoder_counts[9:personality] "so many edges, 65535 at most; 0: no encoder";
+param rw s32 joint.#.encoder_steps[9:personality] = 1 "are so many steps, 32767 at most; negative: it counts backwards";
+param rw float joint.#.following_limit[9:personality] "in the machine's unit; 0: none";
 param rw u32 steplen = 2000 "ns, as those below";
 param rw u32 stepspace = 2000;
 param rw u32 dirsetup = 4000;
@@ -70,6 +81,7 @@ RTAPI_MP_STRING(address, "HOST[:PORT] of the board");
 
 #define ASK 20000000LL   /* ns between questions to a board that does not answer */
 #define AGAIN 50000000LL /* ns until drives that did not come on are tried again */
+#define MOST_FOLLOWING (2147483648.0 - 131072) /* FOLLOWING_LIMIT of hls/registers/registers.rdl */
 #define LONGEST 2000000000LL /* ns until they are a fault */
 
 enum mode { OFF, COMING, ON, FAULT };
@@ -83,7 +95,8 @@ static int joints, was_known, was_late;
 
 static unsigned field(uint32_t word, uint32_t mask, int low) { return (word & mask) >> low; }
 #define FIELD(word, name) field(word, CURVECORE_##name##_MASK, CURVECORE_##name##_LOW)
-#define FAULTS 0xffffu /* bits of STATE */
+#define WATCHED (CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK)
+#define FAULTS (0xffffu | WATCHED) /* bits of STATE */
 #define STATE_HAS(name) ((link_.status.state & CURVECORE_STATE_##name##_MASK) != 0)
 
 static double sample_seconds(void) {
@@ -128,8 +141,16 @@ FUNCTION(read_) {
             joint_counts(n) = (int32_t)steps[n];
             joint_position_fb(n) = steps[n] / joint_scale(n);
             joint_limit(n) = limits >> n & 1;
+            joint_encoder(n) = link_.status.edges[n];
+            joint_following(n) =
+                joint_encoder_counts(n) == 0
+                    ? 0
+                    : link_.status.following[n] / (joint_scale(n) * joint_encoder_counts(n));
         }
         faults = link_.status.state & FAULTS;
+        following_fault = STATE_HAS(FOLLOWING);
+        encoder_fault = STATE_HAS(ENCODER);
+        fault_joint = (faults & WATCHED) ? (int)FIELD(link_.status.state, STATE_FAULT_AXIS) : -1;
         estop_in = STATE_HAS(ESTOP_PIN);
         if (STATE_HAS(LATE) && !was_late) ++late;
         was_late = STATE_HAS(LATE);
@@ -141,12 +162,44 @@ FUNCTION(read_) {
     enabled = mode == ON;
 }
 
+/* Of a joint that the board shall watch; not 0: it cannot. */
+static int encoder_of(struct __comp_state *__comp_inst, int n, uint32_t *ratio, uint32_t *limit) {
+    const uint32_t counts_ = joint_encoder_counts(n);
+    const int32_t steps_ = joint_encoder_steps(n);
+    const double units = floor(joint_following_limit(n) * fabs(joint_scale(n)) * counts_);
+    *ratio = *limit = 0;
+    if (counts_ == 0) return 0;
+    if (link_.watched == 0 || counts_ > 65535 || steps_ == 0 || steps_ < -32767 ||
+        steps_ > 32767 || !(units >= 0 && units <= MOST_FOLLOWING) ||
+        (joint_following_limit(n) > 0 && units < 1)) {
+        return -1;
+    }
+    *ratio = counts_ | (uint32_t)steps_ << 16;
+    *limit = (uint32_t)units;
+    return 0;
+}
+static int watchable(struct __comp_state *__comp_inst) {
+    uint32_t ratio, limit;
+    int n;
+    for (n = 0; n < joints; ++n) {
+        if (encoder_of(__comp_inst, n, &ratio, &limit) == 0) continue;
+        rtapi_print_msg(RTAPI_MSG_ERR,
+                        link_.watched == 0
+                            ? "curvecore: joint.%d.encoder-counts: the board has no inputs of encoders\n"
+                            : "curvecore: joint.%d: encoder-counts, encoder-steps or following-limit "
+                              "that the board cannot have\n",
+                        n);
+        return 0;
+    }
+    return 1;
+}
+
 /* Drives off, then all that stands still while they are on. */
 static int settings(struct __comp_state *__comp_inst, int64_t now) {
     struct link_frame *frame = link_begin(&link_);
     /* 2^-16 steps in the whole range of positions, of LINE_UNITS in a step each */
     const int scale_bits = (int)FIELD(link_.kind.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS;
-    uint32_t step = 0, direction = 0, masked = 0;
+    uint32_t step = 0, direction = 0, masked = 0, ratio, limit;
     int n;
     if (!frame) return -1;
     link_write(frame, CURVECORE_CONTROL, 0);
@@ -160,6 +213,13 @@ static int settings(struct __comp_state *__comp_inst, int64_t now) {
         masked |= (uint32_t)(joint_ignore_limit(n) != 0) << n;
     }
     link_end(&link_, frame, now);
+    for (n = 0; n < (link_.watched ? joints : 0); ++n) {
+        if (n % 4 == 0 && !(frame = link_begin(&link_))) return -1;
+        encoder_of(__comp_inst, n, &ratio, &limit);
+        link_write(frame, CURVECORE_ENCODER_RATIO0 + 4 * (unsigned)n, ratio);
+        link_write(frame, CURVECORE_FOLLOWING_LIMIT0 + 4 * (unsigned)n, limit);
+        if (n % 4 == 3 || n == joints - 1) link_end(&link_, frame, now);
+    }
     frame = link_begin(&link_);
     if (!frame) return -1;
     link_write(frame, CURVECORE_PULSE, pair(clocks(steplen), clocks(stepspace)));
@@ -242,6 +302,8 @@ FUNCTION(write_) {
             line_begin(&line, units, joints, (int)wanted);
             mode = ON;
         } else if (now - began > LONGEST) {
+            mode = FAULT;
+        } else if (!watchable(__comp_inst)) {
             mode = FAULT;
         } else if (now - tried >= AGAIN) {
             tried = now;

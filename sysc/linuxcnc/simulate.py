@@ -3,13 +3,14 @@
 """Runs a program on LinuxCNC's own motion in simulation, without a screen, and records positions.
 
     simulate.py PROGRAM --folder FOLDER [--velocity MM_S] [--acceleration MM_S2] [--tools FILE]
-                [--board HOST:PORT [--scale STEPS_PER_MM] [--buffer S]]
+                [--board HOST:PORT [--scale STEPS_PER_MM] [--buffer S] [--following MM]]
 
 Writes FOLDER/samples: the commanded positions of X Y Z A B C U V W, mm and degrees, a line for
 every servo cycle of 1 ms. LinuxCNC runs in real time, one at a time on a computer.
 
 With --board X Y Z are on that board, by the installed component curvecore; each line then has the
 positions of X Y Z that came back too, mm, the component's latency, s, and how often it was late.
+With --following the board watches encoders of an edge a step.
 """
 
 import argparse
@@ -88,6 +89,8 @@ net late curvecore.late => sampler.0.pin.13
 BOARD_JOINT = """setp curvecore.joint.{joint}.scale {scale}
 net place-{joint} joint.{joint}.motor-pos-cmd sampler.0.pin.{joint}
 net place-{joint} => curvecore.joint.{joint}.position-cmd
+setp curvecore.joint.{joint}.encoder-counts {encoder}
+setp curvecore.joint.{joint}.following-limit {following}
 net back-{joint} curvecore.joint.{joint}.position-fb sampler.0.pin.{pin}
 net back-{joint} => joint.{joint}.motor-pos-fb
 """
@@ -111,7 +114,8 @@ def prepare(given, folder):
         ini += f"[AXIS_{axis}]\n{limits}[JOINT_{joint}]\nTYPE = {kind}\n{limits}"
         ini += "HOME_SEQUENCE = 0\nFERROR = 1000\nMIN_FERROR = 1000\n"
         if joint < board:
-            hal += BOARD_JOINT.format(joint=joint, pin=len(AXES) + joint, scale=given.scale)
+            hal += BOARD_JOINT.format(joint=joint, pin=len(AXES) + joint, scale=given.scale,
+                                      encoder=int(given.following > 0), following=given.following)
             continue
         hal += (f"net place-{joint} joint.{joint}.motor-pos-cmd joint.{joint}.motor-pos-fb "
                 f"sampler.0.pin.{joint}\n")
@@ -193,6 +197,7 @@ def main():
     parser.add_argument("--board")
     parser.add_argument("--scale", type=float, default=400)
     parser.add_argument("--buffer", type=float, default=0.004)
+    parser.add_argument("--following", type=float, default=0)
     given = parser.parse_args()
     folder = given.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)

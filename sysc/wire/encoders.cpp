@@ -36,14 +36,15 @@ std::vector<AxisEncoder> read_encoders(const std::string& machine_file) {
     for (const Joint& joint : joints_of(ini)) {
         const auto scale = ini.number(joint.section, "ENCODER_SCALE");
         if (!scale || *scale == 0) continue;
+        const int line = ini.find(joint.section, "ENCODER_SCALE")->line;
         const auto most = ini.number(joint.section, "FERROR");
         if (!most || *most <= 0) {
             throw ref::InputError(
-                machine_file, ini.find(joint.section, "ENCODER_SCALE")->line,
+                machine_file, line,
                 fmt::format("[{}] ENCODER_SCALE: FERROR is missing", joint.section));
         }
         encoders.push_back(
-            {joint.axis, *scale / joint.unit_mm, *most * joint.unit_mm,
+            {joint.axis, joint.section, line, *scale / joint.unit_mm, *most * joint.unit_mm,
              ini.number(joint.section, "MIN_FERROR").value_or(*most) * joint.unit_mm});
     }
     return encoders;
@@ -76,11 +77,17 @@ EncoderRatio ratio_of(double counts_per_mm, double steps_per_mm) {
 
 Encoders::Encoders(RemoteMachine& machine, const std::string& machine_file, const Drives& drives)
     : machine_(machine) {
-    if (!machine.build().encoders) return;
-    for (int axis = 0; axis < machine.build().axes; ++axis) machine.watch(axis, {}, 0);
+    const bool inputs = machine.build().encoders;
+    for (int axis = 0; inputs && axis < machine.build().axes; ++axis) machine.watch(axis, {}, 0);
     if (machine_file.empty()) return;
     for (const AxisEncoder& encoder : read_encoders(machine_file)) {
         if (encoder.axis >= machine.build().axes) continue;
+        if (!inputs) {
+            fmt::print(stderr,
+                       "{}:{}: warning: [{}] ENCODER_SCALE: the board has no inputs of encoders\n",
+                       machine_file, encoder.line, encoder.joint);
+            continue;
+        }
         const double steps_per_mm = drives.steps_per_mm[encoder.axis];
         const EncoderRatio ratio = ratio_of(encoder.counts_per_mm, steps_per_mm);
         const double units = steps_per_mm * ratio.counts;

@@ -17,6 +17,8 @@ namespace curvecore::sysc {
 /// | rest_mm       | MIN_FERROR                  | for the end of a program; FERROR when missing |
 struct AxisEncoder {
     int axis = 0;
+    std::string joint;  // its section
+    int line = 0;       // of ENCODER_SCALE
     double counts_per_mm = 0;
     double limit_mm = 0;
     double rest_mm = 0;
@@ -39,7 +41,8 @@ struct Following {
 
 class Encoders {
   public:
-    /// The board watches those of the machine's file, and no others; of no file: none.
+    /// The board watches those of the machine's file, and no others; of no file: none. Warns of
+    /// those that have no inputs.
     /// @throws UsageError: an encoder that the board cannot have
     Encoders(RemoteMachine& machine, const std::string& machine_file, const Drives& drives);
 

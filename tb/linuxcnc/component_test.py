@@ -22,19 +22,21 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "wire"))
-from wire_parts import STEPS_PER_MM, Board, Wire, counts, read  # noqa: E402
+from wire_parts import ENABLED, STATE, STEPS_PER_MM, Board, Wire, counts, read  # noqa: E402
 
 INSIDE = HERE.parent.parent / "sysc/linuxcnc"
 MODULES = "/usr/lib/linuxcnc/modules"
 PROGRAM = HERE / "board.ngc"
 END = (1.25, -3.5, 2)  # mm
 STEPS_OF_X = 0x108
+FOLLOWING_FAULT = 1 << 26  # of STATE
 PERIOD, SAMPLE = 1e-3, 1e-4  # s, of LinuxCNC and of the board
 CLOSEST = 0.98  # of the samples' even distance, where more of them are wanted
 # From a sample that waits no more to its last step, in samples, and those of a period that is
 # commanded at the same time.
 UNDER_WAY = 4 + 10
 LONGEST = 240  # s
+FOLLOWING = 5 / STEPS_PER_MM  # mm, that encoders may be off; they are ideal
 VIEW = ["unshare", "--mount", "--ipc", "sh", "-c"]
 
 
@@ -70,7 +72,7 @@ class ComponentTest(unittest.TestCase):
         """What LinuxCNC says of every servo period: commanded, given, latency, late so far."""
         out = self.folder / "out"
         simulate = (f"{INSIDE}/simulate.py {PROGRAM} --folder {out} --board 127.0.0.1:{port} "
-                    f"--scale {STEPS_PER_MM} --buffer {buffer}")
+                    f"--scale {STEPS_PER_MM} --buffer {buffer} --following {FOLLOWING}")
         with subprocess.Popen([*VIEW, f"mount --bind modules {MODULES} && exec {simulate}"],
                               cwd=self.folder, stderr=subprocess.PIPE, text=True,
                               start_new_session=True) as runs:
@@ -104,10 +106,10 @@ class ComponentTest(unittest.TestCase):
         print(f"{len(under_way)} periods: {worst:.2f} steps off what was commanded, "
               f"{behind:.0f} behind at most, {1e3 * latency.max():.0f} ms", flush=True)
 
-    def draw(self, through=lambda board: board, meanwhile=lambda board: None):
+    def draw(self, through=lambda board: board, meanwhile=lambda board: None, board=()):
         """How often it was late."""
         self.compile()
-        board = Board(str(self.folder / "board"))
+        board = Board(str(self.folder / "board"), *board)
         self.addCleanup(board.kill)
         *places, late = self.run_program(through(board).port, 0.03, lambda: meanwhile(board))
         self.check_follows(*places)
@@ -187,6 +189,17 @@ class ComponentTest(unittest.TestCase):
             board.kill()
         with self.assertRaisesRegex(AssertionError, "joint 0 amplifier fault"):
             self.draw(meanwhile=end)
+
+    def test_joint_that_slips_is_a_fault(self):
+        boards = []
+        with self.assertRaisesRegex(AssertionError, "joint 0 amplifier fault"):
+            self.draw(meanwhile=boards.append, board=("--slip", "x=500..600"))
+        state = read(boards[0].port, STATE)
+        self.assertTrue(state & FOLLOWING_FAULT)
+        self.assertFalse(state & ENABLED)
+        # A step or none on the way, until the count is there.
+        off = counts(boards[0].end())[0] - 500
+        self.assertIn(off, (round(FOLLOWING * STEPS_PER_MM), round(FOLLOWING * STEPS_PER_MM) + 1))
 
 
 if __name__ == "__main__":

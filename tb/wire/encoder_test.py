@@ -12,13 +12,15 @@ import sys
 import tempfile
 import unittest
 
-from wire_parts import CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, counts, read
+from wire_parts import (CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, Wire, counts,
+                        read)
 
 FERROR, MIN_FERROR = 0.1, 0.01
 LIMIT = round(FERROR * STEPS_PER_MM)
 PROGRAM = "G1 X4 Y-3\nG2 X6 Y-1 I0 J2\nG1 X0 Y0 Z1"
 FEED = 10  # mm/s
 STEP = 1 / STEPS_PER_MM
+CAPABILITY, ENCODERS = 0x08, 1 << 25
 
 
 def machine(**changes):
@@ -133,6 +135,15 @@ class EncoderTest(unittest.TestCase):
         board = self.board("--slip", "x=1000..1100")
         self.stream(board, 1, "the board stopped: X: following error")
         self.assertIsNone(self.stream(board, with_machine=False))
+
+    def test_a_board_without_inputs_is_told(self):
+        board = self.board("--slip", "x=1000..1100")
+        kind = read(board.port, CAPABILITY)
+        said, bare = (word.to_bytes(4, "little") for word in (kind, kind & ~ENCODERS))
+        wire = Wire(board.port, 0, 0, lambda answer: answer.replace(said, bare))
+        line = 1 + machine().split("\n").index(f"ENCODER_SCALE = {STEPS_PER_MM}")
+        self.assertIsNone(self.stream(
+            wire, text=f"{self.machine}:{line}: warning: [JOINT_0] ENCODER_SCALE: the board has "))
 
     def test_encoders_that_cannot_be(self):
         board = self.board()

@@ -101,12 +101,13 @@ def system_steps(part, folder):
 
 
 class Wire(threading.Thread):
-    """Between a host and a board: delays datagrams, loses some, doubles some, and some overtake."""
+    """Between a host and a board: delays datagrams, loses some, doubles some, and some overtake;
+    changes what the board says."""
 
-    def __init__(self, port, chance, delay):
+    def __init__(self, port, chance, delay, change=lambda answer: answer):
         super().__init__(daemon=True)
         self.board = ("127.0.0.1", port)
-        self.chance, self.delay = chance, delay
+        self.chance, self.delay, self.change = chance, delay, change
         self.random = random.Random(7)
         self.near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.near.bind(("127.0.0.1", 0))
@@ -138,7 +139,7 @@ class Wire(threading.Thread):
                 if to_board:
                     self.far.sendto(data, self.board)
                 elif host:
-                    self.near.sendto(data, host)
+                    self.near.sendto(self.change(data), host)
 
 
 def bridge(line, port):
