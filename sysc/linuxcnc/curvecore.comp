@@ -52,7 +52,7 @@ param rw bit joint.#.invert_step[9:personality] "a pulse is low";
 param rw bit joint.#.invert_dir[9:personality];
 param rw bit joint.#.ignore_limit[9:personality];
 param rw u32 joint.#.encoder_counts[9:personality] "so many edges, 65535 at most; 0: no encoder";
-param rw s32 joint.#.encoder_steps[9:personality] = 1 "are so many steps, 32767 at most; negative: it counts backwards";
+param rw s32 joint.#.encoder_steps[9:personality] = 1 "are so many steps; negative: backwards";
 param rw float joint.#.following_limit[9:personality] "in the machine's unit; 0: none";
 param rw u32 steplen = 2000 "ns, as those below";
 param rw u32 stepspace = 2000;
@@ -183,12 +183,10 @@ static int watchable(struct __comp_state *__comp_inst) {
     int n;
     for (n = 0; n < joints; ++n) {
         if (encoder_of(__comp_inst, n, &ratio, &limit) == 0) continue;
-        rtapi_print_msg(RTAPI_MSG_ERR,
+        rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: joint.%d: %s\n", n,
                         link_.watched == 0
-                            ? "curvecore: joint.%d.encoder-counts: the board has no inputs of encoders\n"
-                            : "curvecore: joint.%d: encoder-counts, encoder-steps or following-limit "
-                              "that the board cannot have\n",
-                        n);
+                            ? "encoder-counts, and the board has no inputs of encoders"
+                            : "encoder-counts, encoder-steps or following-limit beyond the board");
         return 0;
     }
     return 1;

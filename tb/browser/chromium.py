@@ -170,7 +170,7 @@ class Chromium:
         file.unlink(missing_ok=True)
         self.click(selector)
         deadline = time.monotonic() + TIMEOUT
-        while not file.exists():
+        while not file.exists() or file.stat().st_size == 0:
             if time.monotonic() > deadline:
                 raise BrowserError(f"{name} was not saved")
             time.sleep(0.02)
