@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them. A sample that is
-// taken axis by axis goes out whole.
+// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them. A sample that
+// is taken axis by axis goes out whole.
 `default_nettype none
 module galvo_pins #(
     parameter int Galvo      = 0,   // 0, 1
