@@ -142,13 +142,17 @@ std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to,
                                    std::pow(24 * tolerance / (bend * bend * bend), 0.25)});
         }
     }
+    even_widths(sites);
+    return sites;
+}
+
+void even_widths(std::vector<Site>& sites) {
     const auto even = [&](std::size_t i, std::size_t j) {
         const double most = sites[i].width + kSlope * std::abs(sites[j].s - sites[i].s);
         sites[j].width = std::min(sites[j].width, most);
     };
     for (std::size_t i = 1; i < sites.size(); ++i) even(i - 1, i);
     for (std::size_t i = sites.size(); i-- > 1;) even(i, i - 1);
-    return sites;
 }
 
 std::vector<double> tube_knots(const std::vector<Site>& sites, const std::vector<double>& fixed) {

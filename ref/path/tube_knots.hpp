@@ -46,6 +46,9 @@ struct Site {
 std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to, double tolerance,
                              const Pace& pace);
 
+/// Widths that change from site to site no more than neighbouring spans may.
+void even_widths(std::vector<Site>& sites);
+
 /// Knots from the first site to the last, six spans at least; one at each of `fixed`.
 std::vector<double> tube_knots(const std::vector<Site>& sites, const std::vector<double>& fixed);
 

@@ -14,8 +14,11 @@ constexpr std::size_t kMostKnots = 50;  // times those at first
 constexpr double kUneven = 4;           // neighbouring spans
 constexpr double kStrongTurn = 0.3;     // rad: spans are cut there
 constexpr double kFull = 0.97;          // of the tolerance
-// Of the jerk, by the speeds of the last curve: the first one says little more than these.
-constexpr std::array<TubeSpline::Stages, 3> kWeightings{{{0, 2}, {1, 3}, {1, 3}}};
+constexpr double kChange = 0.35;        // of the jerk limit: by how much r''' v^3 jumps at a knot
+constexpr double kLongest = 12e-3;      // s: a span where r''' hardly changes
+// Newton's stages: by the speeds of the programmed path, then by those of the curve itself.
+constexpr TubeSpline::Stages kRough{0, 2};
+constexpr TubeSpline::Stages kFine{1, 3};
 
 /// A span's middle, or its sharpest joint.
 double cut_of(double a, double b, const std::vector<Site>& sites) {
@@ -87,26 +90,57 @@ std::vector<double> speeds_of(const CubicSpline& spline, const Pace& pace) {
     return smooth;
 }
 
+/// Places for knots on the curve as it is: r''' is constant between them, so they are close where
+/// it changes much at the speed that the machine has there.
+std::vector<Site> change_sites(const CubicSpline& spline, const std::vector<double>& speeds,
+                               const Pace& pace) {
+    std::vector<Vec3> thirds;
+    for (std::size_t span = 0; span < spline.spans(); ++span) {
+        const double h = spline.width(span);
+        thirds.push_back(from_bezier(spline.bezier(span)).jerk() / (h * h * h));
+    }
+    std::vector<Site> sites;
+    for (std::size_t i = 0; i <= spline.spans(); ++i) {
+        const std::size_t before = i > 0 ? i - 1 : 0;
+        const std::size_t after = std::min(i, spline.spans() - 1);
+        const double v = std::min(speeds[before], speeds[after]);
+        const double jump = (thirds[after] - thirds[before]).norm() * v * v * v / pace.jerk;
+        const double apart = (spline.width(before) + spline.width(after)) / 2;
+        sites.push_back({spline.knot(i), 0, v, kLongest * v});
+        if (jump > 0) sites[i].width = std::min(sites[i].width, kChange / jump * apart);
+    }
+    even_widths(sites);
+    return sites;
+}
+
+/// A spline within the tube, with more knots where it needs them; or none.
+std::optional<TubeSpline> kept(const ProgrammedPath& path, const TubeTask& task,
+                               const std::vector<Site>& sites, std::vector<double> knots) {
+    std::optional<TubeSpline> tube;
+    const std::size_t most = kMostKnots * knots.size();
+    for (int round = 0; round < kRefinements && knots.size() < most; ++round) {
+        if (round > 0) knots = refined(*tube, task.tolerance, sites);
+        tube.emplace(path, task.tolerance, knots, task.start, task.end);
+        if (tube->fit()) return tube;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<TubePiece> tube_run(const ProgrammedPath& path, const TubeTask& task,
                                 const Pace& pace) {
     const std::vector<Site> sites = tube_sites(path, task.from, task.to, task.tolerance, pace);
-    std::vector<double> knots = tube_knots(sites, task.knots);
-    std::optional<TubeSpline> tube;
-    bool found = false;
-    const std::size_t most = kMostKnots * knots.size();
-    for (int round = 0; !found && round < kRefinements && knots.size() < most; ++round) {
-        if (round > 0) knots = refined(*tube, task.tolerance, sites);
-        tube.emplace(path, task.tolerance, knots, task.start, task.end);
-        found = tube->fit();
+    std::optional<TubeSpline> tube = kept(path, task, sites, tube_knots(sites, task.knots));
+    if (!tube) return {};
+    tube->smooth(first_speeds(tube->spline(), sites), kRough);
+    const std::vector<Site> seen =
+        change_sites(tube->spline(), speeds_of(tube->spline(), pace), pace);
+    if (auto thinned = kept(path, task, sites, tube_knots(seen, task.knots))) {
+        tube = std::move(thinned);
+        tube->smooth(first_speeds(tube->spline(), seen), kRough);
     }
-    if (!found) return {};
-    std::vector<double> speeds = first_speeds(tube->spline(), sites);
-    for (const TubeSpline::Stages& stages : kWeightings) {
-        tube->smooth(speeds, stages);
-        speeds = speeds_of(tube->spline(), pace);
-    }
+    tube->smooth(speeds_of(tube->spline(), pace), kFine);
     std::vector<TubePiece> pieces;
     for (std::size_t span = 0; span < tube->spline().spans(); ++span) {
         const double s = tube->spline().knot(span);
