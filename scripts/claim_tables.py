@@ -74,13 +74,14 @@ def drawn():
     rows = []
     for r in data["rows"]:
         rows.append([r["program"], f"{r['share']:.3f}", f"{r['moves']} -> {r['drawn_moves']}",
-                     f"{r['drawn_words'] / r['words']:.2f}", f"{r['exact_s']:.3f}",
+                     f"{r['drawn_words_without_branches'] / r['words_without_branches']:.3f}",
+                     f"{r['drawn_words'] / r['words']:.3f}", f"{r['exact_s']:.3f}",
                      f"{r['drawn_s']:.3f}", f"{r['oracle_shares_s']:.3f}",
                      f"{r['drawn_s'] / r['oracle_shares_s']:.3f}", f"{r['oracle_s']:.3f}",
                      f"{r['drawn_s'] / r['oracle_s']:.3f}"])
-    head = ["program", "off / P", "moves", "words / exact", "exact path, s", "drawn, s",
-            "oracle, the same shares", "drawn / oracle", "oracle, whole limits",
-            "drawn / oracle"]
+    head = ["program", "off / P", "moves", "words of segments and pieces / exact",
+            "with stop branches", "exact path, s", "drawn, s", "oracle, the same shares",
+            "drawn / oracle", "oracle, whole limits", "drawn / oracle"]
     text = ("Along the path that is drawn, at 500 mm/s; below 1 the oracle found a local optimum "
             "that is worse:")
     return f"{text}\n\n{table(head, rows)}"

@@ -181,7 +181,7 @@ TEST(PlanStream, IsHardlySlowerThanTheWholePlan) {
     const Program program = surface(6000);
     for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
         const Plan whole = joined(program, options(effort), program.moves.size() + 1).plan;
-        const Joined all = joined(program, options(effort), 500);
+        const Joined all = joined(program, options(effort), 300);
         EXPECT_GE(all.parts, 4U);
         EXPECT_EQ(all.forced_stops, 0U);
         EXPECT_LE(all.plan.duration_s, 1.005 * whole.duration_s);

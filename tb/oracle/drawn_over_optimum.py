@@ -22,6 +22,7 @@ SLOWER = 1.02  # than the oracle along the same path under the same shares
 
 
 def row(program, name, folder):
+    bounds = plan(program, PROGRAMS[name], "optimum", folder, "bounds")
     report = plan(program, PROGRAMS[name], "optimum", folder)
     exact = report["deviation"]["exact"]
     limits = Limits()
@@ -38,6 +39,8 @@ def row(program, name, folder):
         "drawn_moves": report["moves"],
         "words": exact["words"],
         "drawn_words": report["words"],
+        "words_without_branches": bounds["deviation"]["exact"]["words"],
+        "drawn_words_without_branches": bounds["words"],
         "exact_s": exact["duration_s"],
         "drawn_s": report["duration_s"],
         **sums,

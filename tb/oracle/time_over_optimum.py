@@ -36,12 +36,12 @@ def shares():
             for name in ("kAccelerationShare", "kJerkShare")]
 
 
-def plan(program, text, effort, folder):
+def plan(program, text, effort, folder, holds="branches"):
     """The report of a program's text; everything else is in folder / "out"."""
     file = folder / "path.ngc"
     file.write_text(text)
-    subprocess.run([program, "plan", file, "--effort", effort, "-q", "-o", folder / "out"],
-                   check=True)
+    subprocess.run([program, "plan", file, "--effort", effort, "--holds", holds, "-q",
+                    "-o", folder / "out"], check=True)
     return json.loads((folder / "out/report.json").read_text())
 
 
