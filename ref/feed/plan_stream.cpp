@@ -16,6 +16,14 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
+constexpr std::size_t kFew = 16;     // moves that a window may have, however long they are
+constexpr double kLongMove = 50;     // mm, a mean of more: a window has fewer moves
+
+double length_of(const std::vector<Move>& moves) {
+    double length = 0;
+    for (const Move& move : moves) length += move.length();
+    return length;
+}
 
 /// Windows have moves in common.
 PlanOptions with_cuts(PlanOptions options) {
@@ -88,8 +96,13 @@ void PlanStream::read(std::size_t size) {
         program_.moves.insert(program_.moves.end(), next_.begin(), next_.end());
         next_.clear();
     };
+    double length = length_of(program_.moves) + length_of(next_);
+    const auto is_full = [&] {
+        const std::size_t moves = program_.moves.size() + next_.size();
+        return moves > size || (moves > kFew && length > kLongMove * static_cast<double>(size));
+    };
     try {
-        while (more_ && program_.moves.size() + next_.size() <= size) {
+        while (more_ && !is_full()) {
             take_next();
             more_ = false;
             for (Move move; !more_ && source_(move);) {
@@ -97,6 +110,7 @@ void PlanStream::read(std::size_t size) {
                 next_.push_back(move);
                 more_ = move.length() >= quantum;
             }
+            length += length_of(next_);
             if (!more_) take_next();
         }
     } catch (const InputError&) {

@@ -189,6 +189,19 @@ TEST(PlanStream, IsHardlySlowerThanTheWholePlan) {
     }
 }
 
+TEST(PlanStream, HasFewerLongMovesInAWindow) {
+    ProgramBuilder builder;
+    for (int i = 1; i <= 200; ++i) builder.line({i % 2 * 400.0 + i % 7, i % 11 * 5.0, 0}, 500);
+    Program program = with_tolerance(builder.program(), 0.1);
+    ref::smooth_path(program, Machine{});
+    const Plan whole = joined(program, options(Effort::kRules), 10000).plan;
+    const Joined all = joined(program, options(Effort::kRules), 400);
+    EXPECT_GE(all.parts, 4U);
+    EXPECT_EQ(all.forced_stops, 0U);
+    EXPECT_LE(all.plan.duration_s, 1.001 * whole.duration_s);
+    EXPECT_LE(drawn_limits(all.plan, Machine{}).most(), 1);
+}
+
 /// In the middle of motion; what was given out stays.
 TEST(PlanStream, RaisesTheFeedOfWhatFollows) {
     for (const unsigned seed : {1U, 2U, 4U}) {
