@@ -7,7 +7,7 @@ set -euo pipefail
 commands=$(mktemp -d)
 trap 'rm -r "$commands"' EXIT
 python3 - "$2" "$3" "$commands" <<'PYTHON' |
-import json, os, pathlib, subprocess, sys
+import json, os, pathlib, re, subprocess, sys
 build, folder, out = map(pathlib.Path, sys.argv[1:])
 
 def git(*words):
@@ -30,6 +30,8 @@ if paths is not None:
         text = pathlib.Path(file).read_text()
         return str(pathlib.Path(file).relative_to(top)) in paths or any(h in text for h in headers)
     first = {file: e for file, e in first.items() if touched(file)}
+for entry in first.values():  # GCC's precompiled headers are nothing to clang
+    entry["command"] = re.sub(r"-include \S+/cmake_pch\.hxx ", "", entry["command"])
 (out / "compile_commands.json").write_text(json.dumps(list(first.values())))
 print(f"{len(first)} files", file=sys.stderr)
 print(*sorted(first), sep="\0", end="\0" if first else "")
