@@ -50,6 +50,7 @@ class ArcLength {
 
     double speed(double u) const;
     double integral(double from, double to) const;
+    double short_integral(double from, double to) const;
     void append(double end, double estimate);
 
     // The coefficients of V, in axis order: what the integrand reads.
