@@ -32,6 +32,16 @@ Vec3 word_error(const Vec3& exact, int frac) {
     return error;
 }
 
+/// A parameter alone draws the polynomial: no series of x, y and z.
+struct AsDrawn : Exact {
+    explicit AsDrawn(const CoreParameters& format) : polynomial(format.polynomial()) {}
+    bool asks(std::size_t node, int /*order*/) const {
+        return !polynomial || node < spline_node::kX || node >= spline_node::kX + 3;
+    }
+
+    bool polynomial;
+};
+
 class Walk {
   public:
     Walk(const CoreParameters& format, const Segment& segment)
@@ -48,11 +58,12 @@ class Walk {
 
     SplineError run(double give_up) {
         const double steps = static_cast<double>(segment_.length) * kQuantum / h_;
+        give_up_ = give_up;
         for (double done = 0; done < steps; ++done) {
             const double fraction = std::min(1.0, steps - done);
             step(fraction, done + 1 < steps);
             result_.shorten = std::max(words_.shorten(), result_.shorten);
-            if (result_.shorten != Shorten::kNothing || result_.total() > give_up) return result_;
+            if (result_.shorten != Shorten::kNothing || given_up()) return result_;
         }
         for (const double advance : segment_.aux_advance) {
             auxiliary(advance, steps);
@@ -61,16 +72,16 @@ class Walk {
     }
 
   private:
+    bool given_up() const {
+        return result_.total() > give_up_ || result_.along > kAlongShare * give_up_;
+    }
+
     /// One integration step: its sample's errors into the result, its shifts into the sums.
     void step(double f, bool another) {
         const int order = format_.order;
         words_.anchor(v_, drift(), prediction_);
         if (words_.shorten() != Shorten::kNothing || !converges()) return;
-        words_.expand();
-        words_.sample(f);
-        if (words_.shorten() != Shorten::kNothing) return;
-        network_.expand(words_.state());
-
+        network_.expand(words_.state(), AsDrawn(format_));
         const double q_end = powers(series(spline_node::kU), f);
         const double next = v_ + h_ / unit_ * q_end;
         const Vec3 velocity = V(v_);
@@ -79,14 +90,21 @@ class Walk {
         const double speed =
             std::min(1.0, std::max(velocity.norm(), velocity_end.norm()) + turn / 2);
 
+        // Series cut after P: if that is too much no word is asked.
+        const double cut = tail(series(spline_node::kU), f) * speed * h_;
+        result_.along = std::max(result_.along, shift_truncation_ + cut);
+        if (given_up()) return;
+        words_.expand();
+        words_.sample(f);
+        if (words_.shorten() != Shorten::kNothing) return;
+
         // The cubic's words: another curve at the same v, and another path length up to it.
         const double moved = next - v_;
         const double along = std::max(std::abs(velocity.normalized().dot(V_error(v_))),
                                       std::abs(velocity_end.normalized().dot(V_error(next))));
         shift_rounding_ += unit_ * along * moved;
 
-        // Series cut after P; the words q_i.
-        const double cut = tail(series(spline_node::kU), f) * speed * h_;
+        // The words q_i.
         double words = 0;
         double power = 1;
         for (int i = 1; i <= order; ++i) words += words_.q(i).rounding * (power *= f);
@@ -261,6 +279,7 @@ class Walk {
     double unit_, h_, g_;
     SplineWords words_;
     Vec3 a_, b_, c_;
+    double give_up_ = 0;
     double v_ = 0;
     double prediction_ = 0;
     double shift_truncation_ = 0;

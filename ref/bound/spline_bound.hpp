@@ -31,9 +31,11 @@ struct SplineError {
     double total() const { return truncation + rounding; }
 };
 
+constexpr double kAlongShare = 0.5;  // of an error limit: what may be along the path
+
 /// Walks the segment's integration steps. Read from the segment: a, b, c, beta, lambda,
 /// step_exponent, length, aux_advance. Stops early when something has to be shorter or above
-/// `give_up`.
+/// `give_up`, along the path above its share of that.
 SplineError spline_error(const CoreParameters& format, const Segment& segment,
                          double give_up = std::numeric_limits<double>::infinity());
 

@@ -51,6 +51,25 @@ Segment short_line(const Cubic& piece, double length, const CoreParameters& form
     return line;
 }
 
+/// @param speed the highest |V|, @param length units
+Segment segment_of(const Cubic& piece, const CoreParameters& format, double speed, double length) {
+    const double fastest = with_room(speed, format);
+    Segment segment;
+    segment.kind = Segment::Kind::kSpline;
+    segment.start = piece.d;
+    segment.end = piece.position(1);
+    int exponent = 0;
+    std::frexp(fastest / (1 - hair(format)), &exponent);
+    segment.lambda = std::max(0, exponent);
+    segment.beta = std::ldexp(fastest, -segment.lambda);
+    const double unit = std::ldexp(1.0, segment.lambda);
+    segment.c = piece.c / (unit * segment.beta);
+    segment.b = piece.b / (unit * segment.beta * segment.beta);
+    segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
+    segment.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
+    return segment;
+}
+
 struct Splitter {
     const Cubic& cubic;
     const CoreParameters& format;
@@ -62,17 +81,17 @@ struct Splitter {
     void cut(double from, double to, int depth) {
         const Cubic part = sub_cubic(cubic, from, to);
         const SpeedRange speed = speed_range(part);
+        const double length = ArcLength(part).length();
         if (speed.max > 0 && with_room(speed.max, format) < 2 * speed.min) {
-            Segment piece = spline_segment(part, format);
+            Segment piece = segment_of(part, format, speed.max, length);
             piece.aux_advance = aux_advance;
             if (piece.lambda <= kMaxStepExponent && piece.lambda < format.position_bits &&
                 choose_step(format, limit, piece)) {
-                found.lengths.push_back(ArcLength(part).length());
+                found.lengths.push_back(length);
                 found.pieces.push_back(piece);
                 return;
             }
         }
-        const double length = ArcLength(part).length();
         if (length <= kLongestLine) {
             double aside = 0;  // of the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aux_advance, aside);
@@ -94,21 +113,7 @@ struct Splitter {
 }  // namespace
 
 Segment spline_segment(const Cubic& piece, const CoreParameters& format) {
-    const double fastest = with_room(speed_range(piece).max, format);
-    Segment segment;
-    segment.kind = Segment::Kind::kSpline;
-    segment.start = piece.d;
-    segment.end = piece.position(1);
-    int exponent = 0;
-    std::frexp(fastest / (1 - hair(format)), &exponent);
-    segment.lambda = std::max(0, exponent);
-    segment.beta = std::ldexp(fastest, -segment.lambda);
-    const double unit = std::ldexp(1.0, segment.lambda);
-    segment.c = piece.c / (unit * segment.beta);
-    segment.b = piece.b / (unit * segment.beta * segment.beta);
-    segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
-    segment.length = static_cast<std::uint64_t>(std::llround(ArcLength(piece).length() * kQuanta));
-    return segment;
+    return segment_of(piece, format, speed_range(piece).max, ArcLength(piece).length());
 }
 
 Cubic to_cubic(const Segment& segment) {
@@ -127,12 +132,12 @@ bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
         const SplineError error = spline_error(format, trial, limit);
         if (error.shorten == Shorten::kPiece) return false;
         if (error.shorten == Shorten::kSteps) continue;
-        if (error.total() <= limit && error.along <= limit / 2) {
+        if (error.total() <= limit && error.along <= kAlongShare * limit) {
             segment.step_exponent = k;
             segment.bound = error.total();
             return true;
         }
-        if (error.rounding > limit || error.along_rounding > limit / 2) return false;
+        if (error.rounding > limit || error.along_rounding > kAlongShare * limit) return false;
     }
     return false;
 }

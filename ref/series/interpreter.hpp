@@ -17,6 +17,7 @@ using Series = boost::container::small_vector<Real, 20>;
 
 /// Numbers as they are: what expand() makes of rates and coefficients unless it is told otherwise.
 struct Exact {
+    bool asks(std::size_t /*node*/, int /*order*/) const { return true; }
     template <class Real>
     const Real& rate(std::size_t /*node*/, int /*order*/, const Real& value) const {
         return value;
@@ -73,7 +74,8 @@ class Interpreter {
     int order() const { return order_; }
 
     /// x_0 .. x_P of every node, in the table's order. Each rate and each coefficient passes
-    /// through `words`, once made and before it is read.
+    /// through `words`, once made and before it is read; what these do not ask for stays what it
+    /// was.
     template <class Words = Exact>
     const std::array<Series<Real>, Nodes>& expand(const State& state, Words&& words = {}) {
         for (std::size_t n = 0; n < Nodes; ++n) {
@@ -81,6 +83,7 @@ class Interpreter {
         }
         for (int i = 1; i <= order_; ++i) {
             for (const std::size_t n : wiring_.order) {
+                if (!words.asks(n, i)) continue;
                 const auto at = static_cast<std::size_t>(i);
                 rates_[n][at] = words.rate(n, i, rate(n, i));
                 series_[n][at] = words.coefficient(n, i, coefficient(n, i));

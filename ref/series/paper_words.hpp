@@ -36,7 +36,7 @@ class PaperWords {
     using Axes = std::array<Real, 3>;
 
     /// Rounds what it is given, node by node, and notes what is too large for its word.
-    struct Words {
+    struct Words : Exact {
         std::array<int, kSpline.size()> frac{};
         Real limit;  // 2^(coef_bits - 1)
         bool overflow = false;

@@ -29,7 +29,7 @@ enum class Shorten { kNothing, kSteps, kPiece };
 /// of the anchor, of every order, the sums handed on to the next step, and a sample's.
 ///
 /// For Anchor = 1. Source: lines 1 .. 11 and the sample of hls/spline_kernel.hpp.
-class SplineWords {
+class SplineWords : public Exact {
   public:
     using State = SplineState<Enclosed>;
 
