@@ -16,6 +16,7 @@ struct PieceStretch {
     std::size_t move_index;  // in Geometry::moves
     double from, to;         // ticks within the piece
     double s;                // quanta from the move's start, at `from`
+    double gone;             // quanta of the piece up to there
     bool ends_move;          // the move ends here
     bool overhang;           // the piece's end is on the grid, the move's not: it reaches into a
                              // neighbouring move
@@ -25,23 +26,30 @@ struct PieceMotion {
     double v, a, j;  // mm/s ..
 };
 
-/// Time at which a piece has gone ds quanta, ticks.
+/// Time at which a piece has gone ds quanta, ticks: Newton's method in a bracket.
 inline double ticks_at(const ProfilePiece& piece, double ds) {
+    constexpr double kExact = 1e-14;  // of the piece
+    constexpr int kRounds = 60;
     double low = 0;
     double high = piece.ticks;
     if (ds <= 0) return low;
     if (ds >= static_cast<double>(piece.ds)) return high;
-    for (int i = 0; i < 50; ++i) {
-        const double middle = 0.5 * (low + high);
-        (piece_state(piece, middle).s < ds ? low : high) = middle;
+    double t = high * ds / static_cast<double>(piece.ds);
+    for (int i = 0; i < kRounds; ++i) {
+        const PieceState at = piece_state(piece, t);
+        (at.s < ds ? low : high) = t;
+        const double newton = t - (at.s - ds) / at.v;
+        const double next = newton > low && newton < high ? newton : low + (high - low) / 2;
+        const bool met = std::abs(next - t) <= kExact * piece.ticks;
+        t = next;
+        if (met) break;
     }
-    return low;
+    return t;
 }
 
 /// Path from the start of a stretch's move at a tick of the piece, quanta.
 inline double place_of(const PieceStretch& stretch, double tick) {
-    return stretch.s + piece_state(*stretch.piece, tick).s -
-           piece_state(*stretch.piece, stretch.from).s;
+    return stretch.s + piece_state(*stretch.piece, tick).s - stretch.gone;
 }
 
 /// Motion at a part (0..1) of a stretch.
@@ -73,6 +81,7 @@ void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& gr
         while (done < piece.ds && move < geometry.moves.size()) {
             const std::uint64_t part = std::min(left, piece.ds - done);
             const auto s = static_cast<double>(geometry.moves[move].length - left);
+            const auto gone = static_cast<double>(done);
             done += part;
             left -= part;
             const double to =
@@ -83,7 +92,7 @@ void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& gr
                                 geometry.moves[move + 1].move != geometry.moves[move].move) ||
                                (ends && geometry.moves[move - 1].move != geometry.moves[move].move);
             const bool overhang = joins && to - from < static_cast<double>(grid.shortest);
-            visit(PieceStretch{&piece, &geometry.moves[move], move, from, to, s, left == 0,
+            visit(PieceStretch{&piece, &geometry.moves[move], move, from, to, s, gone, left == 0,
                                overhang});
             from = to;
             if (left == 0 && ++move < geometry.moves.size()) left = geometry.moves[move].length;

@@ -75,6 +75,9 @@ int bits_for(std::uint64_t ticks) {
     return m;
 }
 
+/// Of a word's exponent.
+double power_of_two(int exponent) { return static_cast<double>(std::uint64_t{1} << exponent); }
+
 /// The cubic through both knots. Exponent so large that no coefficient and no partial sum of
 /// Horner's scheme leaves its word.
 ProfilePiece cubic(const Knot& from, const Knot& to) {
@@ -97,6 +100,7 @@ ProfilePiece cubic(const Knot& from, const Knot& to) {
         if (bend > 0 && bend < 1) size = std::max(size, std::abs(c1 + c2 * bend / 2));
     }
     const long double most = 2 - std::ldexp(1.0L, -30);
+    piece.exponent = std::max(0, std::ilogb(size));  // or one more
     while (size >= std::ldexp(most, piece.exponent)) ++piece.exponent;
 
     const auto word = [](long double c) {
@@ -176,8 +180,8 @@ double fastest_word(const PieceGrid& grid) {
 }
 
 PieceState piece_state(const ProfilePiece& piece, double ticks) {
-    const double scale = std::ldexp(1.0, -piece.time_exponent);
-    const double unit = std::ldexp(1.0, piece.exponent - kFrac);
+    const double scale = 1 / power_of_two(piece.time_exponent);
+    const double unit = power_of_two(piece.exponent) / power_of_two(kFrac);
     const double tau = ticks * scale;
     const double c1 = static_cast<double>(piece.c[0]) * unit;
     const double c2 = static_cast<double>(piece.c[1]) * unit;
