@@ -20,9 +20,8 @@ double dot(const AxisVector& a, const AxisVector& b, std::size_t from, std::size
 
 }  // namespace
 
-std::vector<PlaceLimit> place_limits(const PathPlace& at, const PathShape& shape,
-                                     const Machine& machine) {
-    std::vector<PlaceLimit> limits;
+PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Machine& machine) {
+    PlaceLimits limits;
     const auto add = [&](std::size_t from, std::size_t to, double acceleration, double jerk) {
         const auto product = [&](const AxisVector& a, const AxisVector& b) {
             return dot(a, b, from, to);

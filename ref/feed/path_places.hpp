@@ -2,6 +2,7 @@
 // The path's derivatives by path length at any place: what the limits see of it.
 #pragma once
 
+#include <boost/container/static_vector.hpp>
 #include <memory>
 #include <vector>
 
@@ -18,9 +19,11 @@ struct PathPlace {
     AxisVector d3{};
 };
 
+/// Of the path and of every axis, at most.
+using PlaceLimits = boost::container::static_vector<PlaceLimit, 1 + kMachineAxes>;
+
 /// The machine's limits there: of the path and of those axes that it does not imply.
-std::vector<PlaceLimit> place_limits(const PathPlace& at, const PathShape& shape,
-                                     const Machine& machine);
+PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Machine& machine);
 
 /// Exact: lines and arcs in closed form, splines by Frenet's formulas at the place's parameter.
 /// Places may be asked in any order; in that of the path each spline's length is tabled once.

@@ -16,7 +16,7 @@ constexpr double kWithin = 1e-6;   // of a stretch: at its very ends a curve may
 constexpr double kNoLimit = 1e15;  // of acceleration and jerk
 constexpr double kSame = 1e-6;     // of a speed, of a limit
 
-bool same(const std::vector<PlaceLimit>& a, const std::vector<PlaceLimit>& b) {
+bool same(const PlaceLimits& a, const PlaceLimits& b) {
     const auto equal = [](const PlaceLimit& x, const PlaceLimit& y) {
         const auto near = [](double p, double q) { return std::abs(p - q) <= kSame * std::abs(p); };
         return near(x.d11, y.d11) && near(x.d12, y.d12) && near(x.d13, y.d13) &&
@@ -45,12 +45,12 @@ void ProfileCourse::add(const PieceStretch& stretch) {
     const double turn = (place_of(stretch, stretch.to) - stretch.s) * quantum_ * bend;
     const int parts =
         std::max(1, static_cast<int>(std::ceil(std::min(seconds / kCell, turn / kCellTurn))));
-    std::vector<PlaceLimit> begin = limits(stretch, 0);
+    PlaceLimits begin = limits(stretch, 0);
     for (int i = 0; i < parts; ++i) {
         const auto at = [&](int part) {
             return piece_start_ + stretch.from + (stretch.to - stretch.from) * part / parts;
         };
-        std::vector<PlaceLimit> end = limits(stretch, (i + 1.) / parts);
+        PlaceLimits end = limits(stretch, (i + 1.) / parts);
         const PieceMotion start = ref::motion(stretch, static_cast<double>(i) / parts, plan_);
         cells_.push_back({at(i), at(i + 1), start, std::move(begin), end});
         begin = std::move(end);
@@ -61,14 +61,13 @@ void ProfileCourse::forget_before(double tick) {
     while (!cells_.empty() && cells_.front().to <= tick) cells_.pop_front();
 }
 
-std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, double part) {
+PlaceLimits ProfileCourse::limits(const PieceStretch& stretch, double part) {
     part = std::clamp(part, kWithin, 1 - kWithin);
     const double t = stretch.from + (stretch.to - stretch.from) * part;
     const double s = place_of(stretch, t) * quantum_;
     const PlannedMove& move = *stretch.move;
     const PieceMotion m = ref::motion(stretch, part, plan_);
-    std::vector<PlaceLimit> all =
-        place_limits(places_.at(stretch.move_index, s), move.shape, machine_);
+    PlaceLimits all = place_limits(places_.at(stretch.move_index, s), move.shape, machine_);
     const bool tip = near_standstill(move, s, quantum_);
     for (PlaceLimit& limit : all) {
         if (tip) {
@@ -81,12 +80,6 @@ std::vector<PlaceLimit> ProfileCourse::limits(const PieceStretch& stretch, doubl
         limit.jerk = std::max(share_ * limit.jerk, jerk_of(limit, m.v, m.a, m.j));
     }
     return all;
-}
-
-PieceMotion ProfileCourse::motion(const CourseCell& cell, double tick) const {
-    const PieceMotion& m = cell.start;
-    const double t = (tick - cell.from) * plan_.tick_s;
-    return {std::max(0.0, m.v + (m.a + m.j / 2 * t) * t), m.a + m.j * t, m.j};
 }
 
 bool ProfileCourse::even(double from, double to) const {

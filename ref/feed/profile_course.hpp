@@ -2,6 +2,7 @@
 // A planned profile by its own time: its motion at any tick, and what the machine allows there.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace curvecore::ref {
 struct CourseCell {
     double from, to;    // ticks from the program's start
     PieceMotion start;  // at `from`; constant jerk
-    std::vector<PlaceLimit> begin, end;
+    PlaceLimits begin, end;
 };
 
 /// A part of a plan, made stretch by stretch. Units: mm, s; times in ticks. A rest has no cells.
@@ -32,12 +33,16 @@ class ProfileCourse {
     const std::deque<CourseCell>& cells() const { return cells_; }
     const Machine& machine() const { return machine_; }
     double tick_s() const { return plan_.tick_s; }
-    PieceMotion motion(const CourseCell& cell, double tick) const;
+    PieceMotion motion(const CourseCell& cell, double tick) const {
+        const PieceMotion& m = cell.start;
+        const double t = (tick - cell.from) * plan_.tick_s;
+        return {std::max(0.0, m.v + (m.a + m.j / 2 * t) * t), m.a + m.j * t, m.j};
+    }
     /// In this time the speed is constant and so is what the machine allows: one stop is another.
     bool even(double from, double to) const;
 
   private:
-    std::vector<PlaceLimit> limits(const PieceStretch& stretch, double part);
+    PlaceLimits limits(const PieceStretch& stretch, double part);
 
     const Machine& machine_;
     const Plan& plan_;

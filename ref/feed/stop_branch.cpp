@@ -49,7 +49,7 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
 }
 
 /// Seconds of the quickest stop along the path by the limits of its first place alone.
-double least_time(const PieceMotion& m, const std::vector<PlaceLimit>& limits) {
+double least_time(const PieceMotion& m, const PlaceLimits& limits) {
     double acceleration = 1e300;
     double jerk = 1e300;
     for (const PlaceLimit& limit : limits) {
@@ -134,98 +134,92 @@ class StopLaw {
         return at;
     }
 
-    struct Here {
-        double v, a, j;
-        double r, p;
-    };
-
-    /// Calls see(limit) for each limit at a place; none at rest.
-    template <class See>
-    bool each_limit(const Scaled& at, Here& here, See see) const {
+    /// Cuts to what acceleration and jerk leave at one place of a step, n ticks after its start at
+    /// slope `slope`.
+    bool cut(const Scaled& at, std::int64_t slope, std::int64_t n, Room& by_acceleration,
+             Room& by_jerk) const {
         if (cells_.empty()) return true;
         const CourseCell& cell = cells_[at.cell];
         if (at.tick < cell.from || at.tick >= cell.to) return true;
         const PieceMotion m = course_.motion(cell, at.tick);
-        here = {m.v, m.a, m.j, static_cast<double>(at.rate) * kUnit,
-                static_cast<double>(at.slope) * kUnit / tick_s_};
-        const double x = (at.tick - cell.from) / (cell.to - cell.from);
+        if (m.v <= 0) return true;
+        const double r = static_cast<double>(at.rate) * kUnit;
+        const double p = static_cast<double>(at.slope) * kUnit / tick_s_;
+        const double v = r * m.v;
+        const double q = v * v;
+        const double x = v * q;
+        const double even = r * r * m.a;  // alpha without a slope
+        const double y = v * (even + p * m.v);
+        const double own = r * (r * r * m.j + 3 * p * m.a);  // u without a change
+        const double per_speed = tick_s_ / (m.v * kUnit);
+        const double per_jerk = per_speed * tick_s_;
+        const double per_tick = n > 0 ? 1 / static_cast<double>(n) : 0;
+        const auto from_alpha = [&](double alpha) {
+            return ((alpha - even) * per_speed - static_cast<double>(slope)) * per_tick;
+        };
+        const auto from_jerk = [&](double u) { return (u - own) * per_jerk; };
+        const double part = (at.tick - cell.from) / (cell.to - cell.from);
+        const auto mix = [part](double from, double to) { return from + (to - from) * part; };
         for (std::size_t i = 0; i < cell.begin.size(); ++i) {
             const PlaceLimit& b = cell.begin[i];
             const PlaceLimit& e = cell.end[i];
-            const auto mix = [x](double from, double to) { return from + (to - from) * x; };
-            const PlaceLimit limit{mix(b.d11, e.d11),
-                                   mix(b.d12, e.d12),
-                                   mix(b.d13, e.d13),
-                                   mix(b.d22, e.d22),
-                                   mix(b.d23, e.d23),
-                                   mix(b.d33, e.d33),
-                                   mix(b.acceleration, e.acceleration),
-                                   mix(b.jerk, e.jerk)};
-            if (!see(limit)) return false;
+            const double d11 = mix(b.d11, e.d11);
+            const double d12 = mix(b.d12, e.d12);
+            const double d22 = mix(b.d22, e.d22);
+            // |r' alpha + r'' q| <= A
+            if (n > 0) {
+                const double most = mix(b.acceleration, e.acceleration);
+                const double rest = d22 * q * q - most * most;
+                if (!cut_square(d11, d12 * q, rest, from_alpha, by_acceleration)) return false;
+            }
+            // |r' u + 3 r'' V alpha + r''' V^3| <= J
+            const double most = mix(b.jerk, e.jerk);
+            const double rest = mix(b.d33, e.d33) * x * x + 9 * d22 * y * y +
+                                6 * mix(b.d23, e.d23) * x * y - most * most;
+            const double mean = 3 * d12 * y + mix(b.d13, e.d13) * x;
+            if (!cut_square(d11, mean, rest, from_jerk, by_jerk)) return false;
         }
         return true;
     }
 
-    /// Cuts `room` to what one place of a step leaves, n ticks after its start at slope `slope`.
-    bool cut(const Scaled& at, std::int64_t slope, std::int64_t n, Room& room) const {
-        Here h{};
-        const double per_tick = n > 0 ? 1 / static_cast<double>(n) : 0;
-        return each_limit(at, h, [&](const PlaceLimit& l) {
-            if (h.v <= 0) return true;
-            const double v = h.r * h.v;
-            const double q = v * v;
-            const double per_speed = tick_s_ / (h.v * kUnit);
-            // |r' alpha + r'' q| <= A
-            const double square = l.d22 * q * q - l.acceleration * l.acceleration;
-            const auto from_alpha = [&](double alpha) {
-                const double p = (alpha - h.r * h.r * h.a) * per_speed;
-                return (p - static_cast<double>(slope)) * per_tick;
-            };
-            if (n > 0 && !cut_square(l.d11, l.d12 * q, square, from_alpha, room)) return false;
-            // |r' u + 3 r'' V alpha + r''' V^3| <= J
-            const double x = v * q;
-            const double y = v * (h.r * h.r * h.a + h.p * h.v);
-            const double rest =
-                l.d33 * x * x + 9 * l.d22 * y * y + 6 * l.d23 * x * y - l.jerk * l.jerk;
-            const auto from_jerk = [&](double u) {
-                const double own = h.r * h.r * h.r * h.j + 3 * h.r * h.p * h.a;
-                return (u - own) * per_speed * tick_s_;
-            };
-            return cut_square(l.d11, 3 * l.d12 * y + l.d13 * x, rest, from_jerk, room);
-        });
+    /// What jerk leaves as a step begins, where it is not known as a step before ends.
+    bool find_start(const Scaled& from, Room& start) const {
+        start = {-most_, most_};
+        return cut(from, from.slope, 0, start, start);
     }
 
-    /// What the limits leave as the step begins.
-    bool find_room(const Scaled& from, Room& room) const {
+    /// Of that, what does not go below the rate 0.
+    bool find_room(const Scaled& from, const Room& start, Room& room) const {
         const auto rest = static_cast<double>(from.rate + from.slope * ticks_);
         const auto n = static_cast<double>(ticks_);
-        room = {std::max(-most_, -2 * rest / (n * (n + 1))), most_};  // not below the rate 0
-        return cut(from, from.slope, 0, room);
-    }
-
-    /// What they leave all through the step if it has this change.
-    bool narrow(const Scaled& from, std::int64_t change, Room& room) const {
-        for (int i = 1; i <= kPlaces; ++i) {
-            const std::int64_t n = std::max<std::int64_t>(1, ticks_ * i / kPlaces);
-            if (!cut(after(from, change, n), from.slope, n, room)) return false;
-        }
+        room = {std::max(start.low, -2 * rest / (n * (n + 1))), start.high};
         return room.low <= room.high;
     }
 
-    bool keeps(const Scaled& from, std::int64_t change) const {
+    /// What the limits leave all through the step if it has this change, and then for the next one.
+    bool narrow(const Scaled& from, std::int64_t change, Room& room, Room& next) const {
+        for (int i = 1; i < kPlaces; ++i) {
+            const std::int64_t n = std::max<std::int64_t>(1, ticks_ * i / kPlaces);
+            if (!cut(after(from, change, n), from.slope, n, room, room)) return false;
+        }
+        next = {-most_, most_};
+        if (!cut(after(from, change, ticks_), from.slope, ticks_, room, next)) return false;
+        room = {std::max(room.low, next.low), std::min(room.high, next.high)};
+        return room.low <= room.high;
+    }
+
+    bool keeps(const Scaled& from, Room room, std::int64_t change, Room& next) const {
         const auto value = static_cast<double>(change);
-        Room room;
-        return find_room(from, room) && narrow(from, change, room) && room.low <= value &&
-               value <= room.high;
+        return narrow(from, change, room, next) && room.low <= value && value <= room.high;
     }
 
     /// Moves `change` into the room that it leaves itself; where it leaves none, towards `other`.
-    bool settle(const Scaled& from, const Room& room, std::int64_t other,
-                std::int64_t& change) const {
+    bool settle(const Scaled& from, const Room& room, std::int64_t other, std::int64_t& change,
+                Room& next) const {
         for (int round = 0; round < kRounds; ++round) {
             const auto value = static_cast<double>(change);
             Room left = room;
-            if (!narrow(from, change, left)) {
+            if (!narrow(from, change, left, next)) {
                 change = (change + other) / 2;
             } else if (value < left.low) {
                 change = static_cast<std::int64_t>(std::ceil(left.low));
@@ -238,25 +232,26 @@ class StopLaw {
         return false;
     }
 
-    /// The change that brings the slope back to 0 the quickest.
-    bool release(const Scaled& at, std::int64_t& change) const {
+    /// The change that brings the slope back to 0 the quickest; `start` becomes the next step's.
+    bool release(const Scaled& at, Room& start, std::int64_t& change) const {
         Room room;
-        if (!find_room(at, room)) return false;
+        if (!find_room(at, start, room)) return false;
         const std::int64_t most = -at.slope / ticks_;
         change = std::min(static_cast<std::int64_t>(std::floor(room.high)), most);
-        return settle(at, room, static_cast<std::int64_t>(std::ceil(room.low)), change) &&
+        return settle(at, room, static_cast<std::int64_t>(std::ceil(room.low)), change, start) &&
                change <= most;
     }
 
     /// What is left of the rate, and how long it takes, when the slope comes back to 0 after a step
     /// with this change. None: it cannot before the rate is 0.
-    std::optional<Release> released(std::int64_t change) const {
-        if (!keeps(at_, change)) return {};
+    std::optional<Release> released(const Room& room, std::int64_t change) const {
+        Room start;
+        if (!keeps(at_, room, change, start)) return {};
         Scaled at = after(at_, change, ticks_);
         if (at.slope > 0) return {};
         std::int64_t ticks = 0;
         for (; at.slope < 0; ticks += ticks_) {
-            if (!release(at, change)) return {};
+            if (!release(at, start, change)) return {};
             at = after(at, change, ticks_);
         }
         if (at.rate < 0) return {};
@@ -273,18 +268,21 @@ class StopLaw {
 
     std::int64_t choose() {
         std::int64_t good = 0;
-        if (at_.slope < 0) release(at_, good);  // as it was rolled out: it can
+        Room start;
+        const bool any = find_start(at_, start);
+        Room next = start;
+        if (any && at_.slope < 0) release(at_, next, good);  // as it was rolled out: it can
         left_.ticks = std::max<std::int64_t>(0, left_.ticks - ticks_);
         Room room;
-        find_room(at_, room);
+        if (!any || !find_room(at_, start, room)) return good;
         auto bad = static_cast<std::int64_t>(std::ceil(room.low));
-        settle(at_, room, good, bad);
+        settle(at_, room, good, bad, next);
         if (bad >= good) return good;
         const auto room_left = static_cast<double>(good - bad);
         const double fine = std::max(1.0, room_left / kFine);
         const double loose = room_left / kLoose;
         const auto try_change = [&](std::int64_t change) {
-            const std::optional<Release> found = released(change);
+            const std::optional<Release> found = released(room, change);
             if (found) left_ = *found;
             (found ? good : bad) = change;
             return found.has_value();
