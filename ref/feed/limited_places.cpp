@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/feed/limited_places.hpp"
 
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 namespace curvecore::ref {
@@ -25,11 +26,11 @@ double slower(const std::vector<PathInterval>& path, const SpeedSpline& spline, 
             const double square = acceleration_square(limit, m[0], m[1]);
             slower = std::min(slower, share * most / std::sqrt(std::max(square, 1e-300)));
         },
-        [&](double x, const Eigen::Matrix3d& jerk, double most) {
+        [&](double x, const PlaceLimit& limit, double mean, double most) {
             const PathMotion m = farther(start, x);
-            const double square = m[0] * m.dot(jerk * m);
-            slower =
-                std::min(slower, std::cbrt(share * share * most * most / std::max(square, 1e-300)));
+            const double square = m[0] * jerk_product(limit, mean, m, m);
+            const double cube = share * share * most * most / std::max(square, 1e-300);
+            if (cube < slower * slower * slower) slower = std::cbrt(cube);
         });
     return slower;
 }
@@ -44,9 +45,9 @@ double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, st
             const PathMotion m = farther(start, x);
             worst = std::max(worst, acceleration_square(limit, m[0], m[1]) / (most * most));
         },
-        [&](double x, const Eigen::Matrix3d& jerk, double most) {
+        [&](double x, const PlaceLimit& limit, double mean, double most) {
             const PathMotion m = farther(start, x);
-            worst = std::max(worst, m[0] * m.dot(jerk * m) / (most * most));
+            worst = std::max(worst, m[0] * jerk_product(limit, mean, m, m) / (most * most));
         });
     return share * std::sqrt(worst);
 }
@@ -63,15 +64,22 @@ void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::
     PathInterval& interval = path[k];
     const PathMotion start = spline.motion(k);
     const double middle = farther(start, interval.length / 2)[0];
-    const std::vector<LimitedPlace> before = interval.places;
-    for (double part = 1; part > kLeastPart; part /= 2) {
+    boost::container::small_vector<double, 16> before;
+    boost::container::small_vector<double, 16> wanted;
+    for (const LimitedPlace& place : interval.places) {
+        before.push_back(place.mean);
+        wanted.push_back(std::sqrt(middle / farther(start, place.x)[0]));
+    }
+    const auto set = [&](double part) {
         for (std::size_t i = 0; i < before.size(); ++i) {
-            const double wanted = std::sqrt(middle / farther(start, before[i].x)[0]);
-            interval.places[i].mean = before[i].mean + part * (wanted - before[i].mean);
+            interval.places[i].mean = before[i] + part * (wanted[i] - before[i]);
         }
+    };
+    for (double part = 1; part > kLeastPart; part /= 2) {
+        set(part);
         if (load(path, spline, k) < kInside * interval.share) return;
     }
-    interval.places = before;
+    set(0);
 }
 
 }  // namespace curvecore::ref

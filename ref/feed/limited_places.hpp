@@ -9,8 +9,8 @@
 
 namespace curvecore::ref {
 
-/// Calls velocity(x, v), acceleration(x, limit, most) and jerk(x, square, most) for every place of
-/// interval k, x mm after that of SpeedSpline::motion(k).
+/// Calls velocity(x, v), acceleration(x, limit, most) and jerk(x, limit, mean, most) for every
+/// place of interval k, x mm after that of SpeedSpline::motion(k).
 template <class Velocity, class Acceleration, class Jerk>
 void each_limit_at(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k,
                    Velocity velocity, Acceleration acceleration, Jerk jerk) {
@@ -25,7 +25,7 @@ void each_limit_at(const std::vector<PathInterval>& path, const SpeedSpline& spl
         const double x = rests ? 0 : place.x;
         const PlaceLimit& limit = place.limit;
         if (place.acceleration) acceleration(x, limit, on.share * limit.acceleration);
-        if (place.jerk) jerk(x, jerk_square(limit, place.mean), on.share * limit.jerk);
+        if (place.jerk) jerk(x, limit, place.mean, on.share * limit.jerk);
     }
 }
 

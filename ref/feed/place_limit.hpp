@@ -2,8 +2,8 @@
 // A limit of acceleration and jerk at a place of the path, whatever the motion there.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace curvecore::ref {
@@ -18,26 +18,31 @@ struct PlaceLimit {
     double jerk = 0;
 };
 
-/// |r' a + r'' q|^2, q = v^2
-inline double acceleration_square(const PlaceLimit& l, double q, double a) {
-    return l.d11 * a * a + 2 * l.d12 * a * q + l.d22 * q * q;
+/// q, a, a' at a place: q = v^2, a = q'/2.
+using PathMotion = std::array<double, 3>;
+
+/// r' a + r'' q of one motion times that of another.
+inline double acceleration_product(const PlaceLimit& l, const PathMotion& m, const PathMotion& n) {
+    return (l.d11 * m[1] + l.d12 * m[0]) * n[1] + (l.d12 * m[1] + l.d22 * m[0]) * n[0];
 }
 
-/// |r' y + r'' x|^2 = m^T (this) m with m = (x, y, z): (q, a, a')
-inline Eigen::Matrix3d acceleration_form(const PlaceLimit& l) {
-    Eigen::Matrix3d s = Eigen::Matrix3d::Zero();
-    s.topLeftCorner<2, 2>() << l.d22, l.d12, l.d12, l.d11;
-    return s;
+/// r''' q + 3 r'' a + factor r' a', the jerk / v, of one motion times that of another.
+inline double jerk_product(const PlaceLimit& l, double factor, const PathMotion& m,
+                           const PathMotion& n) {
+    const double y = 3 * m[1];
+    const double z = factor * m[2];
+    return (l.d33 * m[0] + l.d23 * y + l.d13 * z) * n[0] +
+           (l.d23 * m[0] + l.d22 * y + l.d12 * z) * (3 * n[1]) +
+           (l.d13 * m[0] + l.d12 * y + l.d11 * z) * (factor * n[2]);
 }
 
-/// |r''' x + 3 r'' y + factor r' z|^2 = m^T (this) m with m = (x, y, z): jerk for (v^3, v a, j),
-/// jerk / v for (q, a, a')
-inline Eigen::Matrix3d jerk_square(const PlaceLimit& l, double factor = 1) {
-    const double d13 = factor * l.d13;
-    const double d12 = 3 * factor * l.d12;
-    Eigen::Matrix3d s;
-    s << l.d33, 3 * l.d23, d13, 3 * l.d23, 9 * l.d22, d12, d13, d12, factor * factor * l.d11;
-    return s;
+inline double acceleration_square(const PlaceLimit& limit, double q, double a) {
+    return acceleration_product(limit, {q, a, 0}, {q, a, 0});
+}
+
+inline double jerk_square(const PlaceLimit& limit, double v, double a, double j) {
+    const PathMotion m{v * v * v, v * a, j};  // a jerk / v times v
+    return jerk_product(limit, 1, m, m);
 }
 
 inline double acceleration_of(const PlaceLimit& limit, double v, double a) {
@@ -45,8 +50,7 @@ inline double acceleration_of(const PlaceLimit& limit, double v, double a) {
 }
 
 inline double jerk_of(const PlaceLimit& limit, double v, double a, double j) {
-    const Eigen::Vector3d m(v * v * v, v * a, j);
-    return std::sqrt(std::max(0.0, m.dot(jerk_square(limit) * m)));
+    return std::sqrt(std::max(0.0, jerk_square(limit, v, a, j)));
 }
 
 }  // namespace curvecore::ref

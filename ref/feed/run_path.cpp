@@ -161,6 +161,7 @@ void RunPath::add_resting(std::size_t look, PathInterval& interval, double x) co
 RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
                         const RunLoads& most) const {
     RunLoads worst;
+    double square = 0;  // of the worst load
     double t = 0;
     for (std::size_t i = first_look_[first]; i < first_look_[end]; ++i) {
         const Look& look = looks_[i];
@@ -175,13 +176,15 @@ RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
             const double a = phase.acceleration(t);
             for (std::size_t j = look.limits; j < limits_end(i); ++j) {
                 const PlaceLimit& limit = limits_[j];
-                worst.load =
-                    std::max({worst.load, acceleration_of(limit, v, a) / limit.acceleration,
-                              jerk_of(limit, v, a, phase.j) / limit.jerk});
+                square = std::max({square,
+                                   acceleration_square(limit, v * v, a) /
+                                       (limit.acceleration * limit.acceleration),
+                                   jerk_square(limit, v, a, phase.j) / (limit.jerk * limit.jerk)});
             }
         }
-        if (worst.load > most.load || worst.speed > most.speed) break;
+        if (square > most.load * most.load || worst.speed > most.speed) break;
     }
+    worst.load = std::sqrt(square);
     return worst;
 }
 

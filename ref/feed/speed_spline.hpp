@@ -10,9 +10,6 @@
 
 namespace curvecore::ref {
 
-/// q, a, a' at a place: q = v^2, a = q'/2.
-using PathMotion = Eigen::Vector3d;
-
 /// The motion x farther on, while a' is constant.
 inline PathMotion farther(const PathMotion& m, double x) {
     return {m[0] + (2 * m[1] + m[2] * x) * x, m[1] + m[2] * x, m[2]};
@@ -46,12 +43,18 @@ class SpeedSpline {
     double& control(std::size_t k) { return control_[k]; }
     double control(std::size_t k) const { return control_[k]; }
 
+    /// Control points k - 1, k, k + 1; 0 for what is beyond both ends, whose factors are 0.
+    std::array<double, 3> controls(std::size_t k) const {
+        return {k == 0 ? 0 : control_[k - 1], control_[k],
+                k + 1 == h_.size() ? 0 : control_[k + 1]};
+    }
     /// Of the start of an interval.
     const Form& form(std::size_t k) const { return form_[k]; }
     PathMotion motion(std::size_t k) const {
-        // With 0 for what is beyond both ends, whose factors are 0.
-        return form_[k] * Eigen::Vector3d(k == 0 ? 0 : control_[k - 1], control_[k],
-                                          k + 1 == h_.size() ? 0 : control_[k + 1]);
+        const Form& f = form_[k];
+        const std::array<double, 3> c = controls(k);
+        const auto row = [&](int i) { return f(i, 0) * c[0] + f(i, 1) * c[1] + f(i, 2) * c[2]; };
+        return {row(0), row(1), row(2)};
     }
     KnotMotion knot(std::size_t k) const;
 

@@ -30,10 +30,17 @@ class TimeBarrier {
     /// Infinite where a limit is not kept.
     double value(const SpeedSpline& spline, double weight) const;
 
-    /// Gradient and Hessian by the free control points. Of what is not concave, 1 / sqrt(q), the
-    /// tangent lies below it and stands for it: what it allows is allowed.
-    void differentiate(const SpeedSpline& spline, double weight, std::vector<double>& gradient,
-                       BandMatrix<2>& hessian) const;
+    /// By the free control points.
+    struct Derivatives {
+        explicit Derivatives(std::size_t count) : gradient(count), of_time(count), hessian(count) {}
+
+        std::vector<double> gradient;
+        std::vector<double> of_time;  // weight * time's part of it
+        BandMatrix<2> hessian;
+    };
+    /// Of what is not concave, 1 / sqrt(q), the tangent lies below it and stands for it: what it
+    /// allows is allowed.
+    void differentiate(const SpeedSpline& spline, double weight, Derivatives& by) const;
 
     double time(const SpeedSpline& spline) const;
     std::size_t rooms() const { return rooms_.size(); }
@@ -42,11 +49,16 @@ class TimeBarrier {
     using Three = std::array<double, 3>;
     using Square = std::array<double, 6>;  // symmetric: 00, 10, 11, 20, 21, 22
 
-    /// most - row.c - c^T form c with the three control points c of an interval; for a jerk
-    /// 1 / row.c instead of the first two.
+    /// What one limit leaves.
+    ///
+    /// | kind          | room, of the three control points c of an interval |
+    /// |---------------|----------------------------------------------------|
+    /// | kVelocity     | 1 - row.c                                          |
+    /// | kAcceleration | 1 - c^T form c                                     |
+    /// | kJerk         | 1 / row.c - c^T form c                             |
+    /// | kControl      | c_k                                                |
     struct Room {
-        bool jerk;
-        double most;
+        enum class Kind { kVelocity, kAcceleration, kJerk, kControl } kind;
         Three row;
         Square form;
     };
@@ -61,6 +73,8 @@ class TimeBarrier {
 
     void add_interval(const std::vector<PathInterval>& path, const SpeedSpline& spline,
                       std::size_t k);
+
+    static double room(const Room& room, const Three& c);
 
     std::size_t first_, last_;
     std::vector<Interval> intervals_;  // first - 1 .. last

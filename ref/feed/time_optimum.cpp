@@ -17,6 +17,8 @@ constexpr double kStage = 11.2;      // by which the weight of the time grows
 constexpr int kMostSteps = 30;       // of Newton's method in a stage
 constexpr double kCentred = 0.1;     // half the square of Newton's decrement
 constexpr double kLeastStep = 1e-6;  // of one of Newton's
+constexpr double kLonger = 4;        // times the part that was gone last: what is tried next
+constexpr double kGain = 0.1;        // of what Newton's method promises: what a step must gain
 
 std::vector<double> lengths(const std::vector<PathInterval>& path) {
     std::vector<double> lengths;
@@ -25,38 +27,67 @@ std::vector<double> lengths(const std::vector<PathInterval>& path) {
     return lengths;
 }
 
-/// Makes the barrier as low as it can be.
-void centre(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, std::size_t last,
-            double weight) {
-    const std::size_t count = last - first;
-    BandMatrix<2> hessian(count);
-    std::vector<double> gradient;
-    std::vector<double> direction;
-    std::vector<double> from(count);
-    double here = barrier.value(spline, weight);
-    for (int step = 0; step < kMostSteps; ++step) {
-        barrier.differentiate(spline, weight, gradient, hessian);
-        direction = gradient;
-        hessian.decompose();
-        hessian.solve(direction);
-        double decrement = 0;
-        for (std::size_t i = 0; i < count; ++i) decrement += gradient[i] * direction[i];
-        if (!(decrement > 2 * kCentred)) return;
-        for (std::size_t i = 0; i < count; ++i) from[i] = spline.control(first + i);
-        for (double part = 1;; part /= 2) {
-            if (part < kLeastStep) part = 0;
-            for (std::size_t i = 0; i < count; ++i) {
-                spline.control(first + i) = from[i] - part * direction[i];
-            }
+/// Moves the free control points to where the barrier is low.
+class Descent {
+  public:
+    Descent(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, std::size_t last)
+        : barrier_(barrier), spline_(spline), first_(first), count_(last - first), by_(count_) {}
+
+    /// As low as it can be, by Newton's method.
+    void centre(double weight) {
+        double here = barrier_.value(spline_, weight);
+        double most = 1;
+        for (int step = 0; step < kMostSteps; ++step) {
+            barrier_.differentiate(spline_, weight, by_);
+            by_.hessian.decompose();
+            std::vector<double> direction = by_.gradient;
+            by_.hessian.solve(direction);
+            double decrement = 0;
+            for (std::size_t i = 0; i < count_; ++i) decrement += by_.gradient[i] * direction[i];
+            if (!(decrement > 2 * kCentred)) return;
+            const double part = go(direction, most, weight, here, kGain * decrement);
             if (part == 0) return;
-            const double there = barrier.value(spline, weight);
-            if (there <= here - 0.1 * part * decrement) {
-                here = there;
-                break;
-            }
+            most = std::min(1.0, kLonger * part);
         }
     }
-}
+
+    /// From there on to a larger weight: as it grows, what limits leave shrinks in inverse
+    /// proportion to it, and the control points go linearly with that.
+    void predict(double weight, double next) {
+        std::vector<double> direction = by_.of_time;
+        by_.hessian.solve(direction);
+        double here = barrier_.value(spline_, next);
+        go(direction, 1 - weight / next, next, here, 0);
+    }
+
+  private:
+    /// What part of the direction, `most` or less, leads down from `here` by its part of `gain`: 0
+    /// if none does.
+    double go(const std::vector<double>& direction, double most, double weight, double& here,
+              double gain) {
+        std::vector<double> from(count_);
+        for (std::size_t i = 0; i < count_; ++i) from[i] = spline_.control(first_ + i);
+        const auto set = [&](double part) {
+            for (std::size_t i = 0; i < count_; ++i) {
+                spline_.control(first_ + i) = from[i] - part * direction[i];
+            }
+        };
+        for (double part = most; part >= kLeastStep; part /= 2) {
+            set(part);
+            const double there = barrier_.value(spline_, weight);
+            if (!(there <= here - part * gain)) continue;
+            here = there;
+            return part;
+        }
+        set(0);
+        return 0;
+    }
+
+    const TimeBarrier& barrier_;
+    SpeedSpline& spline_;
+    std::size_t first_, count_;
+    TimeBarrier::Derivatives by_;
+};
 
 }  // namespace
 
@@ -100,8 +131,10 @@ void TimeOptimum::improve(std::size_t first, std::size_t last, double from, doub
         const TimeBarrier barrier(path_, spline_, first, last);
         const double weight =
             static_cast<double>(barrier.rooms()) / (share * barrier.time(spline_));
-        centre(barrier, spline_, first, last, weight);
+        Descent descent(barrier, spline_, first, last);
+        descent.centre(weight);
         if (share <= to) return;
+        descent.predict(weight, weight * share / std::max(share / kStage, to));
     }
 }
 
