@@ -36,15 +36,21 @@ bool FeedWindow::plan() {
 
 bool FeedWindow::cut_before(std::size_t cut) {
     cut_ = cut;
+    const bool by_rules = task_.options.effort == Effort::kRules;  // they are planned already
     for (Stretch& stretch : stretches_) {
         stretch.changed = cut >= stretch.first && cut <= stretch.last;
-        if (stretch.changed && !plan_one(stretch)) return false;
+        if (!stretch.changed) continue;
+        if (!(by_rules ? pass_and_improve(stretch) : plan_one(stretch))) return false;
     }
     return keep_windows();
 }
 
 bool FeedWindow::plan_one(Stretch& stretch) {
-    if (!planner_.plan(stretch) || !pass_cut(stretch)) return false;
+    return planner_.plan(stretch) && pass_and_improve(stretch);
+}
+
+bool FeedWindow::pass_and_improve(Stretch& stretch) {
+    if (!pass_cut(stretch)) return false;
     if (task_.options.effort == Effort::kOptimum) {
         planner_.improve(stretch, cut_ > 0 ? cut_ : task_.geometry.moves.size());
     }

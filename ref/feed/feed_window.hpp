@@ -22,6 +22,7 @@ class FeedWindow {
 
   private:
     bool plan_one(Stretch& stretch);
+    bool pass_and_improve(Stretch& stretch);
     bool pass_cut(Stretch& stretch);
     bool keep_windows();
     void look_near_changes();

@@ -64,14 +64,17 @@ double highest_speed(const PathShape& shape, const Machine& machine) {
 
 double top_speed(const PathShape& shape, const Machine& machine) {
     double v = highest_speed(shape, machine);
+    const auto keep_cube = [&](double most) {
+        if (v * v * v > most) v = std::cbrt(most);
+    };
     each_load(shape, machine, [&](const Load& load) {
         const double across = load.swing * shape.curvature;
         const double swerve = load.swing * shape.swerve;
         if (across > 0) {
-            v = std::min({v, std::sqrt(kCentripetalShare * load.acceleration / across),
-                          std::cbrt(kCentripetalJerkShare * load.jerk / (across * shape.twist))});
+            v = std::min(v, std::sqrt(kCentripetalShare * load.acceleration / across));
+            keep_cube(kCentripetalJerkShare * load.jerk / (across * shape.twist));
         }
-        if (swerve > 0) v = std::min(v, std::cbrt(kSwerveShare * load.jerk / swerve));
+        if (swerve > 0) keep_cube(kSwerveShare * load.jerk / swerve);
     });
     return v;
 }

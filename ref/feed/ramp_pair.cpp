@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace curvecore::ref {
 namespace {
@@ -60,11 +61,13 @@ class PairSearch {
                  const std::array<double, 2>& caps, RampPair& best) const {
         RampLimits found = side;
         bool better = false;
+        bool capped = true;  // else a higher cap changes nothing
         // The lower the limits, the slower: a jerk below one that is slower is not looked at.
         enum class Trial { kBetter, kForbidden, kSlower };
         const auto attempt = [&](double acceleration, double jerk, double cap) {
             side = {acceleration, jerk};
             const RampPair trial = pair(up, down, cap);
+            capped = capped || trial.peak >= cap;
             if (trial.duration() >= best.duration()) return Trial::kSlower;
             if (trial.rest < 0 || !allowed(trial)) return Trial::kForbidden;
             best = trial;
@@ -73,6 +76,7 @@ class PairSearch {
             return Trial::kBetter;
         };
         for (const double share : {0.0, 0.5, 1.0}) {
+            if (!std::exchange(capped, false)) break;
             const double cap = caps[0] * std::pow(caps[1] / caps[0], share);
             for (double jerk = most.jerk; jerk > most.jerk / 20; jerk /= 1.6) {
                 if (attempt(most.acceleration, jerk, cap) != Trial::kForbidden) break;

@@ -40,21 +40,22 @@ class Frenet {
     /// At the point u.
     Bounds at(double u) const {
         const double v = value(v_, u).norm();
-        return felt({value(m_, u).norm() / std::pow(v, 3), value(g_, u).norm() / std::pow(v, 6),
-                     Vec3::Ones()});
+        const double cube = v * v * v;
+        return felt(
+            {value(m_, u).norm() / cube, value(g_, u).norm() / (cube * cube), Vec3::Ones()});
     }
 
     /// Where the speed is at least v.
     Bounds over(double v) const {
-        Bounds bounds =
-            felt({longest(m_) / std::pow(v, 3), longest(g_) / std::pow(v, 6), Vec3::Zero()});
+        const double cube = v * v * v;
+        Bounds bounds = felt({longest(m_) / cube, longest(g_) / (cube * cube), Vec3::Zero()});
         Vec3 across = Vec3::Zero();
         if (bounds.curvature > 0) {
-            across = widest(cross<3, 3>(m_, v_)) / (std::pow(v, 4) * bounds.curvature);
+            across = widest(cross<3, 3>(m_, v_)) / (cube * v * bounds.curvature);
         }
         if (bounds.swerve > 0) {
             across =
-                across.cwiseMax(widest(cross<6, 3>(g_, v_)) / (std::pow(v, 7) * bounds.swerve));
+                across.cwiseMax(widest(cross<6, 3>(g_, v_)) / (cube * cube * v * bounds.swerve));
         }
         const Vec3 along = widest(v_) / v;
         bounds.swing = (along.cwiseAbs2() + across.cwiseAbs2()).cwiseSqrt().cwiseMin(1.0);
