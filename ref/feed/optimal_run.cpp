@@ -19,7 +19,7 @@ constexpr std::size_t kWindow = 280;
 constexpr std::size_t kCommitted = 240;
 constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
 // Shares of the time that the barrier may cost: first, to draw back from limits, and last.
-constexpr double kFirstGap = 0.25;
+constexpr double kFirstGap = 0.5;
 constexpr double kBackGap = 0.0448;
 constexpr double kGap = 0.004;
 constexpr double kInside = 0.999;    // of a limit

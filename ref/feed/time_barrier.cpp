@@ -214,7 +214,6 @@ double TimeBarrier::value(const SpeedSpline& spline, double weight) const {
 void TimeBarrier::differentiate(const SpeedSpline& spline, double weight, Derivatives& by) const {
     const std::size_t count = last_ - first_;
     by.gradient.assign(count, 0);
-    by.of_time.assign(count, 0);
     by.hessian.clear();
     std::size_t next = 0;
     std::size_t next_time = 0;
@@ -227,15 +226,11 @@ void TimeBarrier::differentiate(const SpeedSpline& spline, double weight, Deriva
             const double t = weight * slow.length / std::sqrt(q);
             sum.add(slow.row, -t / (2 * q), 0.75 * t / (q * q));
         }
-        const Three of_time = sum.slope;
         for (; next < intervals_[i].rooms; ++next) sum.add_room(rooms_[next], c);
         // Control point k - 1 + j; those before the first free one wrap round beyond the last.
         for (std::size_t j = 0, at = 0; j < 3; ++j) {
             const std::size_t to = i + j - 2;
-            if (to < count) {
-                by.gradient[to] += sum.slope[j];
-                by.of_time[to] += of_time[j];
-            }
+            if (to < count) by.gradient[to] += sum.slope[j];
             for (std::size_t l = 0; l <= j; ++l, ++at) {
                 const std::size_t from = i + l - 2;
                 if (to < count && from < count) by.hessian.add(to, from, sum.bend[at]);

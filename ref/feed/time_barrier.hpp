@@ -32,10 +32,9 @@ class TimeBarrier {
 
     /// By the free control points.
     struct Derivatives {
-        explicit Derivatives(std::size_t count) : gradient(count), of_time(count), hessian(count) {}
+        explicit Derivatives(std::size_t count) : gradient(count), hessian(count) {}
 
         std::vector<double> gradient;
-        std::vector<double> of_time;  // weight * time's part of it
         BandMatrix<2> hessian;
     };
     /// Of what is not concave, 1 / sqrt(q), the tangent lies below it and stands for it: what it

@@ -51,15 +51,6 @@ class Descent {
         }
     }
 
-    /// From there on to a larger weight: as it grows, what limits leave shrinks in inverse
-    /// proportion to it, and the control points go linearly with that.
-    void predict(double weight, double next) {
-        std::vector<double> direction = by_.of_time;
-        by_.hessian.solve(direction);
-        double here = barrier_.value(spline_, next);
-        go(direction, 1 - weight / next, next, here, 0);
-    }
-
   private:
     /// What part of the direction, `most` or less, leads down from `here` by its part of `gain`: 0
     /// if none does.
@@ -131,10 +122,8 @@ void TimeOptimum::improve(std::size_t first, std::size_t last, double from, doub
         const TimeBarrier barrier(path_, spline_, first, last);
         const double weight =
             static_cast<double>(barrier.rooms()) / (share * barrier.time(spline_));
-        Descent descent(barrier, spline_, first, last);
-        descent.centre(weight);
+        Descent(barrier, spline_, first, last).centre(weight);
         if (share <= to) return;
-        descent.predict(weight, weight * share / std::max(share / kStage, to));
     }
 }
 

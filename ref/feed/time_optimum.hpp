@@ -11,10 +11,9 @@ namespace curvecore::ref {
 /// Minimises int ds / sqrt(q) over the quadratic splines q(s) = v^2 that keep the limits of
 /// TimeBarrier, a part of the path at a time: what is not free stays, and ends the free part.
 ///
-/// Method: logarithmic barrier, Newton's method with a banded Cholesky decomposition, a step along
-/// the tangent of its minima from one stage to the next. Every iterate keeps all limits, and the
-/// time falls from stage to stage. (Verscheure et al. 2009 for q(s); the tangent of TimeBarrier as
-/// in Debrouwere et al. 2013; feasible iterates as in Tran-Dinh et al.)
+/// Method: logarithmic barrier, Newton's method with a banded Cholesky decomposition. Every iterate
+/// keeps all limits, and the time falls from stage to stage. (Verscheure et al. 2009 for q(s); the
+/// tangent of TimeBarrier as in Debrouwere et al. 2013; feasible iterates as in Tran-Dinh et al.)
 class TimeOptimum {
   public:
     /// @param path at least 4 intervals
