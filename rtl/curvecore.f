@@ -107,6 +107,7 @@ path/program_ledger.sv
 path/rate_generator.sv
 path/sample_gate.sv
 path/sample_share.sv
+path/serial_share.sv
 path/standstill.sv
 path/stop_memory.sv
 path/stop_taker.sv

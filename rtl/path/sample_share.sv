@@ -10,12 +10,10 @@
 //   sample_ds_o                                ds/2^n
 //
 // One sample per clock, at tick boundaries too. A sample is sent only when it is wanted: wanted_i
-// is true as long as more samples are asked for than sent_o told. n stands still. Build 1 takes a
-// tick when the one before is shared, and shifts it a bit a clock: its samples come n clocks later.
+// is true as long as more samples are asked for than sent_o told. n stands still. The serial build
+// has rtl/path/serial_share.sv.
 `default_nettype none
-module sample_share #(
-    parameter int Build = 0  // 0 parallel, 1 serial
-) (
+module sample_share (
     input wire logic clk_i,
     input wire logic rst_ni,
 
@@ -49,57 +47,36 @@ module sample_share #(
   logic [14:0] index_q;
   logic last;
   assign last = index_q == mask_q;
-  if (Build == 1) begin : g_serial
-    logic busy_q;
-    logic [3:0] left_q;
-    assign tick_ready_o = !busy_q;
-    assign share_valid  = busy_q && left_q == '0;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) busy_q <= 1'b0;
-      else busy_q <= busy_q ? !(sent_o && last) : tick_valid_i;
+  logic advance;
+  logic coarse_valid_q;
+  logic fine_valid_q;
+  logic share_valid_q;
+  logic [62:0] coarse_q;
+  logic [62:0] fine_q;
+  logic [17:0] coarse_rate_q;
+  logic [17:0] fine_rate_q;
+  assign share_valid = share_valid_q;
+  assign advance = !share_valid_q || (sent_o && last);
+  assign tick_ready_o = advance;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      coarse_valid_q <= 1'b0;
+      fine_valid_q   <= 1'b0;
+      share_valid_q  <= 1'b0;
+    end else if (advance) begin
+      coarse_valid_q <= tick_valid_i;
+      fine_valid_q   <= coarse_valid_q;
+      share_valid_q  <= fine_valid_q;
     end
-    always_ff @(posedge clk_i) begin
-      if (!busy_q) begin
-        share_q      <= ds;
-        share_rate_q <= tick_rate_i;
-        left_q       <= samples_per_tick_log2_i;
-      end else if (left_q != '0) begin
-        share_q <= share_q >> 1;
-        left_q  <= left_q - 1'b1;
-      end
-    end
-  end else begin : g_pipeline
-    logic advance;
-    logic coarse_valid_q;
-    logic fine_valid_q;
-    logic share_valid_q;
-    logic [62:0] coarse_q;
-    logic [62:0] fine_q;
-    logic [17:0] coarse_rate_q;
-    logic [17:0] fine_rate_q;
-    assign share_valid = share_valid_q;
-    assign advance = !share_valid_q || (sent_o && last);
-    assign tick_ready_o = advance;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) begin
-        coarse_valid_q <= 1'b0;
-        fine_valid_q   <= 1'b0;
-        share_valid_q  <= 1'b0;
-      end else if (advance) begin
-        coarse_valid_q <= tick_valid_i;
-        fine_valid_q   <= coarse_valid_q;
-        share_valid_q  <= fine_valid_q;
-      end
-    end
-    always_ff @(posedge clk_i) begin
-      if (advance) begin
-        coarse_q      <= ds >> {samples_per_tick_log2_i[3:2], 2'b0};
-        coarse_rate_q <= tick_rate_i;
-        fine_q        <= coarse_q >> samples_per_tick_log2_i[1:0];
-        fine_rate_q   <= coarse_rate_q;
-        share_q       <= fine_q;
-        share_rate_q  <= fine_rate_q;
-      end
+  end
+  always_ff @(posedge clk_i) begin
+    if (advance) begin
+      coarse_q      <= ds >> {samples_per_tick_log2_i[3:2], 2'b0};
+      coarse_rate_q <= tick_rate_i;
+      fine_q        <= coarse_q >> samples_per_tick_log2_i[1:0];
+      fine_rate_q   <= coarse_rate_q;
+      share_q       <= fine_q;
+      share_rate_q  <= fine_rate_q;
     end
   end
 

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/sample_share.sv: every tick gives its 2^n samples in order, none lost or doubled, only
 // when they are wanted; offers stay; nothing gets stuck. Ticks are numbered through their rates.
-// configuration: serial Build=1
 // control: ONE_TOO_MANY s/last ? '0 : index_q + 1'b1/last ? 15'h7fff : index_q + 1'b1/
 // control: LOSES_TICK s/assign tick_ready_o = advance/assign tick_ready_o = 1'b1/
 // control: UNWANTED s/ \&\& wanted_i//
 // control: NO_RESET s/index_q        <= '0;//
-// forget: u_dut.g_pipeline.coarse_rate_q unless u_dut.g_pipeline.coarse_valid_q
-// forget: u_dut.g_pipeline.fine_rate_q unless u_dut.g_pipeline.fine_valid_q
-// forget: u_dut.share_rate_q unless u_dut.g_pipeline.share_valid_q
-// forget: u_dut.share_rate_q u_dut.g_serial.left_q unless u_dut.g_serial.busy_q
+// forget: u_dut.coarse_rate_q unless u_dut.coarse_valid_q
+// forget: u_dut.fine_rate_q unless u_dut.fine_valid_q
+// forget: u_dut.share_rate_q unless u_dut.share_valid_q
 // forget: u_dut.rate_q unless u_dut.sum_valid_q
 // forget: u_dut.sample_rate_o unless u_dut.sample_valid_o
 `default_nettype none
-module sample_share_formal #(
-    parameter int Build = 0
-) (
+module sample_share_formal (
     input wire logic        clk_i,
     input wire logic        rst_ni,
     input wire logic [ 1:0] n_i,
@@ -31,9 +27,7 @@ module sample_share_formal #(
   logic sample_valid;
   logic [47:0] sample_ds;
   logic [17:0] sample_rate;
-  sample_share #(
-      .Build(Build)
-  ) u_dut (
+  sample_share u_dut (
       .clk_i,
       .rst_ni,
       .samples_per_tick_log2_i({2'b0, n_i}),
@@ -54,7 +48,7 @@ module sample_share_formal #(
   logic started_q = 1'b0;
   logic [1:0] n_q;
   logic kept_q;
-  localparam int Idle = Build == 1 ? 8 : 4;
+  localparam int Idle = 4;
   logic [Idle-1:0] idle_q;  // cycles in which a sample was possible and none came
   logic [2:0] sample_index_q;
   logic [3:0] sample_tick_q;
