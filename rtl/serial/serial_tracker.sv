@@ -79,11 +79,10 @@ module serial_tracker #(
   logic               started_q;  // the part of this state runs
   logic               last_q;  // the step is the segment's last
   logic               land_q;
-  logic        [49:0] sigma_q;  // offset into the step
-  logic        [47:0] rest_q;  // of the segment, from the step's start
-  logic        [47:0] length_q;  // of the step
-  logic        [47:0] full_q;
-  logic signed [49:0] beyond_q;
+  logic signed [49:0] sigma_q;  // offset into the step; in Decide from its end
+  logic        [43:0] rest_q;  // of the segment, from the step's start
+  logic        [43:0] length_q;  // of the step
+  logic        [27:0] full_q;  // of other steps, without its PathFrac bits
   logic               equal;
   logic        [42:0] shift_q;
   logic        [ 4:0] count_q;
@@ -102,7 +101,7 @@ module serial_tracker #(
   end
   assign net_start_o = network && !started_q;
   assign done = network && started_q && !net_busy_i;
-  assign over = !beyond_q[49] && (!equal || !last_q);
+  assign over = !sigma_q[49] && (!equal || !last_q);
 
   // The network's part of this state
   logic [7:0] part;
@@ -210,34 +209,47 @@ module serial_tracker #(
       .write_point_o
   );
 
-  // Lengths
-  logic [ 5:0] full_exponent;
-  logic [49:0] ds;
-  logic [49:0] length;
-  logic [47:0] after;
+  // Lengths: the fraction bits of a full step are 0.
+  logic [28:0] after;
+  logic        no_fraction;
   logic        fits;
-  assign full_exponent = {1'b0, k} + 6'(curvecore_pkg::PathFrac);
-  assign ds            = {2'b00, request_ds_i};
-  assign length        = {2'b00, length_q};
-  assign after         = rest_q - full_q;
-  assign equal         = beyond_q == '0;
-  assign fits          = after[47] || after == '0;
+  assign after       = {1'b0, rest_q[43:16]} - {1'b0, full_q};
+  assign no_fraction = rest_q[15:0] == '0;
+  assign fits        = after[28] || (after == '0 && no_fraction);
   always_ff @(posedge clk_i) begin
-    if (opening) rest_q <= {4'b0, segment_data_i[43:0]};
-    if (state_q == Weights) full_q <= 48'd1 << full_exponent;
-    if (state_q == Step && !started_q) rest_q <= after;
+    if (opening) rest_q <= segment_data_i[43:0];
+    if (state_q == Weights) full_q <= 28'd1 << k;
+    if (state_q == Step && !started_q) rest_q[43:16] <= after[27:0];
     if (state_q == Rest) last_q <= fits;
-    if (state_q == Measure) length_q <= last_q ? rest_q : full_q;
-    beyond_q <= sigma_q - length;
+    if (state_q == Measure) length_q <= last_q ? rest_q : {full_q, 16'd0};
+  end
+
+  // One sum: the request's ds, then less the length, to compare, and with it again.
+  logic        compare;
+  logic [49:0] operand;
+  logic [50:0] augend;
+  logic [50:0] addend;
+  logic [50:0] sum;
+  assign compare = state_q == Compare;
+  assign equal   = sigma_q == '0;
+  always_comb begin
+    operand = {6'd0, length_q} ^ {50{compare}};
+    if (state_q == Ready) operand = {2'b00, request_ds_i};
+  end
+  assign augend = {sigma_q, 1'b1};
+  assign addend = {operand, compare};
+  assign sum    = augend + addend;
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) sigma_q <= '0;
-    else if (state_q == Ready && request_valid_i) sigma_q <= sigma_q + ds;
-    else if (state_q == Decide && over) sigma_q <= beyond_q;
+    else if (state_q == Ready && request_valid_i) sigma_q <= sum[50:1];
+    else if (compare) sigma_q <= sum[50:1];
+    else if (state_q == Decide && !over) sigma_q <= sum[50:1];
   end
 
   // tau = sigma / 2^(k+16), cut
   always_ff @(posedge clk_i) begin
     if (state_q == Decide) begin
-      shift_q <= sigma_q[42:0];
+      shift_q <= sum[43:1];
       count_q <= down_o;
       land_q  <= equal;
     end else if (state_q == Shift) begin
