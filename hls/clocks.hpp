@@ -33,9 +33,9 @@ struct Clocks {
     int sample, step, segment;
 };
 
-/// Samples that a core makes ahead of the one that is taken, if requests wait: the serial core
-/// holds so many, the parallel one more. With auxiliary axes, which a sample's frames make last, it
-/// is one less.
+/// Samples that a core makes ahead of the one that is taken, if requests wait, at least: the serial
+/// core holds so many, the parallel one more. With auxiliary axes, which a sample's frames make
+/// last, it is one less.
 constexpr int samples_ahead(const TimedCore& core) {
     return core.serial && core.aux_axes > 0 ? 1 : 2;
 }
@@ -117,19 +117,22 @@ constexpr int sample_frames(const TimedCore& core, bool spline) {
 
 /// Three samples at a time share the multiplier; the fewest clocks are those from request to tau.
 constexpr int serial_sample_clocks(const TimedCore& core, bool spline) {
-    return aux_frames(core) < 2 ? std::max(24, 3 * (sample_frames(core, spline) + 2))
-                                : std::max(36, 3 * (sample_frames(core, spline) + 3));
+    return std::max(aux_frames(core) < 2 ? 21 : 27, 3 * (sample_frames(core, spline) + 1));
 }
 
-/// Reached by arcs' steps in every configuration; a segment's words end within a rotation, so its
-/// bound is up to two of them above the clocks.
+/// At most: a sample of auxiliary axes goes to the output while points of the next one are read.
+constexpr int late_clocks(const TimedCore& core) { return std::min(core.aux_axes, 3); }
+
+/// Reached by arcs' steps in every configuration, but for late_clocks; a segment's words end within
+/// a rotation, so its bound is up to two of them above the clocks.
 constexpr Clocks serial_arc_clocks(const TimedCore& core) {
     const int order = core.order;
     const int sample = kRotation * sample_frames(core, false);
     const int aux_words = (3 * core.aux_axes + 7) / kRotation;
     const int angle = core.series ? 0 : 9 * order + 36;
-    return {serial_sample_clocks(core, false), kRotation * ((5 * order + 1) / 3) + sample + 75,
-            27 * order + sample + kRotation * aux_words + 57 + angle};
+    return {serial_sample_clocks(core, false),
+            kRotation * ((5 * order + 1) / 3) + sample + 75 + late_clocks(core),
+            27 * order + sample + kRotation * aux_words + 57 + angle + late_clocks(core)};
 }
 
 constexpr Clocks serial_spline_clocks(const TimedCore& core) {
@@ -138,8 +141,9 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
     const int network = 4 * order * order + 37 * order +
                         (core.series ? 3 * order * (order + 11) / 2 - 9 : 0) +
                         (core.series && order == 2 ? 11 : 0);  // its short sums wait for each other
-    return {serial_sample_clocks(core, true), network + 2 * order + sample + 120,
-            network + sample + 3 * core.aux_axes + 162};
+    return {serial_sample_clocks(core, true),
+            network + 2 * order + sample + 120 + late_clocks(core),
+            network + sample + 3 * core.aux_axes + 162 + late_clocks(core)};
 }
 
 /// Serial build, rtl/path/path_sequencer.sv: from a tick of time to the next, at most. A product

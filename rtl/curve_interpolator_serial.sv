@@ -12,14 +12,14 @@
 //
 //   clocks at most, of Order 6 without        arcs, series    splines, polynomial
 //   auxiliary axes; of any: hls/clocks.hpp
-//   between samples of a step, on average     24              33
+//   between samples of a step, on average     21              30
 //   from a step's last sample to the first    219             579
 //   of the next step
 //   the same of the next segment, if its      273             609
 //   words come without a pause
 //
 // One multiplier does the network's work and the samples': a change of step waits for the samples
-// under way, and a segment's words are taken when the path has left the segment before.  Two
+// under way, and a segment's words are taken when the path has left the segment before.  Three
 // samples that are not taken yet are held, while requests wait.
 //
 // The program's constants come with the device's configuration (serial/word_memory.sv), so memories
@@ -149,14 +149,15 @@ module curve_interpolator_serial #(
       .quiet_i(quiet)
   );
 
-  // Samples that are issued and not taken: one on its way and one at the output.
+  // Samples that are issued and not taken: two on their way and one at the output, or one more that
+  // the rotation before has issued.
   logic       issued;
   logic       taken;
-  logic [1:0] held_q;
+  logic [2:0] held_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_n) held_q <= 2'd0;
-    else if (issued && !taken) held_q <= held_q + 2'd1;
-    else if (taken && !issued) held_q <= held_q - 2'd1;
+    if (!rst_n) held_q <= 3'd0;
+    else if (issued && !taken) held_q <= held_q + 3'd1;
+    else if (taken && !issued) held_q <= held_q - 3'd1;
   end
 
   logic [7+Splines:0] a_address;
@@ -185,7 +186,7 @@ module curve_interpolator_serial #(
       .sample_take_o(sample_take),
       .context_o(free_context),
       .free_o(free),
-      .room_i(!held_q[1]),
+      .room_i(held_q < 3'd3),
       .issued_o(issued),
       .quiet_o(quiet),
       .a_address_o(a_address),

@@ -5,13 +5,14 @@
 //
 // Origins of X Y Z of splines are made from the segment's start, with 2^lambda: as axes 12 to 14.
 //
-//   cycle       0                1, 2    3     4                  5
-//   target_i    2 sample
-//   d_i         d, axis_i                      sample_o complete
-//   target_i    3 origin                       origin written
+//   cycle       0                1, 2    3          4          5       ..      Axes + 6
+//   target_i    2 sample                            d's axis
+//   d_i         d, axis_i                written,   the last:  read, axis by axis
+//   target_i    3 origin                 too                           sample_valid_o
 //
-// The sample is complete with its last axis; it moves on to the output as soon as that is free.
-// taken_o: it has left the core.
+// Samples, four at most, wait in the memory of points. One is read to the output when all of it is
+// there and that is free: an axis in every clock in which no other point is read. taken_o: it has
+// left the core.
 `default_nettype none
 module serial_lander #(
     parameter int CoefBits     = 36,  // [18, 36]
@@ -82,77 +83,93 @@ module serial_lander #(
       .doubled_o(doubled)
   );
 
-  // Origins and ends. Block RAM is slow, a register follows it.
+  // Origins, ends and the sample. Block RAM is slow, a register follows it.
   (* ram_style = "block", no_rw_check *)
-  logic signed [FineBits-1:0] points      [32];
+  logic signed [FineBits-1:0] points                          [128];
   logic signed [FineBits-1:0] read_q;
   logic signed [FineBits-1:0] point_q;
   logic signed [  FineBits:0] point_half;
   logic signed [  FineBits:0] twice;
   logic signed [FineBits-1:0] fine_q;
   logic                       write;
+  logic                       of_sample;
   logic        [         3:0] start_axis;
   logic        [         3:0] origin_axis;
-  logic        [         4:0] write_place;
+  logic        [         6:0] write_place;
+  logic        [         6:0] read_place;
   logic signed [FineBits-1:0] write_data;
+  logic        [         1:0] written_q;  // samples, modulo 4
+  logic        [         1:0] walked_q;
+  logic                       walks;
+  logic        [         3:0] walk_q;
   assign point_half = {point_q, 1'b1};
   assign twice = point_half + doubled;
-  assign write = write_start_i || write_end_i || target_q[2] == 2'd3;
+  assign of_sample = target_q[2] == 2'd2;
+  assign write = write_start_i || write_end_i || target_q[2][1];
   assign start_axis   = (Splines != 0 && spline_i && write_axis_i < 4'd3) ? write_axis_i | 4'd12
                                                                           : write_axis_i;
   assign origin_axis = start_of_spline(axis_q[2]) ? axis_q[2] & 4'd3 : axis_q[2];
-  assign write_data = target_q[2] == 2'd3 ? fine_q : write_data_i;
+  assign write_data = target_q[2][1] ? fine_q : write_data_i;
   always_comb begin
-    write_place = {1'b0, origin_axis};
-    if (write_start_i) write_place = {1'b0, start_axis};
-    if (write_end_i) write_place = {1'b1, write_axis_i};
+    write_place = of_sample ? {1'b1, written_q, axis_q[2]} : {3'b000, origin_axis};
+    if (write_start_i) write_place = {3'b000, start_axis};
+    if (write_end_i) write_place = {3'b001, write_axis_i};
+    read_place = walks ? {1'b1, walked_q, walk_q} : {2'b00, land_i, axis_i};
   end
   always_ff @(posedge clk_i) begin
     if (write) points[write_place] <= write_data;
-    read_q  <= points[{land_i, axis_i}];
+    read_q  <= points[read_place];
     point_q <= read_q;
     fine_q  <= twice[FineBits:1];
   end
 
-  logic signed [FineBits-1:0] half;
-  logic signed [FineBits-1:0] rounded;
-  assign half    = {{PositionBits{1'b0}}, 1'b1, {(GuardBits - 1) {1'b0}}};
-  assign rounded = fine_q + half;
-
-  logic                         full_q;
-  logic                         move;
-  logic                         complete;
-  logic [    Axes*FineBits-1:0] fine;
-  logic [Axes*PositionBits-1:0] position;
-  for (genvar a = 0; a < Axes; a++) begin : g_axis
-    logic [    FineBits-1:0] axis_fine_q;
-    logic [PositionBits-1:0] axis_position_q;
-    always_ff @(posedge clk_i) begin
-      if (target_q[2] == 2'd2 && axis_q[2] == 4'(a)) begin
-        axis_fine_q     <= fine_q;
-        axis_position_q <= rounded[FineBits-1:GuardBits];
-      end
-    end
-    assign fine[a*FineBits+:FineBits]             = axis_fine_q;
-    assign position[a*PositionBits+:PositionBits] = axis_position_q;
-  end
-
-  assign complete = target_q[2] == 2'd2 && axis_q[2] == 4'(Axes - 1);
-  assign taken_o  = sample_valid_o && sample_ready_i;
-  assign move     = full_q && (!sample_valid_o || sample_ready_i);
+  // The walk through the axes of a sample that is complete
+  logic       walking_q;
+  logic       last;
+  logic       arrives;
+  logic       free;
+  logic [1:0] walks_q;
+  logic [3:0] place_q   [2];
+  assign walks   = walking_q && !target_i[1];
+  assign last    = walk_q == 4'(Axes - 1);
+  assign arrives = walks_q[1] && place_q[1] == 4'(Axes - 1);
+  assign free    = walks_q == 2'b00 && (!sample_valid_o || sample_ready_i);
+  assign taken_o = sample_valid_o && sample_ready_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      full_q         <= 1'b0;
+      written_q      <= 2'd0;
+      walked_q       <= 2'd0;
+      walking_q      <= 1'b0;
+      walk_q         <= 4'd0;
+      walks_q        <= 2'b00;
       sample_valid_o <= 1'b0;
     end else begin
-      full_q         <= complete || (full_q && !move);
-      sample_valid_o <= move || (sample_valid_o && !sample_ready_i);
+      if (of_sample && axis_q[2] == 4'(Axes - 1)) written_q <= written_q + 2'd1;
+      if (walks && last) walked_q <= walked_q + 2'd1;
+      if (walking_q) walking_q <= !(walks && last);
+      else walking_q <= written_q != walked_q && free;
+      if (walks) walk_q <= last ? 4'd0 : walk_q + 4'd1;
+      walks_q        <= {walks_q[0], walks};
+      sample_valid_o <= arrives || (sample_valid_o && !sample_ready_i);
     end
   end
   always_ff @(posedge clk_i) begin
-    if (move) begin
-      sample_fine_o     <= fine;
-      sample_position_o <= position;
+    place_q[0] <= walk_q;
+    place_q[1] <= place_q[0];
+  end
+
+  logic half;
+  logic [PositionBits-1:0] floor;
+  logic [PositionBits-1:0] position;
+  assign half     = point_q[GuardBits-1];
+  assign floor    = point_q[FineBits-1:GuardBits];
+  assign position = floor + PositionBits'(half);
+  for (genvar a = 0; a < Axes; a++) begin : g_axis
+    always_ff @(posedge clk_i) begin
+      if (walks_q[1] && place_q[1] == 4'(a)) begin
+        sample_fine_o[a*FineBits+:FineBits]             <= point_q;
+        sample_position_o[a*PositionBits+:PositionBits] <= position;
+      end
     end
   end
 

@@ -62,8 +62,8 @@ TEST_F(CurveInterpolatorSerial, PausesBetweenStepsAndSegmentsAsStated) {
             measure(Segments(8, words), samples_log2, pauses);
         }
     }
-    reaches(pauses.step, clocks_.step, 10);
-    reaches(pauses.segment, clocks_.segment, 12);
+    reaches(pauses.step, clocks_.step, 13);
+    reaches(pauses.segment, clocks_.segment, 15);
 }
 
 TEST_F(CurveInterpolatorSerial, HoldsItsSampleWhileStalled) { holds_its_sample_while_stalled(); }
