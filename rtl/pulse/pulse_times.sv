@@ -20,15 +20,24 @@ module pulse_times #(
     output logic                setup_1_o
 );
 
-  logic [TimeBits-1:0] space_q;
-  logic [TimeBits-1:0] hold_q;
+  // The lowest bits, which make 1 of 0
+  logic length_q;
+  logic setup_q;
+  logic space_q;
+  logic hold_q;
+  logic [TimeBits-1:0] space;
+  logic [TimeBits-1:0] hold;
+  assign length_o = {steplen_i[TimeBits-1:1], length_q};
+  assign setup_o  = {dirsetup_i[TimeBits-1:1], setup_q};
+  assign space    = {stepspace_i[TimeBits-1:1], space_q};
+  assign hold     = {dirhold_i[TimeBits-1:1], hold_q};
   always_ff @(posedge clk_i) begin
-    length_o   <= steplen_i | TimeBits'(steplen_i == '0);
-    setup_o    <= dirsetup_i | TimeBits'(dirsetup_i == '0);
-    space_q    <= stepspace_i | TimeBits'(stepspace_i == '0);
-    hold_q     <= dirhold_i | TimeBits'(dirhold_i == '0);
-    again_o    <= length_o + space_q;
-    turn_o     <= length_o + hold_q;
+    length_q   <= steplen_i[0] || steplen_i == '0;
+    setup_q    <= dirsetup_i[0] || dirsetup_i == '0;
+    space_q    <= stepspace_i[0] || stepspace_i == '0;
+    hold_q     <= dirhold_i[0] || dirhold_i == '0;
+    again_o    <= length_o + space;
+    turn_o     <= length_o + hold;
     length_1_o <= steplen_i <= TimeBits'(1);
     setup_1_o  <= dirsetup_i <= TimeBits'(1);
   end
