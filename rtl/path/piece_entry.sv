@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lets words into the queue of pieces: whole pieces, one after the other, of words that can be; a
 // stop branch may stand before each.
-// Clocks: rtl/queue/frame_entry.sv; ticks_o, ds_o and final_o with piece_o, a piece's last word.
+// Clocks: rtl/queue/frame_entry.sv; ticks_o and final_o with piece_o, a piece's last word, and
+// until the clock after. ds_o: data_o passes, and is the path length; with turn_i only.
 // Word format: hls/words.hpp.  Twin: PieceEntry of hls/word_entry.hpp.
 `default_nettype none
 module piece_entry (
@@ -14,13 +15,14 @@ module piece_entry (
 
     input  wire logic        cut_i,
     input  wire logic        wait_i,
+    input  wire logic        turn_i,
     output logic             valid_o,
     input  wire logic        ready_i,
     output logic      [47:0] data_o,
 
+    output logic        ds_o,
     output logic        piece_o,
     output logic [19:0] ticks_o,
-    output logic [43:0] ds_o,
     output logic        final_o,
     output logic [ 1:0] fault_o   // word, sequence
 );
@@ -32,11 +34,14 @@ module piece_entry (
   logic stop_q;  // the piece has a branch
   logic stops;
   logic complete;
+  logic ds;
   logic can_be;
   logic pass;
   assign stops    = data_o[words_pkg::TagLow+:words_pkg::TagBits] == words_pkg::TagStop;
   assign tag      = (tag_q == words_pkg::TagPiece && !stop_q && stops) ? words_pkg::TagStop : tag_q;
   assign complete = tag == words_pkg::TagC3;
+  assign ds       = tag == words_pkg::TagDs;
+  assign ds_o     = pass && ds;
   always_comb begin
     next_tag = tag + 4'd1;
     if (complete) next_tag = words_pkg::TagPiece;
@@ -63,7 +68,7 @@ module piece_entry (
       .ready_o,
       .data_i,
       .cut_i,
-      .wait_i,
+      .wait_i(wait_i || (ds && !turn_i)),
       .valid_o,
       .ready_i,
       .data_o,
@@ -115,8 +120,6 @@ module piece_entry (
       ticks_o <= data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits];
       final_o <= data_o[words_pkg::FinalLow];
     end
-    if (pass && tag == words_pkg::TagDs)
-      ds_o <= data_o[words_pkg::PathLengthLow+:words_pkg::PathLengthBits];
   end
 
 endmodule

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the profile queue holds: whole pieces, their ticks, and how many of them are final.
 //
-//   clock      0       1          2          3
+//   clock      0       1          2
 //   put_i      1
 //   queued_o           1
 //   finals_o           with it
-//   ticks_o                                  with the piece
+//   ticks_o                       with the piece
 //
-// A piece is counted from put_i, its last word's entry, until take_i. ticks_o follows take_i by 2
-// clocks: so the ticks of a piece are never counted here and as those of the present one, which is
+// A piece is counted from put_i, after its last word's entry, until take_i of it; put_i and take_i
+// come one at a time. ticks_o follows take_i by 2 clocks: so the ticks of a piece are never counted here and as those of the present one, which is
 // told in the clock after take_i and read a clock later (rtl/path/underrun_guard.sv).
 `default_nettype none
 module piece_ledger #(
@@ -40,37 +40,33 @@ module piece_ledger #(
 
   logic [CountBits-1:0] pieces_q;
   logic [CountBits-1:0] finals_q;
-  logic enters_final;
-  logic takes_final;
-  assign enters_final = put_i && put_final_i;
-  assign takes_final  = take_i && take_final_i;
+  logic change_final;
+  assign change_final = (put_i && put_final_i) || (take_i && take_final_i);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       pieces_q <= '0;
       finals_q <= '0;
     end else begin
-      if (put_i != take_i) pieces_q <= pieces_q + {{(CountBits - 1) {take_i}}, 1'b1};
-      if (enters_final != takes_final)
-        finals_q <= finals_q + {{(CountBits - 1) {takes_final}}, 1'b1};
+      if (put_i || take_i) pieces_q <= pieces_q + {{(CountBits - 1) {take_i}}, 1'b1};
+      if (change_final) finals_q <= finals_q + {{(CountBits - 1) {take_i}}, 1'b1};
     end
   end
   assign queued_o = pieces_q != '0;
   assign finals_o = 10'(finals_q);
 
-  logic [19:0] put_ticks_q;
-  logic [19:0] taken_ticks;
-  logic signed [20:0] change_q;
-  assign taken_ticks = take_i ? take_ticks_i : '0;
+  // Those of a piece that is taken with their bits inverted, and the sum's carry.
+  logic [19:0] change_q;
+  logic less_q;
+  logic [31:0] change;
+  logic [32:0] sum;
+  assign change = {{12{less_q}}, change_q};
+  assign sum    = {ticks_o, 1'b1} + {change, less_q};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      put_ticks_q <= '0;
-      change_q    <= '0;
-      ticks_o     <= '0;
-    end else begin
-      put_ticks_q <= put_i ? put_ticks_i : '0;
-      change_q    <= $signed({1'b0, put_ticks_q}) - $signed({1'b0, taken_ticks});
-      ticks_o     <= ticks_o + 32'(change_q);
-    end
+    change_q <= take_i ? ~take_ticks_i : put_ticks_i;
+    less_q   <= rst_ni && take_i;
+    if (!rst_ni || !(put_i || take_i)) change_q <= '0;
+    if (!rst_ni) ticks_o <= '0;
+    else ticks_o <= sum[32:1];
   end
 
 endmodule

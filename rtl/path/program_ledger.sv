@@ -2,25 +2,29 @@
 // Holds the two streams of a program against each other: segments and pieces end a program at the
 // same path and after the same ticks, and a program's words enter before the next one's.
 //
-//   clock               0                  1       3       4, 5
-//   segment_i, piece_i  1, last or final
+//   clock               0                  1       2       4
+//   segment_i, piece_i  1, last or final         after their length_valid_i, ds_valid_i
 //   wait_*_o                               1                       until both streams have ended
-//   lead_o                                         pieces  segments: their ticks, less pieces'
+//   lead_o                                         segments' ticks, less pieces'
 //   apart_o                                                1       they end apart: stays
 //
-// complete_o: all segments of the program under way are in.
+// Of a segment and a piece one comes at a time, and of their lengths. complete_o: all segments of
+// the program under way are in.
 `default_nettype none
 module program_ledger (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic        segment_i,
+    input wire logic        length_valid_i,
     input wire logic [43:0] length_i,
+    input wire logic        segment_i,
     input wire logic [31:0] segment_ticks_i,
     input wire logic        last_i,
 
-    input wire logic        piece_i,
+    input wire logic        ds_valid_i,
     input wire logic [43:0] ds_i,
+    input wire logic        ds_turn_i,      // or the length's
+    input wire logic        piece_i,
     input wire logic [19:0] piece_ticks_i,
     input wire logic        final_i,
 
@@ -63,41 +67,26 @@ module program_ledger (
     else complete_o <= wait_segments_o || programs_i > newest;
   end
 
-  // A segment is counted after a piece that comes with it: so many ticks are there at least.
-  logic waits_q;
-  logic [43:0] length_q;
-  logic [31:0] segment_ticks_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) waits_q <= 1'b0;
-    else waits_q <= segment_i || (waits_q && piece_i);
-    if (segment_i) begin
-      length_q        <= length_i;
-      segment_ticks_q <= segment_ticks_i;
-    end
-  end
-
   // What the segments are ahead of the pieces: ticks, path. What comes is a piece's with its bits
   // inverted, and the sum's carry, or a segment's.
   logic signed [47:0] ticks_q;
-  logic signed [47:0] ticks_change_q;
   logic signed [59:0] path_q;
-  logic signed [59:0] path_change_q;
-  logic less_q;
+  logic        [47:0] ticks;
+  logic        [59:0] path;
+  logic        [48:0] ticks_sum;
+  logic        [60:0] path_sum;
+  assign ticks     = piece_i ? ~{28'b0, piece_ticks_i} : {16'b0, segment_ticks_i};
+  assign path      = ds_turn_i ? ~{16'b0, ds_i} : {16'b0, length_i};
+  assign ticks_sum = {ticks_q, 1'b1} + {ticks, piece_i};
+  assign path_sum  = {path_q, 1'b1} + {path, ds_turn_i};
   always_ff @(posedge clk_i) begin
-    ticks_change_q <= piece_i ? ~{28'b0, piece_ticks_i} : {16'b0, segment_ticks_q};
-    path_change_q  <= piece_i ? ~{16'b0, ds_i} : {16'b0, length_q};
-    if (!rst_ni || !(piece_i || waits_q)) begin
-      ticks_change_q <= '0;
-      path_change_q  <= '0;
-    end
-    less_q <= rst_ni && piece_i;
     if (!rst_ni) begin
       ticks_q <= '0;
       path_q  <= '0;
       apart_o <= 1'b0;
     end else begin
-      ticks_q <= ticks_q + ticks_change_q + 48'(less_q);
-      path_q  <= path_q + path_change_q + 60'(less_q);
+      if (segment_i || piece_i) ticks_q <= ticks_sum[48:1];
+      if (length_valid_i || ds_valid_i) path_q <= path_sum[60:1];
       if (both_q[2] && (ticks_q != '0 || path_q != '0)) apart_o <= 1'b1;
     end
   end

@@ -55,7 +55,10 @@ module word_streams #(
     output logic      [ 5:0] fault_o
 );
 
-  // Words: at the entry, in the queue, counted
+  // Words: at the entry, in the queue, counted. Lengths of either stream pass in every second
+  // clock, so that one sum takes them from there.
+  logic ds_turn_q;
+  always_ff @(posedge clk_i) ds_turn_q <= rst_ni && !ds_turn_q;
   logic cut;
   logic wait_segments;
   logic wait_pieces;
@@ -63,9 +66,10 @@ module word_streams #(
   logic segment_room;
   logic [47:0] segment_word;
   logic segment_enters;
-  logic [43:0] segment_length;
+  logic length_enters;
   logic [31:0] segment_ticks;
   logic segment_last;
+  logic segment_waits_q;
   segment_entry #(
       .CoefBits(CoefBits),
       .FineBits(FineBits),
@@ -79,12 +83,13 @@ module word_streams #(
       .ready_o(segment_ready_o),
       .data_i(segment_data_i),
       .cut_i(cut),
-      .wait_i(wait_segments),
+      .wait_i(wait_segments || segment_enters || segment_waits_q),
+      .turn_i(!ds_turn_q),
       .valid_o(segment_pass),
       .ready_i(segment_room),
       .data_o(segment_word),
+      .length_o(length_enters),
       .segment_o(segment_enters),
-      .length_o(segment_length),
       .ticks_o(segment_ticks),
       .last_o(segment_last),
       .fault_o(fault_o[1:0])
@@ -120,8 +125,9 @@ module word_streams #(
   logic [47:0] piece_word;
   logic piece_enters;
   logic [19:0] piece_ticks;
-  logic [43:0] piece_ds;
+  logic ds_enters;
   logic piece_final;
+  logic piece_waits_q;
   piece_entry u_piece_entry (
       .clk_i,
       .rst_ni,
@@ -129,13 +135,14 @@ module word_streams #(
       .ready_o(profile_ready_o),
       .data_i(profile_data_i),
       .cut_i(cut),
-      .wait_i(wait_pieces),
+      .wait_i(wait_pieces || piece_enters || piece_waits_q),
+      .turn_i(ds_turn_q),
       .valid_o(piece_pass),
       .ready_i(piece_room),
       .data_o(piece_word),
+      .ds_o(ds_enters),
       .piece_o(piece_enters),
       .ticks_o(piece_ticks),
-      .ds_o(piece_ds),
       .final_o(piece_final),
       .fault_o(fault_o[3:2])
   );
@@ -165,6 +172,22 @@ module word_streams #(
       .full_o(pieces_full)
   );
 
+  // The ledgers count one at a time: a piece that begins, one that has entered, a segment. What
+  // waits stays at its entry, a clock more at most: no other word passes meanwhile.
+  logic piece_counts;
+  logic segment_counts;
+  assign piece_counts   = (piece_enters || piece_waits_q) && !take_i;
+  assign segment_counts = (segment_enters || segment_waits_q) && !piece_counts;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      piece_waits_q   <= 1'b0;
+      segment_waits_q <= 1'b0;
+    end else begin
+      piece_waits_q   <= (piece_enters || piece_waits_q) && take_i;
+      segment_waits_q <= (segment_enters || segment_waits_q) && piece_counts;
+    end
+  end
+
   logic [ 9:0] finals;
   logic [31:0] queued_ticks;
   piece_ledger #(
@@ -172,7 +195,7 @@ module word_streams #(
   ) u_ledger (
       .clk_i,
       .rst_ni,
-      .put_i(piece_enters),
+      .put_i(piece_counts),
       .put_ticks_i(piece_ticks),
       .put_final_i(piece_final),
       .take_i,
@@ -188,12 +211,15 @@ module word_streams #(
   program_ledger u_programs (
       .clk_i,
       .rst_ni,
-      .segment_i(segment_enters),
-      .length_i(segment_length),
+      .length_valid_i(length_enters),
+      .length_i(segment_word[words_pkg::PathLengthLow+:words_pkg::PathLengthBits]),
+      .segment_i(segment_counts),
       .segment_ticks_i(segment_ticks),
       .last_i(segment_last),
-      .piece_i(piece_enters),
-      .ds_i(piece_ds),
+      .ds_valid_i(ds_enters),
+      .ds_i(piece_word[words_pkg::PathLengthLow+:words_pkg::PathLengthBits]),
+      .ds_turn_i(ds_turn_q),
+      .piece_i(piece_counts),
       .piece_ticks_i(piece_ticks),
       .final_i(piece_final),
       .programs_i({1'b0, finals} + {10'b0, present_final_i}),

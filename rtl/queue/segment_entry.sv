@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lets words into the queue of segments: whole segments, one after the other, of words that can be.
-// Clocks: rtl/queue/frame_entry.sv; length_o, ticks_o and last_o with segment_o, a segment's last.
+// Clocks: rtl/queue/frame_entry.sv; ticks_o and last_o with segment_o, a segment's last, and until
+// the clock after. length_o: data_o passes, and is the length; it does so with turn_i only.
 // Word format: hls/words.hpp.  Twin: SegmentEntry of hls/word_entry.hpp.
 `default_nettype none
 module segment_entry #(
@@ -19,12 +20,13 @@ module segment_entry #(
 
     input  wire logic        cut_i,
     input  wire logic        wait_i,
+    input  wire logic        turn_i,
     output logic             valid_o,
     input  wire logic        ready_i,
     output logic      [47:0] data_o,
 
+    output logic        length_o,
     output logic        segment_o,
-    output logic [43:0] length_o,
     output logic [31:0] ticks_o,
     output logic        last_o,
     output logic [ 1:0] fault_o     // word, sequence
@@ -37,10 +39,13 @@ module segment_entry #(
   logic [3:0] tag_q, tag_d;
   logic [3:0] axis_q, axis_d;
   logic xyz;
+  logic length;
   logic complete;
   logic can_be;
   logic pass;
   assign xyz      = axis_q < 4'd3;
+  assign length   = tag_q == words_pkg::TagLength;
+  assign length_o = pass && length;
   assign complete = tag_q == words_pkg::TagAdvance && axis_q == 4'(Axes - 1);
   always_comb begin
     tag_d  = tag_q + 4'd1;
@@ -74,7 +79,7 @@ module segment_entry #(
       .ready_o,
       .data_i,
       .cut_i,
-      .wait_i,
+      .wait_i(wait_i || (length && !turn_i)),
       .valid_o,
       .ready_i,
       .data_o,
@@ -139,8 +144,6 @@ module segment_entry #(
 
   // What the ledgers want to know of it
   always_ff @(posedge clk_i) begin
-    if (pass && tag_q == words_pkg::TagLength)
-      length_o <= data_o[words_pkg::PathLengthLow+:words_pkg::PathLengthBits];
     if (pass && tag_q == words_pkg::TagTheta) begin
       spline_q <= kind[0];
       k_q      <= k;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
 // numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
-// hls/words.hpp says it; whole pieces alone are counted, each with the ticks, ds and final of its
-// own words.
+// hls/words.hpp says it; whole pieces alone are counted, each with the ticks and final of its own
+// words; a path length is told as it passes.
 // control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
@@ -19,6 +19,7 @@ module piece_entry_formal (
     input wire logic [47:0] data_i,
     input wire logic        cut_i,
     input wire logic        wait_i,
+    input wire logic        turn_i,
     input wire logic        ready_i
 );
 
@@ -27,7 +28,7 @@ module piece_entry_formal (
   logic [47:0] data;
   logic piece;
   logic [19:0] ticks;
-  logic [43:0] ds;
+  logic ds;
   logic is_final;
   logic [1:0] fault;
   piece_entry u_dut (
@@ -38,12 +39,13 @@ module piece_entry_formal (
       .data_i,
       .cut_i,
       .wait_i,
+      .turn_i,
       .valid_o(valid),
       .ready_i,
       .data_o(data),
+      .ds_o(ds),
       .piece_o(piece),
       .ticks_o(ticks),
-      .ds_o(ds),
       .final_o(is_final),
       .fault_o(fault)
   );
@@ -58,7 +60,6 @@ module piece_entry_formal (
   logic held_q;
   logic ends_q;
   logic [19:0] ticks_q;
-  logic [43:0] ds_q;
   logic final_q;
   logic started_q = 1'b0;
   logic pass;
@@ -85,11 +86,14 @@ module piece_entry_formal (
       ticks_q <= data[19:0];
       final_q <= data[31];
     end
-    if (pass && place_q == 3'd1) ds_q <= data[43:0];
   end
 
   // hls/words.hpp: ticks 1 .. 2^m, m 0 .. 19, e 0 .. 46, 4 spare bits
   logic can_be;
+  logic is_ds;
+  logic turn;
+  assign is_ds = place_q == 3'd1;
+  assign turn  = turn_i || !is_ds;
   always_comb begin
     can_be = data[43:36] == '0;
     if (place_q == 3'd1) can_be = 1'b1;
@@ -108,9 +112,10 @@ module piece_entry_formal (
     if (!started_q) begin
       assume (!rst_ni);
     end else if (rst_ni) begin
-      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && fault == 2'b00));
+      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && turn && fault == 2'b00));
       Counted : assert (piece == ends_q);
-      if (piece) OfIts : assert ({is_final, ticks} == {final_q, ticks_q} && ds == ds_q);
+      if (piece) OfIts : assert ({is_final, ticks} == {final_q, ticks_q});
+      Ds : assert (ds == (pass && is_ds));
 
       SecondFinal : cover (piece && is_final && pieces_q == 8'd2);
       Branch : cover (branch_q == 2'd2 && pieces_q == 8'd1);

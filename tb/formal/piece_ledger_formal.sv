@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
-// and takes that the queue allows; ticks follow puts two clocks later, takes one. Pieces are of one
+// and takes, one at a time, that the queue allows; ticks follow two clocks later. Pieces are of one
 // or two ticks.
-// control: LOSES_PIECE s/take_i) pieces_q/take_i \&\& finals_q == '0) pieces_q/
-// control: BOTH_AT_ONCE s/if (put_i != take_i)/if (put_i || take_i)/
-// control: FINAL_STAYS s/enters_final != takes_final/enters_final != (takes_final \&\& !put_i)/
+// control: LOSES_PIECE s/(put_i || take_i) pieces_q/(put_i || (take_i \&\& finals_q == '0)) pieces_q/
+// control: FINAL_STAYS s/take_i \&\& take_final_i/take_i \&\& put_final_i/
 // control: NARROW s/PieceWords + 1/PieceWords - 1/
-// control: LOSES_TICKS s/put_ticks_q <= put_i ?/put_ticks_q <= (put_i \&\& !take_i) ?/
-// control: KEEPS_TAKEN s/ - \$signed({1'b0, taken_ticks})//
+// control: LOSES_TICKS s/!(put_i || take_i)) change_q/!(put_i || take_i) || put_final_i) change_q/
+// control: KEEPS_TAKEN s/{ticks_o, 1'b1} + {change, less_q}/{ticks_o, 1'b1}/
 // control: NO_RESET s/finals_q <= '0;//
 `default_nettype none
 module piece_ledger_formal (
@@ -48,7 +47,7 @@ module piece_ledger_formal (
 
   logic started_q = 1'b0;
   logic [2:0] place;  // of the piece that comes in
-  assign place = take_i ? pieces_q - 3'd1 : pieces_q;
+  assign place = pieces_q;
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     if (!rst_ni) begin
@@ -76,14 +75,8 @@ module piece_ledger_formal (
       if (pieces_q > 3'(n)) waiting = waiting + {2'b0, double_q[n], !double_q[n]};
     end
   end
-  logic [3:0] waiting_q[2];
-  logic [1:0] taken_q  [2];
-  always_ff @(posedge clk_i) begin
-    taken_q[0]   <= rst_ni && take_i ? {double_q[0], !double_q[0]} : '0;
-    taken_q[1]   <= rst_ni ? taken_q[0] : '0;
-    waiting_q[0] <= rst_ni ? waiting : '0;
-    waiting_q[1] <= rst_ni ? waiting_q[0] : '0;
-  end
+  logic [3:0] waiting_q;
+  always_ff @(posedge clk_i) waiting_q <= rst_ni ? waiting : '0;
 
   logic [2:0] finals_now;
   always_comb begin
@@ -95,11 +88,11 @@ module piece_ledger_formal (
       assume (!rst_ni);
     end else if (rst_ni) begin
       if (pieces_q == 3'(Pieces)) assume (!put_i);
-      if (pieces_q == '0) assume (!take_i);
+      if (pieces_q == '0 || put_i) assume (!take_i);
 
       Queued : assert (queued == (pieces_q != '0));
       Finals : assert (finals == {7'b0, finals_now});
-      Ticks : assert (ticks == {28'b0, waiting_q[1] - {2'b0, taken_q[1]}});
+      Ticks : assert (ticks == {28'b0, waiting_q});
 
       Full : cover (pieces_q == 3'(Pieces) && final_q == 4'b1010 && ticks == 32'd7);
       TakesLast : cover (!queued && ticks == 32'd2 && waiting == '0);

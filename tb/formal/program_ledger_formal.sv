@@ -4,11 +4,11 @@
 // tells whether the last segment of the program under way is in; lead_o is the ticks of all
 // segments less those of all pieces, and never turns negative from too many. Lengths and ticks are
 // 0, 1 or 2^30.
-// A segment counts a clock after it came, or two if a piece comes then.
-// Frames come with a clock between, no program is over before its last segment is in.
+// Frames come one at a time, those of a stream with a clock between; no program is over before its
+// last segment is in.
 // control: BLIND_TO_PATH s/(ticks_q != '0 || path_q != '0)/ticks_q != '0/
 // control: BLIND_TO_TICKS s/(ticks_q != '0 || path_q != '0)/path_q != '0/
-// control: TOO_EARLY s/if (both_q\[2\] /if (both_q[0] /
+// control: TOO_EARLY s/if (both_q\[2\] /if (piece_i /
 // control: WAITS_FOR_NONE s/wait_segments_o \&\& wait_pieces_o/wait_segments_o || wait_pieces_o/
 // control: OLDEST s/newest = {10'b0, wait_pieces_o}/newest = '0/
 // control: WRAPS s/far = !ticks_q\[47\] .*/far = 1'b0;/
@@ -17,13 +17,16 @@
 module program_ledger_formal (
     input wire logic clk_i,
     input wire logic rst_ni,
-    input wire logic segment_i,
+    input wire logic length_valid_i,
     input wire logic length_i,
+    input wire logic segment_i,
     input wire logic segment_ticks_i,
     input wire logic large_i,
     input wire logic last_i,
-    input wire logic piece_i,
+    input wire logic ds_valid_i,
     input wire logic ds_i,
+    input wire logic ds_turn_i,
+    input wire logic piece_i,
     input wire logic piece_ticks_i,
     input wire logic final_i,
     input wire logic over_i            // the program under way
@@ -44,10 +47,13 @@ module program_ledger_formal (
   program_ledger u_dut (
       .clk_i,
       .rst_ni,
+      .length_valid_i,
       .segment_i,
       .length_i({43'b0, length_i}),
       .segment_ticks_i({1'b0, large_i, 29'b0, segment_ticks_i}),
       .last_i,
+      .ds_valid_i,
+      .ds_turn_i,
       .piece_i,
       .ds_i({43'b0, ds_i}),
       .piece_ticks_i({19'b0, piece_ticks_i}),
@@ -69,12 +75,8 @@ module program_ledger_formal (
   logic complete_q;
   logic segments_end;
   logic pieces_end;
-  logic [2:0] late_q;  // the segment that came last: length, ticks, large
-  logic waits_q;  // and did not count yet
-  logic counts;
-  assign counts = waits_q && !piece_i;
   assign segments_end = segment_i && last_i;
-  assign pieces_end = piece_i && final_i;
+  assign pieces_end   = piece_i && final_i;
   always_ff @(posedge clk_i) begin
     started_q  <= 1'b1;
     ran_q      <= rst_ni;
@@ -82,7 +84,6 @@ module program_ledger_formal (
     piece_q    <= piece_i;
     complete_q <= rst_ni && lasts_q != '0;
     if (!rst_ni) begin
-      waits_q  <= 1'b0;
       path_q   <= '0;
       ticks_q  <= '0;
       large_q  <= '0;
@@ -91,11 +92,9 @@ module program_ledger_formal (
       both_q   <= '0;
       apart_q  <= 1'b0;
     end else begin
-      waits_q <= segment_i || (waits_q && !counts);
-      if (segment_i) late_q <= {length_i, segment_ticks_i, large_i};
-      path_q  <= path_q + {2'b0, counts && late_q[2]} - {2'b0, piece_i && ds_i};
-      ticks_q <= ticks_q + {2'b0, counts && late_q[1]} - {2'b0, piece_i && piece_ticks_i};
-      if (counts && late_q[0]) large_q <= large_q + 2'd1;
+      path_q  <= path_q + {2'b0, length_valid_i && length_i} - {2'b0, ds_valid_i && ds_i};
+      ticks_q <= ticks_q + {2'b0, segment_i && segment_ticks_i} - {2'b0, piece_i && piece_ticks_i};
+      if (segment_i && large_i) large_q <= large_q + 2'd1;
       lasts_q  <= lasts_q + {2'b0, segments_end} - {2'b0, over_i};
       finals_q <= finals_q + {2'b0, pieces_end} - {2'b0, over_i};
       both_q   <= {both_q[2:0], (segments_end || wait_segments) && (pieces_end || wait_pieces)};
@@ -106,12 +105,11 @@ module program_ledger_formal (
 
   logic far;
   logic signed [31:0] ahead;
-  logic signed [31:0] ahead_q[2];
+  logic signed [31:0] ahead_q;
   assign far   = large_q == 2'd2 && ticks_q >= 0;
   assign ahead = far ? 32'sh7fff_ffff : {large_q, 30'b0} + {{29{ticks_q[2]}}, ticks_q};
   always_ff @(posedge clk_i) begin
-    ahead_q[0] <= rst_ni ? ahead : '0;
-    ahead_q[1] <= rst_ni ? ahead_q[0] : '0;
+    ahead_q <= rst_ni ? ahead : '0;
   end
 
   logic segments_ended_q;
@@ -131,10 +129,13 @@ module program_ledger_formal (
       assume (!rst_ni);
     end else if (rst_ni) begin
       if (segment_q || wait_segments) assume (!segment_i);
-      if (piece_q || wait_pieces) assume (!piece_i);
+      if (piece_q || wait_pieces || segment_i) assume (!piece_i);
+      if (ds_turn_i)
+        assume (!length_valid_i);
+        else assume (!ds_valid_i);
       assume (path_q != -3'sd4 && path_q != 3'sd3);
       assume (ticks_q != -3'sd4 && ticks_q != 3'sd3);
-      if (large_q == 2'd2 || (waits_q && late_q[0])) assume (!large_i);
+      if (large_q == 2'd2) assume (!large_i);
       if (lasts_q == '0 || finals_q == '0) assume (!over_i);
       if (segments_ended_q && pieces_ended_q && lasts_q == 3'd1) assume (!over_i);
       assume (lasts_q < 3'd4 && finals_q < 3'd4);
@@ -142,7 +143,7 @@ module program_ledger_formal (
       Waits : assert ({wait_segments, wait_pieces} == {segments_ended_q, pieces_ended_q});
       Apart : assert (apart == apart_q);
       if (ran_q) Complete : assert (complete == complete_q);
-      Lead : assert (lead == ahead_q[1]);
+      Lead : assert (lead == ahead_q);
 
       NextProgram : cover (lasts_q == 3'd2 && finals_q == 3'd2 && !apart && path_q != '0);
       FoundOut : cover (apart && lasts_q == 3'd2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/segment_entry.sv, whatever words come: they pass as segments, word by word, of
 // consecutive numbers; a word passes exactly if it can be, as hls/words.hpp says it; whole segments
-// alone are counted, each with the length, ticks and last of its own words.
+// alone are counted, each with the ticks and last of its own words; a length is told as it passes.
 // control: AUX_AS_XYZ s/ \&\& !xyz//
 // control: ANY_LAMBDA s/ \&\& {1'b0, k_q} <= lambda//
 // control: WIDE_POINT s/PointField-1:FineBits-1\]/PointField-1:FineBits]/g
@@ -22,6 +22,7 @@ module segment_entry_formal #(
     input wire logic [47:0] data_i,
     input wire logic        cut_i,
     input wire logic        wait_i,
+    input wire logic        turn_i,
     input wire logic        ready_i
 );
 
@@ -33,7 +34,7 @@ module segment_entry_formal #(
   logic valid;
   logic [47:0] data;
   logic segment;
-  logic [43:0] length;
+  logic length;
   logic [31:0] ticks;
   logic last;
   logic [1:0] fault;
@@ -51,11 +52,12 @@ module segment_entry_formal #(
       .data_i,
       .cut_i,
       .wait_i,
+      .turn_i,
       .valid_o(valid),
       .ready_i,
       .data_o(data),
-      .segment_o(segment),
       .length_o(length),
+      .segment_o(segment),
       .ticks_o(ticks),
       .last_o(last),
       .fault_o(fault)
@@ -65,8 +67,7 @@ module segment_entry_formal #(
   logic [7:0] segments_q;
   logic held_q;
   logic ends_q;
-  // Of length and ticks the bits at the ends: all would be the cost of this proof.
-  logic [3:0] length_q;
+  // Of ticks the bits at the ends: all would be the cost of this proof.
   logic [1:0] ticks_q[4];
   logic last_q;
   logic spline_q;
@@ -90,7 +91,6 @@ module segment_entry_formal #(
     end
     if (pass) begin
       case (place_q)
-        5'd0:    length_q <= {data[43:42], data[1:0]};
         5'd1:    {last_q, k_q, spline_q} <= {data[43:38], data[36]};
         5'd9:    ticks_q[0] <= {data[43], data[36]};
         5'd10:   ticks_q[1] <= {data[43], data[36]};
@@ -148,6 +148,8 @@ module segment_entry_formal #(
     if (data[47:44] != tag) can_be = 1'b0;
   end
 
+  logic turn;
+  assign turn = turn_i || place_q != 5'd0;
   logic [7:0] ends_of_ticks;
   always_comb begin
     for (int n = 0; n < 4; n = n + 1) ends_of_ticks[2*n+:2] = {ticks[8*n+7], ticks[8*n]};
@@ -156,9 +158,9 @@ module segment_entry_formal #(
     if (!started_q) begin
       assume (!rst_ni);
     end else if (rst_ni) begin
-      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && fault == 2'b00));
+      Passes : assert (valid == (held_q && can_be && !cut_i && !wait_i && turn && fault == 2'b00));
       Counted : assert (segment == ends_q);
-      if (segment) Length : assert ({length[43:42], length[1:0]} == length_q);
+      Length : assert (length == (pass && place_q == 5'd0));
       if (segment)
         Ticks : assert (ends_of_ticks == {ticks_q[3], ticks_q[2], ticks_q[1], ticks_q[0]});
       if (segment) LastOne : assert (last == last_q);
