@@ -75,23 +75,24 @@ module serial_tracker #(
     Leave
   } state_t;
   state_t state_q, state_d;
-  logic               request_q;
-  logic               started_q;  // the part of this state runs
-  logic               last_q;  // the step is the segment's last
-  logic               land_q;
-  logic signed [49:0] sigma_q;  // offset into the step; in Decide from its end
-  logic        [43:0] rest_q;  // of the segment, from the step's start
-  logic        [43:0] length_q;  // of the step
-  logic        [27:0] full_q;  // of other steps, without its PathFrac bits
-  logic               equal;
-  logic        [42:0] shift_q;
-  logic        [ 4:0] count_q;
+  logic        request_q;
+  logic        started_q;  // the part of this state runs
+  logic        last_q;  // the step is the segment's last
+  logic        land_q;
+  logic [49:0] sigma_q;  // offset into the step
+  logic [43:0] rest_q;  // of the segment, from the step's start
+  logic [43:0] length_q;  // of the step
+  logic [27:0] full_q;  // of other steps, without its PathFrac bits
+  logic        before_q;  // its end
+  logic        equal_q;
+  logic [42:0] shift_q;
+  logic [ 4:0] count_q;
 
-  logic               opening;
-  logic               there;
-  logic               network;
-  logic               done;
-  logic               over;
+  logic        opening;
+  logic        there;
+  logic        network;
+  logic        done;
+  logic        over;
   assign request_ready_o = state_q == Ready;
   always_comb begin
     case (state_q)
@@ -101,7 +102,7 @@ module serial_tracker #(
   end
   assign net_start_o = network && !started_q;
   assign done = network && started_q && !net_busy_i;
-  assign over = !sigma_q[49] && (!equal || !last_q);
+  assign over = !before_q && (!equal_q || !last_q);
 
   // The network's part of this state
   logic [7:0] part;
@@ -224,34 +225,33 @@ module serial_tracker #(
     if (state_q == Measure) length_q <= last_q ? rest_q : {full_q, 16'd0};
   end
 
-  // One sum: the request's ds, then less the length, to compare, and with it again.
-  logic        compare;
+  // One sum: with the request's ds, or less the length.
+  logic        takes;
+  logic [49:0] length;
   logic [49:0] operand;
   logic [50:0] augend;
   logic [50:0] addend;
   logic [50:0] sum;
-  assign compare = state_q == Compare;
-  assign equal   = sigma_q == '0;
-  always_comb begin
-    operand = {6'd0, length_q} ^ {50{compare}};
-    if (state_q == Ready) operand = {2'b00, request_ds_i};
-  end
-  assign augend = {sigma_q, 1'b1};
-  assign addend = {operand, compare};
+  assign takes   = state_q == Ready;
+  assign length  = {6'd0, length_q};
+  assign operand = takes ? {2'b00, request_ds_i} : ~length;
+  assign augend  = {sigma_q, 1'b1};
+  assign addend  = {operand, !takes};
   assign sum    = augend + addend;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) sigma_q <= '0;
-    else if (state_q == Ready && request_valid_i) sigma_q <= sum[50:1];
-    else if (compare) sigma_q <= sum[50:1];
-    else if (state_q == Decide && !over) sigma_q <= sum[50:1];
+    else if (takes && request_valid_i) sigma_q <= sum[50:1];
+    else if (state_q == Decide && over) sigma_q <= sum[50:1];
+    before_q <= sum[50];
+    equal_q  <= sigma_q == length;
   end
 
   // tau = sigma / 2^(k+16), cut
   always_ff @(posedge clk_i) begin
     if (state_q == Decide) begin
-      shift_q <= sum[43:1];
+      shift_q <= sigma_q[42:0];
       count_q <= down_o;
-      land_q  <= equal;
+      land_q  <= equal_q;
     end else if (state_q == Shift) begin
       if (count_q >= 5'd4) begin
         shift_q <= {shift_q[38:0], 4'd0};
