@@ -14,7 +14,8 @@ module multiplier #(
     parameter int ABits = 36,  // [18, 36]
     parameter int BBits = 36,  // [18, 36]
     parameter int Shift = 0,   // [0, 35]
-    parameter int Form  = 0    // 0, 1 or 2
+    parameter int Form  = 0,   // 0, 1 or 2
+    parameter int Early = 0    // 1, of Form 0: the product is there a clock earlier
 ) (
     input  wire logic                                clk_i,
     input  wire logic                                en_i,
@@ -35,7 +36,8 @@ module multiplier #(
     multiplier_portable #(
         .ABits(ABits),
         .BBits(BBits),
-        .Shift(Shift)
+        .Shift(Shift),
+        .Early(Early)
     ) u_multiplier (
         .clk_i,
         .en_i,

@@ -8,7 +8,8 @@
 module multiplier_portable #(
     parameter int ABits = 36,  // [18, 36]
     parameter int BBits = 36,  // [18, 36]
-    parameter int Shift = 0    // [0, 35]
+    parameter int Shift = 0,   // [0, 35]
+    parameter int Early = 0    // 1: the product is there a clock earlier
 ) (
     input  wire logic                                clk_i,
     input  wire logic                                en_i,
@@ -69,8 +70,12 @@ module multiplier_portable #(
       .product_o  (product)
   );
 
-  always_ff @(posedge clk_i) begin
-    if (en_i) product_o <= product;
+  if (Early == 1) begin : g_early
+    assign product_o = product;
+  end else begin : g_kept
+    always_ff @(posedge clk_i) begin
+      if (en_i) product_o <= product;
+    end
   end
 
 endmodule

@@ -51,6 +51,10 @@ module folded_datapath #(
   localparam int W = (CoefBits < 18 || CoefBits > 36) ? 36 : CoefBits;
   localparam int AddressBits = 8 + Splines;
 
+  // Of the portable form the product is a clock early, and what is left of it waits instead, which
+  // needs fewer registers.
+  localparam int Early = (MultiplierForm == 0) ? 1 : 0;
+
   // What travels beside the operands.
   logic [AddressBits-1:0] c_address_q[5];
   logic [AddressBits-1:0] d_address_q[8];
@@ -86,11 +90,9 @@ module folded_datapath #(
   assign write_address    = external_ready_o ? external_address_i : d_address_o;
   assign write_data       = external_ready_o ? external_data_i : d_o;
 
-  logic        [W-1:0] a;
-  logic        [W-1:0] b;
+  logic signed [W-1:0] a;
+  logic signed [W-1:0] b;
   logic        [W-1:0] c;
-  logic signed [W-1:0] a_operand;
-  logic signed [W-1:0] b_operand;
   logic signed [W-1:0] c_q;
   word_memory #(
       .CoefBits(W),
@@ -131,49 +133,60 @@ module folded_datapath #(
   logic signed [2*W-1:0] product;
   logic signed [  W-1:0] floor;
   logic                  below;
+  logic        [    W:0] rounding;
   logic        [    W:0] sum;
   multiplier #(
       .ABits(W),
       .BBits(W),
       .Shift(0),
-      .Form (MultiplierForm)
+      .Form (MultiplierForm),
+      .Early(Early)
   ) u_multiplier (
       .clk_i,
       .en_i     (1'b1),
-      .a_i      (a_operand),
-      .b_i      (b_operand),
+      .a_i      (a),
+      .b_i      (b),
       .product_o(product)
   );
   if (Splines == 0) begin : g_product
-    logic unused_more;
+    logic       unused_more;
+    logic       longer;
+    logic [W:0] waits_q     [1+Early];
     assign unused_more = more_i;
+    assign longer = scale_q[5-Early][0];
+    assign floor = longer ? product[2*W-2:W-1] : product[2*W-3:W-2];
+    assign below = longer ? product[W-2] : product[W-3];
     always_ff @(posedge clk_i) begin
-      a_operand <= a;
-      b_operand <= b;
+      waits_q[0] <= {floor, below};
+      for (int n = 1; n <= Early; n = n + 1) waits_q[n] <= waits_q[n-1];
     end
-    assign floor = scale_q[6][0] ? product[2*W-2:W-1] : product[2*W-3:W-2];
-    assign below = scale_q[6][0] ? product[W-2] : product[W-3];
+    assign rounding = waits_q[Early];
   end else begin : g_sum
-    // A stage later than the product, for which the operands have a stage less.
-    assign a_operand = a;
-    assign b_operand = b;
-    logic more_q[6];
+    // A stage later than the product.
+    logic more_q[6-Early];
     always_ff @(posedge clk_i) begin
       more_q[0] <= more_i;
-      for (int n = 1; n < 6; n = n + 1) more_q[n] <= more_q[n-1];
+      for (int n = 1; n < 6 - Early; n = n + 1) more_q[n] <= more_q[n-1];
     end
     folded_accumulator #(
         .CoefBits(W)
     ) u_accumulator (
         .clk_i,
         .product_i(product),
-        .more_i   (more_q[5]),
-        .scale_i  (scale_q[6]),
+        .more_i   (more_q[5-Early]),
+        .scale_i  (scale_q[6-Early]),
         .floor_o  (floor),
         .below_o  (below)
     );
+    if (Early == 1) begin : g_wait
+      logic [W:0] waits_q;
+      always_ff @(posedge clk_i) waits_q <= {floor, below};
+      assign rounding = waits_q;
+    end else begin : g_now
+      assign rounding = {floor, below};
+    end
   end
-  assign sum = {c_q, 1'b1} + {floor, below};
+  assign sum = {c_q, 1'b1} + rounding;
   always_ff @(posedge clk_i) d_o <= sum[W:1];
 
 endmodule
