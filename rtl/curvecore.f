@@ -98,6 +98,7 @@ path/path_increment.sv
 path/path_meter.sv
 path/path_program.sv
 path/path_sequencer.sv
+path/path_shares.sv
 path/piece_clock.sv
 path/piece_entry.sv
 path/piece_ledger.sv

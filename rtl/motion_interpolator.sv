@@ -275,70 +275,28 @@ module motion_interpolator #(
   logic move_ready;
   logic [47:0] move_ds;
   logic [17:0] move_rate;
-  if (Build == 1) begin : g_serial_share
-    serial_share u_share (
-        .clk_i,
-        .rst_ni(rst_n),
-        .samples_per_tick_log2_i(samples_per_tick_log2),
-        .tick_valid_i(ds_valid),
-        .tick_ready_o(ds_ready),
-        .tick_ds_i(ds),
-        .tick_rate_i({ds_active, ds_rate}),
-        .wanted_i(wanted),
-        .sent_o(sent),
-        .sample_valid_o(move_valid),
-        .sample_ready_i(move_ready),
-        .sample_ds_o(move_ds),
-        .sample_rate_o(move_rate),
-        .path_valid_o,
-        .path_o
-    );
-    assign path_ds_o = move_ds;
-    assign {path_active_o, path_rate_o} = move_rate;
-  end else begin : g_share
-    logic share_valid;
-    logic share_ready;
-    logic [65:0] share;
-    word_queue #(
-        .Bits (66),
-        .Depth(Room)
-    ) u_ds_queue (
-        .clk_i,
-        .rst_ni (rst_n),
-        .valid_i(ds_valid),
-        .ready_o(ds_ready),
-        .data_i ({ds_active, ds_rate, ds}),
-        .valid_o(share_valid),
-        .ready_i(share_ready),
-        .data_o (share)
-    );
-    sample_share u_share (
-        .clk_i,
-        .rst_ni(rst_n),
-        .samples_per_tick_log2_i(samples_per_tick_log2),
-        .tick_valid_i(share_valid),
-        .tick_ready_o(share_ready),
-        .tick_ds_i(share[47:0]),
-        .tick_rate_i(share[65:48]),
-        .wanted_i(wanted),
-        .sent_o(sent),
-        .sample_valid_o(move_valid),
-        .sample_ready_i(move_ready),
-        .sample_ds_o(move_ds),
-        .sample_rate_o(move_rate)
-    );
-    path_meter u_meter (
-        .clk_i,
-        .rst_ni(rst_n),
-        .move_i (move_valid && move_ready),
-        .ds_i   (move_ds),
-        .rate_i (move_rate),
-        .valid_o(path_valid_o),
-        .ds_o   (path_ds_o),
-        .rate_o ({path_active_o, path_rate_o}),
-        .path_o
-    );
-  end
+  path_shares #(
+      .Build(Build),
+      .Room (Room)
+  ) u_shares (
+      .clk_i,
+      .rst_ni(rst_n),
+      .samples_per_tick_log2_i(samples_per_tick_log2),
+      .tick_valid_i(ds_valid),
+      .tick_ready_o(ds_ready),
+      .tick_ds_i(ds),
+      .tick_rate_i({ds_active, ds_rate}),
+      .wanted_i(wanted),
+      .sent_o(sent),
+      .sample_valid_o(move_valid),
+      .sample_ready_i(move_ready),
+      .sample_ds_o(move_ds),
+      .sample_rate_o(move_rate),
+      .path_valid_o,
+      .path_ds_o,
+      .path_rate_o({path_active_o, path_rate_o}),
+      .path_o
+  );
 
   // Whatever the words were: a sample comes, or this is up.
   logic [13:0] patience_q;

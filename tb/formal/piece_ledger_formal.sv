@@ -2,7 +2,7 @@
 // rtl/path/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
 // and takes, one at a time, that the queue allows; ticks follow two clocks later. Pieces are of one
 // or two ticks.
-// control: LOSES_PIECE s/(put_i || take_i) pieces_q/(put_i || (take_i \&\& finals_q == '0)) pieces_q/
+// control: LOSES_PIECE s/take_i) pieces_q/(take_i \&\& finals_q == '0)) pieces_q/
 // control: FINAL_STAYS s/take_i \&\& take_final_i/take_i \&\& put_final_i/
 // control: NARROW s/PieceWords + 1/PieceWords - 1/
 // control: LOSES_TICKS s/!(put_i || take_i)) change_q/!(put_i || take_i) || put_final_i) change_q/
