@@ -42,8 +42,10 @@ class RtlBoard : public Board {
         return !(stream == Stream::kSegments ? segments_ : profile_).waiting;
     }
 
+    /// While an entry counts a frame it takes no word, either.
+    static constexpr int kCounts = 4;
     bool full(Stream stream) const override {
-        return (stream == Stream::kSegments ? segments_ : profile_).refused;
+        return (stream == Stream::kSegments ? segments_ : profile_).refused > kCounts;
     }
 
     void request(std::uint64_t samples) override { requested_ += samples; }
@@ -72,11 +74,11 @@ class RtlBoard : public Board {
         std::uint64_t word = 0;
         bool waiting = false;
         bool valid = false;
-        bool refused = false;  // by the last clock
+        int refused = 0;  // by so many clocks up to the last one
 
         void offer() { valid = valid || (waiting && stall.go()); }
         void answer(bool ready) {
-            refused = valid && !ready;
+            refused = valid && !ready ? refused + 1 : 0;
             if (!valid || !ready) return;
             valid = false;
             waiting = false;

@@ -55,7 +55,9 @@ class StepMachine : public Board {
     bool arrived(Stream stream) const override {
         return inlets_[stream == Stream::kProfile].empty();
     }
-    bool full(Stream stream) const override { return refused_[stream == Stream::kProfile]; }
+    bool full(Stream stream) const override {
+        return refused_[stream == Stream::kProfile] > kCounts;
+    }
     bool paced() const override { return true; }
     void request(uint64_t samples) override { requested_ += samples; }
 
@@ -75,7 +77,7 @@ class StepMachine : public Board {
         const bool asked = core_->sample_request_valid_i && core_->sample_request_ready_o;
         const bool takes[] = {core_->segment_ready_o != 0, core_->profile_ready_o != 0};
         for (int n = 0; n < 2; ++n) {
-            refused_[n] = !inlets_[n].empty() && !takes[n];
+            refused_[n] = !inlets_[n].empty() && !takes[n] ? refused_[n] + 1 : 0;
             if (!inlets_[n].empty() && takes[n]) inlets_[n].pop_front();
         }
         if (asked) --requested_;
@@ -129,7 +131,8 @@ class StepMachine : public Board {
     StepBench steps_;
     std::vector<WatchedAxis> axes_;
     std::deque<uint64_t> inlets_[2];
-    bool refused_[2] = {false, false};
+    static constexpr int kCounts = 4;  // clocks: an entry that counts a frame takes no word
+    int refused_[2] = {0, 0};
     uint64_t requested_ = 0;
     int64_t under_way_ = 0;
     bool waits_ = false;   // a sample was taken, its tick is to come
