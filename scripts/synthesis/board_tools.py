@@ -4,7 +4,7 @@
 import dataclasses
 
 from synthesis.board_files import cst, lpf, pcf
-from synthesis.devices import ECP5, GOWIN, UP5K, Family
+from synthesis.devices import ECP5, GOWIN, HERE, UP5K, Family
 from synthesis.refused import Refused
 
 
@@ -24,6 +24,11 @@ class BoardTools:
     pll: tuple = ()  # what writes pll.v, with {clkin} and {clkout} in MHz
 
 
+# nextpnr puts a flip-flop beside the LUT that it registers, but not beside an adder's cell, and
+# every adder has two cells more at its ends: sums of few bits are smaller in LUTs.
+NARROW = 16  # bits
+GOWIN_BOARD = dataclasses.replace(GOWIN, files=(HERE / "gowin_carries.v",))
+
 TOOLS = {
     "ecp5": BoardTools(
         ECP5, "synth_ecp5 -nowidelut -top top", lpf, "board.lpf",
@@ -37,7 +42,10 @@ TOOLS = {
         ("--{size}", "--package", "{package}", "--pcf", "board.pcf", "--asc", "board.asc"),
         ("icepack", "board.asc", "board.bin"), "board.bin"),
     "gowin": BoardTools(
-        GOWIN, "synth_gowin -family {yosys} -nowidelut -top top", cst, "board.cst",
+        GOWIN_BOARD, "synth_gowin -family {yosys} -nowidelut -top top -run begin:map_gates;"
+        f" select -set narrow t:$alu r:Y_WIDTH<={NARROW} %i;"
+        " techmap -map gowin_carries.v -map +/techmap.v @narrow; opt -fast;"
+        " synth_gowin -family {yosys} -nowidelut -top top -run map_gates:", cst, "board.cst",
         ("--device", "{part}", "--vopt", "family={die}", "--vopt", "cst=board.cst",
          "--write", "placed.json"),
         ("gowin_pack", "-d", "{die}", "-o", "board.fs", "placed.json"), "board.fs"),
