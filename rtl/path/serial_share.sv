@@ -3,17 +3,17 @@
 // among its 2^n samples, and adds up the path. After j samples of a tick floor(j ds / 2^n) is gone.
 // Twin: SampleShare of hls/path_kernel.hpp.
 //
-//   clock            0     1     n + 2     n + 3
+//   clock            0         n + 1     n + 2
 //   tick_valid_i     1
-//   tick_ready_o     1     0     1                   one tick waits while another is shared
-//   wanted_i                     1
-//   sent_o                       1
-//   sample_valid_o                         1         until sample_ready_i has taken it
-//   sample_ds_o                            ds/2^n
+//   tick_ready_o     1                   1         0 until all of its samples are sent
+//   wanted_i                   1
+//   sent_o                     1
+//   sample_valid_o                       1         until sample_ready_i has taken it
+//   sample_ds_o                          ds/2^n
 //
 // A clock after a sample is taken path_valid_o tells the path with it; sample_ds_o and
 // sample_rate_o are still its own: a sample every 2 clocks, at most. With the tick that waits in
-// rtl/path/path_sequencer.sv four samples are ready for a core that has made a step meanwhile.
+// rtl/path/path_sequencer.sv three samples are ready for a core that has made a step meanwhile.
 `default_nettype none
 module serial_share (
     input wire logic clk_i,
@@ -40,29 +40,24 @@ module serial_share (
     output logic [63:0] path_o
 );
 
-  logic waits_q;  // a tick
-  logic [47:0] next_ds_q;
-  logic [17:0] next_rate_q;
   logic busy_q;
   logic [3:0] left_q;  // bits to shift
   logic [14:0] more_q;  // samples after this one, of the tick
   logic shared;
   logic taken;
   logic last;
-  assign tick_ready_o = !waits_q;
+  assign tick_ready_o = !busy_q;
   assign shared = busy_q && left_q == '0;
   assign sent_o = shared && wanted_i && !sample_valid_o;
   assign taken = sample_valid_o && sample_ready_i;
   assign last = more_q == '0;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      waits_q        <= 1'b0;
       busy_q         <= 1'b0;
       sample_valid_o <= 1'b0;
       path_valid_o   <= 1'b0;
     end else begin
-      waits_q        <= waits_q ? busy_q : tick_valid_i;
-      busy_q         <= busy_q ? !(sent_o && last) : waits_q;
+      busy_q         <= busy_q ? !(sent_o && last) : tick_valid_i;
       sample_valid_o <= sent_o || (sample_valid_o && !sample_ready_i);
       path_valid_o   <= taken;
     end
@@ -76,8 +71,8 @@ module serial_share (
   assign sum = share_q + {48'b0, fraction_q};
   always_ff @(posedge clk_i) begin
     if (!busy_q) begin
-      share_q <= {next_ds_q, 15'b0};
-      rate_q  <= next_rate_q;
+      share_q <= {tick_ds_i, 15'b0};
+      rate_q  <= tick_rate_i;
       left_q  <= samples_per_tick_log2_i;
       more_q  <= '0;
     end else if (left_q != '0) begin
@@ -86,10 +81,6 @@ module serial_share (
       more_q  <= {more_q[13:0], 1'b1};
     end else if (sent_o) begin
       more_q <= more_q - 1'b1;
-    end
-    if (!waits_q) begin
-      next_ds_q   <= tick_ds_i;
-      next_rate_q <= tick_rate_i;
     end
     if (sent_o) begin
       sample_ds_o   <= sum[62:15];

@@ -3,12 +3,11 @@
 // when they are wanted; offers stay, and the clock after; nothing gets stuck. Ticks are numbered
 // through their rates.
 // control: ONE_TOO_MANY s/{more_q\[13:0\], 1'b1}/{more_q[12:0], 2'b11}/
-// control: LOSES_TICK s/assign tick_ready_o = !waits_q/assign tick_ready_o = 1'b1/
+// control: LOSES_TICK s/assign tick_ready_o = !busy_q/assign tick_ready_o = 1'b1/
 // control: UNWANTED s/ \&\& wanted_i//
 // control: LOSES_SAMPLE s/ \&\& !sample_valid_o;/;/
 // control: NO_RESET s/sample_valid_o <= 1'b0;//
 // forget: u_dut.rate_q u_dut.left_q u_dut.more_q unless u_dut.busy_q
-// forget: u_dut.next_rate_q unless u_dut.waits_q
 `default_nettype none
 module serial_share_formal (
     input wire logic        clk_i,
@@ -87,7 +86,7 @@ module serial_share_formal (
     end else begin
       assume (n_i == n_q);
       if (rst_ni) begin
-        FewInside : assert (ticks_inside <= 4'd3);
+        FewInside : assert (ticks_inside <= 4'd2);
         if (sample_valid) InOrder : assert (sample_rate == {14'b0, sample_tick_q});
         if (sample_valid) NothingInvented : assert (ticks_inside != '0);
         Told : assert (path_valid == taken_q);
