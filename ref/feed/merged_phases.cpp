@@ -21,9 +21,9 @@ double least_speed(const Phase& phase) {
 
 class Merger {
   public:
-    Merger(const std::vector<Phase>& run, const std::vector<bool>& apart, const RunPath& path,
+    Merger(const std::vector<Phase>& run, const std::vector<int>& mends, const RunPath& path,
            const Machine& machine)
-        : run_(run), apart_(apart), path_(path), jump_(kJump * machine.jerk * machine.joint_time) {
+        : run_(run), mends_(mends), path_(path), jump_(kJump * machine.jerk * machine.joint_time) {
         time_.push_back(0);
         for (const Phase& phase : run) time_.push_back(time_.back() + phase.duration);
     }
@@ -59,9 +59,9 @@ class Merger {
 
     bool fits(std::size_t first, std::size_t end) {
         const auto at = [this](std::size_t i) {
-            return apart_.begin() + static_cast<std::ptrdiff_t>(i);
+            return mends_.begin() + static_cast<std::ptrdiff_t>(i);
         };
-        if (std::find(at(first), at(end), true) != at(end)) return false;
+        if (std::any_of(at(first), at(end), [](int mends) { return mends > 0; })) return false;
         const Phase phase = one(first, end);
         const Phase& back = run_[end - 1];
         const double off = phase.acceleration(phase.duration) - back.acceleration(back.duration);
@@ -72,7 +72,7 @@ class Merger {
     }
 
     const std::vector<Phase>& run_;
-    const std::vector<bool>& apart_;
+    const std::vector<int>& mends_;
     const RunPath& path_;
     double jump_;
     std::vector<double> time_;
@@ -90,9 +90,9 @@ Phase phase_between(long double s, double length, double v0, double v1, double d
     return phase;
 }
 
-std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<bool>& apart,
+std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<int>& mends,
                                  const RunPath& path, const Machine& machine) {
-    return Merger(run, apart, path, machine).merge();
+    return Merger(run, mends, path, machine).merge();
 }
 
 }  // namespace curvecore::ref

@@ -14,8 +14,8 @@ Phase phase_between(long double s, double length, double v0, double v1, double d
 /// As few phases as keep the limits, and the acceleration at their ends to within what no window of
 /// the machine's joint time sees. Ends of phases are places, speeds and times of the run.
 ///
-/// @param apart phases that stay as they are
-std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<bool>& apart,
+/// @param mends of each phase; those that have any stay as they are
+std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<int>& mends,
                                  const RunPath& path, const Machine& machine);
 
 }  // namespace curvecore::ref

@@ -33,6 +33,7 @@ constexpr int kMostRounds = 8;
 constexpr std::size_t kNear = 2;
 constexpr std::size_t kAround = 60;
 constexpr int kMends = 10;
+constexpr int kMostMends = 40;  // in a long run some places are always left
 constexpr double kMendMore = 0.05;
 // Of a share and of a velocity, what a few words may take after so many mends.
 constexpr double kCarried = 1.05;
@@ -47,7 +48,7 @@ class OptimalRun {
           optimum_(intervals(), motions()),
           end_(knots_.size() - 2),
           found_(knots_.size() - 1),
-          apart_(knots_.size() - 1, false) {}
+          mends_(knots_.size() - 1, 0) {}
 
     /// False: the ends, where they are in motion, leave no way to keep the limits.
     bool solve() {
@@ -61,32 +62,38 @@ class OptimalRun {
         }
     }
 
-    /// Takes less where the words take too much, and less still from round to round.
-    void mend(const std::vector<RunLoad>& loads, int round) {
-        const double less = 1 - kMendMore * round;
-        const double back = std::min(kFirstGap, std::ldexp(kBackGap, round));
+    /// Takes less where the words take too much, and less still where they did before.
+    void mend(const std::vector<RunLoad>& loads) {
+        const std::vector<int> before = mends_;
         for (auto load = loads.begin(); load != loads.end();) {
             const std::size_t at = std::clamp<std::size_t>(interval_at(load->s), 1, end_ - 1);
             const std::size_t first = at > kAround ? at - kAround : 1;
             const std::size_t last = std::min(end_, at + kAround);
             Eased eased;
+            int most = 0;
             for (; load != loads.end(); ++load) {
                 const std::size_t k = interval_at(load->s);
                 if (k + kNear >= last && last < end_) break;
-                for (std::size_t i = std::max(k, first + kNear) - kNear;
-                     i <= std::min(k + kNear, last - 1); ++i) {
+                const std::size_t from = std::max(k, first + kNear) - kNear;
+                const std::size_t to = std::min(k + kNear, last - 1);
+                int times = 0;
+                for (std::size_t i = from; i <= to; ++i) times = std::max(times, before[i]);
+                const double less = 1 - kMendMore * std::min(times, kMends);
+                for (std::size_t i = from; i <= to; ++i) {
                     eased.push_back({i, less * optimum_.load(i) / load->load,
                                      optimum_.speed_load(i) / load->speed});
-                    apart_[i] = true;
+                    mends_[i] = times + 1;
                 }
+                most = std::max(most, times);
             }
+            const double back = std::min(kFirstGap, std::ldexp(kBackGap, most));
             settle(first, last, last, std::move(eased), back);
         }
     }
 
     const std::vector<Phase>& phases() const { return found_; }
-    /// Those that have been mended.
-    const std::vector<bool>& apart() const { return apart_; }
+    /// How often each has been mended.
+    const std::vector<int>& mends() const { return mends_; }
 
   private:
     struct Ease {
@@ -181,7 +188,7 @@ class OptimalRun {
     TimeOptimum optimum_;
     std::size_t end_;  // of free control points
     std::vector<Phase> found_;
-    std::vector<bool> apart_;
+    std::vector<int> mends_;
 };
 
 }  // namespace
@@ -194,16 +201,16 @@ std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vect
     const RunPath path(moves, geometry, machine, places, knots);
     OptimalRun run(knots, path);
     if (!run.solve()) return phases;
-    for (int round = 0; round <= kMends; ++round) {
+    for (int round = 0; round <= kMostMends; ++round) {
         if (!(duration(run.phases()) < duration(phases))) break;
-        std::vector<Phase> found = merged_phases(run.phases(), run.apart(), path, machine);
+        std::vector<Phase> found = merged_phases(run.phases(), run.mends(), path, machine);
         const std::vector<RunLoad> loads = word_loads(found);
         double worst = 0;
         for (const RunLoad& load : loads) {
             worst = std::max({worst, load.load, kCarried * load.speed / kSpeedCarried});
         }
-        if (loads.empty() || (round == kMends && worst <= kCarried)) return found;
-        run.mend(loads, round);
+        if (loads.empty() || (round >= kMends && worst <= kCarried)) return found;
+        run.mend(loads);
     }
     return phases;
 }

@@ -8,9 +8,11 @@
 #include "ref/feed/limit_report.hpp"
 #include "ref/feed/limits.hpp"
 #include "ref/feed/piece_walk.hpp"
+#include "ref/path/smooth_path.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_joints.hpp"
+#include "tb/support/random_lines.hpp"
 #include "tb/support/random_splines.hpp"
 #include "tb/support/tick_run.hpp"
 
@@ -107,6 +109,20 @@ TEST(OptimalPlan, DipsWithinARoundedCorner) {
         EXPECT_GE(speed_at(plan, begin), 1.2 * middle) << size;
         EXPECT_GE(speed_at(plan, begin + length), 1.2 * middle) << size;
     }
+}
+
+/// Words of hundreds of corners are mended, one here, one there: none leaves all to the rules.
+TEST(OptimalPlan, IsFasterThroughHundredsOfCorners) {
+    const Machine machine;
+    ProgramBuilder builder;
+    for (int i = 1; i <= 300; ++i) builder.line({i % 2 * 10.0, i * 3.0, 0}, 400);
+    Program program = with_tolerance(builder.program(), 0.01);
+    ref::smooth_path(program, machine);
+    const Plan rules = make_plan(program, machine, options_of(Effort::kRules));
+    const Plan plan = make_plan(program, machine, options_of(Effort::kOptimum));
+    const sysc::LimitLoads loads = drawn_limits(plan, machine);
+    EXPECT_LE(loads.most(), 1) << text(loads);
+    EXPECT_GE(rules.duration_s, 1.7 * plan.duration_s);
 }
 
 TEST(OptimalPlan, HoldsKeepTheLimits) {
