@@ -16,8 +16,8 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
-constexpr std::size_t kFew = 16;     // moves that a window may have, however long they are
-constexpr double kLongMove = 50;     // mm, a mean of more: a window has fewer moves
+constexpr std::size_t kFew = 32;     // moves that a window may have, however long they are
+constexpr double kLongMove = 1;      // mm, a mean of more: a window has fewer moves
 
 double length_of(const std::vector<Move>& moves) {
     double length = 0;

@@ -194,7 +194,7 @@ TEST(PlanStream, HasFewerLongMovesInAWindow) {
     for (int i = 1; i <= 200; ++i) builder.line({i % 2 * 400.0 + i % 7, i % 11 * 5.0, 0}, 500);
     Program program = with_tolerance(builder.program(), 0.1);
     ref::smooth_path(program, Machine{});
-    const Plan whole = joined(program, options(Effort::kRules), 10000).plan;
+    const Plan whole = joined(program, options(Effort::kRules), 100000).plan;
     const Joined all = joined(program, options(Effort::kRules), 400);
     EXPECT_GE(all.parts, 4U);
     EXPECT_EQ(all.forced_stops, 0U);
