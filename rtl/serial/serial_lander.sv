@@ -165,12 +165,16 @@ module serial_lander #(
   assign floor    = point_q[FineBits-1:GuardBits];
   assign position = floor + PositionBits'(half);
   for (genvar a = 0; a < Axes; a++) begin : g_axis
+    logic [    FineBits-1:0] axis_fine_q;
+    logic [PositionBits-1:0] axis_position_q;
     always_ff @(posedge clk_i) begin
       if (walks_q[1] && place_q[1] == 4'(a)) begin
-        sample_fine_o[a*FineBits+:FineBits]             <= point_q;
-        sample_position_o[a*PositionBits+:PositionBits] <= position;
+        axis_fine_q     <= point_q;
+        axis_position_q <= position;
       end
     end
+    assign sample_fine_o[a*FineBits+:FineBits]             = axis_fine_q;
+    assign sample_position_o[a*PositionBits+:PositionBits] = axis_position_q;
   end
 
 endmodule

@@ -123,8 +123,8 @@ void serial_core(Arrangement& view) {
                 {kHex, "a_address"},
                 {kHex, "b_address"},
                 {kHex, "c_address"},
-                {kSigned, "u_datapath.a_operand"},
-                {kSigned, "u_datapath.b_operand"},
+                {kSigned, "u_datapath.a"},
+                {kSigned, "u_datapath.b"},
                 {kSigned, "u_datapath.c_q"},
                 {kHex, "d_place"},
                 {kSigned, "d"}});
