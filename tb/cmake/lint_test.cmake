@@ -24,7 +24,7 @@ function(lint_module file)
             ${RTL_PACKAGES} ${file})
   lint_test(${module}.icarus ${IVERILOG} -g2012 -Wall -Wno-timescale -tnull -s ${module} -Y .sv
             ${RTL_SEARCH} -DNO_ICE40_DEFAULT_ASSIGNMENTS -l ${ICE40_CELLS} ${RTL_PACKAGES} ${file})
-  lint_test(${module}.yosys ${PROJECT_SOURCE_DIR}/tb/lint/yosys.sh ${YOSYS} ${module}
+  lint_test(${module}.yosys ${PROJECT_SOURCE_DIR}/tb/lint/yosys.sh ${YOSYS} ${file}
             ${RTL_PACKAGES} ${RTL_MODULES})
   set_tests_properties(lint.${module}.verilator lint.${module}.icarus lint.${module}.yosys
                        PROPERTIES FAIL_REGULAR_EXPRESSION "[Ww]arning")

@@ -8,6 +8,7 @@
 // control: ONE_DIRECTION s/{{31{edge_back_q}}, 1'b1}/32'd1/
 // control: WRITES_LATE s/3'd3:    write_word_o/3'd7:    write_word_o/
 // control: TWO_IN_A_ROUND
+// long: proved
 `default_nettype none
 module following_error_formal (
     input wire logic        clk_i,

@@ -31,10 +31,13 @@ for source in "$@"; do
   fi
   sources+=("$source")
 done
+here=$(dirname "$0")
+mapfile -t sources < <("$here/../support/needed_sources.sh" "$wrapper" "${sources[@]}" \
+  "$here"/environment/*.sv)
 
 # Covers become assertions that they never happen; in the other modes they are dropped.
 case $mode in
-  cover) select="chformal -assert -remove; techmap -map $(dirname "$0")/cover_to_assert.v" ;;
+  cover) select="chformal -assert -remove; techmap -map $here/cover_to_assert.v" ;;
   *) select="chformal -cover -remove" ;;
 esac
 define=$([ "$mode" = control ] && echo "-D$name" || true)
@@ -55,7 +58,6 @@ fi
 
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -formal -DFORMAL $define -defer ${sources[*]}
-  read_verilog -sv -formal -defer $(dirname "$0")/environment/*.sv
   read_verilog -sv -formal -DFORMAL $define $wrapper
   hierarchy -top $top $parameters; prep -top $top -flatten
   setattr -mod -unset keep_hierarchy; flatten; opt_clean

@@ -10,6 +10,7 @@
 // control: NOT_FIRST s/(loaded_q || first_i)/loaded_q/
 // control: BLIND s/- Count'(tick_i);/;/
 // control: NO_RESET s/due_q       <= 1'b0;//
+// long: proved catches.EARLY catches.BLIND
 `default_nettype none
 module stop_memory_formal #(
     parameter int Steps = 2
