@@ -33,6 +33,20 @@ find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
+# What every model reads first, half of its compilation: compiled once, with what Verilator's
+# makefile says. GCC reads the text where other macros are set (traces, SystemC).
+set(verilated_headers ${PROJECT_BINARY_DIR}/verilated/verilated.hpp CACHE INTERNAL "")
+file(CONFIGURE OUTPUT ${verilated_headers} CONTENT "#include <verilated.h>\n")
+add_custom_command(
+  OUTPUT ${verilated_headers}.gch
+  COMMAND ${CMAKE_CXX_COMPILER} -x c++-header -I${verilator_include}
+          -DVM_COVERAGE=$<BOOL:${CURVECORE_COVERAGE}> -DVM_SC=0 -DVM_TRACE=0 -DVM_TRACE_FST=0
+          -DVM_TRACE_VCD=0 -faligned-new -fcf-protection=none -std=c++17 -w -O1
+          -o ${verilated_headers}.gch ${verilated_headers}
+  DEPENDS ${verilated_headers} ${verilator_include}/verilated.h
+  VERBATIM)
+add_custom_target(verilated_headers DEPENDS ${verilated_headers}.gch)
+
 function(verilated_model target)
   cmake_parse_arguments(ARG "TRACE;FLAT;SC" "TOP;PREFIX" "PARAMS;SOURCES" ${ARGN})
   if(NOT ARG_PREFIX)
@@ -75,13 +89,15 @@ function(verilated_model target)
     BYPRODUCTS ${dir}/${ARG_PREFIX}.h
     COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}"
             "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
+            "CFLAGS=-include ${verilated_headers}"
             ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
             ${sources}
-    DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${flat}
+    DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${verilated_headers}.gch ${flat}
     DEPFILE ${dir}/model.d
     COMMENT "Verilating ${target}"
     VERBATIM COMMAND_EXPAND_LISTS)
   add_custom_target(${target}_archive DEPENDS ${archive})
+  add_dependencies(${target}_archive verilated_headers)
   add_library(${target} INTERFACE)
   add_dependencies(${target} ${target}_archive)
   target_include_directories(${target} SYSTEM INTERFACE ${dir})
