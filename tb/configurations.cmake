@@ -13,15 +13,25 @@ macro(read_row row)
   endforeach()
 endmacro()
 
+option(CURVECORE_FULL_CAMPAIGN "Build every configuration, as scripts/campaign.sh does" OFF)
+# rows(<variable> <row> ... MORE <row> ...): those of MORE with CURVECORE_FULL_CAMPAIGN alone
+function(rows variable)
+  cmake_parse_arguments(ARG "" "" "MORE" ${ARGN})
+  if(CURVECORE_FULL_CAMPAIGN)
+    list(APPEND ARG_UNPARSED_ARGUMENTS ${ARG_MORE})
+  endif()
+  set(${variable} ${ARG_UNPARSED_ARGUMENTS} PARENT_SCOPE)
+endfunction()
+
 # Multipliers: Form is 0 portable, 1 ECP5, 2 UP5K.
 set(form_0 portable)
 set(form_1 ecp5)
 set(form_2 up5k)
 set(primitives_2 -Wno-lint -Wno-TIMESCALEMOD -DNO_ICE40_DEFAULT_ASSIGNMENTS -v ${ICE40_CELLS})
 # Every form with factors of one digit and of more, on either side.
-foreach(size 0,18,18,0 0,36,18,0 0,33,27,20 0,36,36,35
-             1,18,18,0 1,18,36,17 1,36,18,0 1,32,32,31 1,36,36,0
-             2,18,18,0 2,18,36,17 2,36,18,0 2,33,27,20 2,36,36,35)
+rows(sizes 0,18,18,0 0,36,36,35 1,18,36,17 1,36,36,0 2,36,18,0 2,33,27,20
+     MORE 0,36,18,0 0,33,27,20 1,18,18,0 1,36,18,0 1,32,32,31 2,18,18,0 2,18,36,17 2,36,36,35)
+foreach(size ${sizes})
   read_row(${size} form a b shift)
   core_test(multiplier ${form_${form}}_${a}x${b}_${shift} TOP multiplier
             PARAMS ABits=${a} BBits=${b} Shift=${shift} Form=${form} SOURCES ${primitives_${form}})
@@ -38,7 +48,8 @@ foreach(splines 0 1)
 endforeach()
 
 # Sums of products on one 18 x 18 multiplier: word, two shifts, form.
-foreach(size 36,34,35,0 36,33,40,1 29,30,26,1 18,15,22,0)
+rows(sizes 36,33,40,1 18,15,22,0 MORE 36,34,35,0 29,30,26,1)
+foreach(size ${sizes})
   read_row(${size} bits narrow wide form)
   core_test(folded_multiplier ${form_${form}}_w${bits}_${narrow}_${wide} TOP folded_multiplier
             PARAMS Bits=${bits} NarrowShift=${narrow} WideShift=${wide} Form=${form})
@@ -47,7 +58,8 @@ illegal_parameter_test(folded_multiplier Bits=37 "Bits must be in .18, 36.")
 illegal_parameter_test(folded_multiplier WideShift=41 "WideShift must be in .1, 40.")
 
 # Stieltjes integrators: word, shift of the sum, fraction bits dropped, first order, form.
-foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
+rows(sizes 36,34,2,0,0 36,33,2,1,1 MORE 30,29,0,1,0 18,15,0,1,0)
+foreach(size ${sizes})
   read_row(${size} bits shift drop first form)
   core_test(stieltjes_integrator ${form_${form}}_w${bits}_${shift}_${drop}_${first}
             TOP stieltjes_integrator
@@ -55,8 +67,9 @@ foreach(size 36,34,2,0,0 36,33,2,1,1 30,29,0,1,0 18,15,0,1,0)
 endforeach()
 
 # The sixteen integrators of the spline: order, word, mode, anchor, form.
-foreach(size 6,36,1,1,0 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 6,36,0,0,0 2,36,1,1,0 2,29,0,0,0 3,30,1,1,0
-        5,18,1,1,0 12,36,0,1,1 12,36,0,0,0)
+rows(sizes 6,36,1,1,0 2,29,0,0,0 5,18,1,1,0 12,36,0,1,1
+     MORE 6,36,1,1,1 6,36,0,1,0 6,36,1,0,0 6,36,0,0,0 2,36,1,1,0 3,30,1,1,0 12,36,0,0,0)
+foreach(size ${sizes})
   read_row(${size} order coef mode anchor form)
   core_test(spline_network p${order}_w${coef}_m${mode}_n${anchor}_${form_${form}}
             TOP spline_network
@@ -69,7 +82,8 @@ illegal_parameter_test(spline_network Guest=2 "Guest must be 0 or 1")
 illegal_parameter_test(spline_network Guest=1,Anchor=0 "Guest 1 works with Anchor 1 only")
 
 # The start of a spline's step: word, parameter guard, anchor, form.
-foreach(size 36,0,1,0 36,0,1,1 36,0,0,0 29,0,1,0 18,0,1,0 36,8,1,0 18,3,1,0 27,1,0,0)
+rows(sizes 36,0,1,1 36,8,1,0 18,3,1,0 27,1,0,0 MORE 36,0,1,0 36,0,0,0 29,0,1,0 18,0,1,0)
+foreach(size ${sizes})
   read_row(${size} coef parameter anchor form)
   core_test(spline_anchor w${coef}_u${parameter}_n${anchor}_${form_${form}} TOP spline_anchor
             PARAMS CoefBits=${coef} ParameterGuard=${parameter} Anchor=${anchor} Form=${form})
@@ -83,10 +97,12 @@ illegal_parameter_test(spline_anchor Form=2 "Form must be 0 or 1")
 
 # Steps of splines: order, word, parameter guard, fine position, guard bits, auxiliary axes, mode,
 # anchor, form.
-foreach(size 6,36,0,42,10,0,1,1,1 6,36,0,42,10,2,1,1,0 6,36,0,42,10,0,0,1,0 6,36,0,42,10,0,1,0,0
-        2,36,0,42,10,0,1,1,0 4,29,0,34,8,0,1,1,0 5,33,0,38,7,0,1,0,0 8,36,8,44,12,6,1,1,0
-        12,36,0,42,10,1,0,1,0 2,33,0,39,9,0,1,0,0 6,36,0,42,10,2,0,0,0 3,24,5,30,6,0,0,0,1
-        2,36,0,42,10,1,0,0,0 4,28,4,42,10,0,1,1,0)
+rows(sizes 6,36,0,42,10,0,1,1,1 8,36,8,44,12,6,1,1,0 12,36,0,42,10,1,0,1,0 2,33,0,39,9,0,1,0,0
+           3,24,5,30,6,0,0,0,1
+     MORE 6,36,0,42,10,2,1,1,0 6,36,0,42,10,0,0,1,0 6,36,0,42,10,0,1,0,0 2,36,0,42,10,0,1,1,0
+          4,29,0,34,8,0,1,1,0 5,33,0,38,7,0,1,0,0 6,36,0,42,10,2,0,0,0 2,36,0,42,10,1,0,0,0
+          4,28,4,42,10,0,1,1,0)
+foreach(size ${sizes})
   read_row(${size} order coef parameter fine guard aux mode anchor form)
   core_test(spline_steps
             p${order}_w${coef}_u${parameter}_f${fine}_a${aux}_m${mode}_n${anchor}_${form_${form}}
@@ -103,9 +119,9 @@ illegal_parameter_test(spline_steps Mode=2 "Mode must be 0 or 1")
 illegal_parameter_test(spline_steps Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_steps Form=2 "Form must be 0 or 1")
 
-# The cores: of each every legal pair of values stands in configurations.csv in the short form
-# (lint/configurations.py says of which classes); the flat form is scripts/flat.sh's file.
-option(CURVECORE_FULL_CAMPAIGN "Build every configuration of the campaign of samples" OFF)
+# The cores: of each every class of values stands in configurations.csv in the short form, every
+# two that are legal in the short form or the pairs (lint/configurations.py has the classes); the
+# flat form is scripts/flat.sh's file.
 foreach(bench spherical_interpolator spherical_interpolator_serial curve_interpolator_serial
               spline_interpolator curve_interpolator empty_segments)
   bench_objects(${bench})
@@ -132,7 +148,8 @@ core_test(spherical_interpolator_serial both_curves TOP curve_interpolator_seria
 foreach(form 1 2)
   set(size PARAMS Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
            MultiplierForm=${form})
-  foreach(interval 1 4)
+  rows(intervals 1 MORE 4)
+  foreach(interval ${intervals})
     core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
               PORTS curve ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
@@ -147,7 +164,8 @@ foreach(form 1 2)
 endforeach()
 
 # Horner's rule, folded and not.
-foreach(interval 1 2 4 8)
+rows(intervals 1 4 MORE 2 8)
+foreach(interval ${intervals})
   core_test(horner interval_${interval} TOP horner
             PARAMS Passes=6 Lanes=3 Bits=36 Shift=35 LastShift=35 Interval=${interval})
   core_test(horner cubic_${interval} TOP horner
@@ -163,7 +181,8 @@ illegal_parameter_test(horner Shift=15 "Shift must be in .16, Bits - 1.")
 illegal_parameter_test(horner LastShift=36 "LastShift must be in .16, Bits - 1.")
 
 # Sine and cosine: order, word length.
-foreach(size 2,18 6,36 7,29 12,33)
+rows(sizes 6,36 7,29 MORE 2,18 12,33)
+foreach(size ${sizes})
   read_row(${size} order bits)
   core_test(sine_cosine_interpolator p${order}_w${bits} TOP sine_cosine_interpolator
             PARAMS Order=${order} CoefBits=${bits})
@@ -173,7 +192,9 @@ core_test(sine_cosine_interpolator flat TOP sine_cosine_interpolator PARAMS Orde
 illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
 # The hyperbola: order, word length, anchor, form.
-foreach(size 2,18,1,0 6,36,1,0 6,36,1,1 7,29,1,0 12,33,1,1 2,36,0,1 6,36,0,0 5,18,0,0 12,29,0,0)
+rows(sizes 2,18,1,0 12,33,1,1 6,36,0,0
+     MORE 6,36,1,0 6,36,1,1 7,29,1,0 2,36,0,1 5,18,0,0 12,29,0,0)
+foreach(size ${sizes})
   read_row(${size} order bits anchor form)
   core_test(hyperbola_interpolator p${order}_w${bits}_n${anchor}_${form_${form}}
             TOP hyperbola_interpolator
@@ -223,7 +244,7 @@ core_test(time_scaler default TOP time_scaler)
 core_test(time_scaler serial TOP time_scaler_serial)
 core_test(rate_generator default TOP rate_generator PARAMS Build=0 Room=128)
 core_test(rate_generator serial TOP rate_generator PARAMS Build=1 Room=16)
-foreach(interval 1 2 4 8)
+foreach(interval ${intervals})
   core_test(path_generator interval_${interval} TOP path_generator
             PARAMS Build=0 Interval=${interval})
 endforeach()
@@ -234,7 +255,8 @@ illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8"
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
 # The step generator: axes, position, scale, sample period, times of pulses.
-foreach(size 1,42,44,6,12 3,42,44,9,12 3,42,44,13,12 9,44,56,9,16 2,18,40,6,5)
+rows(sizes 3,42,44,9,12 9,44,56,9,16 2,18,40,6,5 MORE 1,42,44,6,12 3,42,44,13,12)
+foreach(size ${sizes})
   read_row(${size} axes fine scale period time)
   set(parameters Axes=${axes} FineBits=${fine} ScaleBits=${scale} PeriodLog2=${period}
                  TimeBits=${time})
@@ -258,7 +280,8 @@ foreach(size 3,8 9,9 3,13)
             PARAMS Axes=${axes} PeriodLog2=${period} FineBits=44 ScaleBits=56 TimeBits=16)
 endforeach()
 # Frames of scan heads.
-foreach(size 3,42,9 4,18,7 9,44,13)
+rows(sizes 3,42,9 4,18,7 MORE 9,44,13)
+foreach(size ${sizes})
   read_row(${size} axes fine period)
   core_test(xy2_100 a${axes}_f${fine}_k${period} TOP xy2_100
             PARAMS Axes=${axes} FineBits=${fine} PeriodLog2=${period})
@@ -285,7 +308,8 @@ illegal_parameter_test(motion_interpolator Build=1,TurnBits=1 "Build 1 works wit
 illegal_parameter_test(motion_interpolator Splines=1,TurnBits=1 "TurnBits works with Curves 1 only")
 
 # The registers: axes, bits of scale and of times.
-foreach(size 3,44,12 9,56,16 1,33,4)
+rows(sizes 3,44,12 1,33,4 MORE 9,56,16)
+foreach(size ${sizes})
   read_row(${size} axes scale time)
   core_test(register_file a${axes}_s${scale}_t${time} TOP register_file
             LIBRARIES nlohmann_json::nlohmann_json
@@ -305,7 +329,11 @@ set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 Samp
                   ClockHertz=2560000 SampleBufferWords=512)
 set(serial ${system} Build=1 Galvo=0)
 core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${serial})
-core_test(motion_system parallel TOP motion_system LIBRARIES curvecore_host
+set(tests *.Draws*:*.Random*)  # the parallel core's model is slow
+if(CURVECORE_FULL_CAMPAIGN)
+  set(tests *)
+endif()
+core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_host
           ${system} Build=0 Galvo=1)
 core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${serial})
 # Nothing else there depends on scan heads.

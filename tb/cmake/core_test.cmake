@@ -12,8 +12,8 @@
 set(nothing ${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp)
 file(TOUCH ${nothing})
 add_library(core_test_headers OBJECT ${nothing})
-target_link_libraries(core_test_headers PRIVATE curvecore_options verilator_runtime Eigen3::Eigen
-                                                GTest::gtest_main)
+target_link_libraries(core_test_headers PRIVATE curvecore_test_options verilator_runtime
+                                                Eigen3::Eigen GTest::gtest_main)
 target_precompile_headers(core_test_headers PRIVATE <gtest/gtest.h> <verilated.h> <Eigen/Geometry>
                           <algorithm> <array> <functional> <map> <random> <string> <vector>)
 
@@ -28,7 +28,7 @@ function(bench_objects bench)
   add_library(bench_${bench} OBJECT ${files}
                                     ${PROJECT_SOURCE_DIR}/tb/support/core_configuration.cpp)
   target_link_libraries(bench_${bench} PUBLIC curvecore_host GTest::gtest_main
-                                       PRIVATE verilator_runtime)
+                                       PRIVATE curvecore_test_options verilator_runtime)
   target_precompile_headers(bench_${bench} REUSE_FROM core_test_headers)
 endfunction()
 
@@ -41,7 +41,7 @@ function(core_bench target bench)
   list(JOIN ARG_PARAMS " " text)
   target_compile_definitions(${target} PRIVATE MODEL=V${ARG_TOP} MODEL_HEADER="V${ARG_TOP}.h"
                                                CONFIGURATION="${text}")
-  target_link_libraries(${target} PRIVATE bench_${bench} ${ARG_MODEL})
+  target_link_libraries(${target} PRIVATE curvecore_test_options bench_${bench} ${ARG_MODEL})
 endfunction()
 
 function(core_test test configuration)
@@ -64,7 +64,7 @@ function(core_test test configuration)
     target_precompile_headers(${target} REUSE_FROM core_test_headers)
     list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
     target_compile_definitions(${target} PRIVATE ${definitions})
-    target_link_libraries(${target} PRIVATE ${model} curvecore_options curvecore_hls
+    target_link_libraries(${target} PRIVATE curvecore_test_options ${model} curvecore_hls
                                             ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   endif()
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
@@ -73,8 +73,8 @@ function(core_test test configuration)
 endfunction()
 
 # core_tests(<bench> TOP <module> PORTS curve|motion [PARAMS Name=Value ...])
-# A core_test for every row of the bench in configurations.csv, of the long form with
-# CURVECORE_FULL_CAMPAIGN too; it is called by its values, each after its name's capitals, of the
+# A core_test for every row of the bench in configurations.csv, of the pairs and the long form with
+# CURVECORE_FULL_CAMPAIGN alone; it is called by its values, each after its name's capitals, of the
 # flat form by "flat" before them.
 set(table ${CMAKE_CURRENT_SOURCE_DIR}/configurations.csv)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${table})
@@ -85,7 +85,7 @@ function(core_tests bench)
   cmake_parse_arguments(ARG "" "TOP;PORTS" "PARAMS" ${ARGN})
   set(form "short|flat")
   if(CURVECORE_FULL_CAMPAIGN)
-    set(form "short|flat|long")
+    set(form "short|flat|pairs|long")
   endif()
   set(rows ${core_rows})
   list(FILTER rows INCLUDE REGEX "^${bench},(${form}),")

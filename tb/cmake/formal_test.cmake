@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # formal_test(tb/formal/<module>_formal.sv): tests formal.<module>.proved, .covered and one
 # .catches.<NAME> for every line `// control: NAME ...` of the wrapper, one .proved.<NAME> for every
-# line `// configuration: NAME ...`; those that `// long: TEST ...` names run in the long form alone
-# (label long: scripts/campaign.sh).
+# line `// configuration: NAME ...`. Controls but the first, and what `// long: TEST ...` names, run
+# in the long form alone (label long: scripts/campaign.sh).
 function(formal_test wrapper)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${wrapper})
   cmake_path(GET wrapper STEM module)
@@ -35,10 +35,10 @@ function(formal_test wrapper)
   set_tests_properties(${tests} PROPERTIES LABELS formal TIMEOUT 600
                        ENVIRONMENT STATE_SEARCH=$<TARGET_FILE:state_search>)
   file(STRINGS ${wrapper} long REGEX "^// long: ")
-  if(long)
-    string(REPLACE "// long: " "" long ${long})
-    separate_arguments(long)
-    list(TRANSFORM long PREPEND ${name}.)
-    set_tests_properties(${long} PROPERTIES LABELS "formal;long")
-  endif()
+  string(REPLACE "// long: " "" long "${long}")
+  separate_arguments(long)
+  list(TRANSFORM long PREPEND ${name}.)
+  list(FILTER tests INCLUDE REGEX "\\.catches\\.")
+  list(POP_FRONT tests)
+  set_tests_properties(${tests} ${long} PROPERTIES LABELS "formal;long")
 endfunction()

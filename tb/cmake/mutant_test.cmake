@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Negative controls that are kept: a copy of a source with one thing broken, and the test that must
-# turn red. A mutation whose text is no longer in the source stops the configuration.
+# turn red, of label long: scripts/campaign.sh builds and runs them. A mutation whose text is no
+# longer in the source stops the configuration.
 
 # mutated_file(<result> <mutant> <file> "old text" "new text"): the broken copy, in the build tree
 function(mutated_file result mutant file old new)
@@ -20,16 +21,16 @@ function(killed_by mutant)
   cmake_parse_arguments(ARG "" "MESSAGE" "COMMAND" ${ARGN})
   add_test(NAME unit.Mutant.${mutant}IsKilled COMMAND ${ARG_COMMAND})
   set_tests_properties(unit.Mutant.${mutant}IsKilled
-                       PROPERTIES LABELS unit PASS_REGULAR_EXPRESSION "${ARG_MESSAGE}")
+                       PROPERTIES LABELS "unit;long" PASS_REGULAR_EXPRESSION "${ARG_MESSAGE}")
   list(GET ARG_COMMAND 0 target)
-  label_needs(unit ${target})
+  label_needs(long ${target})
 endfunction()
 
 # survives(<mutant> COMMAND ...): what this test cannot see, stated as a test of its own
 function(survives mutant)
   cmake_parse_arguments(ARG "" "" "COMMAND" ${ARGN})
   add_test(NAME unit.Mutant.${mutant}Survives COMMAND ${ARG_COMMAND})
-  set_tests_properties(unit.Mutant.${mutant}Survives PROPERTIES LABELS unit)
+  set_tests_properties(unit.Mutant.${mutant}Survives PROPERTIES LABELS "unit;long")
   list(GET ARG_COMMAND 0 target)
-  label_needs(unit ${target})
+  label_needs(long ${target})
 endfunction()

@@ -7,7 +7,7 @@
 // control: SAME_BANK s/bank_q  <= !bank_q/bank_q <= bank_q/
 // control: TAKES_EARLY s/field_q <= Length;$/field_q <= Theta;/
 // control: NO_RESET s/axis_q           <= 4'd0;//
-// long: covered catches.TAKES_EARLY
+// long: proved covered
 `default_nettype none
 module segment_loader_formal (
     input wire logic       clk_i,

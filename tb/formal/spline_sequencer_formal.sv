@@ -9,7 +9,7 @@
 // control: NEVER_DONE s/default: next = Idle/default: next = Last/
 // control: LOSES_START s/? start_i : turn_q/? start_i \&\& turn_q : turn_q/
 // control: NO_RESET s/state_q     <= Idle;/state_q     <= next_q;/
-// long: proved catches.NEVER_DONE catches.NO_PAUSE
+// long: proved
 `default_nettype none
 module spline_sequencer_formal (
     input wire logic clk_i,

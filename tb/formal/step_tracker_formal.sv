@@ -6,6 +6,7 @@
 // control: ENTERS_EARLY s/fits_next = next_left_known_q \&\&/fits_next =/
 // control: TAKES_MORE s/assign request_ready_o = .*/assign request_ready_o = slot_i;/
 // control: NO_RESET s/next_known_q   <= 1'b0;$/next_known_q <= next_known_q;/
+// long: proved
 `default_nettype none
 module step_tracker_formal (
     input wire logic        clk_i,

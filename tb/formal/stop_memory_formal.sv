@@ -3,14 +3,14 @@
 // StopLead ticks after the one in which its piece began, a first piece without one as if it had one
 // with a wait of 1, and nothing else is; not before what is under way was told. It begins if that
 // tick had the rate 1.
-// control: EARLY s/Count'(Lead - 1)/Count'(Lead - 2)/
 // control: ANY_RATE s/ \&\& full_i//
+// control: EARLY s/Count'(Lead - 1)/Count'(Lead - 2)/
 // control: ONLY_FULL s/(loaded_q || first_i)/(loaded_q \&\& full_i || first_i)/
 // control: NOT_LOADED s/(loaded_q || first_i)/1'b1/
 // control: NOT_FIRST s/(loaded_q || first_i)/loaded_q/
 // control: BLIND s/- Count'(tick_i);/;/
 // control: NO_RESET s/due_q       <= 1'b0;//
-// long: proved catches.EARLY catches.BLIND
+// long: proved
 `default_nettype none
 module stop_memory_formal #(
     parameter int Steps = 2

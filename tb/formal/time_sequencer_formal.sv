@@ -9,6 +9,7 @@
 // control: SWAPS_ON s/(border_o \&\& zero_i)/zero_i/
 // control: KEEPS_SUM s/control_o = word.*;/control_o = '0;/
 // control: NO_RESET s/      .rst_ni,/      .rst_ni(1'b1),/
+// long: proved
 `default_nettype none
 module time_sequencer_formal (
     input wire logic clk_i,

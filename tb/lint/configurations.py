@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Of every bench in tb/configurations.csv: each two classes of values of two parameters that may
-stand together do stand together in a row of the short form.  Says which pairs are missing.
+"""Of every bench in tb/configurations.csv: each class of a parameter's values stands in a row of
+the short form, each two classes of two parameters that may stand together do so in a row of the
+short form or of the pairs.  Says what is missing.
 
     tb/lint/configurations.py [FILE]     default: tb/configurations.csv
 """
@@ -102,20 +103,26 @@ def main():
     rows = collections.defaultdict(list)
     with open(file, encoding="ascii") as table:
         for row in csv.DictReader(table):
-            bench, form = row.pop("Bench"), row.pop("Form")
-            if form == "short":
+            bench = row.pop("Bench")
+            if row["Form"] in ("short", "pairs"):
                 rows[bench].append(row)
     if set(rows) != set(CLASSES):
         sys.exit(f"{file}: benches other than {', '.join(CLASSES)}")
     status = 0
     for bench, its_rows in rows.items():
+        forms = [row.pop("Form") for row in its_rows]
         columns = {column: CLASSES[bench].get(column) or ends(column)
                    for column, value in its_rows[0].items() if value != "-"}
+        found = [row_pairs(bench, columns, row) for row in its_rows]
+        short = set().union(*(pairs for pairs, form in zip(found, forms) if form == "short"))
         wanted = legal_pairs(bench, columns)
-        missing = wanted - set().union(*(row_pairs(bench, columns, row) for row in its_rows))
+        missing = wanted - set().union(*found)
         print(f"{bench}: {len(its_rows)} rows, {len(wanted) - len(missing)} of {len(wanted)} pairs")
         for (one, its), (other, others) in sorted(missing):
             print(f"  missing: {one} {its} with {other} {others}")
+            status = 1
+        for column, its in sorted(set(sum(wanted, ())) - set(sum(short, ()))):
+            print(f"  missing in the short form: {column} {its}")
             status = 1
     sys.exit(status)
 

@@ -19,7 +19,7 @@ from wire_parts import AXES, CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, 
 
 FAR = 10**6
 # X latches where its switch closes, Y where it opens, below the travel; Z is above it.
-SEARCH, LATCH = (-10, -10, 10), (-1, 1, 1)
+SEARCH, LATCH = (-20, -20, 20), (-2, 2, 2)
 OFFSET, HOME = (-0.5, -0.25, 0.5), (0, 0.25, -0.25)
 LIMITS = ((0, 4), (0, 4), (-4, 0))
 REACH = 5  # mm
