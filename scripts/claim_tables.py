@@ -210,8 +210,8 @@ def claims():
             f"a wave at 6 m/min: splines {form('wave, splines')} s; within 1 um arcs"
             f" {form('wave, arcs within 1 um')} s, chords {form('wave, chords within 1 um')} s;"
             f" chords within 0.1 mm {form('wave, chords within 0.1 mm')} s",
-            "true for arcs and coarse chords; fine chords are faster, as limits count over the"
-            " machine's joint time",
+            "true where curvature changes much; fine chords of gentler curves are as fast, as"
+            " limits count over the machine's joint time",
         ),
         (
             "[Obukhov]",
