@@ -13,16 +13,6 @@ macro(read_row row)
   endforeach()
 endmacro()
 
-option(CURVECORE_FULL_CAMPAIGN "Build every configuration, as scripts/campaign.sh does" OFF)
-# rows(<variable> <row> ... MORE <row> ...): those of MORE with CURVECORE_FULL_CAMPAIGN alone
-function(rows variable)
-  cmake_parse_arguments(ARG "" "" "MORE" ${ARGN})
-  if(CURVECORE_FULL_CAMPAIGN)
-    list(APPEND ARG_UNPARSED_ARGUMENTS ${ARG_MORE})
-  endif()
-  set(${variable} ${ARG_UNPARSED_ARGUMENTS} PARENT_SCOPE)
-endfunction()
-
 # Multipliers: Form is 0 portable, 1 ECP5, 2 UP5K.
 set(form_0 portable)
 set(form_1 ecp5)
@@ -244,6 +234,7 @@ core_test(time_scaler default TOP time_scaler)
 core_test(time_scaler serial TOP time_scaler_serial)
 core_test(rate_generator default TOP rate_generator PARAMS Build=0 Room=128)
 core_test(rate_generator serial TOP rate_generator PARAMS Build=1 Room=16)
+rows(intervals 1 4 MORE 2 8)
 foreach(interval ${intervals})
   core_test(path_generator interval_${interval} TOP path_generator
             PARAMS Build=0 Interval=${interval})
@@ -329,10 +320,8 @@ set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 Samp
                   ClockHertz=2560000 SampleBufferWords=512)
 set(serial ${system} Build=1 Galvo=0)
 core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${serial})
-set(tests *.Draws*:*.Random*)  # the parallel core's model is slow
-if(CURVECORE_FULL_CAMPAIGN)
-  set(tests *)
-endif()
+rows(tests *.Draws* *.Random* MORE *)  # the parallel core's model is slow
+list(JOIN tests ":" tests)
 core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_host
           ${system} Build=0 Galvo=1)
 core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${serial})

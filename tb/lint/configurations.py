@@ -114,14 +114,15 @@ def main():
         columns = {column: CLASSES[bench].get(column) or ends(column)
                    for column, value in its_rows[0].items() if value != "-"}
         found = [row_pairs(bench, columns, row) for row in its_rows]
-        short = set().union(*(pairs for pairs, form in zip(found, forms) if form == "short"))
+        short = set().union(*(its for its, form in zip(found, forms) if form == "short"))
         wanted = legal_pairs(bench, columns)
         missing = wanted - set().union(*found)
         print(f"{bench}: {len(its_rows)} rows, {len(wanted) - len(missing)} of {len(wanted)} pairs")
         for (one, its), (other, others) in sorted(missing):
             print(f"  missing: {one} {its} with {other} {others}")
             status = 1
-        for column, its in sorted(set(sum(wanted, ())) - set(sum(short, ()))):
+        one_of = itertools.chain.from_iterable  # the pairs' classes, one by one
+        for column, its in sorted(set(one_of(wanted)) - set(one_of(short))):
             print(f"  missing in the short form: {column} {its}")
             status = 1
     sys.exit(status)
