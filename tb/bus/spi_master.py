@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""cocotbext-spi's master, 16 clocks of 10 ns a bit."""
+"""cocotbext-spi's master, 16 clocks of 10 ns a bit, and between words."""
 
 import cocotb.clock
 from cocotb.types import Logic
@@ -14,4 +14,4 @@ from cocotbext.spi import SpiBus, SpiConfig, SpiMaster  # noqa: E402
 def spi_master(dut, bits):
     """Of words of so many bits."""
     return SpiMaster(SpiBus.from_prefix(dut, "spi"), SpiConfig(
-        word_width=bits, sclk_freq=1e9 / 160, frame_spacing_ns=500))
+        word_width=bits, sclk_freq=1e9 / 160, frame_spacing_ns=160))

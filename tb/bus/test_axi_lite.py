@@ -7,7 +7,7 @@ import os
 import random
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import RisingEdge
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiResp
 from register_model import Registers
@@ -21,7 +21,7 @@ def pauses(seed, share):
 @cocotb.test()
 async def every_access_is_answered_as_described(dut):
     dut.rst_n.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     master = AxiLiteMaster(AxiLiteBus.from_prefix(dut, "s_axi"), dut.clk, dut.rst_n,
                            reset_active_level=False)
     logging.getLogger("cocotb.axi_lite_bench").setLevel(logging.WARNING)

@@ -9,7 +9,7 @@ import random
 from collections import deque
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import FallingEdge, RisingEdge
 from cocotbext.axi import AxiStreamBus, AxiStreamSource
 
@@ -41,7 +41,7 @@ class Queue:
 @cocotb.test()
 async def every_word_arrives_once_and_in_order(dut):
     dut.rst_n.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     logging.getLogger("cocotb.axi_stream_bench").setLevel(logging.WARNING)
     chance = random.Random(6)
     number = int(os.environ["ACCESSES"])

@@ -5,7 +5,7 @@ import json
 import os
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import ClockCycles, with_timeout
 from cocotbext.uart import UartSink, UartSource
 from synthesis.boards import board_named
@@ -35,7 +35,7 @@ class Host:
 
 @cocotb.test()
 async def says_what_it_is_and_sees_its_switches(dut):
-    cocotb.start_soon(Clock(dut.clk, 2 * round(5e11 / BOARD.oscillator_hz), "ps").start())
+    start_clock(dut.clk, 2 * round(5e11 / BOARD.oscillator_hz), "ps")
     dut.estop.value = 0
     dut.limit.value = 0
     host = Host(dut)

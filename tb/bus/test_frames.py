@@ -6,7 +6,7 @@ import random
 import zlib
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import RisingEdge
 from lines import line_of
 from register_model import Registers
@@ -106,7 +106,7 @@ class Host:
 
 async def start(dut):
     dut.rst_n.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     host = Host(dut)
     for _ in range(4):
         await RisingEdge(dut.clk)

@@ -10,7 +10,7 @@ import pathlib
 import random
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import ClockCycles, RisingEdge, ValueChange
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiResp, AxiStreamBus, AxiStreamSource
 
@@ -88,7 +88,7 @@ async def count_steps(dut, counts):
 @cocotb.test()
 async def streams_draw_a_program(dut):
     dut.rst_n.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     host = Host(dut)
     logging.getLogger("cocotb.motion_axi_bench").setLevel(logging.WARNING)
     sources = {}

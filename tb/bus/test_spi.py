@@ -5,7 +5,7 @@ import os
 import random
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import RisingEdge
 from register_model import Registers
 from spi_master import spi_master
@@ -17,7 +17,7 @@ BITS = 8 + 2 * 40
 @cocotb.test()
 async def every_access_is_answered_as_described(dut):
     dut.rst_n.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     await RisingEdge(dut.clk)
     master = spi_master(dut, BITS)
     for _ in range(4):

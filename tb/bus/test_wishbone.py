@@ -6,7 +6,7 @@ import os
 import random
 
 import cocotb
-from cocotb.clock import Clock
+from clock import start_clock
 from cocotb.triggers import RisingEdge
 from cocotbext.wishbone.driver import WBOp, WishboneMaster
 from register_model import Registers
@@ -20,7 +20,7 @@ async def every_access_is_answered_as_described(dut):
     # Icarus 11 loses what the master sets at time 0.
     for signal in (dut.wb_cyc, dut.wb_stb, dut.wb_we, dut.wb_adr, dut.wb_datwr, dut.wb_sel):
         signal.value = 0
-    cocotb.start_soon(Clock(dut.clk, 10, "ns").start())
+    start_clock(dut.clk)
     await RisingEdge(dut.clk)
     names = {name: name for name in ("cyc", "stb", "we", "adr", "datwr", "datrd", "ack", "err",
                                      "sel")}
