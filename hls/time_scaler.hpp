@@ -3,8 +3,8 @@
 // and second differences. Twin: rtl/path/time_scaler.sv.
 //
 // r has 32 fraction bits. Per tick its slope changes by at most `acceleration` and never exceeds
-// `slope`; r slows down in time to meet the target without overshoot. The first tick lands on its
-// target at once: nothing moves yet.
+// `slope`; r slows down in time to meet the target without overshoot. The first tick that is not
+// held lands on its target at once: no program begins before it.
 //
 // Near 1 a plan leaves little of the limits, below 7/8 a third and more: r^2 a, r^3 j. So from 7/8
 // on an eighth of both bounds holds, and r rests on 7/8 when it goes from one side to the other.
@@ -120,7 +120,7 @@ class TimeScaler {
 
     std::int32_t follow(std::int32_t target) {
         if (fresh_) {
-            fresh_ = false;
+            fresh_ = target == 0;
             arrived_ = true;
             return land(target);
         }

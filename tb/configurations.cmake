@@ -239,7 +239,11 @@ foreach(interval ${intervals})
   core_test(path_generator interval_${interval} TOP path_generator
             PARAMS Build=0 Interval=${interval})
 endforeach()
-core_test(path_generator serial TOP path_generator PARAMS Build=1 Interval=8)
+set(tests *)
+if(NOT CURVECORE_FULL_CAMPAIGN)
+  set(tests -*.EqualsKernelWithTheLongestPieces)  # a minute
+endif()
+core_test(path_generator serial TOP path_generator TESTS ${tests} PARAMS Build=1 Interval=8)
 illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 65536.")
 illegal_parameter_test(path_generator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")

@@ -12,9 +12,10 @@
 //
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
 // each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
-// there on an eighth of the bounds holds. The first tick after a reset lands on its target at once:
-// nothing moves yet. What follows it, or the end of a branch, waits 2 clocks more. The bounds stand
-// still from the last two clocks of a reset on.
+// there on an eighth of the bounds holds. The first tick after a reset that is not held lands on
+// its target at once: no program begins before it. What follows it, a held one before it, or the
+// end of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset
+// on.
 // Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
@@ -55,8 +56,8 @@ module time_scaler (
 
   // The tick at hand, and how its target differs.
   logic head_valid_q;
-  logic fresh_q;  // no tick came yet
-  logic first_q;  // it is the first one
+  logic fresh_q;  // none came yet that was not held
+  logic first_q;  // it lands on its target
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
@@ -178,7 +179,7 @@ module time_scaler (
       change_q     <= 1'b0;
     end else begin
       if (room) head_valid_q <= takes;
-      if (takes) fresh_q <= 1'b0;
+      if (takes) fresh_q <= fresh_q && target_i == '0;
       if (takes) change_q <= aim != goal_q && !fresh_q && !stopping;
       else if (state_q == Clear) change_q <= aim != goal_q;
       else if (change) change_q <= 1'b0;

@@ -74,8 +74,8 @@ module time_scaler_serial (
       .change_o(change)
   );
 
-  logic fresh_q;  // no tick came yet
-  logic first_q;
+  logic fresh_q;  // none came yet that was not held
+  logic first_q;  // it lands on its target
   logic same_q;  // its target is that of the tick before
   logic [16:0] target_q;
   logic rests;
@@ -86,7 +86,7 @@ module time_scaler_serial (
       one_q   <= 1'b0;
     end else begin
       taken_q <= takes;
-      if (takes) fresh_q <= 1'b0;
+      if (takes) fresh_q <= fresh_q && target_i == '0;
       if (takes) one_q <= 1'b0;
       else if (rests) one_q <= same_q && target_q[16];
     end

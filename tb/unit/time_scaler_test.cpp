@@ -174,10 +174,13 @@ TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
     EXPECT_GT(steps, 0U);
 }
 
-TEST_P(TimeScaler, FirstTickLandsOnItsTarget) {
+TEST_P(TimeScaler, FirstTickThatIsNotHeldLandsOnItsTarget) {
+    int held = 0;
     for (const int32_t target : {0, 1, 23456, 65535, 65536}) {
         for (int n = 0; n < 100; ++n) take(any_target());
         start(GetParam());
+        for (int n = 0; n < held; ++n) take(0);
+        held = 3 * held + 1;
         take(target);
         ASSERT_EQ(expected_.back().rate, target);
         for (int n = 0; n < 10; ++n) take(target);

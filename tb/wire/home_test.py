@@ -83,6 +83,14 @@ class HomeTest(unittest.TestCase):
         host = self.start(["stream", str(part)], board, "-q", "-o", folder)
         self.finish(host, status, text)
 
+    def check_overrun(self, steps, edges):
+        """Each axis turns within 1.5 mm behind its edge: 30 ms at 20 mm/s, and the way to rest."""
+        stands = [0, 0, 0]
+        for _, axis, way in steps:
+            stands[axis] += way
+            beyond = abs(stands[axis] - edges[axis])
+            self.assertLessEqual(beyond, 1.5 * STEPS_PER_MM, f"axis {axis}")
+
     def check_homed(self, steps, places):
         """All axes stand at HOME, of which their switches are OFFSET."""
         for axis, edge in enumerate(edges(places)):
@@ -122,6 +130,7 @@ class HomeTest(unittest.TestCase):
         self.assertEqual(found, [edges(places)[axis] for axis in (2, 0, 1)])
         steps = board.end()
         self.check_homed(steps, places)
+        self.check_overrun(steps, places)
         for axis in range(3):
             first = next(way for _, one, way in steps if one == axis)
             self.assertEqual(first, -1 if SEARCH[axis] > 0 else 1)
