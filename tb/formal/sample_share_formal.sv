@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/sample_share.sv: every tick gives its 2^n samples in order, none lost or doubled, only
-// when they are wanted; offers stay; nothing gets stuck. Ticks are numbered through their rates.
+// rtl/path/sample_share.sv: every tick gives its 2^n samples as numbered_ticks.sv says, in each
+// clock.
 // control: ONE_TOO_MANY s/last ? '0 : index_q + 1'b1/last ? 15'h7fff : index_q + 1'b1/
 // control: LOSES_TICK s/assign tick_ready_o = advance/assign tick_ready_o = 1'b1/
 // control: UNWANTED s/ \&\& wanted_i//
@@ -21,7 +21,7 @@ module sample_share_formal (
     input wire logic        sample_ready_i
 );
 
-  logic [3:0] tick_number_q;
+  logic [17:0] tick_rate;
   logic tick_ready;
   logic sent;
   logic sample_valid;
@@ -34,7 +34,7 @@ module sample_share_formal (
       .tick_valid_i,
       .tick_ready_o(tick_ready),
       .tick_ds_i,
-      .tick_rate_i({14'b0, tick_number_q}),
+      .tick_rate_i(tick_rate),
       .wanted_i,
       .sent_o(sent),
       .sample_valid_o(sample_valid),
@@ -45,53 +45,29 @@ module sample_share_formal (
   logic unused;
   assign unused = ^sample_ds;
 
-  logic started_q = 1'b0;
-  logic [1:0] n_q;
-  logic kept_q;
-  localparam int Idle = 4;
-  logic [Idle-1:0] idle_q;  // cycles in which a sample was possible and none came
-  logic [2:0] sample_index_q;
-  logic [3:0] sample_tick_q;
-  logic [3:0] ticks_inside;
-  assign ticks_inside = tick_number_q - sample_tick_q;
-  logic last;
-  assign last = sample_index_q == (3'd1 << n_i) - 3'd1;
-  always_ff @(posedge clk_i) begin
-    started_q <= 1'b1;
-    n_q       <= n_i;
-    kept_q    <= rst_ni && sample_valid && !sample_ready_i;
-    idle_q    <= {idle_q[Idle-2:0], rst_ni && ticks_inside != '0 && wanted_i && !sample_valid};
-    if (!rst_ni) begin
-      tick_number_q  <= '0;
-      sample_index_q <= '0;
-      sample_tick_q  <= '0;
-    end else begin
-      if (tick_valid_i && tick_ready) tick_number_q <= tick_number_q + 1'b1;
-      if (sample_valid && sample_ready_i) begin
-        sample_index_q <= last ? '0 : sample_index_q + 1'b1;
-        if (last) sample_tick_q <= sample_tick_q + 1'b1;
-      end
-    end
-  end
+  logic [3:0] tick;
+  logic checks;
+  numbered_ticks #(
+      .Inside(5),
+      .Idle  (4)
+  ) u_ticks (
+      .clk_i,
+      .rst_ni,
+      .n_i,
+      .tick_valid_i,
+      .tick_ready_i  (tick_ready),
+      .wanted_i,
+      .sent_i        (sent),
+      .sample_valid_i(sample_valid),
+      .sample_ready_i,
+      .sample_rate_i (sample_rate),
+      .tick_rate_o   (tick_rate),
+      .tick_o        (tick),
+      .checks_o      (checks)
+  );
 
   always_comb begin
-    if (!started_q) begin
-      assume (!rst_ni);
-    end else begin
-      assume (n_i == n_q);
-      if (rst_ni) begin
-        FewInside : assert (ticks_inside <= 4'd5);
-        if (sample_valid) InOrder : assert (sample_rate == {14'b0, sample_tick_q});
-        if (sample_valid) NothingInvented : assert (ticks_inside != '0);
-        if (kept_q) KeepsOffer : assert (sample_valid);
-        if (sent) Wanted : assert (wanted_i);
-        if (idle_q == '1) NeverStuck : assert (sample_valid);
-        if (ticks_inside == '0) TakesTick : assert (tick_ready);
-
-        ThirdTick : cover (sample_valid && sample_tick_q == 4'd2 && n_i == 2'd2);
-        Streams : cover (sample_tick_q == 4'd3 && tick_ready && sample_valid && n_i == 2'd0);
-      end
-    end
+    if (checks) Streams : cover (tick == 4'd3 && tick_ready && sample_valid && n_i == 2'd0);
   end
 
 endmodule
