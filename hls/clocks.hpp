@@ -121,7 +121,7 @@ constexpr int serial_sample_clocks(const TimedCore& core, bool spline) {
 }
 
 /// At most: a sample of auxiliary axes goes to the output while points of the next one are read.
-constexpr int late_clocks(const TimedCore& core) { return std::min(core.aux_axes, 3); }
+constexpr int late_clocks(const TimedCore& core) { return std::min(core.aux_axes, 4); }
 
 /// Reached by arcs' steps in every configuration, but for late_clocks; a segment's words end within
 /// a rotation, so its bound is up to two of them above the clocks.
