@@ -25,7 +25,7 @@ LONG = {
     "scripts/demo.sh": "builds the program first",
     "scripts/test.sh": "runs this test",
     "scripts/campaign.sh": "three hours",
-    "scripts/buses.sh": "half an hour",
+    "scripts/buses.sh": "an hour",
     "scripts/oracle.sh": "some minutes",
     "scripts/linuxcnc.sh": "a quarter of an hour, and a package",
     "scripts/coverage.sh": "half an hour",

@@ -203,12 +203,15 @@ module rate_generator #(
   standstill u_standstill (
       .clk_i,
       .rst_ni,
-      .tick_i  (tick),
-      .stops_i (target == '0),
+      .tick_i(tick),
+      .stops_i(target == '0),
       .scaled_i(scaled_valid),
-      .held_i  (scaled_held),
-      .still_i (scaled_still),
-      .asked_i (asked_q),
+      .held_i(scaled_held),
+      .still_i(scaled_still),
+      .started_i(started_o),
+      .taken_i(tick_taken_i),
+      .active_i,
+      .asked_i(asked_q),
       .leaves_i,
       .standing_o
   );

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells that the machine stands: the rate of time rests at 0, and all samples that were asked for
-// before it did have left. It stands until a tick starts whose target is not 0.
+// Tells that the machine stands: the rate of time rests at 0, or a held tick started when no
+// program was under way and none could begin before it; and all samples that were asked for before
+// have left. It stands until a tick starts whose target is not 0.
 //
 //   clock          0       1        2       3
 //   scaled_i       still
@@ -21,6 +22,11 @@ module standstill (
     input wire logic held_i,    // of scaled_i: its target was 0
     input wire logic still_i,   // of scaled_i: the rate rests at 0
 
+    // The path: ticks not yet taken, with tick_i, and a program under way, of those taken
+    input wire logic [4:0] started_i,
+    input wire logic       taken_i,
+    input wire logic       active_i,
+
     // Samples: 511 under way at most
     input wire logic asked_i,
     input wire logic leaves_i,
@@ -34,6 +40,7 @@ module standstill (
   assign scaled = scaled_i && !held_i;
 
   logic [4:0] ahead_q;  // ticks with another target than 0 that have no rate yet
+  logic [4:0] open_q;  // ticks not yet taken, up to the last one that is not held
   logic [8:0] under_way_q;
   logic [8:0] under_way_d;
   logic rests_q;
@@ -42,14 +49,18 @@ module standstill (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       ahead_q     <= '0;
+      open_q      <= '0;
       under_way_q <= '0;
       rests_q     <= 1'b1;
       left_q      <= '0;
     end else begin
-      ahead_q     <= ahead_q + {{4{scaled && !starts}}, scaled != starts};
+      ahead_q <= ahead_q + {{4{scaled && !starts}}, scaled != starts};
+      if (starts) open_q <= started_i - {4'd0, taken_i};
+      else if (taken_i && open_q != '0) open_q <= open_q - 1'b1;
       under_way_q <= under_way_d;
       if (starts) rests_q <= 1'b0;
       else if (scaled_i && still_i && ahead_q == '0) rests_q <= 1'b1;
+      else if (tick_i && open_q == '0 && !active_i) rests_q <= 1'b1;
       if (!rests_q) left_q <= under_way_d;
       else if (leaves_i && left_q != '0) left_q <= left_q - 1'b1;
     end

@@ -286,6 +286,26 @@ TEST_F(MotionSystem, FlushStopsOnThePathEmptiesAndKeepsThePosition) {
     expect_drawn(stands);
 }
 
+TEST_F(MotionSystem, DrawsBehindAFlushAsFastAsBefore) {
+    host_.prepare(part_);
+    const int64_t before = host_.now();
+    host_.draw(part_);
+    const int64_t clocks = host_.now() - before;
+    const auto stands = counts();
+    host_.write(CURVECORE_CONTROL, kEnable | kHold | kFlush);
+    const int64_t flushed = host_.now();
+    while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
+    EXPECT_LT(host_.now() - flushed, 50 * kSystemPeriod) << "nothing is under way";
+    host_.samples(50);
+    EXPECT_TRUE(host_.write(CURVECORE_REFERENCE, kEveryAxis));
+    host_.write(CURVECORE_CONTROL, kEnable);
+    const int64_t again = host_.now();
+    host_.draw(part_);
+    expect_drawn(stands);
+    EXPECT_NEAR(static_cast<double>(host_.now() - again), static_cast<double>(clocks),
+                50.0 * kSystemPeriod);
+}
+
 TEST_F(MotionSystem, RandomAccessesHangNothingAndGiveNoStep) {
     int errors = 0;
     for (int n = 0; n < 10000 && !HasFailure(); ++n) {

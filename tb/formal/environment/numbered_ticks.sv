@@ -18,7 +18,7 @@ module numbered_ticks #(
     input wire logic [17:0] sample_rate_i,
 
     output logic [17:0] tick_rate_o,
-    output logic [ 3:0] tick_o,      // of the sample that is offered or comes next
+    output logic [ 3:0] tick_o,       // of the sample that is offered or comes next
     output logic        checks_o
 );
 
@@ -28,17 +28,17 @@ module numbered_ticks #(
   logic [Idle-1:0] idle_q;  // cycles in which a sample was possible and none came
   logic [3:0] number_q;
   logic [2:0] index_q;
-  logic [3:0] inside;
+  logic [3:0] ticks_inside;
   logic last;
-  assign tick_rate_o = {14'b0, number_q};
-  assign inside      = number_q - tick_o;
-  assign last        = index_q == (3'd1 << n_i) - 3'd1;
-  assign checks_o    = started_q && rst_ni;
+  assign tick_rate_o  = {14'b0, number_q};
+  assign ticks_inside = number_q - tick_o;
+  assign last         = index_q == (3'd1 << n_i) - 3'd1;
+  assign checks_o     = started_q && rst_ni;
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     n_q       <= n_i;
     kept_q    <= rst_ni && sample_valid_i && !sample_ready_i;
-    idle_q    <= {idle_q[Idle-2:0], rst_ni && inside != '0 && wanted_i && !sample_valid_i};
+    idle_q    <= {idle_q[Idle-2:0], rst_ni && ticks_inside != '0 && wanted_i && !sample_valid_i};
     if (!rst_ni) begin
       number_q <= '0;
       index_q  <= '0;
@@ -58,13 +58,13 @@ module numbered_ticks #(
     end else begin
       assume (n_i == n_q);
       if (rst_ni) begin
-        FewInside : assert (inside <= 4'(Inside));
+        FewInside : assert (ticks_inside <= 4'(Inside));
         if (sample_valid_i) InOrder : assert (sample_rate_i == {14'b0, tick_o});
-        if (sample_valid_i) NothingInvented : assert (inside != '0);
+        if (sample_valid_i) NothingInvented : assert (ticks_inside != '0);
         if (kept_q) KeepsOffer : assert (sample_valid_i);
         if (sent_i) Wanted : assert (wanted_i);
         if (idle_q == '1) NeverStuck : assert (sample_valid_i);
-        if (inside == '0) TakesTick : assert (tick_ready_i);
+        if (ticks_inside == '0) TakesTick : assert (tick_ready_i);
 
         ThirdTick : cover (sample_valid_i && tick_o == 4'd2 && n_i == 2'd2);
       end
