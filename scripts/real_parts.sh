@@ -3,16 +3,18 @@
 # Runs long parts that no one here wrote through the RTL: sample programs of Debian's
 # linuxcnc-uspace package (GPL), fetched into build/real_parts and never committed.
 #
-#   scripts/real_parts.sh [CURVECORE]      exit status 77: the package cannot be fetched here
+#   scripts/real_parts.sh [CURVECORE [OPTION ...]]   options of run; exit status 77: the package
+#                                                    cannot be fetched here
 set -euo pipefail
 case ${1:-} in
   -h | --help)
-    sed -n '3,6s/^# \{0,1\}//p' "$0"
+    sed -n '3,7s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
 esac
 cd "$(dirname "$0")/.."
 curvecore=$(realpath "${1:-build/curvecore}")
+options=("${@:2}")
 folder=$PWD/build/real_parts
 examples=usr/share/doc/linuxcnc/examples/sample-configs/sim/gmoccapy
 examples+=/non_trivial_kinematics/table-rotary-tilting/examples
@@ -55,7 +57,7 @@ for part in "${parts[@]}"; do
   out=$folder/$(basename "$part" .ngc)
   rm -rf "$out"
   echo "== $part"
-  "$curvecore" run "$folder/$part" -o "$out" -q
+  "$curvecore" run "$folder/$part" -o "$out" -q "${options[@]}"
   python3 - "$out/report.json" <<'PYTHON'
 import json
 import sys
