@@ -18,7 +18,8 @@ from synthesis.tools import alone, error_of, run, tool, version, work_folder, wr
 # As nextpnr has packed it: what it needs of what there is.
 USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%", re.M)
 
-
+# Another seed may find one: a matter of chance where a device is nearly full.
+NO_LEGAL_PLACE = "Unable to find legal placement"
 NEARLY = 0.9  # full: where a placement or its routes may not end
 FEW = 8  # such as the one of GND
 
@@ -73,7 +74,7 @@ def synthesise(board, tools, work, folder, pins_alone):
 
 
 def place(board, tools, work, folder, seeds, minutes):
-    """By the first seed that keeps the board's clock."""
+    """By the first seed that finds a place and keeps the board's clock."""
     nextpnr = tool(tools.family.nextpnr)
     wanted = board.clock_hz / 1e6
     reached = {}
@@ -84,7 +85,10 @@ def place(board, tools, work, folder, seeds, minutes):
                  f"{wanted:g}", "--timing-allow-fail", "--seed", str(seed), "--report",
                  "report.json"], log, placement.explain, minutes=minutes, cwd=work)
         except Refused as error:
-            explain_fit(board, log.read_text(errors="replace"), error)
+            text = log.read_text(errors="replace")
+            if NO_LEGAL_PLACE in text and seed < seeds:
+                continue
+            explain_fit(board, text, error)
         report = json.loads((work / "report.json").read_text())
         check_clock(board, report)
         reached[seed] = round(placement.frequency(tools.family, report, log), 1)
