@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/sample_share.sv: every tick gives its 2^n samples as numbered_ticks.sv says, in each
-// clock.
+// rtl/path/sample_share.sv: every tick gives its 2^n samples as numbered_ticks.sv says, one in
+// each clock.
 // control: ONE_TOO_MANY s/last ? '0 : index_q + 1'b1/last ? 15'h7fff : index_q + 1'b1/
 // control: LOSES_TICK s/assign tick_ready_o = advance/assign tick_ready_o = 1'b1/
 // control: UNWANTED s/ \&\& wanted_i//

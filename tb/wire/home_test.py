@@ -83,12 +83,12 @@ class HomeTest(unittest.TestCase):
         host = self.start(["stream", str(part)], board, "-q", "-o", folder)
         self.finish(host, status, text)
 
-    def check_overrun(self, steps, edges):
-        """Each axis turns within 1.5 mm behind its edge: 30 ms at 20 mm/s, and the way to rest."""
+    def check_overrun(self, steps, places):
+        """Each axis stays within 1.5 mm of its edge: 30 ms at 20 mm/s, and the way to rest."""
         stands = [0, 0, 0]
         for _, axis, way in steps:
             stands[axis] += way
-            beyond = abs(stands[axis] - edges[axis])
+            beyond = abs(stands[axis] - edges(places)[axis])
             self.assertLessEqual(beyond, 1.5 * STEPS_PER_MM, f"axis {axis}")
 
     def check_homed(self, steps, places):
