@@ -21,7 +21,8 @@ void add_board(CLI::App& command, BoardOptions& options) {
         ->type_name("ADDRESS[:PORT]")
         ->capture_default_str();
     command.add_flag("--fast", options.fast,
-                     "as fast as it is fed; otherwise its clock is that of the wall");
+                     "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
+                     "that of the wall");
     command
         .add_option("-o,--output", options.folder, "folder for steps.csv: every step of its pins")
         ->type_name("DIR");
@@ -86,7 +87,7 @@ int board_command(const BoardOptions& options) {
     fmt::print("listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
                server.where(), VirtualBoard::kAxes, VirtualBoard::kClockHertz / 1e6,
                std::exp2(VirtualBoard::kPeriodLog2) / VirtualBoard::kClockHertz * 1e6,
-               options.fast ? ", as fast as it is fed" : "");
+               options.fast ? ", 5 ms of it a frame" : "");
     std::fflush(stdout);
     const InterruptGuard guard;
     try {

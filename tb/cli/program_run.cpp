@@ -10,6 +10,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -31,6 +32,21 @@ std::string text_of(const fs::path& file) {
     std::stringstream text;
     text << stream.rdbuf();
     return text.str();
+}
+
+/// Until the process has worked for so long, in time of processors: however busy the machine is, it
+/// has come as far.
+void wait_for_work(pid_t child, int ms) {
+    clockid_t clock{};
+    if (clock_getcpuclockid(child, &clock) != 0) return;
+    timespec worked{};
+    siginfo_t ended{};
+    while (clock_gettime(clock, &worked) == 0 &&
+           worked.tv_sec * 1000 + worked.tv_nsec / 1000000 < ms) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
+        if (ended.si_pid == child) return;
+    }
 }
 
 }  // namespace
@@ -79,7 +95,7 @@ ProgramResult ProgramRun::run(const std::vector<std::string>& arguments, int int
         _exit(127);
     }
     if (interrupt_ms > 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_ms));
+        wait_for_work(child, interrupt_ms);
         kill(child, SIGINT);
     }
     int status = 0;

@@ -31,7 +31,7 @@ class ProgramRun {
     std::vector<std::string> files() const;
 
     /// Arguments as an array, no shell; the folder is the working directory.
-    /// `interrupt_ms`: Ctrl-C after so long.
+    /// `interrupt_ms`: Ctrl-C once it has worked for so long, in time of processors.
     ProgramResult run(const std::vector<std::string>& arguments, int interrupt_ms = 0) const;
 
   private:

@@ -59,7 +59,7 @@ class EncoderTest(unittest.TestCase):
         host = subprocess.run(
             [CURVECORE, "stream", str(self.folder / "part.ngc"), "--to",
              f"udp:127.0.0.1:{board.port}", "-o", str(self.folder / "stream"), *given],
-            stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=150, check=False)
+            stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         self.assertEqual(host.returncode, status, host.stderr)
         self.assertIn(text, host.stderr)
         if status == 2:
@@ -111,7 +111,7 @@ class EncoderTest(unittest.TestCase):
         self.machine.write_text(text, encoding="ascii")
         board = self.board("--home", "x=200..99999,y=200..99999", "--slip", "x=1000..1100")
         subprocess.run([CURVECORE, "home", "--machine", str(self.machine), "--to",
-                        f"udp:127.0.0.1:{board.port}", "-q"], check=True, timeout=100)
+                        f"udp:127.0.0.1:{board.port}", "-q"], check=True)
         self.assertEqual(read(board.port, SWITCHES) >> 10, 0b011)
         self.stream(board, 1, "the board stopped: X: following error")
         self.assertEqual(read(board.port, SWITCHES) >> 10, 0b010)

@@ -12,7 +12,6 @@ import signal
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 from wire_parts import AXES, CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, counts, read
@@ -57,7 +56,7 @@ class HomeTest(unittest.TestCase):
         self.machine.write_text(machine(), encoding="ascii")
 
     def board(self, places, *options):
-        board = Board(str(self.folder / "board"), *switches(places), *options)
+        board = Board(str(self.folder / "board"), "--fast", *switches(places), *options)
         self.addCleanup(board.kill)
         return board
 
@@ -68,7 +67,7 @@ class HomeTest(unittest.TestCase):
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
     def finish(self, host, status=0, text=""):
-        said, message = host.communicate(timeout=150)
+        said, message = host.communicate()
         self.assertEqual(host.returncode, status, message)
         self.assertIn(text, message)
         return [int(step) for step in re.findall(r"at step (-?\d+),", said)]
@@ -157,9 +156,7 @@ class HomeTest(unittest.TestCase):
             control.write_text("", encoding="ascii")
             stands = read(board.port, AXES + 8)
             host = self.start(["home"], board, "--axes", "X", "--control", str(control))
-            end = time.monotonic() + 60
-            while read(board.port, AXES + 8) == stands:
-                self.assertLess(time.monotonic(), end)
+            until(lambda: read(board.port, AXES + 8) != stands)
             if wish is signal.SIGINT:
                 host.send_signal(wish)
             else:
