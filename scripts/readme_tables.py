@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the tables of every README.md from what this tree's runs printed.
 
-    scripts/readme_tables.py           writes what was measured (build/figures, bench, demo, synth)
-    scripts/readme_tables.py --check   compares only, and fails if a table is not what it says
+    scripts/readme_tables.py             writes what was measured (build/figures, bench, demo, synth)
+    scripts/readme_tables.py --check     compares what follows from files of this tree alone
+    scripts/readme_tables.py --check --measured    and what scripts/pages.sh has measured
 
 A table stands between `<!-- begin: NAME: COMMAND, tree COMMIT -->` and `<!-- end: NAME -->`.
 COMMAND measures it; COMMIT is the last one that changed ref, hls, rtl or sysc before it did.  What
@@ -29,6 +30,7 @@ from placed_tables import (boards, cost_model, hls, networks, order_words_placed
 from readme_table import PAGES, ROOT, Table, git, sources
 
 BENCH = "scripts/bench.sh"
+EXACT = "scripts/pages.sh"
 CAMPAIGN = "scripts/campaign.sh"
 SWEEP = "scripts/synth.sh --sweep scripts/sweeps/"
 
@@ -40,18 +42,18 @@ TABLES = {
     "sizes": Table(sizes, "table of rtl/README.md", measured=False),
     "parameters": Table(parameter_rows, "ref/format/parameters.def", measured=False),
     "cost_model": Table(cost_model, "scripts/fit_cost_model.py", measured=False),
-    "demo": Table(demo, "scripts/demo.sh", exact=True),
+    "demo": Table(demo, EXACT, exact=True),
     "choose_up5k": Table(functools.partial(choose, "up5k"), BENCH),
-    "choose_ecp5": Table(functools.partial(choose, "ecp5"), BENCH, exact=True),
-    "choose_splines": Table(functools.partial(choose, "splines"), BENCH, exact=True),
-    "choose_impossible": Table(choose_impossible, BENCH, exact=True),
-    "parameter_guard": Table(parameter_guard, BENCH, exact=True),
-    "order_words": Table(order_words, BENCH, exact=True),
+    "choose_ecp5": Table(functools.partial(choose, "ecp5"), EXACT, exact=True),
+    "choose_splines": Table(functools.partial(choose, "splines"), EXACT, exact=True),
+    "choose_impossible": Table(choose_impossible, EXACT, exact=True),
+    "parameter_guard": Table(parameter_guard, EXACT, exact=True),
+    "order_words": Table(order_words, EXACT, exact=True),
     "order_words_placed": Table(order_words_placed, SWEEP + "order_words.csv"),
     "parameter_guard_placed": Table(parameter_guard_placed, SWEEP + "parameter_guard.csv"),
     "synthesis": Table(synthesis, SWEEP + "readme.csv"),
     "networks": Table(networks, SWEEP + "networks.csv"),
-    "boards": Table(boards, "scripts/synth.sh --board NAME"),
+    "boards": Table(boards, "scripts/synth.sh --board NAME --record", measured=False),
     "hls": Table(hls, "scripts/hls.sh --sweep scripts/sweeps/hls.csv"),
     "accuracy": Table(accuracy, CAMPAIGN),
     "splines": Table(splines, CAMPAIGN),
@@ -59,27 +61,30 @@ TABLES = {
     "coverage": Table(coverage, "scripts/coverage.sh"),
     "throughput": Table(throughput, BENCH),
     "system_rates": Table(system_rates, "scripts/system_rates.py"),
-    "claims": Table(claims, BENCH, exact=True),
-    "paper_table": Table(paper_table, BENCH, exact=True),
-    "minimal_orders": Table(minimal_orders, BENCH, exact=True),
+    "claims": Table(claims, EXACT, exact=True),
+    "paper_table": Table(paper_table, EXACT, exact=True),
+    "minimal_orders": Table(minimal_orders, EXACT, exact=True),
     "oracle": Table(oracle, "scripts/oracle.sh"),
     "drawn": Table(drawn, "scripts/oracle.sh"),
     "linuxcnc": Table(linuxcnc, "scripts/linuxcnc.sh"),
-    "forms": Table(bench("form_tables", "forms"), BENCH, exact=True),
-    "holds": Table(bench("hold_tables", "holds"), BENCH, exact=True),
-    "spline_tick": Table(bench("spline_tables", "spline_tick"), BENCH, exact=True),
-    "spline_period": Table(bench("spline_tables", "spline_period"), BENCH, exact=True),
-    "cam_pieces": Table(bench("cam_tables", "cam_pieces"), BENCH, exact=True),
-    "cam_surfaces": Table(bench("cam_tables", "cam_surfaces"), BENCH, exact=True),
-    "cam_input": Table(bench("cam_tables", "cam_input"), BENCH, exact=True),
-    "search_stops": Table(bench("search_tables", "search_stops"), BENCH, exact=True),
-    "search_ticks": Table(bench("search_tables", "search_ticks"), BENCH, exact=True),
-    "search_words": Table(bench("search_tables", "search_words"), BENCH, exact=True),
-    "others": Table(others, BENCH, exact=True),
+    "forms": Table(bench("form_tables", "forms"), EXACT, exact=True),
+    "holds": Table(bench("hold_tables", "holds"), EXACT, exact=True),
+    "spline_tick": Table(bench("spline_tables", "spline_tick"), EXACT, exact=True),
+    "spline_period": Table(bench("spline_tables", "spline_period"), EXACT, exact=True),
+    "cam_pieces": Table(bench("cam_tables", "cam_pieces"), EXACT, exact=True),
+    "cam_surfaces": Table(bench("cam_tables", "cam_surfaces"), EXACT, exact=True),
+    "cam_input": Table(bench("cam_tables", "cam_input"), EXACT, exact=True),
+    "search_stops": Table(bench("search_tables", "search_stops"), EXACT, exact=True),
+    "search_ticks": Table(bench("search_tables", "search_ticks"), EXACT, exact=True),
+    "search_words": Table(bench("search_tables", "search_words"), EXACT, exact=True),
+    "others": Table(others, EXACT, exact=True),
 }
 
 PLACE = re.compile(r"<!-- begin: (?P<name>\w+): (?P<command>[^,]*?)(?:, tree (?P<tree>\w+))? -->\n"
                    r"(?P<body>.*?)<!-- end: (?P=name) -->", re.S)
+
+# Of a table, in a sentence, or in a cell.
+TREE = re.compile(r"(?:\b(?:tree|version|commit) |\| (?=\d*[a-f]))([0-9a-f]{7,40})\b")
 
 
 def written(place):
@@ -94,7 +99,7 @@ def written(place):
     return f"{begin}\n{body}\n<!-- end: {name} -->", "written"
 
 
-def faults(place):
+def faults(place, measured_too):
     """What is wrong with a place."""
     table = TABLES.get(place["name"])
     if table is None:
@@ -104,11 +109,12 @@ def faults(place):
         found.append(f"is made by: {table.command}")
     if table.measured and not place["tree"]:
         found.append("names no tree")
-    elif table.measured and not known(place["tree"]):
-        found.append(f"no commit {place['tree']} is behind this one")
-    body = table.make() if table.exact or not table.measured else None
-    if body is not None and body + "\n" != place["body"]:
-        found.append("is not what this tree makes of it: run scripts/readme_tables.py")
+    if not table.measured or (table.exact and measured_too):
+        body = table.make()
+        if body is None:
+            found.append(f"was not measured on this tree: run {table.command}")
+        elif body + "\n" != place["body"]:
+            found.append("is not what this tree makes of it: run scripts/readme_tables.py")
     return found
 
 
@@ -119,7 +125,7 @@ def known(tree):
                           capture_output=True).returncode == 0
 
 
-def check():
+def check(measured_too):
     bad = []
     seen = []
     for page in PAGES:
@@ -129,7 +135,9 @@ def check():
             bad.append(f"{page.relative_to(ROOT)}: a table's begin or end is not as it should be")
         seen += [place["name"] for place in places]
         bad += [f"{page.relative_to(ROOT)}: {place['name']}: {fault}"
-                for place in places for fault in faults(place)]
+                for place in places for fault in faults(place, measured_too)]
+        bad += [f"{page.relative_to(ROOT)}: no commit {tree} is behind this one"
+                for tree in sorted(set(TREE.findall(text))) if not known(tree)]
     bad += [f"{name}: is in no README.md" for name in TABLES if name not in seen]
     sys.exit("\n".join(bad) or 0)
 
@@ -137,8 +145,11 @@ def check():
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="compare only")
-    if parser.parse_args().check:
-        check()
+    parser.add_argument("--measured", action="store_true",
+                        help="compare what was measured and is the same on every machine, too")
+    given = parser.parse_args()
+    if given.check:
+        check(given.measured)
     for page in PAGES:
         def replace(place):
             text, what = written(place)

@@ -15,7 +15,8 @@ another, so that it needs few pins; LUTs, flip-flops, DSP and RAM blocks are cou
 alone.  The frequency is the best of several seeds, over all paths, the harness' included.
 
 A board becomes build/synth/boards/NAME: its bitstream, the files that it was made of, board.json.
-The first seed that keeps the board's clock is taken.
+The first seed that keeps the board's clock is taken.  --record notes its figures in
+sysc/widths/placed_boards.json, where `curvecore choose --board` and the pages read them.
 
 Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the input is wrong.
 """
@@ -27,7 +28,7 @@ import signal
 import sys
 from pathlib import Path
 
-from synthesis import bitstream, boards
+from synthesis import bitstream, boards, placed_boards
 from synthesis.command_line import Parser, number_of_seeds, settings
 from synthesis.configuration import configuration
 from synthesis.core_file import CoreFile, core_file
@@ -60,6 +61,8 @@ def arguments():
                         help=", ".join(boards.names()) + ", or a file (.json) like theirs")
     parser.add_argument("--pins-alone", action="store_true",
                         help="of a board: whether its pins are there, without the motion")
+    parser.add_argument("--record", action="store_true",
+                        help="of a board of scripts/boards: note what it takes for choose")
     parser.add_argument("--sweep", metavar="FILE", help="a table of configurations (.csv)")
     parser.add_argument("--jobs", type=int, default=2, metavar="N",
                         help="of a sweep: at a time (2)")
@@ -103,6 +106,9 @@ def board(given, output):
     if any(getattr(given, other) for other in others):
         raise Refused("--board has all of it in its table: leave out "
                       + ", ".join(f"--{other}".replace("_", "-") for other in others))
+    if given.record and (given.set or given.pins_alone or given.board not in boards.names()):
+        raise Refused("--record is of a board of scripts/boards as it is: leave out --set and"
+                      " --pins-alone")
     wanted = boards.board_named(given.board, settings(given.set))
     folder = output / "boards" / (wanted.name + ("-pins" if given.pins_alone else ""))
     try:
@@ -111,6 +117,8 @@ def board(given, output):
     except Refused as error:
         print(f"synth: {wanted.name}: {error}", file=sys.stderr)
         return 1
+    if given.record:
+        placed_boards.record(wanted, found)
     if given.pins_alone:
         print(f"{wanted.name}: {len(list(wanted.ports()))} pins are there")
         return 0
@@ -129,6 +137,8 @@ def main():
             return board(given, output)
         if given.pins_alone:
             raise Refused("--pins-alone is of a --board")
+        if given.record:
+            raise Refused("--record is of a --board")
         if given.sweep:
             if given.set or given.top or given.speed or given.at_least:
                 raise Refused("--sweep takes its configurations from the table: leave out --set,"

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <map>
 #include <regex>
 
 #include "ref/program/input_error.hpp"
@@ -50,8 +49,9 @@ std::map<std::string, int> defaults_of(const fs::path& module) {
     return values;
 }
 
-/// "25k" of ECP5 is ecp5-25, die GW2A-18C is gw2a-18, up5k is itself; empty: not said.
-std::string device_of(const Json& board) {
+}  // namespace
+
+std::string device_of_board(const Json& board) {
     if (!board.contains("device")) return "";
     const Json& device = board.at("device");
     const std::string family = board.at("family");
@@ -66,7 +66,15 @@ std::string device_of(const Json& board) {
     return name;
 }
 
-}  // namespace
+CoreParameters core_of_board(const std::map<std::string, int>& values) {
+    CoreParameters core;
+    core.build = values.at("Build") == 1 ? Build::kSerial : Build::kParallel;
+    for (const auto& [parameter, value] : values) {
+        const ref::Parameter* const row = ref::find_parameter(parameter);
+        if (row != nullptr) core.*row->value = value;
+    }
+    return core;
+}
 
 BoardFile read_board_file(const std::string& name) {
     const std::string file = file_of(name);
@@ -83,15 +91,10 @@ BoardFile read_board_file(const std::string& name) {
         const double clock_hz = json.at("clock_hz").get<double>();
         if (!(clock_hz > 0)) throw std::invalid_argument("clock_hz must be above 0");
         BoardFile board;
-        CoreParameters& core = board.core.parameters;
-        core.build = values.at("Build") == 1 ? Build::kSerial : Build::kParallel;
-        for (const auto& [parameter, value] : values) {
-            const ref::Parameter* const row = ref::find_parameter(parameter);
-            if (row != nullptr) core.*row->value = value;
-        }
-        const std::string reason = ref::why_not_built(core);
+        board.core.parameters = core_of_board(values);
+        const std::string reason = ref::why_not_built(board.core.parameters);
         if (!reason.empty()) throw std::invalid_argument(reason);
-        board.device = device_of(json);
+        board.device = device_of_board(json);
         board.core.clock_hz = clock_hz;
         board.core.sample_period_s = std::exp2(values.at("PeriodLog2")) / clock_hz;
         board.segment_queue_words = values.at("SegmentQueueWords");

@@ -3,6 +3,8 @@
 // sample period and queues.
 #pragma once
 
+#include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sysc/host/core_file.hpp"
@@ -20,5 +22,11 @@ struct BoardFile {
 /// @throws UsageError: no such board; ref::InputError: no board in the file, a parameter that the
 ///         core cannot have
 BoardFile read_board_file(const std::string& name);
+
+/// The name in sysc/widths/devices.def of what a board's table calls family and device: "25k" of
+/// ECP5 is ecp5-25, die GW2A-18C is gw2a-18, up5k is itself; empty: not said.
+std::string device_of_board(const nlohmann::json& board);
+/// The core that motion_board has with these parameters, all of them.
+CoreParameters core_of_board(const std::map<std::string, int>& parameters);
 
 }  // namespace curvecore::sysc

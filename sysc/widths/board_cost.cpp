@@ -2,49 +2,44 @@
 #include "sysc/widths/board_cost.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "sysc/host/board_file.hpp"
+#include "sysc/widths/placed_boards_data.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
-/// A board as `scripts/synth.sh --board` placed it: the table of scripts/README.md. Its core has
-/// the parameters that motion_board has where nothing is said.
+/// A row of sysc/widths/placed_boards.json on a device of the table.
 struct PlacedBoard {
-    std::string_view device;
-    Build build;
+    const Device* device;
+    CoreParameters core;
     double lut4;
     double ff;
     int dsp;
     int ram;
     double mhz;
 };
-constexpr std::array<PlacedBoard, 3> kPlaced{{
-    {"ecp5-25", Build::kSerial, 6876, 5166, 4, 24, 67},      // colorlight_i5
-    {"gw2a-18", Build::kSerial, 8749, 6134, 4, 19, 67},      // tang_nano_20k
-    {"ecp5-85", Build::kParallel, 28434, 20149, 52, 15, 63}  // ulx3s_85
-}};
 
-CoreParameters core_of_boards(Build build, const Device& device) {
-    CoreParameters core;
-    core.build = build;
-    core.order = 6;
-    core.coef_bits = 36;
-    core.position_bits = 32;
-    core.guard_bits = 10;
-    core.splines = 1;
-    core.mode = 1;
-    core.sample_interval = 8;
-    core.multiplier_form = device.form;
-    return core;
+std::vector<PlacedBoard> placed_boards() {
+    std::vector<PlacedBoard> placed;
+    for (const nlohmann::json& row : nlohmann::json::parse(kPlacedBoards)) {
+        const Device* const device = find_device(device_of_board(row));
+        if (device == nullptr) continue;
+        placed.push_back({device, core_of_board(row.at("parameters")), row.at("lut4"),
+                          row.at("ff"), row.at("dsp"), row.at("bram"), row.at("fmax_mhz")});
+    }
+    return placed;
 }
 
-/// Null: none.
+/// One of this build and family. Null: none.
 const PlacedBoard* placed_board(Build build, const Device& device) {
-    const auto* const found =
-        std::find_if(kPlaced.begin(), kPlaced.end(), [&](const PlacedBoard& board) {
-            return board.build == build &&
-                   device_of(std::string(board.device))->family == device.family;
-        });
-    return found == kPlaced.end() ? nullptr : found;
+    static const std::vector<PlacedBoard> kPlaced = placed_boards();
+    const auto found = std::find_if(kPlaced.begin(), kPlaced.end(), [&](const PlacedBoard& board) {
+        return board.core.build == build && board.device->family == device.family;
+    });
+    return found == kPlaced.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -58,8 +53,8 @@ std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& para
     const PlacedBoard* const placed = placed_board(parameters.build, device);
     std::optional<CostEstimate> cost = estimate(core, parameters, device);
     if (placed == nullptr || !cost) return std::nullopt;
-    const CostEstimate theirs =
-        *estimate(Core::kCurve, core_of_boards(placed->build, device), device);
+    const Core drawn = core_for(true, placed->core.splines == 1, placed->core.build);
+    const CostEstimate theirs = *estimate(drawn, placed->core, device);
     cost->lut4 += placed->lut4 - theirs.lut4;
     cost->ff += placed->ff - theirs.ff;
     cost->dsp += placed->dsp - theirs.dsp;

@@ -62,7 +62,6 @@ function(add_lint_tests)
   lint_test(configurations ${PROJECT_SOURCE_DIR}/tb/lint/configurations.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
-  set_tests_properties(lint.readme_tables PROPERTIES FIXTURES_REQUIRED paper_table)
   lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})
   lint_test(licences ${PROJECT_SOURCE_DIR}/tb/lint/licences.sh ${PROJECT_SOURCE_DIR})
   lint_test(licences.breaches ${PROJECT_SOURCE_DIR}/tb/lint/licence_breaches.sh

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the boards of scripts/boards took when they were placed: the one file of it.
+
+    board, part, family, device    as in the board's table
+    parameters                     all of rtl/motion_board.sv
+    clock_mhz, fmax_mhz            asked, reached
+    lut4, ff, dsp, bram            used
+    axes, samples_s, steps_s       what a drive and a host get of it
+    tree                           the last commit that changed rtl before it was placed
+"""
+
+import json
+import subprocess
+
+from synthesis.boards import TOP
+from synthesis.cores import ROOT, parameters
+from synthesis.tools import write_whole
+
+FILE = ROOT / "sysc" / "widths" / "placed_boards.json"
+FIGURES = ("clock_mhz", "fmax_mhz", "lut4", "ff", "dsp", "bram", "axes", "samples_s", "steps_s")
+
+
+def read():
+    """Rows by the board's name."""
+    return {row["board"]: row for row in json.loads(FILE.read_text())}
+
+
+def record(board, facts):
+    tree = subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", "rtl"], check=True,
+                          text=True, capture_output=True).stdout.strip()
+    row = {"board": board.name, "part": board.part, "family": board.family,
+           "device": board.device,
+           "parameters": {name: int(value) for name, value in
+                          (parameters(TOP) | board.settings).items()},
+           **{name: facts[name] for name in FIGURES}, "tree": tree}
+    rows = read() | {board.name: row}
+    write_whole(FILE, json.dumps([rows[name] for name in sorted(rows)], indent=2) + "\n")

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a whole board takes, against the boards that were placed.
+#include "sysc/widths/board_cost.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "sysc/host/board_file.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+nlohmann::json placed_boards() {
+    std::ifstream file(PLACED_BOARDS);
+    return nlohmann::json::parse(file);
+}
+
+TEST(BoardCost, OfAPlacedBoardIsWhatItTook) {
+    std::map<std::string, int> seen;  // the first of a build and family stands for it
+    for (const nlohmann::json& row : placed_boards()) {
+        const Device* const device = find_device(device_of_board(row));
+        if (device == nullptr) continue;
+        const CoreParameters core = core_of_board(row.at("parameters"));
+        const std::string kind = std::string(device->family) + build_name(core.build);
+        if (seen[kind]++ > 0) continue;
+        const auto cost =
+            board_estimate(core_for(true, core.splines == 1, core.build), core, *device);
+        ASSERT_TRUE(cost.has_value()) << row.at("board");
+        EXPECT_NEAR(cost->lut4, row.at("lut4"), 1e-6) << row.at("board");
+        EXPECT_NEAR(cost->ff, row.at("ff"), 1e-6) << row.at("board");
+        EXPECT_EQ(cost->dsp, row.at("dsp")) << row.at("board");
+        EXPECT_EQ(cost->ram, row.at("bram")) << row.at("board");
+        EXPECT_LE(cost->mhz, row.at("fmax_mhz")) << row.at("board");
+    }
+    EXPECT_EQ(seen.size(), 3U);
+}
+
+}  // namespace
+}  // namespace curvecore::sysc
