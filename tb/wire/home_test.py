@@ -14,7 +14,8 @@ import sys
 import tempfile
 import unittest
 
-from wire_parts import AXES, CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, counts, read
+from wire_parts import (AXES, CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, counts,
+                        read, until)
 
 FAR = 10**6
 # X latches where its switch closes, Y where it opens, below the travel; Z is above it.
