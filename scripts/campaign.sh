@@ -85,3 +85,4 @@ PYTHON
 export CURVECORE_MUTATIONS=100000
 for label in model unit cli; do scripts/test.sh --preset asan -L "$label"; done
 scripts/coverage.sh
+scripts/pages.sh

@@ -67,7 +67,7 @@ function(core_test test configuration)
     target_link_libraries(${target} PRIVATE curvecore_test_options ${model} curvecore_hls
                                             ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   endif()
-  gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 60
+  gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 600
                        TEST_FILTER "${ARG_TESTS}" PROPERTIES LABELS unit)
   label_needs(unit ${target})
 endfunction()

@@ -32,7 +32,7 @@ function(formal_test wrapper)
              COMMAND ${prove} prove ${wrapper} ${configuration} ${sources})
     list(APPEND tests ${name}.proved.${configuration})
   endforeach()
-  set_tests_properties(${tests} PROPERTIES LABELS formal TIMEOUT 600
+  set_tests_properties(${tests} PROPERTIES LABELS formal
                        ENVIRONMENT STATE_SEARCH=$<TARGET_FILE:state_search>)
   file(STRINGS ${wrapper} long REGEX "^// long: ")
   string(REPLACE "// long: " "" long "${long}")

@@ -74,13 +74,14 @@ fi
 if [ ${#forget[@]} -gt 0 ]; then
   "$STATE_SEARCH" "$mode" "$work/model.aig" "${forget[@]}"
 elif [ "$mode" = cover ]; then
-  yosys-abc -c "read_aiger $work/model.aig; fold; strash; bmc3 -a -F 200 -T 120" \
+  (ulimit -t 120; yosys-abc -c "read_aiger $work/model.aig; fold; strash; bmc3 -a -F 200") \
     >"$work/log" || true
   reached=$(grep -c 'was asserted in frame' "$work/log" || true)
   echo "$top: $reached of $count covers reached"
   [ "$reached" = "$count" ]
 else
-  yosys-abc -c "read_aiger $work/model.aig; fold; strash; scorr; pdr -T 300" >"$work/log" || true
+  (ulimit -t 300; yosys-abc -c "read_aiger $work/model.aig; fold; strash; scorr; pdr") \
+    >"$work/log" || true
   tail -n 3 "$work/log"
   case $mode in
     prove) grep -q '^Property proved' "$work/log" && echo "$top: $count assertions proved" ;;
