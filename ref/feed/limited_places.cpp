@@ -54,9 +54,10 @@ double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, st
 
 double speed_load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k) {
     const PathInterval& on = path[k];
-    const double q = std::max(spline.knot(k).q, spline.knot(k + 1).q);
     const double middle = spline.rests(k) ? 0 : farther(spline.motion(k), on.length / 2)[0];
-    return std::sqrt(std::max(q, middle)) / std::min(on.velocity, on.end_velocity);
+    return std::max({std::sqrt(spline.knot(k).q) / on.start_velocity,
+                     std::sqrt(middle) / on.velocity,
+                     std::sqrt(spline.knot(k + 1).q) / on.end_velocity});
 }
 
 void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k) {

@@ -17,8 +17,8 @@ void each_limit_at(const std::vector<PathInterval>& path, const SpeedSpline& spl
     const PathInterval& on = path[k];
     const bool rests = spline.rests(k);
     if (k + 1 < path.size()) {
-        velocity(rests ? 0 : on.length, std::min(on.speed * std::min(on.velocity, on.end_velocity),
-                                                 path[k + 1].speed * path[k + 1].velocity));
+        velocity(rests ? 0 : on.length, std::min(on.speed * on.end_velocity,
+                                                 path[k + 1].speed * path[k + 1].start_velocity));
     }
     if (!rests) velocity(on.length / 2, on.speed * on.velocity);
     for (const LimitedPlace& place : on.places) {

@@ -19,7 +19,7 @@ constexpr double kCrossSwerveShare = 0.7;  // of 3 v a curvature + v^3 swerve
 struct Load {
     double swing;    // share of the circular part
     double advance;  // |constant part|
-    double velocity, acceleration, jerk;
+    double acceleration, jerk;
 };
 
 template <class Visit>
@@ -28,13 +28,12 @@ void each_load(const PathShape& shape, const Machine& machine, Visit visit) {
         // Circular and axial parts are at right angles: hypot(turn, axial) = rate.
         const double swing = shape.turn > 0 ? 1 : 0;
         const double axial = shape.turn > 0 ? 0 : shape.rate;
-        visit(Load{swing, axial, machine.velocity, machine.acceleration, machine.jerk});
+        visit(Load{swing, axial, machine.acceleration, machine.jerk});
     }
     for (int i = 0; i < kMachineAxes; ++i) {
         if (shape.swing[i] == 0 && shape.advance[i] == 0) continue;
         const AxisLimits& axis = machine.axis[i];
-        visit(Load{shape.swing[i], std::abs(shape.advance[i]), axis.velocity, axis.acceleration,
-                   axis.jerk});
+        visit(Load{shape.swing[i], std::abs(shape.advance[i]), axis.acceleration, axis.jerk});
     }
 }
 
@@ -53,13 +52,22 @@ double circular_rate(const PathShape& shape) {
 
 }  // namespace
 
-double highest_speed(const PathShape& shape, const Machine& machine) {
-    const double turn = circular_rate(shape);
-    double v = 1e9;
-    each_load(shape, machine, [&](const Load& load) {
-        v = std::min(v, load.velocity / (load.swing * turn + load.advance));
-    });
+double path_speed(const PathShape& shape, const Machine& machine) {
+    if (!shape.linear) return 1e9;
+    return machine.velocity / (shape.turn > 0 ? circular_rate(shape) : shape.rate);
+}
+
+double highest_speed(const AxisVector& along, const PathShape& shape, const Machine& machine) {
+    double v = path_speed(shape, machine);
+    for (std::size_t i = 0; i < kMachineAxes; ++i) {
+        const double rate = std::abs(along[i]);
+        if (rate > 0) v = std::min(v, machine.axis[i].velocity / rate);
+    }
     return v;
+}
+
+double highest_speed(const PathShape& shape, const Machine& machine) {
+    return highest_speed(shape.along, shape, machine);
 }
 
 double top_speed(const PathShape& shape, const Machine& machine) {

@@ -13,6 +13,9 @@ namespace curvecore::ref {
 constexpr double kAccelerationShare = 0.95;
 constexpr double kJerkShare = 0.95;
 
+/// Of velocities: rounding to the grid stays inside.
+constexpr double kVelocityShare = 0.998;
+
 /// Joints turning by more than this stop: |change of the unit tangent|, about 15 degrees.
 constexpr double kSmallTurn = 0.26;
 
@@ -27,7 +30,13 @@ struct PathLimits {
 /// R^2 (of a spline also v^3 swerve) allow with some room left along the path.
 double top_speed(const PathShape& shape, const Machine& machine);
 
-/// Speed that a move's path and axis velocities allow.
+/// Speed that the path's own velocity allows, all along a move.
+double path_speed(const PathShape& shape, const Machine& machine);
+
+/// Speed that path and axis velocities allow where r' is `along`: at a place, V_i^2 >= r'_i^2 v^2.
+double highest_speed(const AxisVector& along, const PathShape& shape, const Machine& machine);
+
+/// The same all along a move.
 double highest_speed(const PathShape& shape, const Machine& machine);
 
 /// What a speed of at most v leaves along the path.

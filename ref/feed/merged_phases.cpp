@@ -23,7 +23,7 @@ class Merger {
   public:
     Merger(const std::vector<Phase>& run, const std::vector<int>& mends, const RunPath& path,
            const Machine& machine)
-        : run_(run), mends_(mends), path_(path), jump_(kJump * machine.jerk * machine.joint_time) {
+        : run_(run), mends_(mends), path_(path), jump_time_(kJump * machine.joint_time) {
         time_.push_back(0);
         for (const Phase& phase : run) time_.push_back(time_.back() + phase.duration);
     }
@@ -57,6 +57,9 @@ class Merger {
                              v, time_[end] - time_[first]);
     }
 
+    /// Of acceleration, at a knot.
+    double jump(std::size_t knot) const { return jump_time_ * path_.jerk_along(knot); }
+
     bool fits(std::size_t first, std::size_t end) {
         const auto at = [this](std::size_t i) {
             return mends_.begin() + static_cast<std::ptrdiff_t>(i);
@@ -65,7 +68,9 @@ class Merger {
         const Phase phase = one(first, end);
         const Phase& back = run_[end - 1];
         const double off = phase.acceleration(phase.duration) - back.acceleration(back.duration);
-        if (std::abs(phase.a - run_[first].a) > jump_ || std::abs(off) > jump_) return false;
+        if (std::abs(phase.a - run_[first].a) > jump(first) || std::abs(off) > jump(end)) {
+            return false;
+        }
         if (least_speed(phase) < -kStill) return false;
         const RunLoads loads = path_.loads(phase, first, end, {kKept, kSpeedKept});
         return loads.load <= kKept && loads.speed <= kSpeedKept;
@@ -74,7 +79,7 @@ class Merger {
     const std::vector<Phase>& run_;
     const std::vector<int>& mends_;
     const RunPath& path_;
-    double jump_;
+    double jump_time_;
     std::vector<double> time_;
 };
 

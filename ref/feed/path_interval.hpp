@@ -19,11 +19,12 @@ struct LimitedPlace {
 
 /// From one knot to the next.
 struct PathInterval {
-    double length = 0;        // mm
-    double velocity = 0;      // mm/s, on it
-    double end_velocity = 0;  // at its end, besides
-    double speed = 1;         // share of both
-    double share = 1;         // of the limits below
+    double length = 0;          // mm
+    double start_velocity = 0;  // mm/s, at its start
+    double velocity = 0;        // in its middle
+    double end_velocity = 0;    // at its end
+    double speed = 1;           // share of these
+    double share = 1;           // of the limits below
     std::vector<LimitedPlace> places;
 };
 

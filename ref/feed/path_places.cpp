@@ -56,7 +56,7 @@ PathPlaces::PathPlaces(const Program& program, const Geometry& geometry, double 
 PathPlace PathPlaces::at(std::size_t planned, double s) {
     const PlannedMove& part = geometry_.moves[planned];
     const Move& move = program_.moves[part.move];
-    if (move.kind == Move::Kind::kArc) return on_arc(move, part.shape, s);
+    if (move.kind == Move::Kind::kArc) return on_arc(move, part.shape, begin_[planned] + s);
     if (move.kind == Move::Kind::kCubic) return on_spline(move, begin_[planned] + s);
     PathPlace place;
     place.d1 = part.shape.advance;

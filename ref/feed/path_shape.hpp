@@ -28,6 +28,7 @@ using AxisVector = std::array<double, kMachineAxes>;
 /// | swerve    | 1/mm^2  | of r''' across the path: 0 for lines and arcs                     |
 /// | swing     | 1       | per axis: largest component of t, n and m along the move          |
 /// | advance   | 1       | per axis: constant part of r'                                     |
+/// | along     | 1       | per axis: largest |r'|                                            |
 struct PathShape {
     double length = 0;
     double rate = 1;
@@ -38,6 +39,7 @@ struct PathShape {
     bool linear = true;  // X Y Z or U V W move: the machine's own limits hold along the path
     AxisVector swing{};
     AxisVector advance{};
+    AxisVector along{};
     AxisVector tangent_start{};  // r'
     AxisVector tangent_end{};
     Vec3 bend_start = Vec3::Zero();  // r''
@@ -47,7 +49,7 @@ struct PathShape {
 /// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
 constexpr double kMaxAuxRate = 1.9;
 
-/// Of a line or an arc.
-PathShape path_shape(const Move& move);
+/// Of a line or an arc, or of what lies between two parts of its length.
+PathShape path_shape(const Move& move, double from = 0, double to = 1);
 
 }  // namespace curvecore::ref

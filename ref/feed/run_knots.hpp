@@ -14,6 +14,7 @@ struct RunMove {
     std::size_t planned = 0;  // index into Geometry::moves
     double length = 0;        // mm
     double velocity = 0;      // mm/s, on it
+    bool slow_axes = false;   // what these allow at its places counts besides
     double end_velocity = 0;  // at its end, where the next one begins
     double jerk = 0;          // mm/s^3, that its pieces can carry
     double widest = 1;        // steps between knots where the speed is constant

@@ -12,6 +12,7 @@ namespace {
 constexpr double kInside = 1e-6;  // of an interval: of two sides of a joint, its own
 constexpr int kParts = 4;         // of an interval
 constexpr double kSame = 0.05;    // of r', r'', r''': as good as constant within an interval
+constexpr double kAny = 1e300;    // a limit that is none
 
 bool differ(const PlaceLimit& a, const PlaceLimit& b) {
     const auto apart = [](double x, double y) { return std::abs(x - y) > kSame * std::max(x, y); };
@@ -73,14 +74,25 @@ void RunPath::look_at(std::size_t k) {
 }
 
 void RunPath::add(long double s, int part, std::size_t move) {
-    looks_.push_back({s, part, move, limits_.size()});
     const RunMove& on = moves_[move];
+    const PathShape& shape = geometry_.moves[on.planned].shape;
     const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
-    for (PlaceLimit limit : place_limits(at, geometry_.moves[on.planned].shape, machine_)) {
+    Look look{s, part, move, on.velocity, kAny, limits_.size()};
+    if (on.slow_axes) {
+        look.velocity =
+            std::min(look.velocity, kVelocityShare * highest_speed(at.d1, shape, machine_));
+    }
+    for (PlaceLimit limit : place_limits(at, shape, machine_)) {
+        if (limit.d11 > 0) look.jerk = std::min(look.jerk, limit.jerk / std::sqrt(limit.d11));
         limit.acceleration *= kAccelerationShare;
         limit.jerk = std::min(kJerkShare * limit.jerk, on.jerk);
         limits_.push_back(limit);
     }
+    looks_.push_back(look);
+}
+
+double RunPath::jerk_along(std::size_t k) const {
+    return looks_[k < count() ? first_look_[k] : looks_.size() - 1].jerk;
 }
 
 /// Whether the path bends unevenly.
@@ -105,15 +117,28 @@ PathInterval RunPath::interval(std::size_t k) const {
     const std::size_t end = first_look_[k + 1];
     PathInterval interval;
     interval.length = static_cast<double>(to - from);
-    interval.velocity = interval.end_velocity = 1e9;
     const std::size_t last = looks_[end - 1].move;
+    double velocity = kAny;
     for (std::size_t move = looks_[first].move; move <= last; ++move) {
-        interval.velocity = std::min(interval.velocity, moves_[move].velocity);
-        if (move == last) break;
-        interval.velocity = std::min(interval.velocity, moves_[move].end_velocity);
+        velocity = std::min(velocity, moves_[move].velocity);
+        if (move < last) velocity = std::min(velocity, moves_[move].end_velocity);
     }
-    if (begin_[last + 1] < to + interval.length * kInside) {
-        interval.end_velocity = moves_[last].end_velocity;
+    const auto least = [&](int from_part, int to_part) {
+        double most = velocity;
+        for (std::size_t i = first; i < end; ++i) {
+            const int part = looks_[i].part;
+            if (part < 0 || (part >= from_part && part <= to_part)) {
+                most = std::min(most, looks_[i].velocity);
+            }
+        }
+        return most;
+    };
+    interval.start_velocity = least(0, 0);
+    interval.velocity = least(kParts / 2, kParts / 2);
+    interval.end_velocity = least(kParts, kParts);
+    const bool joins = begin_[last + 1] < to + interval.length * kInside;
+    if (joins && last + 1 < moves_.size()) {
+        interval.end_velocity = std::min(interval.end_velocity, moves_[last].end_velocity);
     }
     const bool rests = starts(k) || ends(k);
     const bool all = !rests && changes(k);
@@ -167,7 +192,7 @@ RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
         const Look& look = looks_[i];
         t = time_near(phase, t, static_cast<double>(look.s - phase.s));
         const double v = phase.speed(t);
-        worst.speed = std::max(worst.speed, v / moves_[look.move].velocity);
+        worst.speed = std::max(worst.speed, v / look.velocity);
         if (i > first_look_[first] && looks_[i - 1].move != look.move) {
             worst.speed = std::max(worst.speed, v / moves_[look.move - 1].end_velocity);
         }

@@ -28,20 +28,27 @@ class RunPath {
     /// there.
     PathInterval interval(std::size_t k) const;
 
+    /// The jerk along the path that the machine allows at knot k.
+    double jerk_along(std::size_t k) const;
+
     /// The most that a phase takes, which lasts from knot `first` to knot `end`; more than `most`,
     /// and no more is looked at.
     RunLoads loads(const Phase& phase, std::size_t first, std::size_t end,
                    const RunLoads& most) const;
 
   private:
-    /// | field  | remark                                                         |
-    /// |--------|----------------------------------------------------------------|
-    /// | part   | of the interval, in quarters of its time; -1: beside a joint in it |
-    /// | limits | where they begin                                               |
+    /// | field    | remark                                                             |
+    /// |----------|--------------------------------------------------------------------|
+    /// | part     | of the interval, in quarters of its time; -1: beside a joint in it |
+    /// | velocity | mm/s, that its move and the machine allow                          |
+    /// | jerk     | mm/s^3 along the path, that the machine allows                     |
+    /// | limits   | where they begin                                                   |
     struct Look {
         long double s;
         int part;
         std::size_t move;
+        double velocity;
+        double jerk;
         std::size_t limits;
     };
 

@@ -22,6 +22,7 @@ struct Bounds {
     double curvature = 0;
     double swerve = 0;
     Vec3 swing = Vec3::Zero();
+    Vec3 along = Vec3::Ones();
 };
 
 /// The polynomials of the header.
@@ -41,8 +42,8 @@ class Frenet {
     Bounds at(double u) const {
         const double v = value(v_, u).norm();
         const double cube = v * v * v;
-        return felt(
-            {value(m_, u).norm() / cube, value(g_, u).norm() / (cube * cube), Vec3::Ones()});
+        return felt({value(m_, u).norm() / cube, value(g_, u).norm() / (cube * cube), Vec3::Ones(),
+                     value(v_, u).cwiseAbs() / v});
     }
 
     /// Where the speed is at least v.
@@ -59,6 +60,7 @@ class Frenet {
         }
         const Vec3 along = widest(v_) / v;
         bounds.swing = (along.cwiseAbs2() + across.cwiseAbs2()).cwiseSqrt().cwiseMin(1.0);
+        bounds.along = along.cwiseMin(1.0);
         return bounds;
     }
 
@@ -95,6 +97,7 @@ class Stretcher {
         Bounds bounds;
         if (still && length <= kTip) {
             bounds = frenet.at(speed.at_max);
+            bounds.along = Vec3::Ones();
         } else if (!still) {
             bounds = frenet.over(speed.min);
         }
@@ -116,7 +119,10 @@ class Stretcher {
         shape.turn = 1;
         shape.curvature = shape.twist = bounds.curvature;
         shape.swerve = bounds.swerve;
-        for (int i = 0; i < 3; ++i) shape.swing[static_cast<std::size_t>(i)] = bounds.swing[i];
+        for (int i = 0; i < 3; ++i) {
+            shape.swing[static_cast<std::size_t>(i)] = bounds.swing[i];
+            shape.along[static_cast<std::size_t>(i)] = bounds.along[i];
+        }
         const double v = top_speed(shape, machine_);
         return move_.rapid || move_.feed <= 0 ? v : std::min(v, move_.feed);
     }
@@ -145,6 +151,7 @@ class Stretcher {
             const auto axis = static_cast<std::size_t>(i);
             const bool moves = cubic.a[i] != 0 || cubic.b[i] != 0 || cubic.c[i] != 0;
             shape.swing[axis] = moves ? bounds.swing[i] : 0;
+            shape.along[axis] = moves ? bounds.along[i] : 0;
             if (starts) shape.tangent_start[axis] = tangent(cubic, u0)[i];
             if (ends) shape.tangent_end[axis] = tangent(cubic, u1)[i];
         }
@@ -153,6 +160,7 @@ class Stretcher {
         for (std::size_t i = 0; i < kAuxAxes; ++i) {
             const double rate = (move_.aux_end[i] - move_.aux_start[i]) / arc_.length();
             shape.advance[3 + i] = shape.tangent_start[3 + i] = shape.tangent_end[3 + i] = rate;
+            shape.along[3 + i] = std::abs(rate);
         }
         return shape;
     }

@@ -24,6 +24,7 @@ std::vector<double> standstills(const Cubic& cubic);
 /// | twist          | k as well: r''' along the path is -k^2                                     |
 /// | swerve         | |r''' across the path| = |G| / v^6,  G = v^2 M' - 3 (V.W) M                |
 /// | swing          | components of V / v, r'' / curvature and the swerving part of r''' / swerve |
+/// | along          | components of V / v                                                        |
 ///
 /// Each is the convex hull of a polynomial over a power of the least speed. Within kTip of a
 /// standstill, where k grows as s^-1/2, they are those of the stretch's fastest point: from rest

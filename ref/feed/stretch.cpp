@@ -13,8 +13,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kMachineShare = 0.998;  // of velocities: rounding to the grid stays inside
-constexpr double kJointShare = 0.99;     // the same at joints
+constexpr double kJointShare = 0.99;  // the same at joints
 // The shortest piece must resolve a ramp: so many of them up to full acceleration, and so little
 // of the speed gained within one.
 constexpr double kRampPieces = 4;
@@ -157,12 +156,15 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
     std::vector<RunMove> moves;
     for (std::size_t i = first; i < end; ++i) {
         const std::size_t zone = stretch.zone_of(i);
-        const double highest = highest_speed(geometry_.moves[i].shape, machine_);
+        const PathShape& shape = geometry_.moves[i].shape;
+        const double highest = highest_speed(shape, machine_);
+        const double fastest = shape.turn > 0 ? path_speed(shape, machine_) : highest;
         RunMove move;
         move.planned = i;
         move.length = length_of(geometry_.moves[i], grid_);
-        move.velocity = std::min(asked_speed(i, highest), stretch.caps[zone]);
-        move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
+        move.velocity = std::min(asked_speed(i, fastest), stretch.caps[zone]);
+        move.slow_axes = kVelocityShare * highest < move.velocity;
+        move.widest = move.slow_axes ? 1 : knots_apart(program_.moves[geometry_.moves[i].move]);
         move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
         if (i < stretch.last) {
             move.end_velocity = std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
@@ -219,7 +221,7 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
         keep_loads(part, on.planned, run, grid_, machine_, places_, worst);
         const double load =
             std::max(worst.acceleration / kAccelerationShare, worst.jerk / kJerkShare);
-        double speed = top_of(part, run) / on.velocity;
+        double speed = std::max(top_of(part, run) / on.velocity, worst.velocity / kVelocityShare);
         if (part.ends_move && part.move_index + 1 < moves.size()) {
             speed = std::max(speed, motion(part, 1, run).v / on.end_velocity);
         }
@@ -237,7 +239,7 @@ double StretchPlanner::asked_speed(std::size_t i, double machine) const {
     const PlannedMove& planned = geometry_.moves[i];
     const Move& move = program_.moves[planned.move];
     const double v = std::min(
-        {machine * kMachineShare, step_speed_[i] * kMachineShare, most_[i], fastest_word(grid_)});
+        {machine * kVelocityShare, step_speed_[i] * kVelocityShare, most_[i], fastest_word(grid_)});
     return !move.rapid && move.feed > 0 ? std::min(v, move.feed / planned.shape.rate) : v;
 }
 

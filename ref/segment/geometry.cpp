@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "ref/feed/arc_shape.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
@@ -164,21 +165,40 @@ class Cutter {
                 return cut_move(move, shape, format, finer, options_, by_turns).pieces > 0;
             });
         }
-        PlannedMove planned;
-        planned.move = index;
-        planned.shape = shape;
         const std::size_t first = geometry_.segments.size();
         const long double begin = path_;
         for (int i = 0; i < cut.pieces; ++i) {
             place(index, shape, cut, i,
                   begin + shape.length / static_cast<long double>(unit) * (i + 1) / cut.pieces);
         }
+        std::uint64_t length = 0;
+        double steps = 0;
         for (std::size_t i = first; i < geometry_.segments.size(); ++i) {
-            const double length = static_cast<double>(geometry_.segments[i].length);
-            planned.length += geometry_.segments[i].length;
-            planned.steps += std::ceil(std::ldexp(length, -16 - cut.step_exponent));
+            const std::uint64_t own = geometry_.segments[i].length;
+            length += own;
+            steps += std::ceil(std::ldexp(static_cast<double>(own), -16 - cut.step_exponent));
         }
-        if (planned.length > 0) geometry_.moves.push_back(planned);
+        plan(index, shape, length, steps);
+    }
+
+    /// A line or an arc of so many quanta and integration steps.
+    void plan(std::size_t index, const PathShape& shape, std::uint64_t length, double steps) {
+        const Move& move = program_.moves[index];
+        std::vector<ArcStretch> stretches{{0, 1, shape}};
+        if (move.kind == Move::Kind::kArc) stretches = arc_stretches(move, machine_);
+        std::uint64_t from = 0;
+        for (const ArcStretch& stretch : stretches) {
+            const auto to = static_cast<std::uint64_t>(
+                std::llround(static_cast<long double>(stretch.to) * length));
+            if (to <= from) continue;
+            PlannedMove planned;
+            planned.move = index;
+            planned.shape = stretch.shape;
+            planned.length = to - from;
+            planned.steps = steps * static_cast<double>(to - from) / static_cast<double>(length);
+            geometry_.moves.push_back(planned);
+            from = to;
+        }
     }
 
     void add_spline(std::size_t index) {

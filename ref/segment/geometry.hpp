@@ -9,7 +9,7 @@ namespace curvecore::ref {
 
 constexpr int kMaxSteps = 1 << 12;  // steps of one segment of an arc or a line
 
-/// A line or an arc that has a length, or a stretch of a spline.
+/// A line that has a length, or a stretch of an arc or of a spline.
 struct PlannedMove {
     std::size_t move = 0;  // index into Program::moves
     PathShape shape;

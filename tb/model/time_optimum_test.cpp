@@ -60,7 +60,7 @@ Path path_along(double length, Curvature curvature, int n, double seconds) {
         if (i == n) break;
         PathInterval interval;
         interval.length = place(1. * (i + 1) / n) - place(u);
-        interval.velocity = interval.end_velocity = kVelocity;
+        interval.start_velocity = interval.velocity = interval.end_velocity = kVelocity;
         const PlaceLimit seen = limit(curvature(place(u) + interval.length / 2));
         interval.places = {{interval.length / 2, i == 0 || i == n - 1, true, seen, 1},
                            {interval.length, true, false, seen, 1}};

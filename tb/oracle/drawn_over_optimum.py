@@ -60,7 +60,7 @@ def check(program, folder):
 
 
 def main():
-    given = arguments(__doc__)
+    given = arguments(__doc__).parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if given.check:

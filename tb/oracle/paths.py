@@ -99,9 +99,10 @@ class Cubic:
     @property
     def code(self):
         p = self.points
-        i, q = p[1] - p[0], p[2] - p[3]
-        return (f"G5 X{p[3][0]:.9f} Y{p[3][1]:.9f} I{i[0]:.9f} J{i[1]:.9f}"
-                f" P{q[0]:.9f} Q{q[1]:.9f}\n")
+        flat = not p[:, 2].any()  # Z K R are the reader's own
+        words = [*zip("XYZ", p[3]), *zip("IJK", p[1] - p[0]), *zip("PQR", p[2] - p[3])]
+        return "G5" + "".join(f" {letter}{value:.9f}" for letter, value in words
+                              if not (flat and letter in "ZKR")) + "\n"
 
     def derivatives(self, s):
         u = np.interp(s, self.s, self.u)
@@ -163,6 +164,20 @@ def random_chain(seed, count):
     return curves
 
 
+def space_chain(seed, count):
+    """The same in space."""
+    random = np.random.default_rng(seed)
+    curves = []
+    at = np.zeros(3)
+    out = np.array([4.0, 0, 0])
+    for _ in range(count):
+        end = at + random.uniform((6, -10, -10), (12, 10, 10))
+        leave = random.uniform((2, -5, -5), (6, 5, 5))
+        curves.append(Cubic([at, at + out, end - leave, end]))
+        at, out = end, leave * random.uniform(0.7, 1.4)
+    return curves
+
+
 PATHS = {
     "line1": [Line((0, 0, 0), (1, 0, 0))],
     "line10": [Line((0, 0, 0), (10, 0, 0))],
@@ -176,6 +191,7 @@ PATHS = {
     "sine": wave(3, 18.849555921538759, 1, math.pi / 16),
     "random1": random_chain(1, 5),
     "random2": random_chain(2, 5),
+    "chain3d": space_chain(3, 20),
 }
 
 

@@ -8,9 +8,10 @@ Grid points on the path; between two of them the jerk along the path is constant
 
 The limits hold at both ends of every interval, with the path's derivatives as seen from within:
 
-    v <= V    |r' a + r'' v^2| <= A    |r' j + 3 r'' v a + r''' v^3| <= J
+    |r'| v <= V    |r' a + r'' v^2| <= A    |r' j + 3 r'' v a + r''' v^3| <= J
 
-Where r'' steps (a joint) its step takes the joint time T: v^2 |dr''| <= J T.  IPOPT (by casadi)
+for the path, and for each axis that has limits of its own.  Where r'' steps (a joint) its step
+takes the joint time T: v^2 |dr''| <= J T.  IPOPT (by casadi)
 minimises the sum of h.  The problem is not convex: a start from a fast motion may find a better
 optimum than one from a slow one.
 """
@@ -23,15 +24,29 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Limits:
+    """Of the path, and of X Y Z where these have their own: (velocity, acceleration, jerk)."""
+
     velocity: float = 500.0
     acceleration: float = 5000.0
     jerk: float = 100000.0
     joint_time: float = 1e-3
+    axes: tuple = ()
 
     def shares(self, acceleration, jerk):
         """Inside the path; joints keep the whole limit."""
+        axes = tuple((v, a * acceleration, j * jerk) for v, a, j in self.axes)
         return Limits(self.velocity, self.acceleration * acceleration, self.jerk * jerk,
-                      self.joint_time / jerk)
+                      self.joint_time / jerk, axes)
+
+    def each(self):
+        """(rows of X Y Z that it sees, velocity, acceleration, jerk) of every limit."""
+        yield slice(0, 3), self.velocity, self.acceleration, self.jerk
+        for i, (velocity, acceleration, jerk) in enumerate(self.axes):
+            yield slice(i, i + 1), velocity, acceleration, jerk
+
+    def ramp(self):
+        """Time to full acceleration of the quickest limit."""
+        return min(acceleration / jerk for _, _, acceleration, jerk in self.each())
 
 
 @dataclass
@@ -104,7 +119,7 @@ def oracle(curves, limits, feed, count=400, start=None, quiet=True):
         a0 = np.interp(s, start.s, start.a)
         h0 = np.maximum(np.diff(np.interp(s, start.s, start.t)), 1e-6)
     # Of order one: time in units of `unit`, length as it is.
-    unit = limits.acceleration / limits.jerk
+    unit = limits.ramp()
     v = casadi.MX.sym("v", n + 1)
     a = casadi.MX.sym("a", n + 1)
     j = casadi.MX.sym("j", n)
@@ -113,20 +128,17 @@ def oracle(curves, limits, feed, count=400, start=None, quiet=True):
     equal = [va * h + aa * h**2 / 2 + j * h**3 / 6 - ds,
              va + aa * h + j * h**2 / 2 - vb,
              aa + j * h - ab]
-    acc = (limits.acceleration * unit**2)**2
-    jerk = (limits.jerk * unit**3)**2
     less = []
     for (first, second, third), speed, gain in zip(ends, (va, vb), (aa, ab)):
         loads = [first[i] * gain + second[i] * speed**2 for i in range(3)]
-        less.append(sum(x * x for x in loads) / acc)
         pulls = [first[i] * j + 3 * second[i] * speed * gain + third[i] * speed**3
                  for i in range(3)]
-        less.append(sum(x * x for x in pulls) / jerk)
-    caps = np.full(n + 1, top * unit)
-    step = np.linalg.norm(ends[0][1][:, 1:] - ends[1][1][:, :-1], axis=0)
-    joint = step > 1e-9
-    caps[1:-1][joint] = np.minimum(
-        caps[1:-1][joint], np.sqrt(limits.jerk * limits.joint_time / step[joint]) * unit)
+        for rows, _, acceleration, jerk in limits.each():
+            if not first[rows].any() and not second[rows].any():
+                continue
+            less.append(sum(x * x for x in loads[rows]) / (acceleration * unit**2)**2)
+            less.append(sum(x * x for x in pulls[rows]) / (jerk * unit**3)**2)
+    caps = velocities(ends, limits, top) * unit
     caps[0] = caps[-1] = 0
     rest = np.full(n + 1, np.inf)
     rest[0] = rest[-1] = 0
@@ -140,14 +152,29 @@ def oracle(curves, limits, feed, count=400, start=None, quiet=True):
         x0=np.concatenate((v0 * unit, a0 * unit**2, j0 * unit**3, h0 / unit)),
         lbx=np.concatenate((np.zeros(n + 1), -rest, np.full(n, -np.inf), np.full(n, 1e-9))),
         ubx=np.concatenate((caps, rest, np.full(n, np.inf), np.full(n, np.inf))),
-        lbg=np.concatenate((np.zeros(3 * n), np.full(4 * n, -np.inf))),
-        ubg=np.concatenate((np.zeros(3 * n), np.ones(4 * n))))
+        lbg=np.concatenate((np.zeros(3 * n), np.full(len(less) * n, -np.inf))),
+        ubg=np.concatenate((np.zeros(3 * n), np.ones(len(less) * n))))
     if not solver.stats()["success"]:
         return None
     x = np.array(found["x"]).ravel()
     times = x[-n:] * unit
     return Motion(s, x[:n + 1] / unit, x[n + 1:2 * n + 2] / unit**2,
                   np.concatenate(([0], np.cumsum(times))))
+
+
+def velocities(ends, limits, top):
+    """The most at the grid's points: from within on both sides, and through joints."""
+    caps = np.full(ends[0][0].shape[1] + 1, top)
+    steps = ends[0][1][:, 1:] - ends[1][1][:, :-1]
+    for rows, velocity, _, jerk in limits.each():
+        for (first, _, _), cut in zip(ends, (slice(None, -1), slice(1, None))):
+            rate = np.linalg.norm(first[rows], axis=0)
+            caps[cut] = np.minimum(caps[cut], velocity / np.maximum(rate, 1e-9))
+        step = np.linalg.norm(steps[rows], axis=0)
+        joint = step > 1e-9
+        through = np.sqrt(jerk * limits.joint_time / step[joint])
+        caps[1:-1][joint] = np.minimum(caps[1:-1][joint], through)
+    return caps
 
 
 def bump(s, ends, limits, top):
@@ -161,8 +188,10 @@ def bump(s, ends, limits, top):
     duration = speed.max() / top
     for (first, second, third), cut in zip(ends, (slice(None, -1), slice(1, None))):
         v, a, j = speed[cut], gain[cut], change[cut]
-        load = np.linalg.norm(first * a + second * v**2, axis=0).max()
-        pull = np.linalg.norm(first * j + 3 * second * v * a + third * v**3, axis=0).max()
-        duration = max(duration, (load / limits.acceleration)**0.5, (pull / limits.jerk)**(1 / 3))
+        moves = first * v, first * a + second * v**2, first * j + 3 * second * v * a + third * v**3
+        for rows, *most in limits.each():
+            for order, (load, limit) in enumerate(zip(moves, most), 1):
+                worst = np.linalg.norm(load[rows], axis=0).max()
+                duration = max(duration, (worst / limit)**(1 / order))
     duration *= 1.02
     return speed / duration, gain / duration**2, np.maximum(np.diff(at) * duration, 1e-7)

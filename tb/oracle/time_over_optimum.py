@@ -5,6 +5,8 @@
     time_over_optimum.py --program curvecore -o FILE.json    all paths, printed as a table
     time_over_optimum.py --program curvecore --check         some of them: fails where a plan of the
                                                              effort optimum is slower than it should
+    time_over_optimum.py --program curvecore --axes 500,5000,1e5/50,5000,1e5/500,5000,1e5 PATH ..
+                          some of them, where X, Y and Z have limits of velocity, acceleration, jerk
 
 The program's machine has the limits of time_oracle.Limits; its plans take shares of them, the rest
 is for holds.
@@ -28,6 +30,16 @@ GRID = 1200
 CHECKED = ("line100", "circle25", "circle2", "wave")
 SLOWER = 1.015  # than the oracle under the same shares
 
+FULL = (500.0, 5000.0, 1e5)  # of an axis
+SLOW = (50.0, 5000.0, 1e5)
+MIXED = ((1000.0, 1e4, 2e5), (300.0, 3000.0, 5e4), SLOW[:1] + (500.0, 1e4))
+# Limits of X, Y and Z: those of the path bind along with theirs.
+UNEQUAL = (("circle25", (FULL, SLOW, FULL)), ("helix", (FULL, SLOW, FULL)),
+           ("wave", (FULL, SLOW, FULL)), ("chain3d", (FULL, FULL, SLOW)),
+           ("circle25", MIXED), ("wave", MIXED), ("chain3d", MIXED))
+CHECKED_UNEQUAL = (UNEQUAL[0], UNEQUAL[2])
+UNEQUAL_SLOWER = 1.03  # than the oracle under the whole limits
+
 
 def shares():
     """As the planner has them."""
@@ -36,17 +48,31 @@ def shares():
             for name in ("kAccelerationShare", "kJerkShare")]
 
 
-def plan(program, text, effort, folder, holds="branches"):
+def machine(limits):
+    """LinuxCNC's .ini."""
+    path = (f"[TRAJ]\nMAX_LINEAR_VELOCITY = {limits.velocity}\n"
+            f"MAX_LINEAR_ACCELERATION = {limits.acceleration}\n"
+            f"MAX_LINEAR_JERK = {limits.jerk}\nJOINT_TIME = {limits.joint_time}\n")
+    axes = zip("XYZ", limits.axes)
+    return path + "".join(f"[AXIS_{letter}]\nMAX_VELOCITY = {v}\nMAX_ACCELERATION = {a}\n"
+                          f"MAX_JERK = {j}\n" for letter, (v, a, j) in axes)
+
+
+def plan(program, text, effort, folder, holds="branches", limits=Limits()):
     """The report of a program's text; everything else is in folder / "out"."""
     file = folder / "path.ngc"
     file.write_text(text)
+    own = []
+    if limits != Limits():  # which the built-in machine has
+        (folder / "machine.ini").write_text(machine(limits))
+        own = ["--machine", folder / "machine.ini"]
     subprocess.run([program, "plan", file, "--effort", effort, "--holds", holds, "-q",
-                    "-o", folder / "out"], check=True)
+                    "-o", folder / "out", *own], check=True)
     return json.loads((folder / "out/report.json").read_text())
 
 
-def planned(program, curves, feed, effort, folder):
-    return plan(program, code(curves, feed * 60), effort, folder)["duration_s"]
+def planned(program, curves, feed, effort, folder, limits):
+    return plan(program, code(curves, feed * 60), effort, folder, limits=limits)["duration_s"]
 
 
 def best(curves, limits, feed, grid):
@@ -85,17 +111,22 @@ def off_on_lines(limits, grid):
     return worst
 
 
-def row(program, name, feed, grid, folder):
+def row(program, name, feed, grid, folder, limits=Limits()):
     curves = PATHS[name]
-    limits = Limits()
     return {
         "path": name,
         "feed_mm_s": feed,
-        "rules_s": planned(program, curves, feed, "rules", folder),
-        "optimum_s": planned(program, curves, feed, "optimum", folder),
+        "rules_s": planned(program, curves, feed, "rules", folder, limits),
+        "optimum_s": planned(program, curves, feed, "optimum", folder, limits),
         "oracle_shares_s": best(curves, limits.shares(*shares()), feed, grid),
         "oracle_s": best(curves, limits, feed, grid),
     }
+
+
+def axes_row(program, name, axes, grid, folder):
+    """Of a machine with these limits of X, Y and Z."""
+    found = row(program, name, FEEDS[0], grid, folder, Limits(axes=axes))
+    return {"axes": axes, **found, "ratio": found["optimum_s"] / found["oracle_s"]}
 
 
 def check(program, folder):
@@ -111,17 +142,22 @@ def check(program, folder):
         status |= ratio > SLOWER
         # Control: the rules are told from the optimum, but on lines.
         status |= name != "line100" and found["rules_s"] / found["oracle_shares_s"] < 1.1
+    for name, axes in CHECKED_UNEQUAL:
+        found = axes_row(program, name, axes, 600, folder)
+        print(f"{name}, axes {axes}: {found['optimum_s']:.4f} s, {found['ratio']:.4f} of the "
+              "oracle's time under the whole limits")
+        status |= found["ratio"] > UNEQUAL_SLOWER
     return int(status)
 
 
 def arguments(text):
-    """The command line that both programs have."""
+    """The command line that both programs have, and what one of them adds."""
     parser = argparse.ArgumentParser(description=text,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, metavar="CURVECORE")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("-o", dest="output", metavar="FILE.json")
-    return parser.parse_args()
+    return parser
 
 
 def printed(rows):
@@ -133,15 +169,35 @@ def printed(rows):
     return found
 
 
+def axes_of(text):
+    """V,A,J/V,A,J/V,A,J"""
+    axes = tuple(tuple(float(value) for value in axis.split(",")) for axis in text.split("/"))
+    if [len(axis) for axis in axes] != [3, 3, 3]:
+        raise argparse.ArgumentTypeError("three times V,A,J, with / between them")
+    return axes
+
+
 def main():
-    given = arguments(__doc__)
+    parser = arguments(__doc__)
+    parser.add_argument("--axes", type=axes_of, metavar="V,A,J/V,A,J/V,A,J")
+    parser.add_argument("paths", nargs="*", metavar="PATH")
+    given = parser.parse_args()
+    unknown = set(given.paths) - set(PATHS)
+    if unknown or bool(given.paths) != bool(given.axes):
+        parser.error(f"--axes goes with some of {' '.join(PATHS)}")
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         if given.check:
             return check(given.program, folder)
+        if given.axes:
+            printed(axes_row(given.program, path, given.axes, GRID, folder)
+                    for path in given.paths)
+            return 0
         rows = printed(row(given.program, path, feed, GRID, folder)
                        for feed in FEEDS for path in PATHS)
-        result = {"rows": rows, "off_on_lines": off_on_lines(Limits(), GRID)}
+        unequal = printed(axes_row(given.program, path, axes, GRID, folder)
+                          for path, axes in UNEQUAL)
+        result = {"rows": rows, "unequal": unequal, "off_on_lines": off_on_lines(Limits(), GRID)}
     if given.output:
         Path(given.output).write_text(json.dumps(result, indent=2) + "\n")
     return 0
