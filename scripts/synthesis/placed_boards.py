@@ -26,8 +26,9 @@ def read():
 
 
 def record(board, facts):
-    tree = subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", "rtl"], check=True,
-                          text=True, capture_output=True).stdout.strip()
+    sources = ["rtl", ":(exclude)*.md"]
+    tree = subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *sources],
+                          check=True, text=True, capture_output=True).stdout.strip()
     row = {"board": board.name, "part": board.part, "family": board.family,
            "device": board.device,
            "parameters": {name: int(value) for name, value in
