@@ -61,8 +61,9 @@ def arguments():
                         help=", ".join(boards.names()) + ", or a file (.json) like theirs")
     parser.add_argument("--pins-alone", action="store_true",
                         help="of a board: whether its pins are there, without the motion")
-    parser.add_argument("--record", action="store_true",
-                        help="of a board of scripts/boards: note what it takes for choose")
+    parser.add_argument("--record", metavar="FILE", nargs="?", const=placed_boards.FILE,
+                        help="of a board of scripts/boards: note what it took, for choose unless"
+                        " another file (.json) is given")
     parser.add_argument("--sweep", metavar="FILE", help="a table of configurations (.csv)")
     parser.add_argument("--jobs", type=int, default=2, metavar="N",
                         help="of a sweep: at a time (2)")
@@ -118,7 +119,7 @@ def board(given, output):
         print(f"synth: {wanted.name}: {error}", file=sys.stderr)
         return 1
     if given.record:
-        placed_boards.record(wanted, found)
+        placed_boards.record(wanted, found, Path(given.record))
     if given.pins_alone:
         print(f"{wanted.name}: {len(list(wanted.ports()))} pins are there")
         return 0

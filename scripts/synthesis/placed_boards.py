@@ -20,12 +20,8 @@ FILE = ROOT / "sysc" / "widths" / "placed_boards.json"
 FIGURES = ("clock_mhz", "fmax_mhz", "lut4", "ff", "dsp", "bram", "axes", "samples_s", "steps_s")
 
 
-def read():
-    """Rows by the board's name."""
-    return {row["board"]: row for row in json.loads(FILE.read_text())}
-
-
-def record(board, facts):
+def record(board, facts, file):
+    """Its row anew, the others as they are."""
     sources = ["rtl", ":(exclude)*.md"]
     tree = subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *sources],
                           check=True, text=True, capture_output=True).stdout.strip()
@@ -34,5 +30,7 @@ def record(board, facts):
            "parameters": {name: int(value) for name, value in
                           (parameters(TOP) | board.settings).items()},
            **{name: facts[name] for name in FIGURES}, "tree": tree}
-    rows = read() | {board.name: row}
-    write_whole(FILE, json.dumps([rows[name] for name in sorted(rows)], indent=2) + "\n")
+    others = json.loads(file.read_text()) if file.exists() else []
+    rows = [other for other in others if other["board"] != board.name] + [row]
+    rows.sort(key=lambda row: row["board"])
+    write_whole(file, json.dumps(rows, indent=2) + "\n")

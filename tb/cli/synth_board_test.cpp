@@ -114,6 +114,26 @@ TEST(SynthBoard, AParameterGivenIsInTheTop) {
     EXPECT_PRED_FORMAT2(IsSubstring, ".Order(4)", synth.read("out/boards/icebreaker/top.v"));
 }
 
+TEST(SynthBoard, WhatItTookIsRecordedAndReplacesWhatStoodThere) {
+    const SynthRun synth(kTools);
+    for (const char* board : {"icebreaker", "colorlight_i5", "icebreaker"}) {
+        EXPECT_EQ(synth.synth({"--board", board, "--record", "placed.json"}).status, 0);
+    }
+    const Json rows = Json::parse(synth.read("placed.json"));
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0]["board"], "colorlight_i5");
+    const Json facts = Json::parse(synth.read("out/boards/colorlight_i5/board.json"));
+    for (const char* figure : {"lut4", "ff", "dsp", "bram", "fmax_mhz", "part"}) {
+        EXPECT_EQ(rows[0][figure], facts[figure]) << figure;
+    }
+    EXPECT_EQ(rows[0]["parameters"]["Order"], 6) << "a default is told too";
+    const ProgramResult other =
+        synth.synth({"--board", "icebreaker", "--set", "Order=4", "--record", "placed.json"});
+    EXPECT_EQ(other.status, 2);
+    EXPECT_EQ(other.err.rfind("synth: --record is of a board of scripts/boards as it is", 0), 0U)
+        << other.err;
+}
+
 struct BadBoard {
     const char* name;
     const char* change;  // RFC 7396
