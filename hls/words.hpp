@@ -15,8 +15,9 @@
 //   |           |              | k [42:38]; last [43]: the program's last segment               |
 //   | 3 .. 7    | start        | [43:0] FineBits, GuardBits fraction bits, length units          |
 //   | for X,    | end          | as start                                                       |
-//   | for Y,    | tangent      | [35:0] CoefBits, CoefBits-2 fraction bits: (B x r / R) cos(pitch)
-//   | | for Z     | normal       | as tangent: (r / R) cos(pitch), r from the centre              |
+//   | for Y,    | tangent      | [35:0] CoefBits, CoefBits-2 fraction bits:                      |
+//   |           |              | (B x r / R) cos(pitch)                                          |
+//   | for Z     | normal       | as tangent: (r / R) cos(pitch), r from the centre              |
 //   |           | advance      | as tangent: linear rate per unit of path                       |
 //   | 3, 4, 7   | start, end, advance for each auxiliary axis                                   |
 //

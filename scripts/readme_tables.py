@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the tables of every README.md from what this tree's runs printed.
 
-    scripts/readme_tables.py             writes what was measured (build/figures, bench, demo, synth)
-    scripts/readme_tables.py --check     compares what follows from files of this tree alone
+    scripts/readme_tables.py                       writes what was measured (build/)
+    scripts/readme_tables.py --check               compares what follows from this tree's files
     scripts/readme_tables.py --check --measured    and what scripts/pages.sh has measured
 
 A table stands between `<!-- begin: NAME: COMMAND, tree COMMIT -->` and `<!-- end: NAME -->`.

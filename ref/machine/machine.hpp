@@ -51,9 +51,11 @@ struct Machine {
 /// |--------------------------------|------------------------------------------------------------|
 /// | [TRAJ]                         | MAX_LINEAR_VELOCITY MAX_LINEAR_ACCELERATION (or             |
 /// |                                | MAX_VELOCITY MAX_ACCELERATION), MAX_LINEAR_JERK,           |
-/// |                                | LINEAR_UNITS COORDINATES, and curvecore's own JOINT_TIME (s)
-/// | | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT MAX_LIMIT;
-/// | | [AXIS_0] ..), [JOINT_0] ..     | where an axis and its joints differ the tighter one holds |
+/// |                                | LINEAR_UNITS COORDINATES, and curvecore's own JOINT_TIME   |
+/// |                                | (s)                                                        |
+/// | [AXIS_X] .. [AXIS_W] (or       | MAX_VELOCITY MAX_ACCELERATION MAX_JERK MIN_LIMIT           |
+/// | [AXIS_0] ..), [JOINT_0] ..     | MAX_LIMIT; where an axis and its joints differ the tighter |
+/// |                                | one holds                                                  |
 ///
 /// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
 /// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path

@@ -20,9 +20,10 @@ void add_board(CLI::App& command, BoardOptions& options) {
         .add_option("--listen", options.listen, "where; port 27181 when left out, 0: any free one")
         ->type_name("ADDRESS[:PORT]")
         ->capture_default_str();
-    command.add_flag("--fast", options.fast,
-                     "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
-                     "that of the wall");
+    command.add_flag(
+        "--fast", options.fast,
+        "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
+        "that of the wall");
     command
         .add_option("-o,--output", options.folder, "folder for steps.csv: every step of its pins")
         ->type_name("DIR");

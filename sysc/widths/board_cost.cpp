@@ -27,8 +27,8 @@ std::vector<PlacedBoard> placed_boards() {
     for (const nlohmann::json& row : nlohmann::json::parse(kPlacedBoards)) {
         const Device* const device = find_device(device_of_board(row));
         if (device == nullptr) continue;
-        placed.push_back({device, core_of_board(row.at("parameters")), row.at("lut4"),
-                          row.at("ff"), row.at("dsp"), row.at("bram"), row.at("fmax_mhz")});
+        placed.push_back({device, core_of_board(row.at("parameters")), row.at("lut4"), row.at("ff"),
+                          row.at("dsp"), row.at("bram"), row.at("fmax_mhz")});
     }
     return placed;
 }

@@ -11,8 +11,9 @@ namespace curvecore::sysc {
 bool board_cost_is_known(Build build, const Device& device);
 
 /// The whole of a board with this core: what a board took when it was placed
-/// (sysc/widths/placed_boards.json), its core's estimate exchanged for this one's; blocks of RAM for queues of 1,024 words, and the clock that
-/// was reached. Nothing where no board of this build and family was placed.
+/// (sysc/widths/placed_boards.json), its core's estimate exchanged for this one's; blocks of RAM
+/// for queues of 1,024 words, and the clock that was reached. Nothing where no board of this build
+/// and family was placed.
 std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& parameters,
                                            const Device& device);
 

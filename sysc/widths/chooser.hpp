@@ -27,8 +27,8 @@ const char* reason_name(Reason reason);
 /// | candidate |      |                                                                          |
 /// | demand    |      | bounds, segments and steps                                               |
 /// | need      | Hz   | clocks that these need                                                   |
-/// | clock_hz  | Hz   | there is: the requirement's, or the estimate less its error | | binds     |
-/// | what keeps each parameter from being smaller by one                      |
+/// | clock_hz  | Hz   | there is: the requirement's, or the estimate less its error              |
+/// | binds     |      | what keeps each parameter from being smaller by one                      |
 struct Choice {
     Candidate candidate;
     Demand demand;

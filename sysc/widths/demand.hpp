@@ -12,8 +12,9 @@ namespace curvecore::sysc {
 
 /// | field        | unit  | meaning                                                             |
 /// |--------------|-------|---------------------------------------------------------------------|
-/// | drawable     |       | every curve of the requirement has segments whose bound keeps the limit
-/// | | bound        | units | the largest of these bounds                                         |
+/// | drawable     |       | every curve of the requirement has segments whose bound keeps the   |
+/// |              |       | limit                                                               |
+/// | bound        | units | the largest of these bounds                                         |
 /// | segments     | 1/s   | at most, at the required feed or what the machine allows              |
 /// | steps        | 1/s   | the same of integration steps                                       |
 struct Load {

@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# files.sh ROOT : every source file names its licence, is ASCII, and has at most 100 columns and 400
-# lines. What runs inside LinuxCNC has LinuxCNC's licence: licences.sh.
+# files.sh ROOT : every source file names its licence, is ASCII, has at most 100 columns and 400
+# lines, and no table in a comment whose rows run together. What runs inside
+# LinuxCNC has LinuxCNC's licence: licences.sh.
 set -u
 cd "$1" || exit 1
 status=0
@@ -18,6 +19,8 @@ for file in $(find CMakeLists.txt ref hls rtl sysc tb scripts -type f \
     complain "$file: no SPDX line"
   LC_ALL=C grep -nP '[^\x00-\x7F]' "$file" && complain "$file: not ASCII"
   grep -nE '^.{101}' "$file" && complain "$file: more than 100 columns"
+  grep -nE '^ *//+ +(\| \| |\|.*[a-z] \| \| [a-z])' "$file" &&
+    complain "$file: rows of a table in a comment run together"
   [ "$(wc -l <"$file")" -le 400 ] || complain "$file: more than 400 lines"
 done
 exit $status

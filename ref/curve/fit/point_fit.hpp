@@ -22,8 +22,7 @@ namespace curvecore::ref {
 /// | moments  | second derivatives (+)                 | C0 (*)   | [Petrakov] (3)-(5), corrected |
 /// | quintic  | first and second derivatives (+)       | G1, near C2 | [Petrakov], announced      |
 /// | c2       | what `Ends` says, at both ends (+)     | C2       | [Petrakov] (3)-(5), solved    |
-/// | arcs     | first derivatives (+)                  | G1       | [Chikurov],
-/// ref/curve/fit/arc_fit.hpp |
+/// | arcs     | first derivatives (+)                  | G1       | [Chikurov], fit/arc_fit.hpp   |
 ///
 /// (+) Where the points have none, [Petrakov] (1) takes the first derivatives from the positions,
 /// and once more the second ones from the first.
