@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hls/words.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/path_source.hpp"
@@ -40,6 +41,9 @@ void Feeder::turn(std::vector<Sample>& samples) {
     board_.work(samples);
     const std::size_t came = samples.size() - before;
     received_ += came;
+    for (std::size_t k = before; k < samples.size(); ++k) {
+        walked_ += static_cast<std::uint64_t>(samples[k].rate);
+    }
     waited_ = came > 0 ? 0 : waited_ + 1;
     if (waited_ > kPatience) {
         throw std::runtime_error(
@@ -89,7 +93,10 @@ std::uint64_t Feeder::covered(const Outbox& outbox, Stream stream) const {
     const std::int64_t stops = board_.full(stream) ? 1 : 2;
     const std::int64_t reserve = stops * job_.plan.stop_ticks + kOnTheWay;
     const std::int64_t ticks = std::max<std::int64_t>(outbox.ticks() - reserve, 0);
-    return static_cast<std::uint64_t>(ticks) << job_.options.samples_per_tick_log2();
+    const std::uint64_t samples = static_cast<std::uint64_t>(ticks)
+                                  << job_.options.samples_per_tick_log2();
+    const std::uint64_t walked = walked_ >> hls::kRateFrac;
+    return received_ + (samples > walked ? samples - walked : 0);
 }
 
 std::uint64_t Feeder::covered() const {

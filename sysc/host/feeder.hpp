@@ -50,7 +50,8 @@ class Feeder {
 
     void write_segments();
     void write_profile();
-    /// Samples that the words on the board cover, from the first.
+    /// Samples that the words on the board cover, from the first: those that came, and one for each
+    /// share of a tick that is left. An override below 1 leaves more than one a sample.
     std::uint64_t covered() const;
     std::uint64_t covered(const Outbox& outbox, Stream stream) const;
 
@@ -63,6 +64,7 @@ class Feeder {
     std::size_t next_piece_ = 0;
     std::uint64_t requested_ = 0;
     std::uint64_t received_ = 0;
+    std::uint64_t walked_ = 0;  // time that these took of the plan: 2^-16 of a sample at rate 1
     std::uint64_t waited_ = 0;
 };
 

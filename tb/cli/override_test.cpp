@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every override draws every program to its end, on every board, with and without stop branches:
+// below 100 % time is scaled, and the host has to send words for the time that has passed; above it
+// feeds are planned higher.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tb/cli/program_run.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using Json = nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+struct Board {
+    const char* name;
+    Arguments options;
+};
+
+void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
+
+/// So few clocks in a sample that a Verilated core in the system is no slower than one alone.
+const Arguments kFewClocks{"--build", "serial", "--clock", "256kHz", "--set", "Splines=1"};
+
+Arguments operator+(Arguments all, const Arguments& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+const std::vector<Board> kBoards{{"Kernel", {"--on", "kernel"}},
+                                 {"Parallel", {"--build", "parallel"}},
+                                 {"Serial", {"--build", "serial"}},
+                                 {"SystemC", kFewClocks + Arguments{"--on", "systemc"}},
+                                 {"SystemCWithRtl", kFewClocks + Arguments{"--on", "systemc-rtl"}}};
+
+class Override : public testing::TestWithParam<Board> {
+  protected:
+    /// Samples of a run whose checks all held.
+    std::uint64_t samples(const std::string& file, const std::string& holds, int percent) {
+        const Arguments arguments = Arguments{"run",
+                                              std::string(DATA_DIR "/") + file,
+                                              "-q",
+                                              "-o",
+                                              "out",
+                                              "--no-segments",
+                                              "--rows",
+                                              "1",
+                                              "--sample-period",
+                                              "1ms",
+                                              "--holds",
+                                              holds,
+                                              "--override",
+                                              std::to_string(percent)} +
+                                    GetParam().options;
+        const ProgramResult result = program_.run(arguments);
+        EXPECT_EQ(result.status, 0) << file << " " << holds << " " << percent << " %\n"
+                                    << result.err;
+        if (result.status != 0) return 0;
+        return Json::parse(program_.read("out/report.json"))["samples"];
+    }
+
+    /// At `percents`: as many samples more or fewer as time is slower or feeds are higher, but
+    /// never fewer than limits allow.
+    void draw(const std::string& file, const std::vector<int>& percents,
+              const Arguments& all_holds = {"branches"}) {
+        for (const std::string& holds : all_holds) {
+            const auto full = static_cast<double>(samples(file, holds, 100));
+            for (const int percent : percents) {
+                const auto drawn = static_cast<double>(samples(file, holds, percent));
+                const double scaled = full * 100 / percent;
+                EXPECT_GE(drawn, 0.99 * scaled) << file << " " << percent << " %";
+                EXPECT_LE(drawn, 1.01 * std::max(scaled, full)) << file << " " << percent << " %";
+            }
+        }
+    }
+
+    ProgramRun program_;
+};
+
+/// Its words fill the profile queue long before it ends.
+TEST_P(Override, DrawsAProgramThatFillsTheQueue) { draw("stops.ngc", {10}); }
+
+INSTANTIATE_TEST_SUITE_P(Cli, Override, testing::ValuesIn(kBoards),
+                         [](const auto& test) { return test.param.name; });
+
+/// More of them, on the fastest board.
+class KernelOverride : public Override {};
+
+TEST_P(KernelOverride, DrawsProgramsThatFillTheQueue) {
+    draw("stops.ngc", {1, 50, 120});
+    draw("arcs.ngc", {3, 50});
+    draw("corner_chain.ngc", {90});
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, KernelOverride, testing::Values(kBoards.front()),
+                         [](const auto& test) { return test.param.name; });
+
+/// All that there is to draw: hours.
+class LongOverride : public Override {};
+
+TEST_P(LongOverride, DrawsEveryProgramAtEveryPercent) {
+    std::vector<int> percents;
+    for (int percent = 1; percent <= 200; ++percent) percents.push_back(percent);
+    for (const auto& entry : std::filesystem::directory_iterator(DATA_DIR)) {
+        const std::string kind = entry.path().extension();
+        const std::string file = entry.path().filename();
+        if (kind == ".ngc" || file == "points.csv") draw(file, percents, {"branches", "bounds"});
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Long, LongOverride, testing::ValuesIn(kBoards),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace curvecore::tb
