@@ -2,7 +2,9 @@
 // What a core is loaded with, in real numbers: the planner's output, the quantiser's input.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -63,7 +65,9 @@ struct Segment {
 inline const char* kind_name(const Segment& segment) {
     if (segment.kind == Segment::Kind::kSpline) return "spline";
     if (segment.radius == 0) return "line";
-    return segment.advance.isZero() ? "arc" : "helix";
+    constexpr double kFlat = 1e-9;  // an arc's advance within its plane makes no helix
+    const double rise = segment.normal.cross(segment.tangent).dot(segment.advance);
+    return std::abs(rise) < kFlat ? "arc" : "helix";
 }
 
 /// Constant jerk over a whole number of ticks, in the hardware's own integers.

@@ -25,10 +25,10 @@ struct Load {
 template <class Visit>
 void each_load(const PathShape& shape, const Machine& machine, Visit visit) {
     if (shape.linear) {
-        // Circular and axial parts are at right angles: hypot(turn, axial) = rate.
+        // Circular and axial parts are at right angles: hypot(turn, axial) <= rate.
         const double swing = shape.turn > 0 ? 1 : 0;
-        const double axial = shape.turn > 0 ? 0 : shape.rate;
-        visit(Load{swing, axial, machine.acceleration, machine.jerk});
+        const double beside = shape.turn > 0 ? shape.drift : shape.rate;
+        visit(Load{swing, beside, machine.acceleration, machine.jerk});
     }
     for (int i = 0; i < kMachineAxes; ++i) {
         if (shape.swing[i] == 0 && shape.advance[i] == 0) continue;

@@ -38,7 +38,8 @@ PathShape path_shape(const Move& move, double from, double to) {
 
     Vec3 axial = move.end - move.start;
     if (move.kind == Move::Kind::kArc) {
-        axial = move.normal * move.advance;
+        axial = move.advance;
+        shape.drift = (axial - move.normal * move.normal.dot(axial)).norm() / shape.length;
         const Vec3 arm = move.start - move.centre;
         const double radius = arm.norm();
         const Vec3 out = arm / radius;  // where the move starts

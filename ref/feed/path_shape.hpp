@@ -15,8 +15,8 @@ using AxisVector = std::array<double, kMachineAxes>;
 ///
 ///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
 ///
-/// with unit vectors t, n and m, the latter two at right angles to t. Lines and arcs are exactly
-/// so; for a stretch of a spline (ref/feed/spline_shape.hpp) the figures are bounds.
+/// with unit vectors t, n and m, the latter two at right angles to t; |r'| <= 1. Lines and arcs are
+/// exactly so; for a stretch of a spline (ref/feed/spline_shape.hpp) the figures are bounds.
 ///
 /// | field     | unit    | remark                                                            |
 /// |-----------|---------|-------------------------------------------------------------------|
@@ -28,6 +28,8 @@ using AxisVector = std::array<double, kMachineAxes>;
 /// | swerve    | 1/mm^2  | of r''' across the path: 0 for lines and arcs                     |
 /// | swing     | 1       | per axis: largest component of t, n and m along the move          |
 /// | advance   | 1       | per axis: constant part of r'                                     |
+/// | drift     | 1       | |its part in the plane of t and n|: of arcs whose radii at both   |
+/// |           |         | ends differ; the rest is at right angles to that plane            |
 /// | along     | 1       | per axis: largest |r'|                                            |
 struct PathShape {
     double length = 0;
@@ -39,6 +41,7 @@ struct PathShape {
     bool linear = true;  // X Y Z or U V W move: the machine's own limits hold along the path
     AxisVector swing{};
     AxisVector advance{};
+    double drift = 0;
     AxisVector along{};
     AxisVector tangent_start{};  // r'
     AxisVector tangent_end{};

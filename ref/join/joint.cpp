@@ -31,7 +31,7 @@ Joint joint_of(const std::string& file, const Move& move, bool at_end) {
         throw InputError(file, move.line,
                          "no direction at the joint: the spline stands still there");
     }
-    Joint joint{place_on(move, at_end ? move.length() : 0), move.feed};
+    Joint joint{place_on(move, at_end ? move.length() : 0).by_length(), move.feed};
     joint.position = at_end ? move.end : move.start;
     if (!(joint.curvature.norm() < kSharpest)) {
         throw InputError(file, move.line, "the path is too sharp at the joint: radius below 1 nm");

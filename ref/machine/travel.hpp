@@ -51,7 +51,7 @@ inline AxisRange travel(const Move& move) {
         const double swing = std::hypot(n[i], t[i]);
         if (swing == 0) continue;
         // d/dangle: t cos - n sin + rise = swing cos(angle + shift) + rise = 0
-        const double rise = move.normal[i] * move.advance / move.angle;
+        const double rise = move.advance[i] / move.angle;
         if (std::abs(rise) >= swing) continue;
         const double shift = std::atan2(n[i], t[i]);
         const double bend = std::acos(-rise / swing);

@@ -65,18 +65,20 @@ double deviation(const Cubic& cubic, const Move& before, const Move& after, doub
 double corner_reach(double turn, double tolerance) { return 4 * tolerance / std::sin(turn / 2); }
 
 std::optional<Corner> corner_of(const Move& before, const Move& after, double reach) {
-    const Vec3 in = place_on(before, before.length()).tangent;
-    const Vec3 out = place_on(after, 0).tangent;
+    const MovePlace end = place_on(before, before.length());
+    const MovePlace start = place_on(after, 0);
+    const Vec3& in = end.tangent;
+    const Vec3& out = start.tangent;
     const Vec3& vertex = after.start;
     if (before.kind == Move::Kind::kLine && after.kind == Move::Kind::kLine) {
         return Corner{reach,
                       {vertex - reach * in, vertex, vertex, vertex + reach * out},
                       reach * (out - in).norm() / 8};
     }
-    const MovePlace a = place_on(before, before.length() - reach);
-    const MovePlace b = place_on(after, reach);
+    const MovePlace a = place_on(before, before.length() - reach).by_length();
+    const MovePlace b = place_on(after, reach).by_length();
     const Vec3 normal = in.cross(out).normalized();
-    const double bend = std::max(a.curvature.norm(), b.curvature.norm());
+    const double bend = std::max(end.curvature.norm(), start.curvature.norm());
     if (reach * bend > kWidest) return std::nullopt;
     for (const Vec3& x : {a.tangent, b.tangent, a.curvature, b.curvature}) {
         if (!(std::abs(normal.dot(x)) < kInPlane)) return std::nullopt;

@@ -222,7 +222,7 @@ void Drawing::append(const Move& programmed, Bezier points, double deviation) {
     move.aux_start = move.aux_end = programmed.aux_start;
     move.start = points[0];
     move.end = points[3];
-    move.deviation = deviation;
+    move.deviation = deviation + programmed.deviation;
     if (!is_straight(points)) {
         move.kind = Move::Kind::kCubic;
         move.cubic = from_bezier(points);

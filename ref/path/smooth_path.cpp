@@ -18,7 +18,8 @@ Smoothed smooth_path(Program& program, const Machine& machine, double share) {
 void look_at(const Move& move, Smoothed& smoothed) {
     smoothed.tolerance = std::max(smoothed.tolerance, move.tolerance);
     smoothed.deviation = std::max(smoothed.deviation, move.deviation);
-    const double share = move.deviation > 0 ? move.deviation / move.tolerance : 0;
+    const double share =
+        move.deviation > 0 ? move.deviation / std::max(move.tolerance, kExactPath) : 0;
     if (share > smoothed.share) {
         smoothed.share = share;
         smoothed.line = move.line;

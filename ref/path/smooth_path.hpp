@@ -10,6 +10,8 @@
 
 namespace curvecore::ref {
 
+constexpr double kExactPath = 1e-6;  // mm: what the exact path may be off by
+
 struct Smoothed {
     std::size_t moves = 0;    // of the program, before
     std::size_t corners = 0;  // rounded by a cubic each
@@ -17,7 +19,7 @@ struct Smoothed {
     std::size_t cubics = 0;   // in them
     double tolerance = 0;     // mm, the largest that the program allows
     double deviation = 0;     // mm, the largest bound
-    double share = 0;         // of the tolerance, the largest
+    double share = 0;         // of the tolerance, or of kExactPath, the largest
     int line = 0;             // where the share is largest
 };
 

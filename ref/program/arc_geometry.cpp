@@ -14,11 +14,8 @@ constexpr double kTurn = 2 * 3.14159265358979323846;
 constexpr double kSamePoint = 1e-9;       // mm: below any length unit
 constexpr double kSmallestRadius = 1e-6;  // mm
 constexpr double kLargestRadius = 1e6;    // mm
-constexpr double kRounding = 0.005;       // mm: a file's rounding, always accepted
-constexpr double kLargestMismatch = 0.5;  // mm, if also within
 constexpr double kRelativeMismatch = 1e-3;
-constexpr double kSameAngle = 1e-6;   // rad: below, the file may mean a full circle
-constexpr double kSweepChange = 0.1;  // rad: a moved centre that changes more is another arc
+constexpr double kRounding = 1e-15;  // relative, of the numbers of a block
 
 void check_radius(double radius) {
     if (radius < kSmallestRadius) {
@@ -38,57 +35,55 @@ double sweep(const Eigen::Vector2d& a, const Eigen::Vector2d& b, bool clockwise)
 
 }  // namespace
 
+bool ArcTolerance::holds(double r_start, double r_end) const {
+    const double mismatch = std::abs(r_end - r_start);
+    return mismatch <= always ||
+           (mismatch <= most && mismatch <= kRelativeMismatch * std::max(r_start, r_end));
+}
+
 PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
-                         const Eigen::Vector2d& centre, bool clockwise, int turns) {
+                         const Eigen::Vector2d& centre, bool clockwise, int turns,
+                         const ArcTolerance& tolerance) {
     const double r_start = (start - centre).norm();
     const double r_end = (end - centre).norm();
     check_radius(r_start);
-    const double mismatch = std::abs(r_end - r_start);
-    const double relative = mismatch / std::max(r_start, r_end);
-    if (mismatch > kRounding && (mismatch > kLargestMismatch || relative > kRelativeMismatch)) {
+    check_radius(r_end);
+    if (!tolerance.holds(r_start, r_end)) {
         throw ArcError(
             fmt::format("the arc's radii differ: {:.6g} mm at the start, {:.6g} mm at "
                         "the end",
                         r_start, r_end));
     }
-    const Eigen::Vector2d chord = end - start;
-    if (chord.norm() < kSamePoint) {
-        return {centre, kTurn * turns};
-    }
-    const Eigen::Vector2d along = chord.normalized();
-    const Eigen::Vector2d moved = centre - along * along.dot(centre - (start + end) / 2);
-    const double wanted = sweep(start - centre, end - centre, clockwise);
-    const double angle = sweep(start - moved, end - moved, clockwise);
-    if (std::abs(angle - wanted) > kSweepChange) {
-        if (chord.norm() <= 2 * kRounding && wanted > kSameAngle && wanted < kTurn / 2) {
-            return {centre, 0};
-        }
-        throw ArcError(
-            fmt::format("the arc's ends are {:.3g} mm apart along its radius: no circle "
-                        "about this centre holds both",
-                        chord.norm()));
-    }
-    check_radius((start - moved).norm());
-    return {moved, angle + kTurn * (turns - 1)};
+    double angle = sweep(start - centre, end - centre, clockwise);
+    if (r_start * std::min(angle, kTurn - angle) < kSameDirection) angle = kTurn;
+    PlaneArc arc{centre, angle + kTurn * (turns - 1), Eigen::Vector2d::Zero()};
+    const Eigen::Vector2d turned =
+        centre + Eigen::Rotation2Dd(clockwise ? -angle : angle) * (start - centre);
+    if ((end - turned).norm() > kSamePoint) arc.drift = end - turned;
+    return arc;
 }
 
 PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& end, double radius,
-                         bool clockwise, int turns) {
+                         bool clockwise, int turns, const ArcTolerance& tolerance) {
     check_radius(std::abs(radius));
     const Eigen::Vector2d chord = end - start;
     const double half = chord.norm() / 2;
     if (chord.norm() < kSamePoint) {
         throw ArcError("R with equal ends: a full circle needs a centre");
     }
-    if (half > std::abs(radius) + kRounding / 2) {
+    if (half > std::abs(radius) + tolerance.always / 2) {
         throw ArcError(fmt::format("R is too small: the ends are {:.6g} mm apart", 2 * half));
     }
-    const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
+    // Half a circle where roundings of the numbers alone are between: the centre would move by the
+    // root of them.
+    const double spare = std::abs(radius) - half;
+    const bool more = spare > kRounding * (start.norm() + end.norm() + half);
+    const double height = more ? std::sqrt(spare * (std::abs(radius) + half)) : 0;
     const Eigen::Vector2d left = Eigen::Vector2d(-chord.y(), chord.x()).normalized();
     const double side = clockwise == (radius > 0) ? -1 : 1;
     const double minor = 2 * std::atan2(half, height);
     return {(start + end) / 2 + side * height * left,
-            (radius > 0 ? minor : kTurn - minor) + kTurn * (turns - 1)};
+            (radius > 0 ? minor : kTurn - minor) + kTurn * (turns - 1), Eigen::Vector2d::Zero()};
 }
 
 SpaceArc arc_through(const Eigen::Vector3d& start, const Eigen::Vector3d& middle,

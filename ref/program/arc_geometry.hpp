@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <stdexcept>
 
 namespace curvecore::ref {
@@ -14,27 +15,45 @@ class ArcError : public std::runtime_error {
 };
 
 constexpr int kMostTurns = 10000;
+constexpr double kSameDirection = 1e-9;  // mm along the circle: ends so near make a whole turn
 
-/// In a plane seen from the tip of its normal, counter-clockwise positive.
-struct PlaneArc {
-    Eigen::Vector2d centre;
-    double angle;  // > 0 in the arc's own direction; 0: so short that it is a line
+/// By how much an arc's radii at both ends may differ: `always` mm, or `most` mm and 0.1 %.
+struct ArcTolerance {
+    double always;
+    double most;
+
+    bool holds(double r_start, double r_end) const;
 };
 
-/// Arc with a given centre; a full circle when the ends are the same.
+/// LinuxCNC's, as its documentation states them, of programs in mm and in inches.
+constexpr ArcTolerance kArcToleranceMm{0.005, 0.5};
+constexpr ArcTolerance kArcToleranceInch{0.0005 * 25.4, 0.05 * 25.4};
+/// Of arcs that another controller's interpreter has accepted.
+constexpr ArcTolerance kAnyArc{std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::infinity()};
+
+/// In a plane seen from the tip of its normal, counter-clockwise positive:
 ///
-/// Where the radii at both ends differ by a file's rounding (<= 0.005 mm, or <= 0.5 mm and
-/// <= 0.1 %), the centre moves to the nearest point that is equally far from both. Ends as near
-/// to each other as that rounding, with no such centre, make a line (angle 0).
+///     r(u) = centre + start's radius turned by angle u + drift u       u = 0 .. 1
+struct PlaneArc {
+    Eigen::Vector2d centre;
+    double angle;           // > 0 in the arc's own direction
+    Eigen::Vector2d drift;  // 0 where the radii at both ends are the same
+};
+
+/// Arc about a given centre, from the start with its radius to the direction of the end. Where the
+/// radii at both ends differ, the drift is that difference, along the end's radius: no place is
+/// farther from the circle than that. Ends in one direction from the centre make a full circle.
 /// @throws ArcError
 PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
-                         const Eigen::Vector2d& centre, bool clockwise, int turns);
+                         const Eigen::Vector2d& centre, bool clockwise, int turns,
+                         const ArcTolerance& tolerance);
 
 /// Arc with a given radius: up to half a turn for a positive one, above it for a negative one.
-/// Ends up to 0.005 mm farther apart than 2 R make a half circle about their middle.
+/// Ends farther apart than 2 R by up to `tolerance.always` make a half circle about their middle.
 /// @throws ArcError
 PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& end, double radius,
-                         bool clockwise, int turns);
+                         bool clockwise, int turns, const ArcTolerance& tolerance);
 
 struct SpaceArc {
     Eigen::Vector3d centre;

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ref/program/arc_geometry.hpp"
+#include "ref/program/asked_arc.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -91,19 +92,16 @@ void CanonicalMoves::arc(const Target& target, const Vec3& centre, const Vec3& n
     };
     PlaneArc found{};
     try {
-        found = arc_with_centre(flat(move.start), flat(move.end), {0, 0}, false, turns);
+        found = arc_with_centre(flat(move.start), flat(move.end), {0, 0}, false, turns, kAnyArc);
     } catch (const ArcError& error) {
         here.refuse(error.what());
     }
-    if (found.angle == 0) {
-        moves_.warn("an arc shorter than its rounding is drawn as a line", here);
-    } else {
-        move.kind = Move::Kind::kArc;
-        move.angle = found.angle;
-        move.advance = move.normal.dot(move.end - move.start);
-        move.centre = centre + across * found.centre.x() + up * found.centre.y();
-        move.centre += move.normal * move.normal.dot(move.start - move.centre);
-    }
+    move.kind = Move::Kind::kArc;
+    move.angle = found.angle;
+    move.centre = centre + move.normal * move.normal.dot(move.start - centre);
+    move.advance = move.normal * move.normal.dot(move.end - move.start) + across * found.drift.x() +
+                   up * found.drift.y();
+    move.deviation = distance({move.start, move.end, centre, move.normal, turns}, move);
     move.feed = feed_of(target.feed * kSecondsOfMinute, here);
     add(move, here);
 }

@@ -29,6 +29,7 @@ class Coordinates {
 
     bool absolute() const { return absolute_; }
     double unit() const { return unit_; }  // mm per program unit
+    bool inches() const { return unit_ != 1; }
     const Point& position() const { return position_; }
     void set_position(const Point& point) { position_ = point; }
 

@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "ref/program/arc_geometry.hpp"
 #include "ref/program/coordinates.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -38,12 +40,18 @@ std::string plane_arc(const Move& move, int axis, const std::string& feed) {
     return text + aux_words(move) + feed + (axis == 2 ? "\n" : "\nG17\n");
 }
 
-/// G3.4 through points of the arc, half a turn at most each: any plane.
-std::string space_arc(const Move& move, const std::string& feed) {
+/// G3.4 through points of the arc, half a turn at most each: any plane. Where the radii at both
+/// ends differ, the arcs through these points are farther off than 1e-9 mm, but less than that
+/// difference.
+std::string space_arc(const std::string& file, const Move& move, const std::string& feed) {
     const int parts = static_cast<int>(std::ceil(move.angle / M_PI - 1e-12));
+    if (std::abs(move.normal.dot(move.advance)) > kStill) {
+        throw InputError(file, move.line, "a helix in a tilted plane: no G-code block draws it");
+    }
     const auto at = [&move](double part) {
         const Vec3 radius = move.start - move.centre;
-        return Vec3(move.centre + Eigen::AngleAxisd(part * move.angle, move.normal) * radius);
+        return Vec3(move.centre + Eigen::AngleAxisd(part * move.angle, move.normal) * radius +
+                    part * move.advance);
     };
     std::string text;
     for (int i = 0; i < parts; ++i) {
@@ -54,11 +62,40 @@ std::string space_arc(const Move& move, const std::string& feed) {
     return text;
 }
 
-std::string arc(const Move& move, const std::string& feed) {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(move.normal[axis]) == 1) return plane_arc(move, axis, feed);
+/// Parts of an arc whose radii at both ends differ by more than a program in mm may say. Of a part
+/// the reader makes the travel within the plane that is not along the end's radius a turning: off
+/// by an eighth of that travel times the part's angle.
+std::vector<Move> readable(const Move& move) {
+    constexpr double kOff = 1e-6;  // mm
+    const double radius = (move.start - move.centre).norm();
+    const double drift = (move.advance - move.normal * move.normal.dot(move.advance)).norm();
+    if (kArcToleranceMm.holds(radius, radius - drift)) return {move};
+    const double count = std::ceil(
+        std::max(drift / (0.9 * kArcToleranceMm.always), std::sqrt(drift * move.angle / 8 / kOff)));
+    const double length = move.length();
+    std::vector<Move> parts;
+    for (double i = 0; i < count; ++i) {
+        Move part =
+            part_of(move, i / count * length, i + 1 == count ? length : (i + 1) / count * length);
+        for (std::size_t a = 0; a < kAuxAxes; ++a) {
+            const double travel = move.aux_end[a] - move.aux_start[a];
+            part.aux_start[a] = move.aux_start[a] + i / count * travel;
+            part.aux_end[a] =
+                i + 1 == count ? move.aux_end[a] : move.aux_start[a] + (i + 1) / count * travel;
+        }
+        parts.push_back(part);
     }
-    return space_arc(move, feed);
+    return parts;
+}
+
+std::string arc(const std::string& file, const Move& move, const std::string& feed) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(move.normal[axis]) != 1) continue;
+        std::string text;
+        for (const Move& part : readable(move)) text += plane_arc(part, axis, feed);
+        return text;
+    }
+    return space_arc(file, move, feed);
 }
 
 std::string cubic(const std::string& file, const Move& move, const std::string& feed) {
@@ -119,7 +156,7 @@ std::string gcode_of(const std::string& file, const std::vector<Move>& moves) {
         enter(path_control(move));
         const std::string feed = move.rapid ? "" : feed_word(move.feed);
         if (move.kind == Move::Kind::kArc) {
-            text += arc(move, feed);
+            text += arc(file, move, feed);
         } else if (move.kind == Move::Kind::kCubic) {
             text += cubic(file, move, feed);
         } else {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves as G-code that the reader reads back as the same moves, to 1e-9 mm.
+// Moves as G-code that the reader reads back as the same moves, to 1e-9 mm; to 1e-6 mm an arc whose
+// radii at both ends differ by more than a program in mm may say.
 #pragma once
 
 #include <string>
@@ -27,7 +28,8 @@ std::string g52_blocks(const std::vector<Vec3>& points, bool in_space, const std
 
 /// Blocks, one or more lines each, behind kWrittenModes; the plane is XY again behind them. Words
 /// of spindle, tool and coolant are not in moves.
-/// @throws InputError, of `file`: a spline with auxiliary axes, which no block has
+/// @throws InputError, of `file`: a spline with auxiliary axes, a helix in a tilted plane, which no
+/// block has
 std::string gcode_of(const std::string& file, const std::vector<Move>& moves);
 
 }  // namespace curvecore::ref

@@ -44,6 +44,9 @@ class Interpreter {
     void arc(Block& block, const Place& place);
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
+    const ArcTolerance& arc_tolerance() const {
+        return coordinates_.inches() ? kArcToleranceInch : kArcToleranceMm;
+    }
     void space_arc(Block& block, const Codes& codes, const Place& place);
     void check_nothing_waits(const Place& place) const;
     void check_spline(Block& block, const Place& place);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "ref/program/asked_arc.hpp"
 #include "ref/program/interpreter.hpp"
 
 namespace curvecore::ref {
@@ -100,7 +101,9 @@ void Interpreter::arc(Block& block, const Place& place) {
     const Eigen::Vector2d start(move.start[first], move.start[second]);
     const Eigen::Vector2d end(move.end[first], move.end[second]);
     PlaneArc found{};
-    int turns = 1;
+    AskedArc asked{move.start, move.end, move.start,
+                   Vec3::Unit(normal_axis_) * (clockwise ? -1 : 1), 1};
+    int& turns = asked.turns;
     if (block.has('P')) {
         turns = whole_number('P', use_p(block, place), 1, kMostTurns, place);
     }
@@ -112,26 +115,28 @@ void Interpreter::arc(Block& block, const Place& place) {
             if (!has_end) {
                 place.refuse(fmt::format("{} with R lacks its end point", g_name(motion_)));
             }
-            found =
-                arc_with_radius(start, end, block.use('R') * coordinates_.unit(), clockwise, turns);
+            const double radius = block.use('R') * coordinates_.unit();
+            found = arc_with_radius(start, end, radius, clockwise, turns, arc_tolerance());
+            asked = AskedArc::of_radius(move.start, move.end, radius, asked.normal, turns);
         } else {
-            found =
-                arc_with_centre(start, end, plane_centre(block, start, place), clockwise, turns);
+            const Eigen::Vector2d centre = plane_centre(block, start, place);
+            found = arc_with_centre(start, end, centre, clockwise, turns, arc_tolerance());
+            asked.centre[first] = centre.x();
+            asked.centre[second] = centre.y();
         }
     } catch (const ArcError& error) {
         place.refuse(error.what());
     }
-    if (found.angle == 0) {
-        moves_.warn("an arc shorter than its rounding is drawn as a line", place);
-    } else {
-        move.kind = Move::Kind::kArc;
-        move.angle = found.angle;
-        move.normal = Vec3::Unit(normal_axis_) * (clockwise ? -1 : 1);
-        move.advance = move.normal.dot(move.end - move.start);
-        move.centre = move.start;
-        move.centre[first] = found.centre.x();
-        move.centre[second] = found.centre.y();
-    }
+    move.kind = Move::Kind::kArc;
+    move.angle = found.angle;
+    move.normal = asked.normal;
+    move.centre = move.start;
+    move.centre[first] = found.centre.x();
+    move.centre[second] = found.centre.y();
+    move.advance = move.end - move.start;
+    move.advance[first] = found.drift.x();
+    move.advance[second] = found.drift.y();
+    move.deviation = distance(asked, move);
     add(move, target, place);
 }
 

@@ -25,7 +25,8 @@ constexpr double kPathTolerance = 0.01;  // mm
 /// | centre   | mm      | arcs: r(0) = start; on the plane through start normal to `normal`   |
 /// | normal   | 1       | |normal| = 1; counter-clockwise about it                            |
 /// | angle    | rad     | > 0, whole turns included                                          |
-/// | advance  | mm      | signed travel along `normal` over the whole arc (helix)            |
+/// | advance  | mm      | travel over the whole arc besides the turning: along `normal` of a  |
+/// |          |         | helix, in the plane where the radii at both ends differ             |
 /// | cubic    | mm      | its ends are `start` and `end` to 1e-8 mm; length > 0, may stand    |
 /// |          |         | still in points (cusps)                                            |
 /// | feed     | mm/s    | along the path; 0 = rapid: as fast as the machine allows            |
@@ -40,7 +41,7 @@ struct Move {
     Vec3 centre = Vec3::Zero();
     Vec3 normal = Vec3::UnitZ();
     double angle = 0;
-    double advance = 0;
+    Vec3 advance = Vec3::Zero();
     Cubic cubic;
     Aux aux_start{};
     Aux aux_end{};
@@ -51,7 +52,8 @@ struct Move {
     double deviation = 0;     // mm: a bound of how far it is
 
     /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
-    /// mm).
+    /// mm). Of an arc with an advance in its plane, |dr/ds| <= 1, with 1 where it is the fastest:
+    /// up to twice that advance longer than the curve.
     double length() const;
 };
 

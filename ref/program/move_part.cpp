@@ -23,13 +23,19 @@ MovePlace on_arc(const Move& move, double s) {
     const double half = std::sin(twist * s / 2);
     const Vec3 arm = move.start - move.centre;
     const Vec3 forward = move.normal.cross(arm);
-    const Vec3 rise = move.advance / length * move.normal;
+    const Vec3 rise = move.advance / length;
     return {move.start + sine * forward - 2 * half * half * arm + s * rise,
             twist * (cosine * forward - sine * arm) + rise,
             -twist * twist * (cosine * arm + sine * forward)};
 }
 
 }  // namespace
+
+MovePlace MovePlace::by_length() const {
+    const double squared = tangent.squaredNorm();
+    const Vec3 across = curvature - tangent * (tangent.dot(curvature) / squared);
+    return {position, tangent / std::sqrt(squared), across / squared};
+}
 
 MovePlace place_on(const Move& move, double s) {
     if (move.kind == Move::Kind::kCubic) return on_cubic(move.cubic, s);
@@ -45,7 +51,7 @@ Move part_of(const Move& move, double from, double to) {
     const double share = (to - from) / length;
     Move part = move;
     if (from > 0) part.start = place_on(move, from).position;
-    part.centre += from / length * move.advance * move.normal;
+    part.centre += from / length * move.advance;
     part.angle *= share;
     part.advance *= share;
     if (to < length) {

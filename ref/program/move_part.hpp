@@ -6,15 +6,19 @@
 
 namespace curvecore::ref {
 
-/// | field     | symbol    | shape | unit | remark               |
-/// |-----------|-----------|-------|------|----------------------|
-/// | position  | r         | 3     | mm   |                      |
-/// | tangent   | T = dr/ds | 3     | 1    | |T| = 1              |
-/// | curvature | d2r/ds2   | 3     | 1/mm | kappa N, normal to T |
+/// | field     | symbol    | shape | unit | remark                                             |
+/// |-----------|-----------|-------|------|----------------------------------------------------|
+/// | position  | r         | 3     | mm   |                                                    |
+/// | tangent   | T = dr/ds | 3     | 1    | |T| = 1, <= 1 on an arc with an advance in its     |
+/// |           |           |       |      | plane                                              |
+/// | curvature | d2r/ds2   | 3     | 1/mm | kappa N; normal to T where |T| = 1 all along       |
 struct MovePlace {
     Vec3 position = Vec3::Zero();
     Vec3 tangent = Vec3::UnitX();
     Vec3 curvature = Vec3::Zero();
+
+    /// The same by the curve's own length: |T| = 1, and kappa N.
+    MovePlace by_length() const;
 };
 
 /// A move at the path length s of X Y Z, 0 .. length.

@@ -41,7 +41,7 @@ Segment prototype(const Move& move, const PathShape& shape, int pieces, double u
         segment.normal = arm.normalized();
         segment.tangent = move.normal.cross(segment.normal);
         segment.cos_pitch = shape.turn;
-        segment.advance = move.normal * (move.advance / shape.length);
+        segment.advance = move.advance / shape.length;
     } else {
         segment.advance = (move.end - move.start) / shape.length;
     }
@@ -286,7 +286,7 @@ class Cutter {
         const double half_sine = std::sin(angle / 2);
         return move.start / options_.unit_mm +
                radius * (t * std::sin(angle) - n * (2 * half_sine * half_sine)) +
-               move.normal * (move.advance / options_.unit_mm * part);
+               move.advance / options_.unit_mm * part;
     }
 
     void check_path(const Move& move, double length) const {

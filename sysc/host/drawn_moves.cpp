@@ -73,14 +73,14 @@ bool DrawnMoves::next(ref::Move& move) {
     if (ready_.empty()) {
         if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
         if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
-            ref::look_at(move, with_replaced_);
+            ref::look_at(move, off_);
             return true;
         }
         replace(move);
     }
     move = ready_.front();
     ready_.pop_front();
-    ref::look_at(move, with_replaced_);
+    ref::look_at(move, off_);
     return true;
 }
 
@@ -97,10 +97,10 @@ void DrawnMoves::replace(const ref::Move& spline) {
 std::optional<ref::Smoothed> DrawnMoves::smoothed() const {
     if (!smooth_) return {};
     ref::Smoothed smoothed = smooth_->report();
-    smoothed.tolerance = with_replaced_.tolerance;
-    smoothed.deviation = with_replaced_.deviation;
-    smoothed.share = with_replaced_.share;
-    smoothed.line = with_replaced_.line;
+    smoothed.tolerance = off_.tolerance;
+    smoothed.deviation = off_.deviation;
+    smoothed.share = off_.share;
+    smoothed.line = off_.line;
     return smoothed;
 }
 

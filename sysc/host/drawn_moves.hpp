@@ -29,6 +29,8 @@ class DrawnMoves {
     /// Of the path that was given; none: it is the programmed one.
     std::optional<ref::Smoothed> smoothed() const;
     const ref::Replaced& replaced() const { return replaced_; }
+    /// How far the moves that were given are off, of any path; only the deviations.
+    const ref::Smoothed& off() const { return off_; }
     /// Of what was checked: for the plan of these moves, in the same thread.
     const std::shared_ptr<ref::KnownCuts>& cuts() const { return plan_options_.cuts; }
 
@@ -43,7 +45,7 @@ class DrawnMoves {
     ref::SplineForm form_;
     double tolerance_;  // mm, where it is not one of splines
     ref::Replaced replaced_;
-    ref::Smoothed with_replaced_;  // deviations
+    ref::Smoothed off_;
     std::deque<ref::Move> ready_;
 };
 

@@ -16,6 +16,7 @@ struct Job {
     ref::Machine machine;
     DrawnPlan plan;
     ref::LimitReport limits;
+    ref::Smoothed off;                      // how far the drawn path is from the programmed one
     std::optional<ref::Smoothed> smoothed;  // unless the exact path is asked for
     std::optional<FormCost> exact;          // what that would cost, where it is another
     std::optional<AsArcs> as_arcs;          // where arcs took the splines' place

@@ -239,6 +239,7 @@ void JobStream::end() {
     if (moves_->refused()) warn_of_exact_path(job_);
     job_.plan.slowed_moves = slowed_;
     warn_of_plan(job_, bounded_);
+    job_.off = moves_->off();
     job_.smoothed = moves_->smoothed();
     if (moves_->replaced().splines > 0) job_.as_arcs = AsArcs{moves_->replaced(), {}};
 }

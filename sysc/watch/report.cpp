@@ -81,10 +81,10 @@ std::string cost_text(const FormCost& cost) {
 
 Json deviation_json(const Job& job) {
     const ref::Smoothed smoothed = job.smoothed.value_or(ref::Smoothed());
-    return {{"max_mm", smoothed.deviation}, {"share_of_P", smoothed.share},
-            {"line", smoothed.line},        {"P_mm", smoothed.tolerance},
-            {"corners", smoothed.corners},  {"curves", smoothed.curves},
-            {"cubics", smoothed.cubics},    {"exact", job.exact ? cost_json(*job.exact) : Json()}};
+    return {{"max_mm", job.off.deviation}, {"share_of_P", job.off.share},
+            {"line", job.off.line},        {"P_mm", smoothed.tolerance},
+            {"corners", smoothed.corners}, {"curves", smoothed.curves},
+            {"cubics", smoothed.cubics},   {"exact", job.exact ? cost_json(*job.exact) : Json()}};
 }
 
 std::string deviation_text(const ref::Smoothed& smoothed) {
@@ -197,6 +197,10 @@ std::vector<Check> Report::checks() const {
                               steps_text(*steps, axis_names(job))});
         }
     }
+    checks.push_back({"path within its tolerance", job.off.share <= 1 + 1e-9,
+                      fmt::format("off by {:.3g} um at most, {:.3f} of what is allowed{}",
+                                  job.off.deviation * 1e3, job.off.share,
+                                  job.off.line > 0 ? fmt::format(", line {}", job.off.line) : "")});
     checks.push_back({"time kept", !period_clocks || *period_clocks <= clocks_available(),
                       period_clocks ? fmt::format("{:.1f} of {:.1f} clocks of a sample period",
                                                   *period_clocks, clocks_available())

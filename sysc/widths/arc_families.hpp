@@ -48,10 +48,11 @@ class ArcMaker {
         move.centre = point(500);
         move.start = move.centre + outward * family.radius;
         move.angle = uniform(0.01, 2 * M_PI);
-        move.advance = family.helix ? family.radius * uniform(-1, 1) : 0;
+        const double rise = family.helix ? family.radius * uniform(-1, 1) : 0;
+        move.advance = rise * move.normal;
         const ref::Vec3 partner = move.normal.cross(outward);
         move.end =
-            move.centre + move.normal * move.advance +
+            move.centre + move.advance +
             family.radius * (outward * std::cos(move.angle) + partner * std::sin(move.angle));
         return move;
     }

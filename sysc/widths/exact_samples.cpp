@@ -39,7 +39,7 @@ class ExactMove {
             normal_ = arm.normalized();
             tangent_ = move.normal.cross(normal_);
             twist_ = shape.twist * unit_;
-            advance_ = move.normal * (move.advance / shape.length);
+            advance_ = move.advance / shape.length;
         } else if (length_ > 0) {
             advance_ = (move.end - move.start) / shape.length;
         }

@@ -50,7 +50,7 @@ class Truth {
             Vector outward = (move.start - move.centre).cast<Real>();
             outward -= normal * normal.dot(outward);
             helix_.emplace_back(outward / kUnit, Vector::Zero(), normal, Real(move.angle),
-                                Real(move.advance) / kUnit);
+                                Real(move.normal.dot(move.advance)) / kUnit);
         }
     }
     Real length() const {

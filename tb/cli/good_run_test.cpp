@@ -2,6 +2,7 @@
 // What good runs leave behind, and what must not change them.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -61,6 +62,30 @@ TEST_F(GoodRun, WritesEveryFile) {
     }
     EXPECT_FALSE(program_.exists("out/waves.fst"));
     EXPECT_EQ(program_.files(), (Files{"out", "part.ngc"}));
+}
+
+/// Ends whose radii differ by 1.02 um, 0.1 degrees short of a turn: about the centre that is given.
+TEST_F(GoodRun, NearlyFullArcIsDrawnAboutItsCentre) {
+    program_.write("part.ngc", "G21 G90 G61\nG0 X10 Y0\nG3 X10.001 Y-0.02 I-10 J0 F6000\nM2\n");
+    const Json found = report({"--sample-period", "1ms"});
+    EXPECT_EQ(found.at("deviation").at("max_mm"), 0);
+    double worst = 0;
+    int samples = 0;
+    for (const std::string& row : rows()) {
+        if (row[0] == 'k') continue;
+        std::istringstream text(row);
+        double cell[5];  // k, segment, s, x, y
+        for (double& value : cell) {
+            text >> value;
+            text.ignore();
+        }
+        if (cell[1] == 0) continue;
+        ++samples;
+        worst = std::max(worst, std::abs(std::hypot(cell[3], cell[4]) - 10e6));
+    }
+    EXPECT_GT(samples, 500);
+    EXPECT_GT(worst, 1000) << "nm: it ends where the program ends";
+    EXPECT_LT(worst, 1021.1);
 }
 
 /// A turns without end: words of 32 bits hold six turns at 1 nm (1 degree is 1 mm); limits are seen

@@ -111,10 +111,10 @@ TEST_F(Linuxcnc, LinesThatAreWrongAreRefused) {
     expect_refused(third(R"({"kind":"line","line":4,"to":[3,0,0,0,0,0,0,0,0]})"
                          "\n"),
                    "4: error: the feed is out of range: 0 mm/min\n");
-    expect_refused(third(R"({"kind":"arc","line":4,"to":[3,0,0,0,0,0,0,0,0],"centre":[9,9,0],)"
+    expect_refused(third(R"({"kind":"arc","line":4,"to":[3,0,0,0,0,0,0,0,0],"centre":[3,0,0],)"
                          R"("normal":[0,0,1],"turns":1,"feed":1})"
                          "\n"),
-                   "4: error: the arc's radii differ: ");
+                   "4: error: the arc's radius is 0\n");
     expect_refused(third(R"({"kind":"arc","line":4,"to":[2,0,0,0,0,0,0,0,0],"centre":[2,1,0],)"
                          R"("normal":[0,0,2],"turns":1,"feed":1})"
                          "\n"),

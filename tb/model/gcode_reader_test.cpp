@@ -27,7 +27,7 @@ Move last(const std::string& text) { return read("G21 G90 G17 G94 F600\n" + text
 Vec3 at(const Move& move, double part) {
     const Vec3 radius = move.start - move.centre;
     return move.centre + Eigen::AngleAxisd(move.angle * part, move.normal) * radius +
-           move.normal * move.advance * part;
+           move.advance * part;
 }
 
 void expect_near(const Vec3& a, const Vec3& b, double tolerance = 1e-12) {
@@ -179,7 +179,7 @@ TEST(GcodeReader, ThreePointArcHoldsItsMiddleAndMayBeModalAndIncremental) {
         const double radius = (move.start - move.centre).norm();
         EXPECT_NEAR((middles[i] - move.centre).norm(), radius, 1e-12);
         EXPECT_NEAR(move.normal.dot(middles[i] - move.centre), 0, 1e-12);
-        EXPECT_EQ(move.advance, 0);
+        EXPECT_EQ(move.advance, Vec3::Zero());
         const double there =
             move.normal.dot((move.start - move.centre).cross(middles[i] - move.centre));
         const double to_middle =
@@ -188,22 +188,15 @@ TEST(GcodeReader, ThreePointArcHoldsItsMiddleAndMayBeModalAndIncremental) {
     }
 }
 
-TEST(GcodeReader, RoundedCentresMoveUntilBothEndsAreEquallyFar) {
+TEST(GcodeReader, CentresStayWhereTheyAreGiven) {
     for (const char* text : {"G3 X20 Y20 I0.003 J20.001", "G2 X300 Y299.9 I300 J0.1",
                              "G3 X20 Y-0.001 I10 J0", "G2 X10 Y10 R7.07"}) {
-        const Move move = last(text);
-        EXPECT_NEAR((move.start - move.centre).norm(), (move.end - move.centre).norm(), 1e-10);
-        expect_near(at(move, 1), move.end, 1e-9);
+        expect_near(at(last(text), 1), last(text).end, 1e-9);
     }
-    const Move moved = last("G3 X20 Y0 I10.002 J-3");
-    expect_near(moved.centre, Vec3(10, -3, 0), 1e-12);
-}
-
-TEST(GcodeReader, ArcShorterThanItsRoundingIsALineWithAWarning) {
-    const Program program = read("F600 G1 X1\nG3 X1.004 Y0.00002 I-1 J0");
-    EXPECT_EQ(program.moves[1].kind, Move::Kind::kLine);
-    EXPECT_EQ(program.warnings.front(),
-              "part.ngc:2: warning: an arc shorter than its rounding is drawn as a line");
+    const Move given = last("G3 X20 Y0 I10.002 J-3");
+    EXPECT_EQ(given.centre, Vec3(10.002, -3, 0));
+    EXPECT_NEAR(given.advance.norm(), std::hypot(10.002, 3) - std::hypot(9.998, 3), 1e-12);
+    expect_near(last("G2 X10 Y10 R7.07").centre, Vec3(5, 5, 0), 1e-12);
 }
 
 TEST(GcodeReader, RotaryAxesGoAlongWithArcs) {

@@ -22,7 +22,7 @@ AxisVector position(const Move& move, double s) {
         const Vec3 arm = move.start - move.centre;
         const double angle = move.angle * s / length;
         at = move.centre + arm * std::cos(angle) + move.normal.cross(arm) * std::sin(angle) +
-             move.normal * (move.advance * s / length);
+             move.advance * s / length;
     } else if (move.kind == Move::Kind::kCubic) {
         at = move.cubic.position(ref::parameter_at(move.cubic, s));
     }
@@ -81,10 +81,10 @@ TEST(PathPlaces, OfAHelixInAnyPlane) {
     move.start = Vec3(5, 1, 0);
     move.centre = move.start + 4 * Vec3(2, 1, -2) / 3;
     move.angle = 2.5;
-    move.advance = 3;
+    move.advance = 3 * move.normal + Vec3(0.3, 0.3, -0.4);  // and one in its plane
     const Vec3 arm = move.start - move.centre;
-    move.end = move.centre + arm * std::cos(2.5) + move.normal.cross(arm) * std::sin(2.5) +
-               3 * move.normal;
+    move.end =
+        move.centre + arm * std::cos(2.5) + move.normal.cross(arm) * std::sin(2.5) + move.advance;
     move.aux_end[1] = -2;
     expect_derivatives(move);
 }

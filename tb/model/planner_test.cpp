@@ -199,7 +199,7 @@ TEST(Planner, TravelOfAnArcIncludesItsTurningPoints) {
         for (int k = 0; k <= 5000; ++k) {
             const double angle = move.angle * k / 5000;
             const Vec3 p = move.centre + n * std::cos(angle) + t * std::sin(angle) +
-                           move.normal * (move.advance * k / 5000);
+                           move.advance * k / 5000;
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }

@@ -48,7 +48,8 @@ std::vector<std::string> samples(const std::string& extension) {
 
 /// Everything that the planner relies on; empty if it holds.
 std::string flaw(const Move& move) {
-    for (const double number : {move.length(), move.feed, move.angle, move.advance, move.dwell}) {
+    for (const double number :
+         {move.length(), move.feed, move.angle, move.advance.norm(), move.dwell}) {
         if (!std::isfinite(number)) {
             return "a number is not finite";
         }
@@ -66,9 +67,8 @@ std::string flaw(const Move& move) {
     }
     if (move.kind == Move::Kind::kArc) {
         const Eigen::Vector3d radius = move.start - move.centre;
-        const Eigen::Vector3d end = move.centre +
-                                    Eigen::AngleAxisd(move.angle, move.normal) * radius +
-                                    move.normal * move.advance;
+        const Eigen::Vector3d end =
+            move.centre + Eigen::AngleAxisd(move.angle, move.normal) * radius + move.advance;
         if (!(move.angle > 0) || std::abs(move.normal.norm() - 1) > 1e-12 ||
             (end - move.end).norm() > 1e-8 + 1e-14 * radius.norm() * (1 + move.angle)) {
             return "the arc misses its end";

@@ -39,10 +39,9 @@ class ProgramBuilder {
         move.normal = normal.normalized();
         move.centre = centre + move.normal * move.normal.dot(at_ - centre);
         move.angle = angle;
-        move.advance = advance;
+        move.advance = advance * move.normal;
         const ref::Vec3 arm = at_ - move.centre;
-        move.end =
-            move.centre + Eigen::AngleAxisd(angle, move.normal) * arm + advance * move.normal;
+        move.end = move.centre + Eigen::AngleAxisd(angle, move.normal) * arm + move.advance;
         at_ = move.end;
         return move;
     }
@@ -80,7 +79,7 @@ inline ref::Vec3 end_tangent(const ref::Move& move) {
     if (move.kind == ref::Move::Kind::kCubic) return ref::tangent(move.cubic, 1);
     const ref::Vec3 arm =
         move.end - move.centre - move.normal * move.normal.dot(move.end - move.centre);
-    return (move.normal.cross(arm) * move.angle + move.normal * move.advance).normalized();
+    return (move.normal.cross(arm) * move.angle + move.advance).normalized();
 }
 
 /// The built-in machine with limits that differ from axis to axis, 0.3 to 1.3 of its own.
