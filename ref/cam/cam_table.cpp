@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -14,7 +15,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kAngleSlack = 2e-3;  // degrees: tables print few digits of 360 / 7
+// Tables print few digits of 360 / 7: even to the last digit that stands there, and to
+constexpr double kAngleSlack = 2e-3;  // degrees
 constexpr double kPitchSlack = 1e-4;  // of Dx
 constexpr std::size_t kMostAngles = 100000;
 
@@ -28,6 +30,15 @@ double finite_number(std::string_view cell, const std::string& what, const Place
                                  kFarthest));
     }
     return *value;
+}
+
+/// Half of the last digit that a number is printed with.
+double half_digit(std::string_view cell) {
+    const std::size_t exponent = std::min(cell.find_first_of("eE"), cell.size());
+    const std::size_t point = std::min(cell.find('.') + 1, exponent);
+    const double decimals = point == 0 ? 0 : static_cast<double>(exponent - point);
+    const std::string_view power = cell.substr(std::min(exponent + 1, cell.size()));
+    return 1e-9 + 0.5 * std::pow(10, cell_number(power).value_or(0) - decimals);
 }
 
 }  // namespace
@@ -77,7 +88,8 @@ void CamTable::read_header(const std::string& text) {
     for (int m = 0; m < angles_; ++m) {
         const double wanted = 360.0 * m / angles_;
         const double angle = degrees[static_cast<std::size_t>(m)];
-        if (std::abs(angle - wanted) > kAngleSlack) {
+        const double slack = half_digit(cells[static_cast<std::size_t>(m) + 1]);
+        if (std::abs(angle - wanted) > std::min(kAngleSlack, slack)) {
             place.refuse(fmt::format("angle {} is {:.6g}, and {} even angles from 0 want {:.6g}",
                                      m + 1, angle, angles_, wanted));
         }
@@ -115,6 +127,7 @@ CamSection CamTable::read_section(const std::string& text) const {
     CamSection section;
     section.line = line_;
     section.x = finite_number(cells[0], "x", place);
+    section.x_slack = half_digit(cells[0]);
     section.rho.reserve(static_cast<std::size_t>(angles_));
     for (std::size_t m = 1; m < cells.size(); ++m) {
         const double rho = finite_number(cells[m], fmt::format("radius {}", m), place);
@@ -137,7 +150,8 @@ void CamTable::check_place(const CamSection& section) const {
         place.refuse(fmt::format("x = {:g} comes after {:g}: sections go up", section.x, last_x_));
     }
     const double wanted = first_x_ + sections_ * pitch_;
-    if (sections_ > 1 && std::abs(section.x - wanted) > kPitchSlack * pitch_) {
+    const double slack = std::min(kPitchSlack * pitch_, section.x_slack);
+    if (sections_ > 1 && std::abs(section.x - wanted) > slack) {
         place.refuse(fmt::format("x = {:.10g}, and sections every {:.10g} mm want {:.10g}",
                                  section.x, pitch_, wanted));
     }

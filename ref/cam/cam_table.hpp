@@ -21,6 +21,7 @@ struct CamSection {
     int line = 0;
     double x = 0;
     std::vector<double> rho;
+    double x_slack = 0;  // half of the last digit of x in the table
 };
 
 class CamTable {
