@@ -198,8 +198,8 @@ TEST(Planner, TravelOfAnArcIncludesItsTurningPoints) {
         const Vec3 t = move.normal.cross(n);
         for (int k = 0; k <= 5000; ++k) {
             const double angle = move.angle * k / 5000;
-            const Vec3 p = move.centre + n * std::cos(angle) + t * std::sin(angle) +
-                           move.advance * k / 5000;
+            const Vec3 p =
+                move.centre + n * std::cos(angle) + t * std::sin(angle) + move.advance * k / 5000;
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }
