@@ -186,4 +186,16 @@ double ramp_time(const Machine& machine) {
     return time;
 }
 
+double ramp_time(const PathShape& shape, const Machine& machine) {
+    const double turn = circular_rate(shape);
+    double acceleration = 1e300;
+    double jerk = 1e300;
+    each_load(shape, machine, [&](const Load& load) {
+        const double rate = load.swing * turn + load.advance;
+        acceleration = std::min(acceleration, load.acceleration / rate);
+        jerk = std::min(jerk, load.jerk / rate);
+    });
+    return acceleration / jerk;
+}
+
 }  // namespace curvecore::ref

@@ -44,6 +44,8 @@ PathLimits along_path(const PathShape& shape, const Machine& machine, double v);
 
 /// Time to full acceleration, s, of the quickest limit.
 double ramp_time(const Machine& machine);
+/// The same along a move, of those limits that bind there.
+double ramp_time(const PathShape& shape, const Machine& machine);
 
 /// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: at most how
 /// much of a motion along the path, and of one across it, the limit sees.

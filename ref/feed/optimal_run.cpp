@@ -12,9 +12,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kKnots = 16;  // in the time to full acceleration
-// Intervals that are solved at once, 17.5 such times, and how many of them are kept: the rest, more
-// than it takes to full deceleration, is solved again with what follows.
+// Intervals that are solved at once, some 17 times to full acceleration, and how many of them are
+// kept: the rest, more than it takes to full deceleration, is solved again with what follows.
 constexpr std::size_t kWindow = 280;
 constexpr std::size_t kCommitted = 240;
 constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
@@ -31,7 +30,7 @@ constexpr int kRounds = 3;
 constexpr int kMostRounds = 8;
 // Intervals that are eased on both sides of where words take too much, and those solved again.
 constexpr std::size_t kNear = 2;
-constexpr std::size_t kAround = 60;
+constexpr std::size_t kAround = 60;  // and as many more for each time before
 constexpr int kMends = 10;
 constexpr int kMostMends = 40;  // in a long run some places are always left
 constexpr double kMendMore = 0.05;
@@ -62,13 +61,18 @@ class OptimalRun {
         }
     }
 
-    /// Takes less where the words take too much, and less still where they did before.
+    /// Takes less where the words take too much, and less still where they did before, over a
+    /// longer way.
     void mend(const std::vector<RunLoad>& loads) {
         const std::vector<int> before = mends_;
+        const auto less_of = [](double now, double taken) {  // where too much was taken
+            return taken > 1 ? now / taken : 1;
+        };
         for (auto load = loads.begin(); load != loads.end();) {
             const std::size_t at = std::clamp<std::size_t>(interval_at(load->s), 1, end_ - 1);
-            const std::size_t first = at > kAround ? at - kAround : 1;
-            const std::size_t last = std::min(end_, at + kAround);
+            const std::size_t around = kAround * (1 + static_cast<std::size_t>(before[at]));
+            const std::size_t first = at > around ? at - around : 1;
+            const std::size_t last = std::min(end_, at + around);
             Eased eased;
             int most = 0;
             for (; load != loads.end(); ++load) {
@@ -80,8 +84,8 @@ class OptimalRun {
                 for (std::size_t i = from; i <= to; ++i) times = std::max(times, before[i]);
                 const double less = 1 - kMendMore * std::min(times, kMends);
                 for (std::size_t i = from; i <= to; ++i) {
-                    eased.push_back({i, less * optimum_.load(i) / load->load,
-                                     optimum_.speed_load(i) / load->speed});
+                    eased.push_back({i, less_of(less * optimum_.load(i), load->load),
+                                     less_of(optimum_.speed_load(i), load->speed)});
                     mends_[i] = times + 1;
                 }
                 most = std::max(most, times);
@@ -196,8 +200,7 @@ class OptimalRun {
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                const Geometry& geometry, const Machine& machine, PathPlaces& places,
                                const WordLoads& word_loads) {
-    const double step = std::max(ramp_time(machine) / kKnots, machine.joint_time);
-    const std::vector<RunKnot> knots = run_knots(phases, moves, step);
+    const std::vector<RunKnot> knots = run_knots(phases, moves);
     const RunPath path(moves, geometry, machine, places, knots);
     OptimalRun run(knots, path);
     if (!run.solve()) return phases;

@@ -12,8 +12,8 @@ constexpr double kFastest = 0.995;  // of a move's velocity: no optimum is faste
 
 class Knots {
   public:
-    Knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves, double step)
-        : phases_(phases), moves_(moves), step_(step) {
+    Knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves)
+        : phases_(phases), moves_(moves) {
         double time = 0;
         for (const Phase& phase : phases) {
             start_.push_back(time);
@@ -24,7 +24,6 @@ class Knots {
 
     std::vector<RunKnot> run() {
         const double total = start_.back();
-        const double step = std::min(step_, total / kLeastKnots);
         std::vector<double> joints;
         long double s = 0;
         for (const RunMove& move : moves_) {
@@ -36,6 +35,7 @@ class Knots {
         double t = 0;
         for (std::size_t i = 0; i < joints.size(); ++i) {
             const double joint = joints[i];
+            const double step = std::min(moves_[i].step, total / kLeastKnots);
             for (double next = t;
                  (next += std::max(step, cruise_step(next, moves_[i]))) < joint - kSliver * step;) {
                 knots.push_back(at(t = next));
@@ -78,20 +78,19 @@ class Knots {
         if (phases_[i].a != 0 || phases_[i].j != 0) return 0;
         const bool fastest = phases_[i].v >= kFastest * move.velocity;
         return std::min({t - start_[i], (start_[i + 1] - t) / 2,
-                         fastest ? start_.back() : move.widest * step_});
+                         fastest ? start_.back() : move.widest * move.step});
     }
 
     const std::vector<Phase>& phases_;
     const std::vector<RunMove>& moves_;
-    double step_;
     std::vector<double> start_;
 };
 
 }  // namespace
 
-std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
-                               double step) {
-    return Knots(phases, moves, step).run();
+std::vector<RunKnot> run_knots(const std::vector<Phase>& phases,
+                               const std::vector<RunMove>& moves) {
+    return Knots(phases, moves).run();
 }
 
 }  // namespace curvecore::ref

@@ -17,6 +17,7 @@ struct RunMove {
     bool slow_axes = false;   // what these allow at its places counts besides
     double end_velocity = 0;  // at its end, where the next one begins
     double jerk = 0;          // mm/s^3, that its pieces can carry
+    double step = 0;          // s, between knots
     double widest = 1;        // steps between knots where the speed is constant
 };
 
@@ -26,10 +27,8 @@ struct RunKnot {
     double a = 0;
 };
 
-/// In order: the start, joints of moves, and between them `step` seconds of the motion apart,
-/// farther where its speed is constant; none so near to the one before that it would be a sliver;
-/// the end.
-std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
-                               double step);
+/// In order: the start, joints of moves, and between them their steps of the motion apart, farther
+/// where its speed is constant; none so near to the one before that it would be a sliver; the end.
+std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves);
 
 }  // namespace curvecore::ref

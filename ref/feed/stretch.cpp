@@ -21,8 +21,17 @@ constexpr double kSpeedPieces = 100;
 constexpr double kCarried = 1.045;       // of a share: what rounding to ticks may add to an optimum
 constexpr double kSpeedCarried = 1.001;  // the same of velocities
 constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
+constexpr double kRampTime = 0.05;       // s, to full acceleration: that of kKnots
+constexpr double kKnots = 16;            // in it
 constexpr double kAny = 1e300;           // a limit that is none
 constexpr double kSameSpeed = 1e-9;      // relative
+
+/// A ramp half as long has knots 0.8 times as far apart: a looser limit is planned with more knots,
+/// but not by as much as it is looser.
+double knot_step(const PathShape& shape, const Machine& machine) {
+    const double step = kRampTime / kKnots * std::cbrt(ramp_time(shape, machine) / kRampTime);
+    return std::max(step, machine.joint_time);
+}
 
 /// How many times as far apart as elsewhere knots may be while the speed is constant.
 double knots_apart(const Move& move) {
@@ -164,6 +173,7 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
         move.length = length_of(geometry_.moves[i], grid_);
         move.velocity = std::min(asked_speed(i, fastest), stretch.caps[zone]);
         move.slow_axes = kVelocityShare * highest < move.velocity;
+        move.step = knot_step(geometry_.moves[i].shape, machine_);
         move.widest = move.slow_axes ? 1 : knots_apart(program_.moves[geometry_.moves[i].move]);
         move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
         if (i < stretch.last) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/curve/newton_work.hpp"
 #include "ref/feed/sliding.hpp"
 #include "ref/feed/time_barrier.hpp"
 
@@ -38,6 +39,7 @@ class Descent {
         double here = barrier_.value(spline_, weight);
         double most = 1;
         for (int step = 0; step < kMostSteps; ++step) {
+            newton_work() += count_;
             barrier_.differentiate(spline_, weight, by_);
             by_.hessian.decompose();
             std::vector<double> direction = by_.gradient;

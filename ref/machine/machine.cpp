@@ -15,7 +15,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::string_view kLetters = "XYZABCUVW";
-constexpr double kJerkTime = 0.05;  // s: an axis without MAX_JERK reaches its acceleration
+constexpr double kJerkTime = 0.05;  // s: without a jerk the acceleration is reached
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
 
@@ -150,6 +150,7 @@ class MachineReader {
         take("MAX_VELOCITY", limits.velocity, limits.velocity);
         take("MAX_ACCELERATION", limits.acceleration, limits.acceleration);
         take("MAX_JERK", limits.jerk, limits.acceleration / kJerkTime);
+        any_jerk_ = any_jerk_ || tightest("MAX_JERK");
         read_travel(axis, sections, unit);
     }
 
@@ -202,9 +203,7 @@ class MachineReader {
         const auto take = [&](const char* name, const char* old_name, double AxisLimits::*limit_of,
                               double& field) {
             std::optional<double> value = limit("TRAJ", name, unit_);
-            if (!value && old_name != nullptr) {
-                value = limit("TRAJ", old_name, unit_);
-            }
+            if (!value) value = limit("TRAJ", old_name, unit_);
             if (!value) {
                 note(fmt::format("{}: {:g}, from the axes", name, together(limit_of)));
             }
@@ -213,7 +212,13 @@ class MachineReader {
         take("MAX_LINEAR_VELOCITY", "MAX_VELOCITY", &AxisLimits::velocity, machine_.velocity);
         take("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION", &AxisLimits::acceleration,
              machine_.acceleration);
-        take("MAX_LINEAR_JERK", nullptr, &AxisLimits::jerk, machine_.jerk);
+        const std::optional<double> jerk = limit("TRAJ", "MAX_LINEAR_JERK", unit_);
+        machine_.jerk = jerk.value_or(any_jerk_ ? together(&AxisLimits::jerk)
+                                                : machine_.acceleration / kJerkTime);
+        if (!jerk) {
+            note(fmt::format("MAX_LINEAR_JERK: {:g}, {}", machine_.jerk,
+                             any_jerk_ ? "from the axes" : "from the acceleration"));
+        }
         machine_.joint_time = limit("TRAJ", "JOINT_TIME", 1).value_or(machine_.joint_time);
     }
 
@@ -221,6 +226,7 @@ class MachineReader {
     Machine machine_;
     double unit_ = 1;  // mm
     bool any_axis_ = false;
+    bool any_jerk_ = false;  // MAX_JERK of an axis
 };
 
 }  // namespace

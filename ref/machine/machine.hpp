@@ -59,8 +59,9 @@ struct Machine {
 ///
 /// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
 /// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path
-/// the axes' limits are added as vectors; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What
-/// was missing is said in `notes`.
+/// the axes' limits are added as vectors, but the path, too, reaches its acceleration in 0.05 s
+/// where no axis has a MAX_JERK; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What was
+/// missing is said in `notes`.
 /// @throws InputError with file, line and reason.
 Machine read_machine(const std::string& file);
 

@@ -17,6 +17,8 @@ constexpr double kMeantCorner = 0.35;  // rad: a corner between long moves is ro
 constexpr double kCornerShare = 0.45;  // of a move, that a corner may take
 constexpr double kArcCorner = 3.4;     // reaches of a corner of lines, with an arc: six spans
 constexpr double kStepReach = 10.5;    // sqrt(tolerance / step of the curvature): six spans
+constexpr double kBendReach = 3;       // turn / curvature
+constexpr double kThirdReach = 3;      // turn / third derivative, of its square
 constexpr double kMiddle = 1.2;        // reaches in a move that keeps its middle
 constexpr double kLongMove = 25e-3;    // s: a move beside a joint that is no part of a curve
 constexpr double kNoTurn = 1e-9;       // rad
@@ -61,7 +63,16 @@ PathJoints::PathJoints(const std::vector<Move>& moves, double tolerance, Rest re
 }
 
 double PathJoints::feed(std::size_t move) const {
-    return moves_[move].rapid ? pace_.speed : std::min(pace_.speed, moves_[move].feed);
+    const double most = pace_.velocity.path;
+    return moves_[move].rapid ? most : std::min(most, moves_[move].feed);
+}
+
+/// Of a feed, what the axes allow.
+double PathJoints::speed(std::size_t move) const {
+    const Move& on = moves_[move];
+    const bool line = on.kind == Move::Kind::kLine;
+    return std::min(feed(move),
+                    pace_.velocity.along(line ? Vec3(on.end - on.start) : Vec3(0, 0, 0)));
 }
 
 bool PathJoints::lines(std::size_t joint) const {
@@ -74,24 +85,28 @@ bool PathJoints::joined(std::size_t move) const {
 
 /// Whether both moves last so long that they are no parts of one curve.
 bool PathJoints::is_long(std::size_t joint) const {
-    return std::min(length(joint - 1) / feed(joint - 1), length(joint) / feed(joint)) > kLongMove;
+    return std::min(length(joint - 1) / speed(joint - 1), length(joint) / speed(joint)) > kLongMove;
 }
 
-/// Whether a joint may be passed as fast as the feed asks (ref/feed/limits.hpp).
-bool PathJoints::passed(std::size_t joint, double turn, double step) const {
-    const double v = std::max(feed(joint - 1), feed(joint));
-    return v * turn <= pace_.acceleration * pace_.joint_time &&
-           v * v * step <= pace_.jerk * pace_.joint_time;
+/// Whether a joint may be passed as fast as the feed asks: over the joint time
+/// (ref/feed/limits.hpp) the change of velocity asks for no more than the jerk that is allowed, nor
+/// that of v^2 r''.
+bool PathJoints::passed(std::size_t joint, const Change& change) const {
+    const double v = std::max(speed(joint - 1), speed(joint));
+    const double t = pace_.joint_time;
+    return v * pace_.acceleration.load(change.turn) <= t &&
+           v * pace_.jerk.load(change.turn) <= t * t && v * v * pace_.jerk.load(change.step) <= t;
 }
 
 void PathJoints::look_at(std::size_t i) {
     PathJoint& joint = joints_[i];
     const MovePlace before = place_on(moves_[i - 1], moves_[i - 1].length());
     const MovePlace after = place_on(moves_[i], 0);
+    const Change change{before.tangent, after.tangent - before.tangent,
+                        after.curvature - before.curvature};
     const double turn = angle_between(before.tangent, after.tangent);
-    const double step = (after.curvature - before.curvature).norm();
-    if (turn < kNoTurn && step < kNoStep) return;
-    if (is_long(i) && passed(i, turn, step)) return;
+    if (turn < kNoTurn && change.step.norm() < kNoStep) return;
+    if (is_long(i) && passed(i, change)) return;
     const double seen = seen_turn(path_, joint.s, tolerance_);
     if (turn > kReversal && seen > kReversal) {
         joint.kind = PathJoint::Kind::kStop;
@@ -108,17 +123,25 @@ void PathJoints::look_at(std::size_t i) {
         }
     }
     joint.kind = PathJoint::Kind::kCurve;
-    joint.reach = curve_reach(i, turn > kNoTurn ? std::max(turn, seen) : 0, step);
+    joint.reach = curve_reach(i, turn > kNoTurn ? std::max(turn, seen) : 0, change);
 }
 
-double PathJoints::curve_reach(std::size_t i, double turn, double step) const {
+double PathJoints::curve_reach(std::size_t i, double turn, const Change& change) const {
     double reach = turn > 0 ? corner_reach(turn, tolerance_) : 0;
     if (turn > kMeantCorner) return lines(i) ? reach : kArcCorner * reach;
-    const double feed_here = std::max(feed(i - 1), feed(i));
-    const double bend = std::min(pace_.acceleration / std::pow(feed_here, 2),
-                                 std::sqrt(pace_.jerk / std::pow(feed_here, 3)));
-    if (is_long(i)) reach = std::min(reach, 3 * turn / bend);  // no further than the feed asks for
+    if (turn > 0 && is_long(i)) reach = std::min(reach, asked_reach(i, turn, change));
+    const double step = change.step.norm();
     return step > kNoStep ? std::max(reach, kStepReach * std::sqrt(tolerance_ / step)) : reach;
+}
+
+/// What a corner needs for the feed: its curvature is 4/3 turn / reach at most, its third
+/// derivative 2.64 turn / reach^2.
+double PathJoints::asked_reach(std::size_t i, double turn, const Change& change) const {
+    const double v = std::max(speed(i - 1), speed(i));
+    const double bend = std::min(pace_.acceleration.along(change.turn) / (v * v),
+                                 std::sqrt(pace_.jerk.along(change.direction) / (v * v * v)));
+    const double third = pace_.jerk.along(change.turn) / (v * v * v);
+    return std::max(kBendReach * turn / bend, std::sqrt(kThirdReach * turn / third));
 }
 
 }  // namespace curvecore::ref

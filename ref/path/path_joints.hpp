@@ -53,10 +53,17 @@ class PathJoints {
     bool joined(std::size_t move) const;
 
   private:
+    /// At a joint: the direction before it, by how much it turns, and how the curvature steps.
+    struct Change {
+        Vec3 direction, turn, step;
+    };
+
+    double speed(std::size_t move) const;
     void look_at(std::size_t joint);
     bool is_long(std::size_t joint) const;
-    bool passed(std::size_t joint, double turn, double step) const;
-    double curve_reach(std::size_t joint, double turn, double step) const;
+    bool passed(std::size_t joint, const Change& change) const;
+    double curve_reach(std::size_t joint, double turn, const Change& change) const;
+    double asked_reach(std::size_t joint, double turn, const Change& change) const;
 
     double tolerance_;
     const Pace& pace_;

@@ -35,12 +35,11 @@ bool stops(const Move& before, const Move& after) {
 
 SmoothStream::SmoothStream(MoveSource source, const Machine& machine, double share,
                            MovesCheck carried, std::size_t window)
-    : source_(std::move(source)), share_(share), carried_(std::move(carried)), window_(window) {
-    pace_.speed = machine.velocity;
-    pace_.joint_time = machine.joint_time;
-    pace_.acceleration = kAccelerationShare * machine.acceleration;
-    pace_.jerk = kJerkShare * machine.jerk;
-}
+    : source_(std::move(source)),
+      pace_(machine),
+      share_(share),
+      carried_(std::move(carried)),
+      window_(window) {}
 
 bool SmoothStream::next(Move& move) {
     if (!begun_reading_) read_ahead();

@@ -26,15 +26,6 @@ double turn_at(const ProgrammedPath& path, double s, double reach) {
     return angle_between(in, out);
 }
 
-/// Least of what chords of several lengths see: a joint of the path is no curvature.
-double bend_at(const ProgrammedPath& path, double s, double tolerance, double turn) {
-    double least = turn / (kReach * tolerance);
-    for (const double reach : kChords) {
-        least = std::min(least, turn_at(path, s, reach * tolerance) / (reach * tolerance));
-    }
-    return least;
-}
-
 /// Integral of 1 / width between sites, the width being a tent of slope kSlope.
 struct Tent {
     double length, before, after;
@@ -75,10 +66,11 @@ SeenBend seen_bend(const ProgrammedPath& path, double s, double tolerance) {
             seen.direction = (in + out).normalized();
             seen.turn = angle_between(in, out);
         }
-        const Vec3 bend = (out - in) / chord;
-        if (bend.norm() >= least) continue;
-        least = bend.norm();
-        seen.bend = bend - bend.dot(seen.direction) * seen.direction;
+        const double bend = angle_between(in, out) / chord;
+        if (bend >= least) continue;
+        least = bend;
+        const Vec3 across = (out - in) - (out - in).dot(seen.direction) * seen.direction;
+        seen.bend = bend * across.normalized();
     }
     return seen;
 }
@@ -87,33 +79,15 @@ double seen_turn(const ProgrammedPath& path, double s, double tolerance) {
     return turn_at(path, s, kReach * tolerance);
 }
 
-double Pace::at(double most, double bend, double swerve) const {
-    if (bend > 0) {
-        most = std::min({most, std::sqrt(acceleration / bend), std::cbrt(jerk / (bend * bend))});
-    }
-    return swerve > 0 ? std::min(most, std::cbrt(jerk / swerve)) : most;
-}
-
-void Pace::sweep(const std::vector<double>& s, std::vector<double>& speeds) const {
-    const auto join = [&](std::size_t from, std::size_t to) {
-        const double way = std::abs(s[to] - s[from]);
-        const double gain = std::min(acceleration, std::sqrt(jerk * speeds[from]));
-        speeds[to] = std::min(speeds[to], std::sqrt(speeds[from] * speeds[from] + 2 * gain * way));
-    };
-    for (std::size_t i = 1; i < s.size(); ++i) join(i - 1, i);
-    for (std::size_t i = s.size(); i-- > 1;) join(i, i - 1);
-}
-
 std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to, double tolerance,
                              const Pace& pace) {
     std::vector<double> places{from};
-    std::vector<double> speeds;
     for (std::size_t i = path.piece_at(from); i < path.pieces().size() && places.back() < to; ++i) {
         const ProgrammedPath::Piece& piece = path.pieces()[i];
         const double start = places.back();
         const double end = std::min(to, piece.end());
         if (!(end > start)) continue;
-        const double longest = kSpanTime * pace.speed;
+        const double longest = kSpanTime * pace.velocity.along(piece.cubic.velocity(0.5));
         const int parts = std::max(1, static_cast<int>((end - start) / longest));
         for (int part = 1; part < parts; ++part) {
             places.push_back(start + (end - start) * part / parts);
@@ -121,17 +95,22 @@ std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to,
         places.push_back(end);
     }
     std::vector<Site> sites;
+    std::vector<PacePlace> paced;
     std::vector<double> bends;
     for (const double s : places) {
+        // Least of what chords of several lengths see: a joint of the path is no curvature.
+        SeenBend seen = seen_bend(path, s, tolerance);
         const double turn = seen_turn(path, s, tolerance);
-        bends.push_back(bend_at(path, s, tolerance, turn));
+        const double own = turn / (kReach * tolerance);
+        if (own < seen.bend.norm()) seen.bend *= own / seen.bend.norm();
         sites.push_back({s, turn, 0, 0});
-        speeds.push_back(pace.at(pace.speed, bends.back(), 0));
+        paced.push_back({s, seen.direction, pace.at(seen.direction, seen.bend, Vec3::Zero())});
+        bends.push_back(seen.bend.norm());
     }
-    pace.sweep(places, speeds);
+    pace.sweep(paced);
     for (std::size_t i = 0; i < sites.size(); ++i) {
         Site& site = sites[i];
-        site.speed = speeds[i];
+        site.speed = paced[i].speed;
         const double bend = bends[i];
         site.width = kSpanTime * site.speed;
         if (site.turn > 0) {

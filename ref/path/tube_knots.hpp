@@ -4,23 +4,10 @@
 
 #include <vector>
 
+#include "ref/path/pace.hpp"
 #include "ref/path/programmed_path.hpp"
 
 namespace curvecore::ref {
-
-/// What the machine does along a path, for choices alone: nothing that must hold follows from it.
-struct Pace {
-    double acceleration = 5000;  // mm/s^2
-    double jerk = 1e5;           // mm/s^3
-    double joint_time = 1e-3;    // s
-    double speed = 500;          // mm/s, whatever the feeds: they are low where nothing is hard
-
-    /// Speed that a curvature and |r'''| allow of a speed.
-    double at(double most, double bend, double swerve) const;
-    /// Speeds at places s, lowered until the acceleration that a ramp from the slower one reaches
-    /// joins them.
-    void sweep(const std::vector<double>& s, std::vector<double>& speeds) const;
-};
 
 /// Turn at s, rad, between chords that noise within the tolerance does not bend.
 double seen_turn(const ProgrammedPath& path, double s, double tolerance);

@@ -72,20 +72,23 @@ std::vector<double> first_speeds(const CubicSpline& spline, const std::vector<Si
 }
 
 std::vector<double> speeds_of(const CubicSpline& spline, const Pace& pace) {
-    std::vector<double> middles;
-    std::vector<double> speeds;
+    std::vector<PacePlace> places;
     for (std::size_t span = 0; span < spline.spans(); ++span) {
         const double h = spline.width(span);
-        middles.push_back(spline.knot(span) + h / 2);
-        const Cubic cubic = from_bezier(spline.bezier(span));
-        const double bend =
-            std::max(cubic.acceleration(0).norm(), cubic.acceleration(1).norm()) / (h * h);
-        speeds.push_back(pace.at(pace.speed, bend, cubic.jerk().norm() / (h * h * h)));
+        const Bezier points = spline.bezier(span);
+        const Cubic cubic = from_bezier(points);
+        const Vec3 direction = (points[3] - points[0]).normalized();
+        const Vec3 swerve = cubic.jerk() / (h * h * h);
+        const auto at = [&](double end) {
+            return pace.at(direction, cubic.acceleration(end) / (h * h), swerve);
+        };
+        places.push_back({spline.knot(span) + h / 2, direction, std::min(at(0), at(1))});
     }
-    pace.sweep(middles, speeds);
-    std::vector<double> smooth = speeds;
-    for (std::size_t i = 1; i + 1 < speeds.size(); ++i) {
-        smooth[i] = (speeds[i - 1] + 2 * speeds[i] + speeds[i + 1]) / 4;
+    pace.sweep(places);
+    std::vector<double> smooth;
+    for (const PacePlace& place : places) smooth.push_back(place.speed);
+    for (std::size_t i = 1; i + 1 < places.size(); ++i) {
+        smooth[i] = (places[i - 1].speed + 2 * places[i].speed + places[i + 1].speed) / 4;
     }
     return smooth;
 }
@@ -104,7 +107,7 @@ std::vector<Site> change_sites(const CubicSpline& spline, const std::vector<doub
         const std::size_t before = i > 0 ? i - 1 : 0;
         const std::size_t after = std::min(i, spline.spans() - 1);
         const double v = std::min(speeds[before], speeds[after]);
-        const double jump = (thirds[after] - thirds[before]).norm() * v * v * v / pace.jerk;
+        const double jump = v * v * v * pace.jerk.load(thirds[after] - thirds[before]);
         const double apart = (spline.width(before) + spline.width(after)) / 2;
         sites.push_back({spline.knot(i), 0, v, kLongest * v});
         if (jump > 0) sites[i].width = std::min(sites[i].width, kChange / jump * apart);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/curve/band_matrix.hpp"
+#include "ref/curve/newton_work.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -216,6 +217,7 @@ TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
 bool TubeSpline::newton_step(double mu) {
     constexpr int kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
     const std::size_t n = last_ - first_;
+    newton_work() += n;
     BandMatrix<11> matrix(3 * n);
     std::vector<double> step(3 * n, 0);
     for (std::size_t span = 0; span < third_.size(); ++span) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "ref/curve/newton_work.hpp"
 #include "ref/feed/plan_stream.hpp"
 #include "ref/path/smooth_stream.hpp"
 
@@ -62,6 +63,7 @@ void row(std::size_t moves, const char* name, Effort effort) {
     PlanOptions options;
     options.effort = effort;
     options.format.splines = 1;
+    newton_work() = 0;
     const double from = seconds();
     PlanStream stream(source, {"surface", 0, kFeed}, machine, options);
     double duration = 0;
@@ -70,16 +72,19 @@ void row(std::size_t moves, const char* name, Effort effort) {
     rusage use{};
     getrusage(RUSAGE_SELF, &use);
     const auto a_move = [&](double time) { return 1e6 * time / static_cast<double>(moves); };
-    fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {} |\n", moves, name, a_move(all),
-               a_move(smoothing), duration, use.ru_maxrss / 1024);
+    fmt::print("| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} | {} |\n", moves, name, a_move(all),
+               a_move(smoothing), duration, static_cast<double>(newton_work()) / duration,
+               use.ru_maxrss / 1024);
 }
 
 }  // namespace
 
 int main() {
     fmt::print(
-        "| moves | effort | us a move | of it smoothing | motion, s | most memory so far, MB |\n"
-        "|---|---|---|---|---|---|\n");
+        "| moves | effort | us a move | of it smoothing | motion, s | Newton steps x knots a s of "
+        "it | "
+        "most memory so far, MB |\n"
+        "|---|---|---|---|---|---|---|\n");
     for (const std::size_t moves : {10000, 100000}) {
         row(moves, "rules", Effort::kRules);
         row(moves, "optimum", Effort::kOptimum);

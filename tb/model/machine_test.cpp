@@ -88,6 +88,20 @@ TEST(MachineFile, WhatIsMissingIsSaid) {
     EXPECT_TRUE(says(read("[TRAJ]\n"), "LINEAR_UNITS: mm"));
 }
 
+TEST(MachineFile, WithoutAnyJerkThePathReachesItsAccelerationAsItsAxesDo) {
+    const std::string limits =
+        "[TRAJ]\nLINEAR_UNITS = mm\nCOORDINATES = X Y\nMAX_LINEAR_VELOCITY = 80\n"
+        "MAX_LINEAR_ACCELERATION = 500\n[AXIS_X]\nMAX_ACCELERATION = 500\n";
+    const Machine none = read(limits + "[AXIS_Y]\nMAX_ACCELERATION = 400\n");
+    EXPECT_EQ(none.axis[0].jerk, 10000);
+    EXPECT_EQ(none.axis[1].jerk, 8000);
+    EXPECT_EQ(none.jerk, 10000);
+    EXPECT_TRUE(says(none, "MAX_LINEAR_JERK: 10000, from the acceleration"));
+    const Machine one = read(limits + "MAX_JERK = 30000\n[AXIS_Y]\nMAX_JERK = 40000\n");
+    EXPECT_EQ(one.jerk, 50000);
+    EXPECT_TRUE(says(one, "MAX_LINEAR_JERK: 50000, from the axes"));
+}
+
 TEST(MachineFile, OlderNamesAndFreeFormattingAreRead) {
     const Machine machine = read(
         "[traj]\r\n  max_velocity=+60.5 ; mm/s\r\nMAX_ACCELERATION\t= 6e2 # mm/s^2\r\n"
