@@ -61,6 +61,7 @@ for form in serial flat; do
   CURVECORE_PART=demo.ngc build/release/tb/motion_system_$form --gtest_filter=*.Draws* |
     grep "clocks$"
 done
+CURVECORE_CUBICS=10000 build/release/tb/model_tests --gtest_filter=SlowClock.* | grep "curves:"
 scripts/buses.sh
 build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json

@@ -70,7 +70,8 @@ inline const char* kind_name(const Segment& segment) {
     return std::abs(rise) < kFlat ? "arc" : "helix";
 }
 
-/// Constant jerk over a whole number of ticks, in the hardware's own integers.
+/// Constant jerk over a whole number of ticks, in the hardware's own integers
+/// (ref/feed/profile_words.hpp).
 ///
 ///     s(t) = s0 + 2^exponent (c1 tau + c2 tau^2 + c3 tau^3),  tau = t / 2^time_exponent
 struct ProfilePiece {
@@ -107,12 +108,40 @@ struct PlanFrame {
     std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs at most
 };
 
+/// Moves that the core cannot have as fast as feed and machine would (ref/feed/core_slowed.hpp).
+///
+/// | field         | unit | remark                                |
+/// |---------------|------|---------------------------------------|
+/// | moves         | 1    |                                       |
+/// | lost_s        | s    | by all of them, about                 |
+/// | line          |      | of the one that loses most            |
+/// | most_s        | s    | that it loses                         |
+/// | speed, asked  | mm/s | its own, and without the core's limit |
+struct CoreSlowed {
+    std::size_t moves = 0;
+    double lost_s = 0;
+    int line = 0;
+    double most_s = 0;
+    double speed = 0;
+    double asked = 0;
+
+    void add(const CoreSlowed& more) {
+        const std::size_t all = moves + more.moves;
+        const double lost = lost_s + more.lost_s;
+        if (more.most_s > most_s) *this = more;
+        moves = all;
+        lost_s = lost;
+    }
+};
+
 struct Plan : PlanFrame {
     std::vector<Segment> segments;
     std::vector<ProfilePiece> pieces;
     std::vector<PlannedBranch> branches;  // by their pieces, none twice
     double duration_s = 0;
     std::size_t slowed_moves = 0;  // so that what is queued outlasts a stop
+    int slowed_line = 0;           // of the first of them
+    CoreSlowed core_slowed;
 };
 
 }  // namespace curvecore::ref

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_window.hpp"
 #include "ref/feed/hold_bounds.hpp"
 #include "ref/feed/limits.hpp"
@@ -15,7 +16,8 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kCoverRounds = 12;
-constexpr double kCutFrom = 0.6;  // of the time that is planned: the rest is looked at again
+constexpr double kAnySpeed = 1e9;  // mm/s
+constexpr double kCutFrom = 0.6;   // of the time that is planned: the rest is looked at again
 // Of the rules' speeds where an optimum joins them at a cut: it begins and ends within its limits.
 constexpr double kPace = 0.95;
 constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
@@ -61,11 +63,12 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
 /// Slower motion stops sooner, and the queues last longer: a few rounds do.
 std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cut, Plan& plan) {
     const std::size_t count = subject.geometry.moves.size();
-    std::vector<double> most(count, 1e9);
+    std::vector<double> most(count, kAnySpeed);
     const FeedTask task{subject.program,  subject.machine, subject.options,
                         subject.geometry, plan.segments,   most,
                         subject.pace};
     plan.slowed_moves = 0;
+    plan.slowed_line = 0;
     for (int round = 0;; ++round) {
         FeedWindow window(task, subject.given, cut);
         if (!window.plan()) return {};
@@ -97,6 +100,12 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
         }
         if (slowed == 0) return PlannedWindow{std::move(found), cut};
         plan.slowed_moves = std::max(plan.slowed_moves, slowed);
+        const auto first =
+            std::find_if(most.begin(), most.end(), [](double v) { return v < kAnySpeed; });
+        plan.slowed_line =
+            subject.program
+                .moves[subject.geometry.moves[static_cast<std::size_t>(first - most.begin())].move]
+                .line;
         if (round == kCoverRounds) {
             throw InputError(subject.program.file, 0,
                              "the moves are so short that what fits into the core's queues does "
@@ -144,7 +153,11 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
 
 void plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
                const Geometry& geometry, Plan& plan) {
-    plan_best({program, machine, options, geometry}, plan);
+    const std::optional<PlannedWindow> planned =
+        plan_best({program, machine, options, geometry}, plan);
+    const std::size_t count = geometry.moves.size();
+    plan.core_slowed = core_slowed({program, machine, options, geometry, plan.segments, {}},
+                                   planned->motion, 0, count);
     plan.pieces.back().final = true;
     plan.segments.back().last = true;
 }

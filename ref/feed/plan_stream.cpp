@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_profile.hpp"
 #include "ref/feed/hold_bounds.hpp"
 #include "ref/feed/planned_branches.hpp"
@@ -212,8 +213,8 @@ Plan PlanStream::give_out(std::unique_ptr<Window> window) {
 }
 
 Plan PlanStream::stop_where_planned() {
-    ++forced_stops_;
     const std::unique_ptr<Window> window = std::move(before_);
+    if (forced_stops_++ == 0) forced_stop_line_ = program_.moves[window->end - dropped_ - 1].line;
     Plan plan = part(*window, window->planned->cut, window->geometry.moves.size());
     drop(window->end - dropped_);
     return plan;
@@ -242,6 +243,10 @@ Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) 
     const std::uint64_t to = from + length(first, end);
     Plan plan = frame_;
     plan.slowed_moves = window.plan.slowed_moves;
+    plan.slowed_line = window.plan.slowed_line;
+    plan.core_slowed =
+        core_slowed({program_, machine_, options_, window.geometry, window.plan.segments, {}},
+                    window.planned->motion, first, end, dropped_ - window.first);
     for (const Segment& segment : window.plan.segments) {
         if (segment.s_start < from || segment.s_start >= to) continue;
         plan.segments.push_back(segment);

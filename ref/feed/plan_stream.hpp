@@ -53,6 +53,8 @@ class PlanStream {
 
     /// Windows that could not go on.
     std::size_t forced_stops() const { return forced_stops_; }
+    /// Of the move behind which the first of them stops.
+    int forced_stop_line() const { return forced_stop_line_; }
 
   private:
     struct Window;
@@ -90,6 +92,7 @@ class PlanStream {
     Plan frame_;              // what all parts have
     std::uint64_t path_ = 0;  // quanta, given out
     std::size_t forced_stops_ = 0;
+    int forced_stop_line_ = 0;
 };
 
 }  // namespace curvecore::ref

@@ -24,6 +24,8 @@ Plan make_plan(const Program& program, const Machine& machine, const PlanOptions
     while (std::optional<Plan> part = stream.next()) {
         plan.duration_s += part->duration_s;
         plan.slowed_moves += part->slowed_moves;
+        if (plan.slowed_line == 0) plan.slowed_line = part->slowed_line;
+        plan.core_slowed.add(part->core_slowed);
         for (PlannedBranch& branch : part->branches) {
             branch.piece += plan.pieces.size();
             plan.branches.push_back(std::move(branch));

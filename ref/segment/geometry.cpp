@@ -10,9 +10,11 @@
 #include <string_view>
 
 #include "ref/feed/arc_shape.hpp"
+#include "ref/feed/limits.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/machine/travel.hpp"
 #include "ref/program/input_error.hpp"
+#include "ref/segment/last_step.hpp"
 #include "ref/segment/remedy.hpp"
 #include "ref/segment/rotary_turns.hpp"
 #include "ref/segment/spline_geometry.hpp"
@@ -104,6 +106,31 @@ Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& for
     return best;
 }
 
+/// What feed and machine allow, mm/s.
+double fastest_of(const Move& move, const PathShape& shape, double machine) {
+    return !move.rapid && move.feed > 0 ? std::min(machine, move.feed / shape.rate) : machine;
+}
+
+/// Some more pieces, where the last step of each would be too short.
+Cut with_long_last_steps(const Cut& fewest, const Move& move, const PathShape& shape,
+                         double fastest, const PlanOptions& options) {
+    constexpr int kTries = 64;
+    const double least = least_last_step(fastest, options);
+    const double length = shape.length / options.unit_mm;
+    const auto fits = [&](const Cut& cut) {
+        return cut_for_last_step(length / cut.pieces, cut.step_exponent, least) == 0;
+    };
+    if (fewest.pieces == 0 || fits(fewest)) return fewest;
+    const int most = std::min(fewest.pieces + kTries, options.max_pieces);
+    for (int pieces = fewest.pieces + 1; pieces <= most; ++pieces) {
+        Cut cut = best_step(prototype(move, shape, pieces, options.unit_mm), options.format,
+                            options.error_limit);
+        cut.pieces = pieces;
+        if (cut.bound <= options.error_limit && fits(cut)) return cut;
+    }
+    return fewest;
+}
+
 class Cutter {
   public:
     Cutter(const Program& program, const Machine& machine, const PlanOptions& options, double miss)
@@ -158,7 +185,9 @@ class Cutter {
             return;
         }
         const int by_turns = pieces_by_turns(move);
-        const Cut cut = cut_move(move, shape, options_.format, unit, options_, by_turns);
+        const Cut fewest = cut_move(move, shape, options_.format, unit, options_, by_turns);
+        const Cut cut = with_long_last_steps(
+            fewest, move, shape, fastest_of(move, shape, highest_speed(shape, machine_)), options_);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
             refuse_width(move, kind, [&](const CoreParameters& format, double finer) {
@@ -215,7 +244,8 @@ class Cutter {
         }
         std::vector<Segment> segments;
         try {
-            segments = spline_segments(program_, index, options_, path_);
+            segments = spline_segments(program_, index, options_,
+                                       fastest_of(move, PathShape(), machine_.velocity), path_);
         } catch (const std::domain_error&) {
             refuse_width(move, "spline", [&](const CoreParameters& format, double finer) {
                 return spline_fits(program_, index, options_, format, finer);

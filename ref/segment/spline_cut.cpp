@@ -22,7 +22,7 @@ std::size_t KnownCuts::Hash::operator()(const Key& key) const {
 }
 
 const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format, double limit,
-                               const Aux& aux_advance, int max_pieces) {
+                               const Aux& aux_advance, int max_pieces, double least_last_step) {
     if (!(format == format_) || limit != limit_ || max_pieces != max_pieces_) {
         recent_.clear();
         before_.clear();
@@ -37,13 +37,14 @@ const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format,
         for (const double number : term) add(number);
     }
     for (const double number : aux_advance) add(number);
+    add(least_last_step);
 
     const auto known = recent_.find(key);
     if (known != recent_.end()) return known->second;
     const auto old = before_.find(key);
-    SplineCut cut = old != before_.end()
-                        ? std::move(old->second)
-                        : cut_spline(cubic, format, limit, aux_advance, max_pieces);
+    SplineCut cut = old != before_.end() ? std::move(old->second)
+                                         : cut_spline(cubic, format, limit, aux_advance, max_pieces,
+                                                      least_last_step);
     if (old != before_.end()) before_.erase(old);
     if (recent_.size() >= kRecent) {
         before_ = std::move(recent_);

@@ -23,22 +23,24 @@ struct SplineCut {
     std::vector<double> lengths;
 };
 
-/// The pieces of split_spline() (ref/segment/spline_segment.hpp), which places them.
+/// The pieces of split_spline() (ref/segment/spline_segment.hpp), which places them; with a
+/// least_last_step(), units, some more of them (ref/segment/last_step.hpp).
 /// @throws std::domain_error as that does
 SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
-                     const Aux& aux_advance, int max_pieces);
+                     const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
 /// The cuts that were asked for last, some thousands of them, of one core and limit.
 class KnownCuts {
   public:
     /// cut_spline() of the same; valid up to the next call.
     const SplineCut& of(const Cubic& cubic, const CoreParameters& format, double limit,
-                        const Aux& aux_advance, int max_pieces);
+                        const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
     std::size_t size() const { return recent_.size() + before_.size(); }
 
   private:
-    using Key = std::array<std::uint64_t, 12 + kAuxAxes>;  // a cubic's and a rate's doubles
+    // The doubles of a cubic, of a rate and of a last step.
+    using Key = std::array<std::uint64_t, 13 + kAuxAxes>;
     struct Hash {
         std::size_t operator()(const Key& key) const;
     };

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ref/feed/spline_shape.hpp"
+#include "ref/segment/last_step.hpp"
 #include "ref/segment/spline_segment.hpp"
 
 namespace curvecore::ref {
@@ -36,17 +37,21 @@ class Standstills {
     std::vector<double> places_;
 };
 
-SplineCut cut_of(const Cubic& piece, const Aux& rate, const PlanOptions& options) {
+SplineCut cut_of(const Cubic& piece, const Aux& rate, const PlanOptions& options, double fastest) {
+    const double last_step = least_last_step(fastest, options);
     if (!options.cuts) {
-        return cut_spline(piece, options.format, options.error_limit, rate, options.max_pieces);
+        return cut_spline(piece, options.format, options.error_limit, rate, options.max_pieces,
+                          last_step);
     }
-    return options.cuts->of(piece, options.format, options.error_limit, rate, options.max_pieces);
+    return options.cuts->of(piece, options.format, options.error_limit, rate, options.max_pieces,
+                            last_step);
 }
 
 }  // namespace
 
 std::vector<Segment> spline_segments(const Program& program, std::size_t index,
-                                     const PlanOptions& options, long double& path) {
+                                     const PlanOptions& options, double fastest,
+                                     long double& path) {
     const Move& move = program.moves[index];
     const double unit = options.unit_mm;
     const Cubic cubic = in_units(move.cubic, unit);
@@ -70,7 +75,7 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
     const long double begin = path;
     for (std::size_t part = 0; part + 1 < cuts.size(); ++part) {
         const Cubic piece = sub_cubic(cubic, cuts[part], cuts[part + 1]);
-        for (Segment& segment : placed(cut_of(piece, rate, options), path)) {
+        for (Segment& segment : placed(cut_of(piece, rate, options, fastest), path)) {
             if (segment.length == 0) continue;
             segment.move = index;
             segment.line = move.line;
@@ -144,7 +149,7 @@ bool spline_fits(const Program& program, std::size_t index, PlanOptions options,
     options.cuts.reset();  // those of the program's own words stay
     long double path = 0;
     try {
-        spline_segments(program, index, options, path);
+        spline_segments(program, index, options, 0, path);
     } catch (const std::domain_error&) {
         return false;
     }

@@ -8,9 +8,10 @@ namespace curvecore::ref {
 
 /// Segments of the cubic moves[index], in units, from `path` on (units, program-wide; moved to the
 /// move's end). A standstill of the curve is the end of a segment.
+/// @param fastest mm/s, that the move may be: last steps of segments are no shorter than it bears
 /// @throws std::domain_error when the words cannot carry the move
 std::vector<Segment> spline_segments(const Program& program, std::size_t index,
-                                     const PlanOptions& options, long double& path);
+                                     const PlanOptions& options, double fastest, long double& path);
 
 /// Stretches of those segments, in order; each lies within one segment and has its share of the
 /// segment's integration steps.

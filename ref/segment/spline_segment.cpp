@@ -8,6 +8,7 @@
 #include "ref/bound/error_bound.hpp"
 #include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
+#include "ref/segment/last_step.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -76,23 +77,35 @@ struct Splitter {
     double limit;
     Aux aux_advance;
     std::size_t max_pieces;
+    double least_last_step;
     SplineCut found;
+
+    bool may_cut(int depth) const {
+        return depth < kMaxHalvings && found.pieces.size() < max_pieces;
+    }
 
     void cut(double from, double to, int depth) {
         const Cubic part = sub_cubic(cubic, from, to);
         const SpeedRange speed = speed_range(part);
-        const double length = ArcLength(part).length();
+        const ArcLength arc(part);
+        const double length = arc.length();
+        double middle = (from + to) / 2;
         if (speed.max > 0 && with_room(speed.max, format) < 2 * speed.min) {
             Segment piece = segment_of(part, format, speed.max, length);
             piece.aux_advance = aux_advance;
             if (piece.lambda <= kMaxStepExponent && piece.lambda < format.position_bits &&
                 choose_step(format, limit, piece)) {
-                found.lengths.push_back(length);
-                found.pieces.push_back(piece);
-                return;
+                const double place =
+                    cut_for_last_step(length, piece.step_exponent, least_last_step);
+                if (place == 0 || !may_cut(depth)) {
+                    found.lengths.push_back(length);
+                    found.pieces.push_back(piece);
+                    return;
+                }
+                middle = from + (to - from) * arc.parameter(place);
             }
         }
-        if (length <= kLongestLine) {
+        if (length <= kLongestLine && middle == (from + to) / 2) {
             double aside = 0;  // of the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aux_advance, aside);
             if (aside <= 0.4 * limit && line.bound <= limit) {
@@ -101,10 +114,9 @@ struct Splitter {
                 return;
             }
         }
-        if (depth == kMaxHalvings || found.pieces.size() >= max_pieces) {
+        if (!may_cut(depth)) {
             throw std::domain_error("a cubic that no splitting makes drawable");
         }
-        const double middle = (from + to) / 2;
         cut(from, middle, depth + 1);
         cut(middle, to, depth + 1);
     }
@@ -143,11 +155,13 @@ bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
 }
 
 SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
-                     const Aux& aux_advance, int max_pieces) {
+                     const Aux& aux_advance, int max_pieces, double least_last_step) {
     if (limit < 4 * std::ldexp(0.5, -format.guard_bits)) {
         throw std::domain_error("a limit below the roundings of a position");
     }
-    Splitter splitter{cubic, format, limit, aux_advance, static_cast<std::size_t>(max_pieces), {}};
+    Splitter splitter{
+        cubic,           format, limit, aux_advance, static_cast<std::size_t>(max_pieces),
+        least_last_step, {}};
     splitter.cut(0, 1, 0);
     return std::move(splitter.found);
 }

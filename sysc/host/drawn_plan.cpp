@@ -25,7 +25,6 @@ void DrawnPlan::append(const ref::Plan& part) {
     if (!part.branches.empty()) longest_stop = std::max(longest_stop, wait_);
     branches += part.branches.size();
     duration_s += part.duration_s;
-    slowed_moves += part.slowed_moves;
 }
 
 void DrawnPlan::append(const ref::Segment& segment) {

@@ -21,7 +21,9 @@ class DrawnPlan : public ref::PlanFrame {
     FileList<ref::ProfilePiece> pieces;
 
     double duration_s = 0;
-    std::size_t slowed_moves = 0;
+    std::size_t slowed_moves = 0;  // by what the queues cover
+    int slowed_line = 0;           // of the first
+    ref::CoreSlowed core_slowed;
     std::size_t branches = 0;
     std::uint64_t longest_stop = 0;  // ticks from a hold at the rate 1 to rest, with branches
     std::size_t stops = 0;           // that the profile plans

@@ -13,6 +13,8 @@
 namespace curvecore::sysc {
 namespace {
 
+constexpr double kWorthAWarning = 0.01;  // of a plan's time
+
 /// Of the path with the widest words.
 std::size_t fewest_segments(const Job& job) {
     constexpr std::size_t kBatch = 500;
@@ -123,7 +125,7 @@ void set_splines(Job& job, const std::optional<int>& line) {
                           (line ? "a spline, and " : "no spline, and ") + reason);
 }
 
-void warn_of_plan(Job& job, bool bounded) {
+void warn_of_plan(Job& job, bool bounded, double duration_s) {
     if (!bounded) {
         job.program.warnings.push_back(fmt::format(
             "{}: warning: no bound is derived for splines with Anchor=0; they are planned "
@@ -132,9 +134,18 @@ void warn_of_plan(Job& job, bool bounded) {
     }
     if (job.plan.slowed_moves > 0) {
         job.program.warnings.push_back(
-            fmt::format("{}: warning: {} short moves are slowed: what fits into the core's queues "
-                        "would not outlast a stop at their feed",
-                        job.program.file, job.plan.slowed_moves));
+            fmt::format("{}:{}: warning: {} short moves are slowed: what fits into the core's "
+                        "queues would not outlast a stop at their feed",
+                        job.program.file, job.plan.slowed_line, job.plan.slowed_moves));
+    }
+    const ref::CoreSlowed& slowed = job.plan.core_slowed;
+    if (slowed.lost_s > kWorthAWarning * duration_s) {
+        job.program.warnings.push_back(fmt::format(
+            "{}:{}: warning: {} moves are slower than feed and machine allow, since this core "
+            "takes "
+            "its time for their steps: here {:.4g} mm/min, which else were up to {:.4g}; a faster "
+            "--clock helps",
+            job.program.file, slowed.line, slowed.moves, slowed.speed * 60, slowed.asked * 60));
     }
 }
 

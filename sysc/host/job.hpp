@@ -58,9 +58,10 @@ void raise_feed(ref::Move& move, const Options& options);
 /// @throws ref::InputError where it cannot
 void set_splines(Job& job, const std::optional<int>& line);
 
-/// Adds a job's warnings: of a path that is not smooth, of a finished plan.
+/// Adds a job's warnings: of a path that is not smooth, of a finished plan that takes so long: what
+/// is slower than asked and for another reason than the machine's limits names line and cause.
 void warn_of_exact_path(Job& job);
-void warn_of_plan(Job& job, bool bounded);
+void warn_of_plan(Job& job, bool bounded, double duration_s);
 /// Of a plan whose moves are all there: narrow words are bought with segments, which the host has
 /// to send.
 void warn_of_segments(Job& job);

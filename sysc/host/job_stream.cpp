@@ -196,7 +196,10 @@ const ref::Plan* JobStream::next() {
         return nullptr;
     }
     static_cast<ref::PlanFrame&>(job_.plan) = *part_;
-    slowed_ += part_->slowed_moves;
+    duration_s_ += part_->duration_s;
+    job_.plan.slowed_moves += part_->slowed_moves;
+    if (job_.plan.slowed_line == 0) job_.plan.slowed_line = part_->slowed_line;
+    job_.plan.core_slowed.add(part_->core_slowed);
     bounded_ =
         bounded_ && std::all_of(part_->segments.begin(), part_->segments.end(),
                                 [this](const ref::Segment& s) { return job_.bounded(s.kind); });
@@ -237,8 +240,13 @@ void JobStream::end() {
     std::vector<std::string>& warnings = job_.program.warnings;
     warnings.insert(warnings.begin(), read.begin(), read.end());
     if (moves_->refused()) warn_of_exact_path(job_);
-    job_.plan.slowed_moves = slowed_;
-    warn_of_plan(job_, bounded_);
+    warn_of_plan(job_, bounded_, duration_s_);
+    if (plan_->forced_stops() > 0) {
+        job_.program.warnings.push_back(fmt::format(
+            "{}:{}: warning: {} stops that nobody asked for, the first behind this move: the plan "
+            "in parts could not go on there",
+            job_.program.file, plan_->forced_stop_line(), plan_->forced_stops()));
+    }
     job_.off = moves_->off();
     job_.smoothed = moves_->smoothed();
     if (moves_->replaced().splines > 0) job_.as_arcs = AsArcs{moves_->replaced(), {}};

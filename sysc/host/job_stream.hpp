@@ -66,7 +66,7 @@ class JobStream {
     std::optional<ref::Plan> part_;
     std::size_t given_ = 0;  // moves
     bool keeps_ = false;     // in the job's plan
-    std::size_t slowed_ = 0;
+    double duration_s_ = 0;  // of the parts
     bool bounded_ = true;
 };
 
