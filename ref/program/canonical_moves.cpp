@@ -147,6 +147,10 @@ void CanonicalMoves::dwell(double seconds) {
 
 void CanonicalMoves::warn(const std::string& text, int line) { moves_.warn(text, place(line)); }
 
+void CanonicalMoves::leave_out(const std::string& code, int line, double value) {
+    moves_.leave_out(code, place(line), value);
+}
+
 void CanonicalMoves::refuse(const std::string& reason, int line) const {
     place(line).refuse(reason);
 }

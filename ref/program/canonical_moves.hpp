@@ -38,6 +38,8 @@ class CanonicalMoves {
     void dwell(double seconds);
     void stop() { moves_.stop(); }
     void warn(const std::string& text, int line);
+    /// MoveList::leave_out()
+    void leave_out(const std::string& code, int line, double value = 0);
     /// The program is wrong. @throws InputError
     [[noreturn]] void refuse(const std::string& reason, int line) const;
 

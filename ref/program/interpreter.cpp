@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace curvecore::ref {
+namespace {
+
+bool ends_program(int m_code) { return m_code == 2 || m_code == 30; }
+
+}  // namespace
 
 bool Interpreter::execute(Block block, const Place& place) {
     if (block.empty()) {
@@ -40,7 +45,7 @@ bool Interpreter::execute(Block block, const Place& place) {
         check_nothing_waits(place);
         moves_.stop();
     }
-    return end != 2 && end != 30;
+    return !end || !ends_program(*end);
 }
 
 Program Interpreter::finish() {
@@ -74,11 +79,17 @@ void Interpreter::set_feed(Block& block, const Codes& codes, const Place& place)
 }
 
 void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const Place& place) {
-    if (block.has('S') && block.use('S') < 0) {
-        place.refuse("S must not be negative");
+    if (block.has('S')) {
+        const double speed = block.use('S');
+        if (speed < 0) place.refuse("S must not be negative");
+        moves_.leave_out("S", place, speed);
     }
     if (block.has('T')) {
         whole_number('T', block.use('T'), 0, 99999, place);
+        moves_.leave_out("T", place);
+    }
+    for (const int code : block.m) {
+        if (!ends_program(code)) moves_.leave_out(fmt::format("M{}", code), place);
     }
     if (codes.of(Group::kToolChange) || codes.of(Group::kSpindle)) {
         moves_.stop();

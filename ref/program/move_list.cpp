@@ -13,6 +13,17 @@ namespace {
 
 constexpr double kSlowestFeed = 1e-3 / 60;  // mm/s
 constexpr double kFastestFeed = 1e9 / 60;
+constexpr std::size_t kNamedLines = 3;  // of each code that is left out
+
+/// "S in lines 3, 4, 5 and 20 more"
+std::string with_lines(const std::string& code, const std::vector<int>& lines, int count) {
+    const auto named = static_cast<int>(lines.size());
+    std::string text = fmt::format("{} in line{} {}", code, count > 1 ? "s" : "", lines.front());
+    for (int i = 1; i < named; ++i) {
+        text += fmt::format("{}{}", i + 1 == count ? " and " : ", ", lines[i]);
+    }
+    return count > named ? text + fmt::format(" and {} more", count - named) : text;
+}
 
 }  // namespace
 
@@ -31,6 +42,7 @@ bool MoveList::moves(const Move& move, const Place& place) {
 }
 
 void MoveList::append(const Move& move) {
+    if (value_changed_) note_values(program_.moves.empty() || program_.moves.back().exact_stop);
     for (int i = 0; i < kAuxAxes; ++i) {
         if (move.aux_end[i] != move.aux_start[i]) {
             program_.aux_axes = std::max(program_.aux_axes, i + 1);
@@ -78,6 +90,42 @@ void MoveList::warn(const std::string& text, const Place& place) {
     ++warnings_.try_emplace(text, Warning{place.line, 0}).first->second.count;
 }
 
+void MoveList::leave_out(const std::string& code, const Place& place, double value) {
+    LeftOut& all = left_out_[code];
+    all.changed = all.changed || value != all.value;
+    value_changed_ = value_changed_ || all.changed;
+    all.value = value;
+    ++all.count;
+    if (all.lines.size() < kNamedLines) all.lines.push_back(place.line);
+}
+
+/// Before the next move: those that changed hold from here on.
+void MoveList::note_values(bool stopped) {
+    value_changed_ = false;
+    for (auto& [code, left_out] : left_out_) {
+        left_out.changes = left_out.changes || (left_out.changed && !stopped);
+        left_out.changed = false;
+    }
+}
+
+/// In the order of their first lines; the warning stands at the first of them.
+void MoveList::warn_of_left_out() {
+    std::vector<std::pair<std::string, LeftOut>> all(left_out_.begin(), left_out_.end());
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return a.second.lines.front() < b.second.lines.front();
+    });
+    std::string codes;
+    std::string changing;
+    for (const auto& [code, left_out] : all) {
+        codes += (codes.empty() ? "" : "; ") + with_lines(code, left_out.lines, left_out.count);
+        if (left_out.changes) changing += (changing.empty() ? "" : " or ") + code;
+    }
+    if (codes.empty()) return;
+    if (!changing.empty()) changing = fmt::format("; moves of different {} become one", changing);
+    warn(fmt::format("only axes move, nothing is switched or waited for: {}{}", codes, changing),
+         {program_.file, all.front().second.lines.front()});
+}
+
 std::vector<Move> MoveList::take(bool last) {
     std::vector<Move> taken;
     if (program_.moves.empty()) return taken;
@@ -88,6 +136,7 @@ std::vector<Move> MoveList::take(bool last) {
 }
 
 Program MoveList::finish() {
+    warn_of_left_out();
     for (const auto& [text, warning] : warnings_) {
         const std::string line = warning.line > 0 ? fmt::format(":{}", warning.line) : "";
         program_.warnings.push_back(

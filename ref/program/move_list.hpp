@@ -34,6 +34,9 @@ class MoveList {
     /// Rest behind the last move; before the first one it is left out, with a warning.
     void dwell(double seconds, const Place& place);
     void warn(const std::string& text, const Place& place);
+    /// A code that asks for more than motion, such as M3: one warning names all of them. It also
+    /// says of which a `value`, as that of S, changes where the path goes on.
+    void leave_out(const std::string& code, const Place& place, double value = 0);
 
     /// Moves in order, which leave the list: the `last` one as well, for which a stop or a dwell
     /// may still come.
@@ -48,8 +51,21 @@ class MoveList {
         int count;
     };
 
+    struct LeftOut {
+        std::vector<int> lines;  // the first ones
+        int count = 0;
+        double value = 0;
+        bool changed = false;  // since the last move
+        bool changes = false;  // between two moves without a stop
+    };
+
+    void note_values(bool stopped);
+    void warn_of_left_out();
+
     Program program_;
     std::map<std::string, Warning> warnings_;
+    std::map<std::string, LeftOut> left_out_;
+    bool value_changed_ = false;  // of one of them, since the last move
 };
 
 /// A feed in mm/s of one in mm/min. @throws InputError out of range

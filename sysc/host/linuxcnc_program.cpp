@@ -107,6 +107,8 @@ bool LinuxcncProgram::carry_out(const Json& call) {
         moves_.stop();
     } else if (kind == "start") {
         moves_.start(call.at("at").get<ref::Point>());
+    } else if (kind == "left out") {
+        moves_.leave_out(call.at("code"), call.at("line"), call.value("value", 0.0));
     } else if (kind == "warning") {
         moves_.warn(call.at("text"), call.at("line"));
     } else {

@@ -22,6 +22,7 @@ using Point = std::array<double, 9>;  // X Y Z A B C U V W
 void* module = nullptr;  // gcode
 FILE* lines = nullptr;
 long calls_left = 0;
+int (*line_now)() = nullptr;  // of the program, for calls that do not tell it
 
 double unit_mm = 25.4;  // the program's unit
 Point system_offset{}, shift{}, tool{};
@@ -31,7 +32,8 @@ double feed = 0;      // per minute, in the program's unit
 double per_turn = 0;  // feed of a turn of the spindle, where that counts
 bool feed_is_per_turn = false;
 double spindle = 0;  // turns a minute
-Point at{};          // on the machine
+bool spindle_on = false;
+Point at{};  // on the machine
 bool begun = false;
 bool in_nurbs = false;  // the module makes chords of it, which nobody wants
 
@@ -125,14 +127,22 @@ void warn(int line, const char* text) {
     write("\"kind\":\"warning\",\"line\":" + std::to_string(line) + ",\"text\":\"" + text + "\"");
 }
 
+/// What asks for more than motion; `value`: of S.
+void write_left_out(const char* code, double value = 0) {
+    if (!begun) return;
+    write("\"kind\":\"left out\",\"code\":\"" + std::string(code) +
+          "\",\"line\":" + std::to_string(line_now()) + ",\"value\":" + number(value));
+}
+
 Point point_of(const EmcPose& pose) {
     return {pose.tran.x, pose.tran.y, pose.tran.z, pose.a, pose.b, pose.c, pose.u, pose.v, pose.w};
 }
 
 }  // namespace
 
-/// Begins to write to the file descriptor, `most` lines.
-extern "C" void record(const char* gcode, int file, long most) {
+/// Begins to write to the file descriptor, `most` lines; `line` tells where the program is.
+extern "C" void record(const char* gcode, int file, long most, int (*line)()) {
+    line_now = line;
     module = dlopen(gcode, RTLD_NOW | RTLD_NOLOAD);
     lines = fdopen(file, "w");
     calls_left = most;
@@ -188,6 +198,7 @@ void SET_FEED_MODE(int of_spindle, int mode) {
 
 void SET_SPINDLE_SPEED(int of_spindle, double turns) {
     if (of_spindle == 0) spindle = std::abs(turns);
+    write_left_out("S", turns);
     next(SET_SPINDLE_SPEED)(of_spindle, turns);
 }
 
@@ -305,44 +316,133 @@ void DWELL(double seconds) {
     next(DWELL)(seconds);
 }
 
-// What the machine stands still for
+// What the machine stands still for, and what it does besides
+
+namespace {
+
+void write_stop(const char* code) {
+    write_stop();
+    write_left_out(code);
+}
+
+}  // namespace
+
+void SELECT_TOOL(int tool) {
+    write_left_out("T");
+    next(SELECT_TOOL)(tool);
+}
 
 void CHANGE_TOOL(int slot) {
-    write_stop();
+    write_stop("M6");
     next(CHANGE_TOOL)(slot);
 }
 
 void PROGRAM_STOP() {
-    write_stop();
+    write_stop("M0");
     next(PROGRAM_STOP)();
 }
 
 void OPTIONAL_PROGRAM_STOP() {
-    write_stop();
+    write_stop("M1");
     next(OPTIONAL_PROGRAM_STOP)();
 }
 
 void PALLET_SHUTTLE() {
-    write_stop();
+    write_stop("M60");
     next(PALLET_SHUTTLE)();
 }
 
 void START_SPINDLE_CLOCKWISE(int of_spindle, int wait) {
-    write_stop();
+    spindle_on = true;
+    write_stop("M3");
     next(START_SPINDLE_CLOCKWISE)(of_spindle, wait);
 }
 
 void START_SPINDLE_COUNTERCLOCKWISE(int of_spindle, int wait) {
-    write_stop();
+    spindle_on = true;
+    write_stop("M4");
     next(START_SPINDLE_COUNTERCLOCKWISE)(of_spindle, wait);
 }
 
+/// M2 asks for it, too.
 void STOP_SPINDLE_TURNING(int of_spindle) {
     write_stop();
+    if (spindle_on) write_left_out("M5");
+    spindle_on = false;
     next(STOP_SPINDLE_TURNING)(of_spindle);
 }
 
 void ORIENT_SPINDLE(int of_spindle, double angle, int mode) {
-    write_stop();
+    write_stop("M19");
     next(ORIENT_SPINDLE)(of_spindle, angle, mode);
+}
+
+void MIST_ON() {
+    write_left_out("M7");
+    next(MIST_ON)();
+}
+
+void FLOOD_ON() {
+    write_left_out("M8");
+    next(FLOOD_ON)();
+}
+
+void FLOOD_OFF() {
+    write_left_out("M9");
+    next(FLOOD_OFF)();
+}
+
+void SET_MOTION_OUTPUT_BIT(int index) {
+    write_left_out("M62");
+    next(SET_MOTION_OUTPUT_BIT)(index);
+}
+
+void CLEAR_MOTION_OUTPUT_BIT(int index) {
+    write_left_out("M63");
+    next(CLEAR_MOTION_OUTPUT_BIT)(index);
+}
+
+void SET_AUX_OUTPUT_BIT(int index) {
+    write_left_out("M64");
+    next(SET_AUX_OUTPUT_BIT)(index);
+}
+
+void CLEAR_AUX_OUTPUT_BIT(int index) {
+    write_left_out("M65");
+    next(CLEAR_AUX_OUTPUT_BIT)(index);
+}
+
+int WAIT(int index, int type, int mode, double timeout) {
+    write_left_out("M66");
+    return next(WAIT)(index, type, mode, timeout);
+}
+
+void SET_MOTION_OUTPUT_VALUE(int index, double value) {
+    write_left_out("M67", value);
+    next(SET_MOTION_OUTPUT_VALUE)(index, value);
+}
+
+void SET_AUX_OUTPUT_VALUE(int index, double value) {
+    write_left_out("M68", value);
+    next(SET_AUX_OUTPUT_VALUE)(index, value);
+}
+
+void DISABLE_FEED_OVERRIDE() {
+    write_left_out("M50");
+    next(DISABLE_FEED_OVERRIDE)();
+}
+
+void DISABLE_SPEED_OVERRIDE(int of_spindle) {
+    write_left_out("M51");
+    next(DISABLE_SPEED_OVERRIDE)(of_spindle);
+}
+
+void ENABLE_ADAPTIVE_FEED() {
+    write_left_out("M52");
+    next(ENABLE_ADAPTIVE_FEED)();
+}
+
+void DISABLE_FEED_HOLD() {
+    write_left_out("M53");
+    next(DISABLE_FEED_HOLD)();
 }

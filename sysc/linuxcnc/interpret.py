@@ -150,13 +150,18 @@ def settings_of(ini, program, scratch):
     return parameters
 
 
+def line_now():
+    """Of the program; what the module `gcode` returns is one too high at times."""
+    import interpreter  # LinuxCNC's, there once a program has begun
+    return interpreter.this.sequence_number
+
+
 def check(result):
     """The interpreter's error, if there is one, with the line where it stands."""
     import gcode
-    import interpreter  # LinuxCNC's; the line that the module returns is one too high at times
     if result <= gcode.MIN_ERROR:
         return
-    raise Refused(gcode.strerror(result), interpreter.this.sequence_number)
+    raise Refused(gcode.strerror(result), line_now())
 
 
 def recorder():
@@ -194,7 +199,8 @@ def interpret(given, lines):
     ini = Ini(given.ini)
     scratch = pathlib.Path(given.scratch)
     machine = Machine(ini, Tools(ini, scratch), settings_of(ini, given.program, scratch))
-    recording.record(gcode.__file__.encode(), lines, ctypes.c_long(given.moves))
+    line = ctypes.CFUNCTYPE(ctypes.c_int)(line_now)
+    recording.record(gcode.__file__.encode(), lines, ctypes.c_long(given.moves), line)
     startup = ini.find("RS274NGC", "RS274NGC_STARTUP_CODE", "")
     result, _ = gcode.parse(given.program, machine, f"G2{1 if ini.metric() else 0}",
                                f"{startup} {BEGINS}")

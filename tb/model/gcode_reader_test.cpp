@@ -271,6 +271,41 @@ TEST(GcodeReader, ToolLengthIsZeroWithAWarningAndHarmlessCodesPass) {
     const Program program = read("G40 G49 G80 G97 G98 G8 M48 M9\nG43 H3\nF600 G1 Z5");
     EXPECT_EQ(program.moves.front().end.z(), 5);
     EXPECT_EQ(program.warnings.front(), "part.ngc:2: warning: G43 takes a tool of length 0");
+    EXPECT_EQ(program.warnings.size(), 2U) << "M48 and M9 are left out";
+}
+
+/// What asks for more than motion is named, with its lines, in one warning at the first of them.
+TEST(GcodeReader, WhatIsLeftOutIsSaidOnce) {
+    const auto warnings = [](const std::string& text) { return read(text).warnings; };
+    const std::string begin =
+        "part.ngc:1: warning: only axes move, nothing is switched or waited for: ";
+    using Warnings = std::vector<std::string>;
+    EXPECT_EQ(
+        warnings("T1 M6 S12000 M3\nF600 G1 X1\nM5"),
+        Warnings{begin + "M3 in line 1; M6 in line 1; S in line 1; T in line 1; M5 in line 3"});
+    for (const char* code :
+         {"M0", "M1", "M3", "M4", "M5", "M6", "M7", "M8", "M9", "M48", "M49", "M60"}) {
+        EXPECT_EQ(warnings(std::string(code) + "\nF600 G1 X1"),
+                  Warnings{begin + code + " in line 1"});
+    }
+    EXPECT_EQ(warnings("M8\nF600 G1 X1\nM8 X2\nX3\nM8\nM8\nM8\nM30"),
+              Warnings{begin + "M8 in lines 1, 3, 5 and 2 more"});
+    EXPECT_EQ(warnings("F600 G1 X1\nM2"), Warnings{});
+    EXPECT_EQ(warnings("G4 P0.1\nM8\nF600 G1 X1").size(), 2U) << "others stay";
+}
+
+/// Moves of different S are one path: said where the path goes on, not where it stops between.
+TEST(GcodeReader, PowerThatChangesOnTheWayIsSaid) {
+    const auto said = [](const std::string& text) {
+        return read(text).warnings.at(0).find("; moves of different S become one") !=
+               std::string::npos;
+    };
+    EXPECT_TRUE(said("F600 G1 X1 S10\nX2 S20"));
+    EXPECT_TRUE(said("F600 G1 X1\nX2 S20")) << "from none";
+    EXPECT_FALSE(said("S10\nF600 G1 X1\nX2 S10"));
+    EXPECT_FALSE(said("S10\nF600 G1 X1\nM5\nS20\nX2"));
+    EXPECT_FALSE(said("S10 M3\nF600 G1 X1\nS20 M3\nX2"));
+    EXPECT_TRUE(said("S10 M3\nF600 G1 X1\nS20 M3\nX2\nS30 X3"));
 }
 
 TEST(GcodeReader, NothingIsReadBehindTheEnd) {
@@ -307,7 +342,9 @@ TEST_P(Part, IsAChainOfMovesThatEndWhereTheyShould) {
         here = move.end;
         aux = move.aux_end;
     }
-    EXPECT_TRUE(program.warnings.empty()) << program.warnings.front();
+    for (const std::string& warning : program.warnings) {
+        EXPECT_NE(warning.find("only axes move"), std::string::npos) << warning;
+    }
 }
 
 std::vector<std::string> parts() {
