@@ -5,6 +5,8 @@
 //
 // I J and P Q are offsets also with G90.1. With G91 the control points of a NURBS count from its
 // start, where the machine still stands. Its weights (P) are 1 and its order (L) is 3 unless given.
+// Its knots are LinuxCNC's, or those of K, our own: one of them in each block from G5.2 on, and the
+// rest in blocks of K alone behind the last point, as Fanuc's G06.2 has them.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -144,6 +146,7 @@ void Interpreter::control_point(Block& block, const Place& place) {
             place.refuse(fmt::format("the weight P must be above 0, not {:g}", weight));
         }
     }
+    if (block.has('K')) curve.knots.push_back(block.use('K'));
     if (block.has('X')) {
         nurbs_->last = coordinates_.target(block, false, place);
         curve.points.push_back(xyz(nurbs_->last));
@@ -166,6 +169,12 @@ void Interpreter::close_nurbs(const Place& place) {
             fmt::format("the NURBS begun in line {} has too few control points: {}, L{} wants "
                         "{}",
                         open.line, count, open.curve.order, open.curve.order));
+    }
+    if (!open.curve.knots.empty()) {
+        const std::string why = why_no_knots(open.curve);
+        if (!why.empty()) {
+            place.refuse(fmt::format("the NURBS begun in line {} has {}", open.line, why));
+        }
     }
     feed_ = open.feed;
     add_curve(cubics_of(open.curve, fit_tolerance_), open.last, place);

@@ -56,6 +56,28 @@ TEST(SplineReader, CubicBehindACubicLeavesAlongItUnlessToldOtherwise) {
     EXPECT_EQ(program.moves[1].dwell, 1);
 }
 
+/// One K in each block of a NURBS, as Fanuc's G06.2 has them, and the rest behind the last point.
+TEST(SplineReader, NurbsWithKnotsOfItsOwn) {
+    const auto with = [](const char* a, const char* b, const char* c) {
+        return read(std::string("G5.2 L3 P1 K0\nX0 Y10 K0\nX10 Y10 K0\nX20 Y0 K") + a + "\nK" + b +
+                    "\nK" + c + "\nK4\nG5.3");
+    };
+    // Knots 0 0 0 1 4 4 4: the joint is where the second leg is divided as 1 to 3.
+    const Program program = with("1", "4", "4");
+    ASSERT_EQ(program.moves.size(), 2U);
+    EXPECT_LE((program.moves[0].end - Vec3(2.5, 10, 0)).norm(), 1e-13);
+    EXPECT_LE((program.moves[0].cubic.velocity(1).normalized() - Vec3::UnitX()).norm(), 1e-12);
+    EXPECT_EQ(program.moves[1].end, Vec3(20, 0, 0));
+    // The same as LinuxCNC's knots are the same curve, to the bit.
+    const Program uniform = read("G5.2 L3\nX0 Y10\nX10 Y10\nX20 Y0\nG5.3");
+    const Program given = read("G5.2 L3 K0\nX0 Y10 K0\nX10 Y10 K0\nX20 Y0 K1\nK2\nK2\nK2\nG5.3");
+    ASSERT_EQ(given.moves.size(), uniform.moves.size());
+    for (std::size_t i = 0; i < given.moves.size(); ++i) {
+        EXPECT_EQ(given.moves[i].cubic.a, uniform.moves[i].cubic.a);
+        EXPECT_EQ(given.moves[i].end, uniform.moves[i].end);
+    }
+}
+
 TEST(SplineReader, ModesOfDistanceAndOffsetsMoveTheEndAndNotTheLegs) {
     const Program program =
         read("G10 L2 P1 X100\nG90.1 G91 G1 X1\nG5 X10 Y1 I1 J2 P3 Q4\nX-5 Y1 P0 Q1");

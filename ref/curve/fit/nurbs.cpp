@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/curve/fit/nurbs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ref/curve/fit/cubic_fit.hpp"
@@ -8,19 +10,28 @@
 namespace curvecore::ref {
 namespace {
 
-/// Knot i of a curve with `count` points.
-double knot(int i, int count, int degree) { return std::clamp(i - degree, 0, count - degree); }
+std::vector<double> knots_of(const Nurbs& nurbs) {
+    if (!nurbs.knots.empty()) return nurbs.knots;
+    const int count = static_cast<int>(nurbs.points.size());
+    const int degree = nurbs.order - 1;
+    std::vector<double> knots;
+    for (int i = 0; i <= count + degree; ++i) {
+        knots.push_back(std::clamp(i - degree, 0, count - degree));
+    }
+    return knots;
+}
 
 /// Polar form of the span from knot `first` with its first arguments at the span's start, the last
 /// `ends` ones at its end.
-Eigen::Vector4d polar_form(std::vector<Eigen::Vector4d> d, int first, int count, int ends) {
+Eigen::Vector4d polar_form(std::vector<Eigen::Vector4d> d, int first,
+                           const std::vector<double>& knots, int ends) {
     const int degree = static_cast<int>(d.size()) - 1;
     for (int level = 1; level <= degree; ++level) {
-        const double x = knot(level <= degree - ends ? first : first + 1, count, degree);
+        const double x = knots[level <= degree - ends ? first : first + 1];
         for (int r = degree; r >= level; --r) {
             const int i = first - degree + r;
-            const double low = knot(i, count, degree);
-            const double part = (x - low) / (knot(i + degree - level + 1, count, degree) - low);
+            const double low = knots[i];
+            const double part = (x - low) / (knots[i + degree - level + 1] - low);
             d[r] = (1 - part) * d[r - 1] + part * d[r];
         }
     }
@@ -28,6 +39,32 @@ Eigen::Vector4d polar_form(std::vector<Eigen::Vector4d> d, int first, int count,
 }
 
 }  // namespace
+
+std::string why_no_knots(const Nurbs& nurbs) {
+    const std::vector<double>& knots = nurbs.knots;
+    const std::size_t order = static_cast<std::size_t>(nurbs.order);
+    const std::size_t count = nurbs.points.size();
+    if (knots.size() != count + order) {
+        return fmt::format("{} knots, where {} points of order {} want {}", knots.size(), count,
+                           order, count + order);
+    }
+    for (std::size_t i = 1; i < knots.size(); ++i) {
+        if (knots[i] >= knots[i - 1]) continue;
+        return fmt::format("knots that fall, from {:g} to {:g}", knots[i - 1], knots[i]);
+    }
+    if (knots[order - 1] != knots.front() || knots[count] != knots.back()) {
+        return fmt::format(
+            "a first or a last knot that does not stand {} times: the curve would "
+            "not end in its first and last points",
+            order);
+    }
+    for (std::size_t i = 1; i < count; ++i) {
+        if (knots[i] < knots[i + order - 1]) continue;
+        return fmt::format("the knot {:g} {} times or more: the curve would have a gap there",
+                           knots[i], order);
+    }
+    return "";
+}
 
 std::vector<RationalBezier> spans(const Nurbs& nurbs) {
     const int count = static_cast<int>(nurbs.points.size());
@@ -38,8 +75,10 @@ std::vector<RationalBezier> spans(const Nurbs& nurbs) {
         control.emplace_back();
         control.back() << nurbs.weights[i] * point, nurbs.weights[i];
     }
+    const std::vector<double> knots = knots_of(nurbs);
     std::vector<RationalBezier> found;
     for (int first = degree; first < count; ++first) {
+        if (knots[first] == knots[first + 1]) continue;
         RationalBezier span;
         span.origin = nurbs.points[0];
         const std::vector<Eigen::Vector4d> local(control.begin() + first - degree,
@@ -47,7 +86,7 @@ std::vector<RationalBezier> spans(const Nurbs& nurbs) {
         for (int ends = 0; ends <= degree; ++ends) {
             span.points.push_back(ends == 0 && !found.empty()
                                       ? found.back().points.back()
-                                      : polar_form(local, first, count, ends));
+                                      : polar_form(local, first, knots, ends));
         }
         found.push_back(std::move(span));
     }

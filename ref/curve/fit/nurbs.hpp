@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A NURBS with LinuxCNC's knots (G5.2) as rational curves and as cubics.
+// A NURBS (G5.2), with LinuxCNC's knots or its own, as rational curves and as cubics.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ref/curve/fit/rational_bezier.hpp"
@@ -15,15 +16,22 @@ constexpr int kHighestOrder = 16;
 /// | order   | 1      | degree + 1; 2 .. number of points                   |
 /// | points  | length | as many as weights                                  |
 /// | weights | 1      | > 0                                                 |
-///
-/// The knots are uniform and clamped: 0 order times, 1, 2, .., and the last order times.
+/// | knots   | 1      | why_no_knots(); none: uniform and clamped, 0 order  |
+/// |         |        | times, 1, 2, .., and the last order times           |
 struct Nurbs {
     int order = 3;
     std::vector<Vec3> points;
     std::vector<double> weights;
+    std::vector<double> knots = {};
 };
 
-/// Its spans from knot to knot, by the polar form (knot insertion, [Boehm]); exact up to roundings.
+/// Why these are no knots of the curve: as many as points and order together, that do not fall, the
+/// first and the last order times, and none between as often, so that the curve goes from its first
+/// point to its last in one. Empty: they are.
+std::string why_no_knots(const Nurbs& nurbs);
+
+/// Its spans from knot to knot that have a length, by the polar form (knot insertion, [Boehm]);
+/// exact up to roundings.
 std::vector<RationalBezier> spans(const Nurbs& nurbs);
 
 /// The curve as cubics in its order. Polynomials up to degree 3 are exact; of the rest no point is
