@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many words the queues of the program's boards hold (SegmentQueueWords, ProfileQueueWords of
-// rtl/motion_interpolator.sv). The planner needs them, since what is queued must outlast a stop.
+// How many words the queues of a core hold (SegmentQueueWords, ProfileQueueWords) unless somebody
+// says otherwise: the defaults of rtl/motion_interpolator.sv, to which a test holds them. Boards say
+// theirs. The planner needs them, since what is queued must outlast a stop.
 #pragma once
 
 namespace curvecore::ref {
 
-constexpr int kSegmentQueueWords = 65536;
+constexpr int kSegmentQueueWords = 4096;
 constexpr int kProfileQueueWords = 4096;
 
 }  // namespace curvecore::ref

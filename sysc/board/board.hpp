@@ -13,15 +13,15 @@
 #include <optional>
 #include <vector>
 
-#include "ref/format/queues.hpp"
-
 namespace curvecore::sysc {
 
 constexpr std::size_t kBoardAxes = 9;
 
-/// Queues of the boards, words of 48 bits.
-constexpr std::size_t kSegmentQueueWords = ref::kSegmentQueueWords;
-constexpr std::size_t kProfileQueueWords = ref::kProfileQueueWords;
+/// Queues of the program's own boards, words of 48 bits: the deepest of rtl/motion_interpolator.sv,
+/// so that they draw plans for any. What plans are made for unless told is in
+/// ref/format/queues.hpp.
+constexpr int kBoardSegmentWords = 65536;
+constexpr int kBoardProfileWords = 4096;
 
 enum class Stream { kSegments, kProfile };
 

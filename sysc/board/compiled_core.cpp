@@ -5,8 +5,8 @@
 
 namespace curvecore::sysc {
 
-static_assert(CFG_SegmentQueueWords == kSegmentQueueWords, "as all boards have it");
-static_assert(CFG_ProfileQueueWords == kProfileQueueWords, "as all boards have it");
+static_assert(CFG_SegmentQueueWords == kBoardSegmentWords, "as all boards have it");
+static_assert(CFG_ProfileQueueWords == kBoardProfileWords, "as all boards have it");
 
 extern "C" Board* CFG_FUNCTION(const RtlSetup& setup) {
     return new RtlBoard<CFG_MODEL, 3 + CFG_AuxAxes, CFG_PositionBits, CFG_GuardBits>(setup);

@@ -148,8 +148,8 @@ std::vector<std::string> model_parameters(const CoreParameters& parameters) {
     simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
     std::istringstream text(ref::parameters_text(simulated));
     for (std::string word; text >> word;) all.push_back(word);
-    all.push_back(fmt::format("SegmentQueueWords={}", kSegmentQueueWords));
-    all.push_back(fmt::format("ProfileQueueWords={}", kProfileQueueWords));
+    all.push_back(fmt::format("SegmentQueueWords={}", kBoardSegmentWords));
+    all.push_back(fmt::format("ProfileQueueWords={}", kBoardProfileWords));
     return all;
 }
 

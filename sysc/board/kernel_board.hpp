@@ -15,8 +15,8 @@ namespace curvecore::sysc {
 
 /// Words of 48 bits.
 struct QueueDepths {
-    int segments = ref::kSegmentQueueWords;
-    int profile = ref::kProfileQueueWords;
+    int segments = kBoardSegmentWords;
+    int profile = kBoardProfileWords;
 };
 
 class KernelBoard : public Board {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ref/program/program_reader.hpp"
+#include "sysc/board/board.hpp"
 #include "sysc/host/board_file.hpp"
 #include "sysc/host/choice.hpp"
 #include "sysc/host/core_clocks.hpp"
@@ -203,9 +204,9 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     options.samples_per_tick = power_of_two("--samples-per-tick", raw.samples_per_tick, 1, 32768);
     options.segment_queue_words =
-        power_of_two("--segment-queue", segment_queue, 64, ref::kSegmentQueueWords);
+        power_of_two("--segment-queue", segment_queue, 64, kBoardSegmentWords);
     options.profile_queue_words =
-        power_of_two("--profile-queue", profile_queue, 16, ref::kProfileQueueWords);
+        power_of_two("--profile-queue", profile_queue, 16, kBoardProfileWords);
     if (!raw.device.empty()) options.device = raw.device;
     if (core.clock_hz && raw.device.empty()) set_clock(*core.clock_hz, options);
     if (!raw.clock.empty()) set_clock(frequency("--clock", raw.clock, 1e3, 1e10), options);

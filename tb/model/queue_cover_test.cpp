@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <random>
+#include <regex>
 
 #include "hls/time_scaler.hpp"
 #include "ref/feed/hold_bounds.hpp"
@@ -56,6 +59,21 @@ std::int64_t least_cover(const Frames& frames, std::size_t count, std::uint32_t 
         least = std::min(least, ticks - std::int64_t{stop});
     }
     return least;
+}
+
+/// What plans are made for unless told is what a core has unless told.
+TEST(QueueCover, DefaultsAreThoseOfTheCore) {
+    std::ifstream file(RTL_DIR "/motion_interpolator.sv");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto has = [&](const std::string& name, int words) {
+        const std::regex line("parameter int " + name + " *= *" + std::to_string(words) + "\\b");
+        return std::regex_search(text, line);
+    };
+    EXPECT_TRUE(has("SegmentQueueWords", ref::kSegmentQueueWords));
+    EXPECT_TRUE(has("ProfileQueueWords", ref::kProfileQueueWords));
+    const ref::PlanOptions options;
+    EXPECT_EQ(options.segment_queue_words, ref::kSegmentQueueWords);
+    EXPECT_EQ(options.profile_queue_words, ref::kProfileQueueWords);
 }
 
 TEST(QueueCover, OfFineChordsOutlastsAStop) {
