@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plan -> words: the only place where a real number becomes a word.
+// Plan -> words: where a real number becomes a word, but for the pieces of a profile and the steps
+// of stops, which the planner rounds (ref/feed/profile_words.hpp says why).
 #pragma once
 
 #include <cmath>
@@ -77,7 +78,7 @@ inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
     return words;
 }
 
-/// The planner computes a piece in the hardware's integers already.
+/// A piece is of integers already.
 inline StopStep to_words(const ref::StopStep& step, bool last) {
     return {static_cast<std::int32_t>(step.ticks), step.change, last};
 }

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A motion in real numbers becomes pieces of whole ticks that end exactly.
+//
+// This is the one place of ref/ that rounds to the hardware's integers (with the steps of a stop in
+// stop_branch): a piece has to end on its length to a quantum, so its last coefficient takes what
+// the others have rounded, and limits, joints and windows are judged by the motion that the
+// integers give. The fields' widths and places on the bus are those of hls/words.hpp.
 #pragma once
 
 #include <vector>
