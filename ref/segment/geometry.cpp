@@ -187,7 +187,7 @@ class Cutter {
         const int by_turns = pieces_by_turns(move);
         const Cut fewest = cut_move(move, shape, options_.format, unit, options_, by_turns);
         const Cut cut = with_long_last_steps(
-            fewest, move, shape, fastest_of(move, shape, highest_speed(shape, machine_)), options_);
+            fewest, move, shape, fastest_of(move, shape, path_speed(shape, machine_)), options_);
         const char* kind = move.kind == Move::Kind::kArc ? "arc" : "line";
         if (cut.pieces == 0) {
             refuse_width(move, kind, [&](const CoreParameters& format, double finer) {

@@ -79,12 +79,22 @@ ref::Program crawler() {
 struct Compared {
     double ratio;   // of the times
     double warned;  // share of the time that a warning names
+    bool optimum;   // was found: else it is one of the rules' times
 };
 
 Compared compared(const ref::Program& program, const ref::Machine& machine, double clock_hz) {
-    const ref::Plan fast = ref::make_plan(program, machine, options(100e6));
-    const ref::Plan slow = ref::make_plan(program, machine, options(clock_hz));
-    return {slow.duration_s / fast.duration_s, slow.core_slowed.lost_s / slow.duration_s};
+    const auto plan = [&](double hz, ref::Effort effort) {
+        ref::PlanOptions how = options(hz);
+        how.effort = effort;
+        return ref::make_plan(program, machine, how);
+    };
+    const ref::Plan slow = plan(clock_hz, ref::Effort::kOptimum);
+    const double warned = slow.core_slowed.lost_s / slow.duration_s;
+    const double ratio = slow.duration_s / plan(100e6, ref::Effort::kOptimum).duration_s;
+    if (ratio <= kAsFast || slow.duration_s < plan(clock_hz, ref::Effort::kRules).duration_s) {
+        return {ratio, warned, true};
+    }
+    return {slow.duration_s / plan(100e6, ref::Effort::kRules).duration_s, warned, false};
 }
 
 TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
@@ -92,6 +102,7 @@ TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
     machine.acceleration = 3000;
     double worst = 0;
     int slower = 0;
+    int without_optimum = 0;
     for (int n = 0; n < cubics(); ++n) {
         const ref::Program program = n == 0 ? crawler() : curve(static_cast<unsigned>(n));
         const double clock_hz = std::array{2.56e6, 2.3e6, 3e6, 4e6, 5e6}[n % 5];
@@ -102,11 +113,13 @@ TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
             EXPECT_GT(found.warned, 0.01) << n << " at " << clock_hz << ": " << found.ratio;
         }
         worst = std::max(worst, found.ratio);
+        without_optimum += !found.optimum;
     }
     RecordProperty("worst ratio", std::to_string(worst));
     RecordProperty("slower", slower);
-    std::printf("%d curves: %.3f times as long at most, %d slower and named\n", cubics(), worst,
-                slower);
+    std::printf(
+        "%d curves: %.3f times as long at most, %d slower and named, %d without an optimum\n",
+        cubics(), worst, slower, without_optimum);
 }
 
 /// Neither a cut at a short last step nor one that rounding makes leaves a short one.
