@@ -9,13 +9,13 @@
 // fault_o as in rtl/motion_interpolator.sv.
 `default_nettype none
 module word_streams #(
-    parameter int CoefBits          = 36,   // [18, 36]
-    parameter int FineBits          = 42,   // [18, 44]
-    parameter int AuxAxes           = 0,    // [0, 6]
-    parameter int Splines           = 0,    // 0, 1
-    parameter int TurnBits          = 0,    // [0, 14]
-    parameter int SegmentQueueWords = 256,  // [64, 65536], a power of two
-    parameter int ProfileQueueWords = 512   // [16, 4096], a power of two
+    parameter int CoefBits          = 36,    // [18, 36]
+    parameter int FineBits          = 42,    // [18, 44]
+    parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Splines           = 0,     // 0, 1
+    parameter int TurnBits          = 0,     // [0, 14]
+    parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,

@@ -89,6 +89,20 @@ TEST_F(Linuxcnc, DrawsEveryKindOfMove) {
     EXPECT_EQ(segments.back()["kind"], "spline");
 }
 
+TEST_F(Linuxcnc, WhatSwitchesSomethingIsNamed) {
+    const ProgramResult result =
+        run("plan", std::string(kStart) +
+                        R"({"kind":"left out","code":"M62","line":7})"
+                        "\n"
+                        R"({"kind":"left out","code":"S","line":8,"value":5})"
+                        "\n" +
+                        kLine + kEnd);
+    ASSERT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err,
+              "part.ngc:7: warning: only axes move, nothing is switched or waited for: M62 in line "
+              "7; S in line 8\n");
+}
+
 TEST_F(Linuxcnc, MessagesKeepLineAndText) {
     expect_refused(std::string(kStart) + kLine +
                        R"({"kind":"error","line":7,"text":"Unknown word"})"
