@@ -26,6 +26,7 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     ref::CurveFollower curve;
     LimitMeter meter(job.machine, job.plan.unit_mm, job.options.sample_period_s,
                      job.options.samples_per_tick, 3 + job.plan.aux_axes);
+    pictures.watch(meter);
     meter.take(ref::exact_point(cursor.segment(), cursor.segment().start, 0), 0);
     pictures.sample(0, cursor.index(), cursor.segment().start, true);
     for (std::uint64_t k = 0; k < samples; ++k) {
@@ -33,9 +34,7 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
         const bool tick = source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
         pace.sample(cursor.s());
-        if (tick) {
-            pictures.tick(source.tick_ds(), curve.curvature(cursor.segment(), cursor.local()));
-        }
+        if (tick) pictures.tick(source.tick_ds());
         pictures.error(cursor.s(), 0,
                        job.bounded(cursor.segment().kind) ? cursor.segment().bound : 0);
         const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());

@@ -28,6 +28,7 @@ Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
              job.options.samples_per_tick, axes_),
       rounded_(job.machine, job.plan.unit_mm, job.options.sample_period_s,
                job.options.samples_per_tick, axes_, 0.5 + job.bound()) {
+    pictures.watch(drawn_);
     start();
 }
 
@@ -46,9 +47,7 @@ void Checker::take(const Sample& drawn) {
     result_.increment =
         std::max(result_.increment, std::abs(static_cast<double>(drawn.ds) - share));
     cursor_.advance(static_cast<std::uint64_t>(drawn.ds));
-    if (tick) {
-        pictures_.tick(source_.tick_ds(), curve_.curvature(cursor_.segment(), cursor_.local()));
-    }
+    if (tick) pictures_.tick(source_.tick_ds());
     compare_with_curve(drawn);
     if (cursor_.at_end() && stops(cursor_.index())) compare_landing(drawn);
     samples_.row(result_.samples, cursor_.index(), cursor_.s(), drawn.position.data());

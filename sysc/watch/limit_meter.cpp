@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace curvecore::sysc {
 namespace {
@@ -90,6 +91,14 @@ void LimitMeter::allow(const ref::Machine& machine, double error) {
     }
 }
 
+std::optional<LimitMeter::Longest> LimitMeter::look_with(Look look) {
+    if (windows_.empty()) return std::nullopt;
+    look_ = std::move(look);
+    const double w = static_cast<double>(windows_.back().steps) * step_;
+    const std::array<double, 3>& allowed = allowed_.back().front();
+    return Longest{w, allowed[kAcceleration] / w, allowed[kJerk] / (w * w)};
+}
+
 void LimitMeter::take(const Point& point, std::size_t segment) {
     last_ = point;
     segment_ = segment;
@@ -136,7 +145,13 @@ void LimitMeter::measure(const Window& window) {
             }
         }
     };
-    keep(0, {path_length(axes_, moved), path_length(axes_, change), path_length(axes_, second)});
+    const std::array<double, 3> path{path_length(axes_, moved), path_length(axes_, change),
+                                     path_length(axes_, second)};
+    keep(0, path);
+    if (look_ && &window == &windows_.back()) {
+        const double w = static_cast<double>(window.steps) * step_;
+        look_(static_cast<double>(steps_) * step_, path[kAcceleration] / w, path[kJerk] / (w * w));
+    }
     for (std::size_t i = 0; i < static_cast<std::size_t>(axes_); ++i) {
         keep(i + 1, {std::abs(moved(i)), std::abs(change(i)), std::abs(second(i))});
     }

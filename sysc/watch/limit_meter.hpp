@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "ref/curve/segment_curve.hpp"
@@ -61,6 +63,18 @@ class LimitMeter {
     LimitMeter(const ref::Machine& machine, double unit_mm, double period_s, int samples_per_tick,
                int axes, double error = 0, const std::vector<double>& windows = kLimitWindows);
 
+    /// The longest window that is resolved, and what the path may have over it: mean acceleration
+    /// and jerk, by the second and the third bound above; mm and s.
+    struct Longest {
+        double seconds;
+        double acceleration;
+        double jerk;
+    };
+    /// What the path has over it, one window and two of them up to `end`, from the start point on.
+    using Look = std::function<void(double end, double acceleration, double jerk)>;
+    /// To be called before the first point. None: no window is resolved, and nothing is looked at.
+    std::optional<Longest> look_with(Look look);
+
     /// The start point first, then every sample; units. `segment` is kept for the worst.
     void take(const Point& point, std::size_t segment);
 
@@ -90,6 +104,7 @@ class LimitMeter {
     Point last_{};
     std::size_t segment_ = 0;
     LimitLoads loads_;
+    Look look_;
 };
 
 }  // namespace curvecore::sysc

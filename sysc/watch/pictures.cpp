@@ -10,9 +10,9 @@ Pictures::Pictures(const Job& job, std::uint64_t ticks)
     : span_(static_cast<std::uint64_t>(std::max(1.0, std::round(kSpan / job.plan.tick_s)))),
       span_s_(static_cast<double>(span_) * job.plan.tick_s),
       quantum_mm_(std::ldexp(job.plan.unit_mm, -16)),
-      unit_mm_(job.plan.unit_mm),
       length_(std::max<std::uint64_t>(job.plan.path_length(), 1)),
       ticks_(std::max<std::uint64_t>(ticks, 1)),
+      duration_s_(static_cast<double>(ticks_) * job.plan.tick_s),
       errors_(kBins, 0.0),
       bounds_(kBins, 0.0) {
     const auto bins = static_cast<std::size_t>(
@@ -29,24 +29,30 @@ std::size_t Pictures::path_bin(std::uint64_t s) const {
     return std::min(static_cast<std::size_t>(part * kBins), kBins - 1);
 }
 
-void Pictures::tick(std::int64_t ds, double curvature) {
+void Pictures::add(std::vector<Envelope>& bins, double time, double value) const {
+    if (time < 0 || time >= duration_s_) return;
+    const auto bin =
+        static_cast<std::size_t>(time / duration_s_ * static_cast<double>(bins.size()));
+    bins[std::min(bin, bins.size() - 1)].add(value);
+}
+
+void Pictures::watch(LimitMeter& meter) {
+    window_ = meter.look_with([this](double end, double acceleration, double jerk) {
+        add(total_, end - window_->seconds / 2, acceleration);
+        add(jerk_, end - window_->seconds, jerk);
+    });
+}
+
+void Pictures::tick(std::int64_t ds) {
     gathered_ += ds;
     if (++tick_ % span_ != 0) return;
     const double speed = static_cast<double>(gathered_) * quantum_mm_ / span_s_;
     gathered_ = 0;
     const double acceleration = (speed - speed_now_) / span_s_;
-    const double jerk = (acceleration - acceleration_now_) / span_s_;
-    const auto bin =
-        static_cast<std::size_t>(static_cast<double>(std::min(tick_ - 1, ticks_ - 1)) /
-                                 static_cast<double>(ticks_) * static_cast<double>(speed_.size()));
-    speed_[bin].add(speed);
-    acceleration_[bin].add(acceleration);
-    // Where the curve stands still, the curvature is infinite and the speed is not yet that of it.
-    const double across = std::isfinite(curvature) ? speed * speed * curvature / unit_mm_ : 0;
-    total_[bin].add(std::hypot(acceleration, across));
-    jerk_[bin].add(jerk);
+    const double time = static_cast<double>(tick_ - 1) / static_cast<double>(ticks_) * duration_s_;
+    add(speed_, time, speed);
+    add(acceleration_, time, acceleration);
     speed_now_ = speed;
-    acceleration_now_ = acceleration;
 }
 
 bool Pictures::wants(std::uint64_t s, std::size_t segment, bool at_end) const {
@@ -59,7 +65,8 @@ bool Pictures::wants(std::uint64_t s, std::size_t segment, bool at_end) const {
 
 void Pictures::sample(std::uint64_t s, std::size_t segment, const ref::Vec3& point, bool at_end) {
     if (!wants(s, segment, at_end)) return;
-    path_.push_back({s, point, speed_now_});
+    const double time = static_cast<double>(tick_) / static_cast<double>(ticks_) * duration_s_;
+    path_.push_back({s, point, speed_now_, time, segment});
     last_segment_ = segment;
 }
 

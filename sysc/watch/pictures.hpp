@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "sysc/host/job.hpp"
+#include "sysc/watch/limit_meter.hpp"
 
 namespace curvecore::sysc {
 
@@ -27,6 +29,8 @@ struct PathPoint {
     std::uint64_t s;  // quanta
     ref::Vec3 point;  // length units
     double feed;      // mm/s along the path
+    double time;      // s
+    std::size_t segment;
 };
 
 class Pictures {
@@ -37,8 +41,10 @@ class Pictures {
 
     Pictures(const Job& job, std::uint64_t ticks);
 
-    /// A tick's increment (quanta), and the curvature where it ends, 1/unit.
-    void tick(std::int64_t ds, double curvature);
+    /// Shows what the meter compares with the limits; before its first point.
+    void watch(LimitMeter& meter);
+    /// A tick's increment, quanta.
+    void tick(std::int64_t ds);
     /// Would this sample be drawn? Stops and other corners are, if there are not too many of them.
     bool wants(std::uint64_t s, std::size_t segment, bool at_end) const;
     void sample(std::uint64_t s, std::size_t segment, const ref::Vec3& point, bool at_end);
@@ -51,25 +57,28 @@ class Pictures {
     // Over path length
     const std::vector<double>& errors() const { return errors_; }
     const std::vector<double>& bounds() const { return bounds_; }
-    // Over time: along the path in mm and s; `total` with the centripetal acceleration
+    // Over time, along the path in mm and s
     const std::vector<Envelope>& speed() const { return speed_; }
     const std::vector<Envelope>& acceleration() const { return acceleration_; }
+    // Over time, as vectors: what the limits are about, over the window that is named
+    const std::optional<LimitMeter::Longest>& window() const { return window_; }
     const std::vector<Envelope>& total_acceleration() const { return total_; }
     const std::vector<Envelope>& jerk() const { return jerk_; }
 
   private:
     std::size_t path_bin(std::uint64_t s) const;
+    void add(std::vector<Envelope>& bins, double time, double value) const;
 
     std::uint64_t span_;  // ticks over which speed is taken
     double span_s_;
     double quantum_mm_;
-    double unit_mm_;
     std::uint64_t length_;
     std::uint64_t ticks_;
+    double duration_s_;
     std::uint64_t tick_ = 0;
     std::int64_t gathered_ = 0;  // quanta in the present span
     double speed_now_ = 0;
-    double acceleration_now_ = 0;
+    std::optional<LimitMeter::Longest> window_;
     std::size_t last_segment_ = 0;
     std::vector<PathPoint> path_;
     std::vector<double> errors_;

@@ -39,6 +39,13 @@ void path(Text& text, const Report& report, const Pictures& pictures) {
               [&](const PathPoint& p) { fmt::format_to(out, "{:.7g}", p.point[axis] * unit); });
     }
     array(text, "feed", points, [&](const PathPoint& p) { fmt::format_to(out, "{:.4g}", p.feed); });
+    array(text, "s", points, [&](const PathPoint& p) {
+        fmt::format_to(out, "{:.6g}", std::ldexp(static_cast<double>(p.s), -16) * unit);
+    });
+    array(text, "t", points, [&](const PathPoint& p) { fmt::format_to(out, "{:.6g}", p.time); });
+    array(text, "line", points, [&](const PathPoint& p) {
+        fmt::format_to(out, "{}", report.job.plan.segments[p.segment].line);
+    });
     array(text, "errors", pictures.errors(), [&](double e) { fmt::format_to(out, "{:.4g}", e); });
     array(text, "bounds", pictures.bounds(), [&](double b) { fmt::format_to(out, "{:.4g}", b); });
 }
@@ -65,7 +72,12 @@ std::string data(const Report& report, const Pictures& pictures) {
     head["path_mm"] =
         std::ldexp(static_cast<double>(job.plan.path_length()), -16) * job.plan.unit_mm;
     head["duration_s"] = report.duration_s();
-    head["limits"] = {job.machine.velocity, job.machine.acceleration, job.machine.jerk};
+    head["velocity"] = job.machine.velocity;
+    if (const auto& window = pictures.window()) {
+        head["window"] = {{"ms", window->seconds * 1e3},
+                          {"acceleration", window->acceleration},
+                          {"jerk", window->jerk}};
+    }
     for (const auto& [name, value] : report.table()) head["table"].push_back({name, value});
     for (const Check& check : report.checks()) {
         head["checks"].push_back({check.name, check.held, check.detail});
