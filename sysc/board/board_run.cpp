@@ -63,7 +63,8 @@ BoardResult run_board(Board& board, const BoardRun& run) {
     check.join();
     if (check_failure) std::rethrow_exception(check_failure);
     if (board_failure) std::rethrow_exception(board_failure);
-    BoardResult result{checker.result(), board.status(), time.count(), std::nullopt};
+    BoardResult result{checker.result(), board.status(), time.count(), pace.first_clock(),
+                       std::nullopt};
     if (result.status.clocks > 0 && !board.paced() && !run.job.options.stall_seed) {
         result.period_clocks = pace.period();
     }

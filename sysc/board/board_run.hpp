@@ -23,7 +23,8 @@ struct BoardRun {
 struct BoardResult {
     CheckResult check;
     BoardStatus status;
-    double seconds = 0;  // of simulation
+    double seconds = 0;             // of simulation
+    std::uint64_t first_clock = 0;  // that gave a sample
     /// The least sample period that was kept; none: nothing has clocks, or stalls or a timer of the
     /// board's own had the samples wait.
     std::optional<double> period_clocks;

@@ -15,6 +15,7 @@
 #include <verilated_cov.h>
 #endif
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
@@ -88,8 +89,9 @@ class ClockedDut {
     uint64_t cycle() const { return cycle_; }
     void limit_cycles(uint64_t limit) { cycle_limit_ = limit; }
 
-    /// Writes an FST waveform from now on; the model must be built with TRACE.
-    void trace_to(const std::string& file) {
+    /// Writes an FST waveform from now on, in picoseconds; the model must be built with TRACE.
+    void trace_to(const std::string& file, double clock_hz) {
+        half_ps_ = 0.5e12 / clock_hz;
         context_.traceEverOn(true);
         trace_ = std::make_unique<VerilatedFstC>();
         model_->trace(trace_.get(), 99);
@@ -105,13 +107,17 @@ class ClockedDut {
   private:
     void eval_half() {
         model_->eval();
-        if (trace_) trace_->dump(context_.time());
+        if (trace_) {
+            const double time = static_cast<double>(context_.time()) * half_ps_;
+            trace_->dump(static_cast<uint64_t>(std::llround(time)));
+        }
         context_.timeInc(1);
     }
 
     VerilatedContext context_;
     std::unique_ptr<Model> model_;
     std::unique_ptr<VerilatedFstC> trace_;
+    double half_ps_ = 0;  // of a clock
     uint64_t cycle_ = 0;
     uint64_t cycle_limit_ = 1'000'000'000;
 };

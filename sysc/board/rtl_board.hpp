@@ -24,7 +24,7 @@ class RtlBoard : public Board {
         dut_.limit_cycles(~std::uint64_t(0));
         drive_idle();
         drive(setup.settings);
-        if (!setup.waveform.empty()) dut_.trace_to(setup.waveform);
+        if (!setup.waveform.empty()) dut_.trace_to(setup.waveform, setup.clock_hz);
         dut_.reset();
         dut_.tick();  // a reset lasts a clock longer: a queue that refuses a word then is not full
         first_clock_ = dut_.cycle();

@@ -14,6 +14,7 @@ struct RtlSetup {
     std::optional<std::uint64_t> stall_seed;  // random pauses on every handshake
     std::string waveform;                     // empty: none
     std::uint64_t trace_clocks = 0;
+    double clock_hz = 0;  // of the waveform
 };
 
 /// What sysc/board/compiled_core.cpp makes of one model; the caller owns the board.

@@ -29,7 +29,8 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
         board = std::make_unique<KernelBoard>(options.core, settings,
                                               options.in_system() ? asked : QueueDepths());
     } else {
-        board.reset(make({settings, options.stall_seed, waveform, options.trace_clocks}));
+        board.reset(
+            make({settings, options.stall_seed, waveform, options.trace_clocks, options.clock_hz}));
     }
     if (!options.in_system()) return board;
     return make_system_board(job, std::move(board), make_machine(job), pins);
@@ -63,27 +64,31 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
         count_samples(job_.plan, options.samples_per_tick_log2(), options.override_word());
     Pictures pictures(job_, samples / static_cast<std::uint64_t>(options.samples_per_tick));
     SamplesWriter writer(folder.path("samples.csv"), job_, samples, extras.sample);
-    ProgressBar bar(samples, options.quiet);
+    std::optional<ProgressBar> bar(std::in_place, samples, options.quiet);
     const std::string waveform =
         options.trace && options.needs_rtl() ? folder.path("waves.fst") : "";
     const std::string pins = options.trace && options.in_system() ? folder.path("system") : "";
     std::uint64_t let_go = 0;
     const auto progress = [&, this](std::uint64_t done) {
         InterruptGuard::check();
-        bar.update(done);
+        bar->update(done);
         if (done < let_go + DrawnPlan::kSamplesHeld) return;
         job_.plan.let_go();
         let_go = done;
     };
     std::unique_ptr<Board> board = make_board(job_, make_, waveform, pins);
     const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});
+    bar.reset();    // before the first line of the results
     board.reset();  // closes the waveform
     writer.close();
 
     const Report report{job_, samples, drawn.check.drawn, &drawn, drawn.period_clocks};
-    if (!pins.empty()) folder.write("system.gtkw", pin_gtkw(options.folder, axis_names(job_)));
+    if (!pins.empty())
+        folder.write("system.gtkw",
+                     pin_gtkw(options.folder, axis_names(job_), report.duration_s()));
     if (!waveform.empty()) {
-        folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder));
+        folder.write("waves.gtkw", gtkw(options.core, waveform, options.folder,
+                                        {options.clock_hz, drawn.first_clock}));
     }
     const bool held = !extras.finish || extras.finish(report, folder);
     const int status = publish(report, pictures, folder);

@@ -3,20 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include "sysc/watch/gtkw_writer.hpp"
 
 namespace curvecore::sysc {
 
-std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes) {
-    const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
-    std::string text = fmt::format(
-        "[*] curvecore\n"
-        "[dumpfile] \"{}\"\n"
-        "[savefile] \"{}\"\n"
-        "[timestart] 0\n"
-        "[size] 1600 1000\n"
-        "[signals_width] 330\n",
-        (at / "system.vcd").string(), (at / "system.gtkw").string());
+std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes,
+                     double duration_s) {
+    std::string text = gtkw_head(folder, "system.vcd", "system.gtkw", 0, duration_s * 1e12, 0);
     for (const std::string& axis : axes) {
         text += fmt::format("@800200\n-{0}\n@28\nSystemC.{0}.step\nSystemC.{0}.direction\n", axis);
         for (const char* curve : {"command", "place", "following_error"}) {

@@ -7,7 +7,8 @@
 
 namespace curvecore::sysc {
 
-/// `folder`: where both files will stand.
-std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes);
+/// `folder`: where both files will stand; it opens on all of the motion, `duration_s`.
+std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes,
+                     double duration_s);
 
 }  // namespace curvecore::sysc

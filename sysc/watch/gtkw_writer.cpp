@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -32,19 +33,8 @@ using Signals = std::vector<Signal>;
 
 class Arrangement {
   public:
-    Arrangement(const std::string& folder, WaveformSignals signals) : signals_(std::move(signals)) {
-        const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
-        text_ = fmt::format(
-            "[*] curvecore\n"
-            "[dumpfile] \"{}\"\n"
-            "[savefile] \"{}\"\n"
-            "[timestart] 0\n"
-            "[size] 1600 1000\n"
-            "*-8.0 0 -1 -1 -1 -1\n"
-            "[sst_width] 220\n"
-            "[signals_width] 330\n",
-            (at / "waves.fst").string(), (at / "waves.gtkw").string());
-    }
+    Arrangement(std::string head, WaveformSignals signals)
+        : signals_(std::move(signals)), text_(std::move(head)) {}
 
     /// Signals of the instance `at`, "" or with a dot at its end.
     void show(const std::string& at, const Signals& signals) {
@@ -180,9 +170,34 @@ void positions(Arrangement& view, const CoreParameters& core) {
 
 }  // namespace
 
-std::string gtkw(const CoreParameters& core, const std::string& fst_file,
-                 const std::string& folder) {
-    Arrangement view(folder, waveform_signals(fst_file));
+std::string gtkw_head(const std::string& folder, const std::string& wave, const std::string& save,
+                      double start, double span, double marker) {
+    // A zoom of z is 2^-z units of time for 200 of the 1000 pixels that the signals leave.
+    constexpr double kFrames = 1000 / 200.0;
+    const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
+    return fmt::format(
+        "[*] curvecore\n"
+        "[dumpfile] \"{}\"\n"
+        "[savefile] \"{}\"\n"
+        "[timestart] {:.0f}\n"
+        "[size] 1600 1000\n"
+        "*{:.4f} {:.0f} -1 -1 -1 -1\n"
+        "[sst_width] 220\n"
+        "[signals_width] 330\n",
+        (at / wave).string(), (at / save).string(), start, -std::log2(span / kFrames), marker);
+}
+
+std::string gtkw(const CoreParameters& core, const std::string& fst_file, const std::string& folder,
+                 const FirstSample& first) {
+    constexpr double kBefore = 40;  // clocks
+    constexpr double kSpan = 200;
+    constexpr double kReset = 3;  // clocks, before the first that is counted
+    const double clock_ps = 1e12 / first.clock_hz;
+    const double at = static_cast<double>(first.clock) + kReset;
+    const std::string head =
+        gtkw_head(folder, "waves.fst", "waves.gtkw", std::max(0.0, at - kBefore) * clock_ps,
+                  kSpan * clock_ps, at * clock_ps);
+    Arrangement view(head, waveform_signals(fst_file));
     path_side(view);
     if (core.build == Build::kParallel) {
         parallel_core(view);

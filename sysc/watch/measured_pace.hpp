@@ -19,6 +19,7 @@ class MeasuredPace {
 
     void take(const Sample& drawn) {
         bool first = samples_ == 0;
+        if (first) first_clock_ = drawn.clock;
         s_ += static_cast<std::uint64_t>(drawn.ds);
         walk_.to(s_, [&first](const ref::Segment&, bool) { first = true; });
         if (in_turn_ || first) pace_.sample(samples_, drawn.clock);
@@ -26,6 +27,7 @@ class MeasuredPace {
     }
 
     double period() const { return pace_.period(); }
+    std::uint64_t first_clock() const { return first_clock_; }
 
   private:
     StepWalk walk_;
@@ -33,6 +35,7 @@ class MeasuredPace {
     SamplePace pace_;
     std::uint64_t s_ = 0;  // quanta
     std::uint64_t samples_ = 0;
+    std::uint64_t first_clock_ = 0;
 };
 
 }  // namespace curvecore::sysc

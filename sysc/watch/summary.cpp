@@ -25,6 +25,7 @@ void print_summary(const Report& report) {
     if (!report.job.options.quiet) {
         for (const auto& [name, value] : report.table()) fmt::print("{:<22} {}\n", name, value);
         fmt::print("{:<22} {}\n", "result", report.held() ? "every check held" : "A CHECK FAILED");
+        fmt::print("{:<22} {}/report.html\n", "report", report.job.options.folder);
     }
     for (const Check& check : report.checks()) {
         if (!check.held) {

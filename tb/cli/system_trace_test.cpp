@@ -2,6 +2,7 @@
 // system.vcd: every step of the report is there, at the same times whichever block is RTL.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -111,6 +112,10 @@ TEST_F(SystemTrace, HasEveryStepAndEverySignalOfTheSaveFile) {
         ++shown;
     }
     EXPECT_EQ(shown, waves.size());
+    const std::string save = program_.read("out/system.gtkw");
+    const double zoom = std::stod(save.substr(save.find("\n*") + 2));
+    EXPECT_NEAR(std::exp2(-zoom) * 5 / (report["duration_s"].get<double>() * 1e12), 1, 0.01)
+        << "it opens on all of the motion";
 }
 
 TEST_F(SystemTrace, IsTheSameWhicheverBlockIsRtl) {

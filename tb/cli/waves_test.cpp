@@ -3,6 +3,7 @@
 // signal would be left out.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -58,6 +59,43 @@ TEST_P(Waves, AreArrangedInFull) {
     const ProgramResult result = program.run(arguments);
     ASSERT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(groups(program.read("out/waves.gtkw")), GetParam().expected);
+}
+
+/// Eight bytes of the header of an FST file, the highest first.
+std::uint64_t header_word(const std::string& file, std::size_t at) {
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < 8; ++i) word = word << 8 | static_cast<unsigned char>(file[at + i]);
+    return word;
+}
+
+/// In picoseconds of the clock that the options say; it opens on the first sample.
+TEST(WavesTime, IsThatOfTheClock) {
+    for (const auto& [clock, period_ps] : {std::pair("100MHz", 10e3), {"20MHz", 50e3}}) {
+        const ProgramRun program;
+        program.write("part.ngc", "G21 G61 G90 F900\nG1 X0.1\nM2\n");
+        const ProgramResult result =
+            program.run({"run", "part.ngc", "-q", "-o", "out", "--trace", "--trace-clocks", "2000",
+                         "--clock", clock, "--build", "serial"});
+        ASSERT_EQ(result.status, 0) << result.err;
+        const std::string fst = program.read("out/waves.fst");
+        constexpr std::size_t kEndTime = 17;
+        constexpr std::size_t kTimescale = 73;  // a power of ten, s
+        EXPECT_EQ(static_cast<signed char>(fst[kTimescale]), -12);
+        EXPECT_NEAR(static_cast<double>(header_word(fst, kEndTime)), 2000 * period_ps, period_ps);
+        std::istringstream lines(program.read("out/waves.gtkw"));
+        double start = -1;
+        double zoom = 0;
+        double marker = -1;
+        for (std::string line; std::getline(lines, line);) {
+            if (line.rfind("[timestart] ", 0) == 0) start = std::stod(line.substr(12));
+            if (line[0] != '*') continue;
+            std::istringstream(line.substr(1)) >> zoom >> marker;
+        }
+        EXPECT_GT(start, 0);
+        EXPECT_LT(start, marker);
+        EXPECT_LT(marker, 2000 * period_ps);
+        EXPECT_NEAR(std::exp2(-zoom) * 5, 200 * period_ps, period_ps) << "clocks on the screen";
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
