@@ -35,9 +35,9 @@ void add_override(CLI::App& command, RawOptions& raw);
 void add_timed_core(CLI::App& command, RawOptions& raw);
 /// What run, plan and words share.
 void add_common(CLI::App& command, RawOptions& raw, Options& options);
-/// Of run, and what runs at its end.
 /// Of what `run` and `plan` leave behind.
 void add_report(CLI::App& command, Options& options);
+/// Of run, and what runs at its end.
 void add_run(CLI::App& command, RawOptions& raw, Options& options);
 
 }  // namespace curvecore::sysc

@@ -21,9 +21,9 @@
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/compare_command.hpp"
 #include "sysc/curvecore/explore_command.hpp"
+#include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/home_command.hpp"
 #include "sysc/curvecore/join_command.hpp"
-#include "sysc/curvecore/nearest.hpp"
 #include "sysc/curvecore/stream_command.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -32,6 +32,7 @@ namespace curvecore::sysc {
 namespace {
 
 void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions& options) {
+    begin_group(command, group::kInput);
     command
         .add_option("TABLE", options.common.file,
                     "radii of the cutter's centre (.csv): 'x,0,7.5,..' (degrees), then a row per "
@@ -61,6 +62,7 @@ void add_cam(CLI::App& command, RawOptions& raw, RawCamOptions& cam, CamOptions&
 }
 
 void add_join(CLI::App& command, RawOptions& raw, Options& options, RawJoinOptions& join) {
+    begin_group(command, group::kInput);
     const char* const programs = "working path: G-code, or points (.csv)";
     command.add_option("A", join.a, programs)->type_name("");
     command.add_option("B", join.b, programs)->type_name("");
@@ -93,6 +95,7 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
     add_input(command, raw, options.common, compare.feed, "LIST",
               fmt::format("of the schemes that step once a tick; {} if not given", kStandardFeeds));
     add_core(command, raw);
+    begin_group(command, "Comparison");
     const auto add = [&command](const char* name, std::string& text, const char* type,
                                 const std::string& help) {
         command.add_option(name, text, help)->type_name(type)->capture_default_str();
@@ -113,6 +116,7 @@ void add_compare(CLI::App& command, RawOptions& raw, RawCompareOptions& compare,
 }
 
 void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) {
+    begin_group(command, "Requirement");
     const auto add = [&command](const char* name, std::string& text, const char* type,
                                 const std::string& help) {
         return command.add_option(name, text, help)->type_name(type)->capture_default_str();
@@ -122,15 +126,11 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
         ->required();
     add("--feed", raw.feed, "SPEED", "along the path, where acceleration lets it: 10m/min, 100mm/s")
         ->required();
-    CLI::Option_group* const where = command.add_option_group("where");
-    where->require_option(1);
     CLI::Option* const board =
-        where
-            ->add_option("--board", raw.board,
-                         "a motion_board with its UART on this board (scripts/boards) or a file of "
-                         "yours: its device, clock and sample period")
-            ->type_name("NAME");
-    where->add_option("--device", raw.device, device_names())->type_name("NAME");
+        add("--board", raw.board, "NAME",
+            "a motion_board with its UART on this board (scripts/boards) or a file of yours: its "
+            "device, clock and sample period; or instead --device");
+    add("--device", raw.device, "NAME", device_names());
     add("--radius", raw.radius, "LENGTH",
         "largest radius of arcs and helices; lines come with them");
     add("--least-radius", raw.least_radius, "LENGTH", "smallest radius; 10um when left out");
@@ -146,6 +146,7 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
     add("--build", raw.build, "BUILD", "parallel or serial; either when left out");
     command.add_option("--machine", options.machine, "acceleration and jerk from LinuxCNC's .ini")
         ->type_name("FILE.ini");
+    begin_group(command, group::kOutput);
     command
         .add_option("-o,--output", options.folder,
                     "folder for choose.json, and core.json that --core takes")
@@ -161,18 +162,11 @@ void add_choose(CLI::App& command, RawRequirement& raw, ChooseOptions& options) 
         "3 no core keeps the requirement, and the answer says what to give up.");
 }
 
-/// Refuses a first word that is no command.
-void check_command(const CLI::App& app, const std::string& word) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-    if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
-    throw UsageError(fmt::format("there is no command '{}'; {}", word, nearest_text(word, names)));
-}
-
-int dispatch(int argc, char** argv) {
+int dispatch(const std::vector<std::string>& arguments) {
     CLI::App app{"Lines, arcs, helices and splines through FPGA interpolator cores", "curvecore"};
     app.set_version_flag("--version", "curvecore " CURVECORE_PROGRAM_VERSION);
     app.require_subcommand(1);
+    begin_help(app);
     RawOptions raw;
     Options options;
     CLI::App* run = app.add_subcommand(
@@ -225,13 +219,10 @@ int dispatch(int argc, char** argv) {
     RawExplore raw_explore;
     add_common(*explore, raw_explore.common, options);
     add_explore(*explore, raw_explore);
-    if (argc < 2) {
-        fmt::print("{}", app.help());
-        return 0;
-    }
-    check_command(app, argv[1]);
+    finish_help(app, arguments);
+    check_names(app, arguments);
     try {
-        app.parse(argc, argv);
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::Success& asked) {
         return app.exit(asked);
     } catch (const CLI::ParseError& error) {
@@ -273,7 +264,7 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return curvecore::sysc::dispatch(argc, argv);
+        return curvecore::sysc::dispatch(curvecore::sysc::asked_help({argv + 1, argv + argc}));
     } catch (const curvecore::ref::InputError& error) {
         fmt::print(stderr, "{}\n", error.what());
         return 2;

@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 namespace curvecore::sysc {
 namespace {
 
 /// Letters to insert, delete, change or swap with the next one.
-std::size_t distance(const std::string& a, const std::string& b) {
+std::size_t distance(std::string a, std::string b) {
+    for (std::string* text : {&a, &b}) {
+        std::transform(text->begin(), text->end(), text->begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    }
     std::vector<std::size_t> before;
     std::vector<std::size_t> last;
     std::vector<std::size_t> row(b.size() + 1);
@@ -32,13 +37,22 @@ std::size_t distance(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string nearest_text(const std::string& word, const std::vector<std::string>& names) {
+std::string nearest_text(const std::string& word, const std::vector<std::string>& names,
+                         const std::string& otherwise) {
     constexpr std::size_t kMost = 2;
     const auto nearest = std::min_element(names.begin(), names.end(),
                                           [&](const std::string& a, const std::string& b) {
                                               return distance(word, a) < distance(word, b);
                                           });
-    if (distance(word, *nearest) <= kMost) return fmt::format("did you mean '{}'?", *nearest);
+    const std::size_t wrong = distance(word, *nearest);
+    const auto letters = std::count_if(word.begin(), word.end(), [](char c) { return c != '-'; });
+    if (wrong <= kMost && 2 * wrong < static_cast<std::size_t>(letters)) {
+        return fmt::format("did you mean '{}'?", *nearest);
+    }
+    return otherwise;
+}
+
+std::string names_text(const std::vector<std::string>& names) {
     return fmt::format("there are {}", fmt::join(names, ", "));
 }
 

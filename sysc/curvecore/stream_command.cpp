@@ -10,6 +10,7 @@
 #include "hls/registers/registers.h"
 #include "ref/program/coordinates.hpp"
 #include "sysc/curvecore/commands.hpp"
+#include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/wire/encoders.hpp"
@@ -97,6 +98,7 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
 }  // namespace
 
 void add_wire(CLI::App& command, RawWireOptions& raw) {
+    begin_group(command, group::kBoard);
     const auto add = [&command](const char* name, std::string& text, const char* type,
                                 const char* help) {
         return command.add_option(name, text, help)->type_name(type)->capture_default_str();

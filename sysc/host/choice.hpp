@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
 #include <string_view>
 
@@ -13,11 +14,20 @@
 
 namespace curvecore::sysc {
 
+/// Whether two names are the same, whatever their case.
+inline bool same_name(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
 /// Index of a name. @throws UsageError that names `option`
 template <std::size_t Count>
 int choice(const std::string& option, const std::string& text,
            const std::array<std::string_view, Count>& known) {
-    const auto found = std::find(known.begin(), known.end(), text);
+    const auto found = std::find_if(known.begin(), known.end(), [&text](std::string_view name) {
+        return same_name(name, text);
+    });
     if (found == known.end()) {
         throw UsageError(
             fmt::format("{} '{}': must be one of {}", option, text, fmt::join(known, ", ")));

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "sysc/host/choice.hpp"
 #include "sysc/host/number_list.hpp"
 #include "sysc/host/usage_error.hpp"
 
@@ -30,13 +34,15 @@ ParameterList read_parameter(const std::string& text) {
         throw UsageError(fmt::format("--set {}: Name=Value is expected", text));
     }
     const std::string name = text.substr(0, equals);
-    const ref::Parameter* const row = ref::find_parameter(name);
-    if (row == nullptr) {
+    const auto row =
+        std::find_if(std::begin(ref::kParameters), std::end(ref::kParameters),
+                     [&name](const ref::Parameter& one) { return same_name(one.name, name); });
+    if (row == std::end(ref::kParameters)) {
         throw UsageError(
             fmt::format("--set {}: unknown parameter; there are {}", name, ref::parameter_names()));
     }
     const std::string values = text.substr(equals + 1);
-    ParameterList list{row, number_list("--set " + name, values, row->low, row->high)};
+    ParameterList list{&*row, number_list("--set " + name, values, row->low, row->high)};
     for (const int value : list.values) {
         if (!row->holds(value)) throw UsageError("--set " + ref::range_text(*row));
     }

@@ -129,10 +129,11 @@ double bound_limit(const std::string& text, double standard, double unit_mm,
 }
 
 Build build_of(const std::string& text) {
-    if (text != "parallel" && text != "serial") {
+    const bool serial = same_name(text, "serial");
+    if (!serial && !same_name(text, "parallel")) {
         throw UsageError(fmt::format("--build '{}': must be parallel or serial", text));
     }
-    return text == "serial" ? Build::kSerial : Build::kParallel;
+    return serial ? Build::kSerial : Build::kParallel;
 }
 
 int Options::samples_per_tick_log2() const {

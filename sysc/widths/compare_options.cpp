@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ref/program/input_error.hpp"
+#include "sysc/host/choice.hpp"
 #include "sysc/host/number_list.hpp"
 #include "sysc/host/quantity.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -131,12 +132,7 @@ void interpret_schemes(const RawCompareOptions& raw, CompareOptions& options) {
 }
 
 CurveSet curve_set(const std::string& name) {
-    const auto found = std::find(kCurveSets.begin(), kCurveSets.end(), name);
-    if (found == kCurveSets.end()) {
-        throw UsageError(
-            fmt::format("--curves '{}': must be one of {}", name, fmt::join(kCurveSets, ", ")));
-    }
-    return static_cast<CurveSet>(found - kCurveSets.begin());
+    return static_cast<CurveSet>(choice("--curves", name, kCurveSets));
 }
 
 }  // namespace

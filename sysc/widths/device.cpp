@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sysc/host/choice.hpp"
 #include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
@@ -20,7 +21,7 @@ std::string device_names() {
 const Device* find_device(const std::string& name) {
     const auto* const found =
         std::find_if(kDevices.begin(), kDevices.end(),
-                     [&](const Device& device) { return device.name == name; });
+                     [&](const Device& device) { return same_name(device.name, name); });
     return found == kDevices.end() ? nullptr : found;
 }
 

@@ -21,6 +21,9 @@ constexpr double kMostLength = 1e5;   // mm
 
 void interpret(const RawRequirement& raw, ChooseOptions& options) {
     Requirement& requirement = options.requirement;
+    if (raw.board.empty() == raw.device.empty()) {
+        throw UsageError("--device or --board must be given, one of them");
+    }
     requirement.error_mm = length("--error", raw.error, kLeastError, 10);
     if (raw.board.empty()) {
         requirement.device = device_of(raw.device);

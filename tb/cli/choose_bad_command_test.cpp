@@ -38,7 +38,7 @@ const std::vector<BadRequirement> kBadRequirementes{
      "gw2a-18, lifcl-40"},
     {"BoardBesideDevice",
      {"--board", "colorlight_i5"},
-     "Exactly 1 option from [--board,--device] is required and 2 were given"},
+     "--device or --board must be given, one of them"},
     {"RadiusZero", {"--radius", "0mm"}, "--radius must be in [0.001, 100000] mm"},
     {"RadiusTooLarge", {"--radius", "1000m"}, "--radius must be in [0.001, 100000] mm"},
     {"LeastRadiusZero", {"--least-radius", "0um"}, "--least-radius must be in [0.0001, 300] mm"},

@@ -44,6 +44,64 @@ TEST_F(Grammar, ATypoNamesTheNearestCommand) {
     EXPECT_EQ(program_.run({"rnu"}).status, 2);
 }
 
+TEST_F(Grammar, ATypoNamesTheNearestOption) {
+    const auto refusal = [this](Arguments line) {
+        const ProgramResult result = program_.run(line);
+        EXPECT_EQ(result.status, 2);
+        return result.err;
+    };
+    EXPECT_EQ(refusal({"run", "part.ngc", "--otput", "x"}),
+              "curvecore: error: run has no option '--otput'; did you mean '--output'?\n");
+    EXPECT_EQ(refusal({"run", "--halp"}),
+              "curvecore: error: run has no option '--halp'; did you mean '--help'?\n");
+    EXPECT_EQ(refusal({"plan", "part.ngc", "--sampleperiod=1ms"}),
+              "curvecore: error: plan has no option '--sampleperiod'; did you mean "
+              "'--sample-period'?\n");
+    EXPECT_EQ(refusal({"choose", "--colour", "red"}),
+              "curvecore: error: choose has no option '--colour'; choose --help-all lists them\n");
+    EXPECT_EQ(refusal({"help", "rnu"}),
+              "curvecore: error: there is no command 'rnu'; did you mean 'run'?\n");
+}
+
+TEST_F(Grammar, CaseOfNamesDoesNotMatter) {
+    const ProgramResult result = program_.run(
+        {"Plan", "part.ngc", "-q", "--BUILD", "Serial", "--set", "coefbits=24", "--Output", "out"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const Json report = Json::parse(program_.read("out/report.json"));
+    EXPECT_EQ(report["build"], "serial");
+    EXPECT_EQ(report["parameters"]["CoefBits"], 24);
+}
+
+TEST_F(Grammar, HelpHasExamplesAndHidesWhatIsRare) {
+    const std::string commands = program_.run({"help"}).out;
+    EXPECT_EQ(commands, program_.run({"--help"}).out);
+    for (const char* command : {"run", "plan", "words", "cam", "join", "compare", "choose",
+                                "stream", "home", "board", "explore"}) {
+        const std::string help = program_.run({command, "--help"}).out;
+        const std::string all = program_.run({command, "--help-all"}).out;
+        EXPECT_EQ(help, program_.run({"help", command}).out);
+        std::size_t examples = 0;
+        for (std::size_t at = help.find("Examples:");
+             (at = help.find(std::string("\n  curvecore ") + command, at)) != std::string::npos;
+             ++at) {
+            ++examples;
+        }
+        EXPECT_EQ(examples, 3U) << help;
+        EXPECT_EQ(help.find("Option Group"), std::string::npos) << command;
+        EXPECT_EQ(help.find("{false}"), std::string::npos) << command;
+        EXPECT_GE(all.size() + 40, help.size()) << command;
+    }
+    const std::string help = program_.run({"run", "--help"}).out;
+    const std::string all = program_.run({"run", "--help-all"}).out;
+    for (const char* group : {"\nInput:", "\nCore:", "\nPlan:", "\nBoard:", "\nOutput:"}) {
+        EXPECT_NE(help.find(group), std::string::npos) << group;
+    }
+    EXPECT_EQ(help.find("--trace-clocks"), std::string::npos);
+    EXPECT_NE(all.find("--trace-clocks"), std::string::npos);
+    EXPECT_EQ(program_.run({"plan", "part.ngc", "-q", "--effort", "rules"}).status, 0)
+        << "a hidden option is one";
+}
+
 TEST_F(Grammar, AnyLengthIsAUnit) {
     EXPECT_EQ(plan({"--unit", "2.5um"})["unit_mm"], 2.5e-3);
     EXPECT_EQ(plan({"--unit", "1/65536in"})["unit_mm"], 25.4 / 65536);
