@@ -2,6 +2,7 @@
 // `curvecore words`: memory files that $readmemh reads, and what a test bench needs besides.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -18,14 +19,6 @@
 
 namespace curvecore::sysc {
 namespace {
-
-/// "a.ngc" may hold a line break that would end a comment.
-std::string comment_safe(std::string text) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < ' ') c = '?';
-    }
-    return text;
-}
 
 std::string head(const Job& job, const char* what) {
     return fmt::format(
@@ -115,6 +108,7 @@ class WordFiles {
         json["parameters"] = parameters_json(job.options.core);
         json["segments"] = {{"file", "segments.hex"},
                             {"count", count_},
+                            {"words", segment_words(job)},
                             {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
         json["profile"] = {{"file", "profile.hex"},
                            {"count", pieces_},
@@ -130,17 +124,44 @@ class WordFiles {
         json["stop_ticks"] = job.plan.stop_ticks;
         json["samples"] = samples(job);
         json["path_quanta"] = path_;
+        json["bits_per_mm"] = bits_per_mm(job);
         return json.dump(2) + "\n";
     }
 
     std::string summary(const Job& job) const {
-        return fmt::format("{} segments, {} profile pieces, {} samples -> {}\n", count_, pieces_,
-                           samples(job), job.options.folder);
+        const std::size_t segments = segment_words(job);
+        const std::size_t plain = pieces_ * hls::kProfileBusWords;  // without branches
+        std::string text =
+            fmt::format("segments  {} in {} words of {} bits\nprofile   {} pieces in {} words",
+                        count_, segments, kBusBits, pieces_, plain);
+        if (branches_ > 0) {
+            text += fmt::format(
+                ", and {} stop branches in {}: --holds bounds sends none, a hold takes longer then",
+                branches_, profile_words_ - plain);
+        }
+        return text + fmt::format(
+                          "\ntraffic   {} words, {:.0f} bits/mm of {:.6g} mm\n"
+                          "samples   {}\nwords     {}/words.json\n",
+                          segments + profile_words_, bits_per_mm(job), path_mm(job), samples(job),
+                          job.options.folder);
     }
 
     bool empty() const { return count_ == 0; }
 
   private:
+    static constexpr int kBusBits = 48;
+
+    std::size_t segment_words(const Job& job) const {
+        return count_ * static_cast<std::size_t>(ref::segment_bus_words(job.options.core.aux_axes));
+    }
+    double path_mm(const Job& job) const {
+        return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm;
+    }
+    /// Of both streams.
+    double bits_per_mm(const Job& job) const {
+        const std::size_t words = segment_words(job) + profile_words_;
+        return kBusBits * static_cast<double>(words) / path_mm(job);
+    }
     static void append(std::string& text, const std::vector<std::uint64_t>& words) {
         for (const std::uint64_t word : words) text += fmt::format("{:012x}\n", word);
     }

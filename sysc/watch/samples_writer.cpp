@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "sysc/watch/report.hpp"
+
 namespace curvecore::sysc {
 namespace {
 
@@ -24,16 +26,15 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job, std::uint6
     if (!file_) throw std::runtime_error("cannot write " + file);
     buffer_.reserve(kBuffer + kLongestRow);
     buffer_ = fmt::format(
-        "# curvecore: samples as the board gave them\n"
-        "# input: {}\n"
-        "# unit: {:g} mm (positions); path quanta: 2^-16 unit (s)\n"
-        "# sample period: {:g} s\n"
-        "{}# core: {}\n"
+        "# curvecore: samples of {} as the board gave them\n"
+        "# core: {}\n"
+        "# k, segment: numbers from 0; rows: every {} samples of {:g} s, and the last\n"
+        "# s: path length in 2^-16 units; x, y, z and other axes: in units of {:g} mm\n"
+        "# numpy.genfromtxt(file, delimiter=',', names=True, skip_header=5)\n"
         "k,segment,s,x,y,z",
-        std::filesystem::path(job.options.file).filename().string(), job.plan.unit_mm,
-        job.options.sample_period_s,
-        stride_ > 1 ? fmt::format("# rows: every {} samples, and the last\n", stride_) : "",
-        ref::parameters_text(job.options.core));
+        comment_safe(std::filesystem::path(job.options.file).filename().string()),
+        ref::parameters_text(job.options.core), stride_, job.options.sample_period_s,
+        job.plan.unit_mm);
     for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
         buffer_ += ',';
         buffer_ += "abcuvw"[axis];

@@ -19,12 +19,11 @@ std::string number(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "";
 }
 
-/// A field of a .csv file: the planner's words have commas.
-std::string quoted(std::string text) {
-    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
-        text.insert(at, 1, '"');
-    }
-    return text.empty() ? text : '"' + text + '"';
+/// A field of a .csv file that has no quotes: not every reader knows them.
+std::string field(std::string text) {
+    std::replace(text.begin(), text.end(), ',', ';');
+    text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+    return text;
 }
 
 std::string note(const Row& row, const SweepOptions& options) {
@@ -119,7 +118,7 @@ std::string CompareReport::csv() const {
     }
     text +=
         ",landing,speed_error,speed_relative,bound,max_of_bound,missing_bits,multiplier_bits,"
-        "estimated_lut4,dsp,ram,estimated_mhz,refused,scheme,tick_s,feed_mm_s,blow_ups\n";
+        "estimated_lut4,dsp,ram,estimated_mhz,refused,scheme,tick_s,feed_mm_s,blow_ups,unit_mm\n";
     for (const Row& row : result.rows) {
         const auto out = std::back_inserter(text);
         for (const ref::Parameter& one : ref::kParameters) {
@@ -153,14 +152,14 @@ std::string CompareReport::csv() const {
         } else {
             text += ",,,,";
         }
-        text += quoted(row.refused) + ",\"" + name_of(row) + "\",";
+        text += field(row.refused) + "," + field(name_of(row)) + ",";
         if (row.ticks) {
             fmt::format_to(std::back_inserter(text), "{:.9g},{:.9g},{}", row.ticks->tick,
                            row.ticks->feed, row.blow_ups);
         } else {
             text += ",,";
         }
-        text += '\n';
+        fmt::format_to(std::back_inserter(text), ",{:g}\n", options.common.unit_mm);
     }
     return text;
 }

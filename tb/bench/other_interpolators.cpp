@@ -10,6 +10,8 @@
 
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
+#include "ref/feed/planned_branches.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/segment/geometry.hpp"
 #include "ref/series/spline_tables.hpp"
 #include "sysc/widths/built_in_curves.hpp"
@@ -27,20 +29,41 @@ constexpr double kTick = 1e-3;          // s: LinuxCNC's servo period
 constexpr double kUnit = 1e-6;          // mm
 constexpr double kTolerance = 0.002;    // mm: of chords, grblHAL's default
 constexpr const char* kFineChords = "chords, 0.002 mm off";
-constexpr const char* kCore = "curvecore";
+constexpr const char* kCore = "curvecore, at one speed";
+constexpr const char* kProfile = "curvecore, from rest to rest";
+constexpr const char* kBranches = "curvecore, and stop branches";
 
-/// Segments' words and one piece of the profile, 48 bits each.
-double bits_of(std::size_t segments) { return 48.0 * (17.0 * static_cast<double>(segments) + 5); }
+double bits_of_words(std::size_t segments, std::size_t profile) {
+    return 48.0 * static_cast<double>(17 * segments + profile);
+}
+/// Segments' words and one piece of the profile.
+double bits_of(std::size_t segments) { return bits_of_words(segments, hls::kProfileBusWords); }
+
+ref::PlanOptions plan_options() {
+    using C = hls::DefaultSplineConfiguration;
+    ref::PlanOptions options;
+    options.unit_mm = kUnit;
+    options.format = {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
+                      C::kMode == hls::SamplerMode::kPolynomial};
+    return options;
+}
+
+/// What a whole plan of the built-in machine sends.
+double planned_bits(const DrawnCurve& curve, double feed, ref::Holds holds) {
+    ref::Program program;
+    program.moves.push_back(curve.move(feed));
+    ref::PlanOptions options = plan_options();
+    options.holds = holds;
+    const ref::Plan plan = make_plan(program, ref::Machine(), options);
+    return bits_of_words(plan.segments.size(), ref::profile_words(plan));
+}
 
 /// The kernel (= RTL, bit for bit), default widths, 1 nm.
 Drawing draw_core(const DrawnCurve& curve, double feed) {
     using C = hls::DefaultSplineConfiguration;
     ref::Program program;
     program.moves.push_back(curve.move(feed));
-    ref::PlanOptions options;
-    options.unit_mm = kUnit;
-    options.format = {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-                      C::kMode == hls::SamplerMode::kPolynomial};
+    const ref::PlanOptions options = plan_options();
     const ref::Geometry geometry = make_geometry(program, sysc::unlimited_machine(), options);
     Drawing drawing{{}, bits_of(geometry.segments.size())};
     hls::MotionKernel<C> kernel;
@@ -115,6 +138,9 @@ int main(int argc, char** argv) {
     for (const Part& part : parts) {
         const double ds = part.feed * kSamplePeriod;
         const Drawing core = draw_core(part.curve, part.feed);
+        const auto sent = [&](ref::Holds holds) {
+            return Drawing{core.positions, planned_bits(part.curve, part.feed, holds)};
+        };
         const std::vector<std::pair<std::string, Drawing>> drawings{
             {kFineChords, draw_chords(part.curve, chords_of_tolerance(part.curve, kTolerance), ds)},
             {"chords of 1 mm", draw_chords(part.curve, chords_of_length(part.curve, 1), ds)},
@@ -123,7 +149,9 @@ int main(int argc, char** argv) {
             {"Runge-Kutta each ms",
              draw_runge_kutta(part.curve, part.feed * kTick, ds, bits_of(1))},
             {"forward differences, cubic", draw_forward_differences(part.curve, core.bits, ds)},
-            {kCore, core}};
+            {kCore, core},
+            {kProfile, sent(ref::Holds::kBounds)},
+            {kBranches, sent(ref::Holds::kBranches)}};
         for (const auto& [method, drawing] : drawings) {
             const Measured found = measure(part.curve, drawing, ds);
             const double data = drawing.bits / part.curve.length();

@@ -54,7 +54,7 @@ TEST_F(CompareScheme, ShowsBlowUpsAsResultsInAllThatIsWritten) {
     EXPECT_NEAR(runge_kutta["by_curve_mm"][0].get<double>(), 1e-9, 0.05e-9);
     EXPECT_TRUE(runge_kutta["by_curve_mm"][6].is_null());
     const std::string csv = program_.read("out/compare.csv");
-    EXPECT_PRED_FORMAT2(IsSubstring, ",\"rk4\",0.01,25,3\n", csv);
+    EXPECT_PRED_FORMAT2(IsSubstring, ",rk4,0.01,25,3,1e-06\n", csv);
     EXPECT_PRED_FORMAT2(IsSubstring, "\"scheme\":\"rk4\"", program_.read("out/report.html"));
 }
 

@@ -2,6 +2,7 @@
 // `curvecore words`: what $readmemh reads is what the plan says.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -46,7 +47,12 @@ TEST_P(Words, AreThoseOfThePlan) {
     const std::size_t each = json["segments"]["words_each"];
     EXPECT_EQ(segments, planned);
     EXPECT_EQ(segments.size(), json["segments"]["count"].get<std::size_t>() * each);
+    EXPECT_EQ(segments.size(), json["segments"]["words"]);
     EXPECT_EQ(profile.size(), json["profile"]["words"]);
+    const double unit = json["unit_mm"];
+    const double mm = std::ldexp(json["path_quanta"].get<double>(), -16) * unit;
+    const auto bits = 48.0 * static_cast<double>(segments.size() + profile.size());
+    EXPECT_NEAR(json["bits_per_mm"].get<double>(), bits / mm, 1e-6 * bits / mm);
     for (const std::string& word : segments) EXPECT_EQ(word.size(), 12u);
 
     // Lengths of segments and of pieces sum to the path; only the last piece is final.
