@@ -7,6 +7,7 @@
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
+#include "sysc/host/quantity.hpp"
 #include "sysc/widths/compare_report.hpp"
 
 namespace curvecore::sysc {
@@ -37,10 +38,10 @@ int compare_command(CompareOptions options) {
     if (!options.common.quiet) {
         fmt::print("{}{}", report.table(), report.curves_table());
         fmt::print(
-            "errors in units of {:g} mm at {} places; {} segments with the widest words, {} at "
-            "most; {:.1f} s\n",
-            options.common.unit_mm, result.samples, result.reference_segments, result.most_segments,
-            result.seconds);
+            "errors in units of {} at {} places; {} segments with the widest words, {} at most; "
+            "{:.1f} s\nreport  {}/report.html\n",
+            exact_length(options.common.unit_mm), result.samples, result.reference_segments,
+            result.most_segments, result.seconds, options.common.folder);
     }
     if (!report.held()) {
         fmt::print(stderr,

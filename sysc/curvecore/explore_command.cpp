@@ -9,6 +9,7 @@
 
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/device_clock.hpp"
+#include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/curvecore/planned_job.hpp"
 #include "sysc/host/interrupt.hpp"
@@ -72,6 +73,7 @@ RawExplore::RawExplore() {
 }
 
 void add_explore(CLI::App& command, RawExplore& explore) {
+    begin_group(command, group::kBoard);
     const auto add = [&command](const char* name, std::string& text, const char* type,
                                 const char* help) {
         command.add_option(name, text, help)->type_name(type)->capture_default_str();
@@ -112,18 +114,19 @@ int explore_command(const RawExplore& explore, Options options) {
     const Job planned = plan_and_check(stream);
     OutputFolder folder(options.folder);
     constexpr std::uint64_t kParts = 1000;
-    ProgressBar bar(kParts, options.quiet);
+    std::optional<ProgressBar> bar(std::in_place, kParts, options.quiet);
     const auto progress = [&bar](double share) {
         InterruptGuard::check();
-        bar.update(static_cast<std::uint64_t>(share * kParts));
+        bar->update(static_cast<std::uint64_t>(share * kParts));
     };
     const std::vector<ExploreRow> rows = Explorer(planned.options, grid, progress).explore();
+    bar.reset();  // before the first line of the results
     const ExploreReport report{planned, grid, rows};
     folder.write("explore.json", report.json().dump(1) + "\n");
-    folder.write("explore.svg", report.svg());
+    folder.write("explore.html", report.html());
     folder.commit();
     print_warnings(planned);
-    if (!options.quiet) fmt::print("{}", report.table());
+    if (!options.quiet) fmt::print("{}report  {}/explore.html\n", report.table(), options.folder);
     return report.answered() ? 0 : 3;
 }
 

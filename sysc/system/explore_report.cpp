@@ -4,7 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
+
+#include "sysc/host/html_page.hpp"
+#include "sysc/system/explore_template.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -82,6 +86,13 @@ nlohmann::ordered_json ExploreReport::json() const {
     }
     json["warnings"] = job.program.warnings;
     return json;
+}
+
+std::string ExploreReport::html() const {
+    Json data = json();
+    data["title"] = std::filesystem::path(job.options.file).filename().string();
+    data["version"] = CURVECORE_PROGRAM_VERSION;
+    return html_page(kExploreTemplate, page_json(data));
 }
 
 std::string short_time(double seconds) {

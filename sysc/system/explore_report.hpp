@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `curvecore explore` found: a table, explore.json, explore.svg.
+// What `curvecore explore` found: a table, explore.json, explore.html.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct ExploreReport {
     bool answered() const;
     std::string table() const;
     nlohmann::ordered_json json() const;
-    std::string svg() const;
+    std::string html() const;
 };
 
 /// A time as --host and --word take it: 100us, 2.5ms.

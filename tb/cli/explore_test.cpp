@@ -67,7 +67,10 @@ TEST_F(Explore, FindsWhatRunsOfTheDemoSee) {
     ASSERT_EQ(found["rows"].size(), 2U);
     confirm(DATA_DIR "/demo.ngc", found);
     EXPECT_NE(table_.find("sample period  word     host"), std::string::npos) << table_;
-    EXPECT_EQ(program_.read("found/explore.svg").rfind("<svg", 0), 0U);
+    const std::string page = program_.read("found/explore.html");
+    EXPECT_EQ(page.find("/*DATA*/"), std::string::npos);
+    EXPECT_NE(page.find("\"title\":\"demo.ngc\""), std::string::npos);
+    EXPECT_EQ(table_.substr(table_.rfind("report")), "report  found/explore.html\n");
 }
 
 /// Short lines and arcs at random.

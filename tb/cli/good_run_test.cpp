@@ -299,6 +299,62 @@ TEST_F(GoodRun, SummaryNamesTheFigures) {
         EXPECT_NE(result.out.find(name), std::string::npos) << name;
     }
     EXPECT_EQ(result.err, "") << "a progress bar off a terminal";
+    EXPECT_EQ(result.out.substr(result.out.rfind("\nreport") + 1),
+              "report                 out/report.html\n");
+}
+
+/// The jerk that is drawn is the one that is checked: its highest bin over its limit is the
+/// report's ratio over that window.
+TEST_F(GoodRun, JerkAndAccelerationAreDrawnAsTheyAreChecked) {
+    program_.write("part.ngc",
+                   "G21 G90 F6000 G64 P0.05\nG1 X20\nY15\nX35\nG3 X45 Y25 I0 J10\nM2\n");
+    const Json ratios = report()["limits"]["windows"].back();
+    const std::string page = program_.read("out/report.html");
+    const std::size_t begin = page.find("const D = ") + 10;
+    const Json data = Json::parse(page.substr(begin, page.find(";\n", begin) - begin));
+    EXPECT_EQ(data["window"]["ms"], ratios["window_s"].get<double>() * 1e3);
+    for (const auto& [bins, limit] : {std::pair("jerk", "jerk"), {"total", "acceleration"}}) {
+        double most = 0;
+        for (const Json& bin : data[bins]) {
+            if (!bin.is_null()) most = std::max(most, bin[1].get<double>());
+        }
+        EXPECT_NEAR(most / data["window"][limit].get<double>(), ratios["path"][limit].get<double>(),
+                    1e-3)
+            << limit;
+        EXPECT_GT(most, 0.3 * data["window"][limit].get<double>()) << "the picture is idle";
+    }
+}
+
+/// On a terminal the bar is shown, and gone before the first line of the result.
+TEST_F(GoodRun, BarIsGoneBeforeTheResult) {
+    program_.write("part.ngc", "G21 G90 F60\nG1 X60\nM2\n");
+    const ProgramRun shell("/bin/sh");
+    shell.write("part.ngc", program_.read("part.ngc"));
+    const ProgramResult result = shell.run(
+        {"-c", "script -qec '" CURVECORE_PROGRAM " run part.ngc --on kernel -o out' typescript"});
+    EXPECT_EQ(result.status, 0) << result.out;
+    const std::string erased = "\r\033[K";
+    const std::size_t core = result.out.find("core  ");
+    ASSERT_NE(core, std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(" samples/s"), std::string::npos) << "no bar was shown";
+    EXPECT_EQ(result.out.substr(core - erased.size(), erased.size()), erased) << result.out;
+}
+
+/// numpy's own reader finds the names and every row.
+TEST_F(GoodRun, SamplesAreReadByNumpy) {
+    const Json json = report();
+    const ProgramRun shell("/bin/sh");
+    const std::string file = (program_.folder() / "out/samples.csv").string();
+    shell.write("read.py",
+                "import numpy, sys\n"
+                "file = sys.argv[1]\n"
+                "call = next(line for line in open(file) if 'genfromtxt' in line)\n"
+                "table = eval(call.lstrip('# '))\n"
+                "print(*table.dtype.names, len(table), table['x'][0])\n");
+    const ProgramResult result = shell.run({"-c", SYNTH_PYTHON " read.py " + file});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::size_t rows = json["samples"].get<std::size_t>() + 1;
+    EXPECT_EQ(result.out, "k segment s x y z " + std::to_string(rows) + " 0.0\n");
 }
 
 TEST_F(GoodRun, PlanPredictsWithoutTheRtl) {

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The pages of all commands in a real browser, on a desk and on a phone: nothing is wider than the
+screen, no script fails, nothing comes from the network, and one cursor goes through a report.
+
+    pages_test.py --program build/curvecore [--pictures FOLDER]
+"""
+
+import argparse
+import base64
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from chromium import Chromium
+
+DATA = pathlib.Path(__file__).resolve().parents[1] / "data"
+WIDTHS = (1280, 390)
+QUICK = ["--on", "kernel", "--sample-period", "1ms", "-q"]
+PAGES = {
+    "report": (["run", DATA / "splines.ngc", *QUICK], "report.html"),
+    "plan": (["plan", DATA / "helix.ngc", "--sample-period", "1ms", "-q"], "report.html"),
+    "compare": (["compare", DATA / "arcs.ngc", "--set", "Order=4,6", "--set", "CoefBits=24,36",
+                 "--build", "serial", "--samples", "2000", "-q"], "report.html"),
+    "cam": (["cam", DATA / "cam.csv", "--kappa", "1", "--feed", "6m/min", *QUICK], "cam.html"),
+    "explore": (["explore", DATA / "pulses.ngc", "--host", "1ms,5ms", "--word", "2us", "-q"],
+                "explore.html"),
+    "join": (["join", DATA / "pass_1.ngc", DATA / "pass_2.ngc", *QUICK], "join.html"),
+}
+WIDER = """((wide) => {
+    const inside = (e) => e.closest(".wide, .scroll");
+    return [...document.querySelectorAll("body *")]
+        .filter((e) => !inside(e) && e.getBoundingClientRect().right > wide + 0.5)
+        .map((e) => e.tagName + "#" + e.id + "." + e.className).slice(0, 5);
+})"""
+OPTIONS = argparse.Namespace()
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.temporary.name)
+        for name, (arguments, _) in PAGES.items():
+            subprocess.run([OPTIONS.program, *arguments, "-o", cls.folder / name], check=True)
+        cls.browser = Chromium()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+        cls.temporary.cleanup()
+
+    def open(self, name, width):
+        self.browser.send("Emulation.setDeviceMetricsOverride", width=width, height=900,
+                          deviceScaleFactor=1, mobile=width < 600)
+        self.browser.open(self.folder / name / PAGES[name][1])
+
+    def tearDown(self):
+        self.assertEqual(self.browser.errors(), [])
+        self.assertEqual(self.browser.addresses(), [], "a page wants the network")
+
+    def test_nothing_is_wider_than_the_screen(self):
+        for name in PAGES:
+            for width in WIDTHS:
+                with self.subTest(page=name, width=width):
+                    self.open(name, width)
+                    self.assertEqual(self.browser.get("innerWidth"), width)
+                    self.assertEqual(self.browser.get(f"{WIDER}({width})"), [])
+                    self.picture(name, width)
+
+    def test_the_figure_of_width_sees_what_is_wider(self):
+        self.open("report", 390)
+        self.browser.get('byId("title").style.minWidth = "500px"')
+        self.assertIn("H1#title.", self.browser.get(f"{WIDER}(390)"))
+
+    def test_a_cursor_in_a_chart_is_a_line_of_the_program(self):
+        self.open("report", 1280)
+        self.assertEqual(self.browser.get('byId("place").textContent'), "")
+        x, y = self.browser.middle("#speed")
+        self.browser.mouse("mouseMoved", x, y)
+        point = self.browser.get("marked")
+        self.assertGreater(point, 0)
+        shown = self.browser.get('byId("place").textContent')
+        self.assertTrue(shown.startswith(f"line {self.browser.get('D.line[marked]')}:"), shown)
+        time = self.browser.get("D.t[marked] / D.duration_s")
+        self.assertAlmostEqual(time, 0.5, delta=0.1)
+
+    def test_a_flat_part_has_one_view(self):
+        self.open("report", 1280)
+        spans = self.browser.get('["x", "y", "z"].map((a) => box[a][1] - box[a][0])')
+        views = self.browser.get('document.querySelectorAll(".view").length')
+        self.assertEqual(views, 3 if all(spans) else 1)
+
+    def picture(self, name, width):
+        if OPTIONS.pictures:
+            height = self.browser.get("document.documentElement.scrollHeight")
+            self.browser.send("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                              deviceScaleFactor=1, mobile=width < 600)
+            self.browser.get("new Promise((done) => setTimeout(done, 300))")
+            shot = self.browser.send("Page.captureScreenshot")["data"]
+            file = OPTIONS.pictures / f"{name}_{width}.png"
+            file.write_bytes(base64.b64decode(shot))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--program", type=pathlib.Path, required=True)
+    parser.add_argument("--pictures", type=pathlib.Path, help="folder for what was seen")
+    OPTIONS, rest = parser.parse_known_args()
+    OPTIONS.program = OPTIONS.program.resolve()
+    unittest.main(argv=[sys.argv[0], *rest], verbosity=2)
