@@ -23,7 +23,7 @@ const std::map<std::string, std::vector<const char*>> kExamples{
      {"part.ngc -o plan", "part.ngc --machine mill.ini -o mill",
       "points.csv --fit c2 --feed 2m/min -o curve"}},
     {"words",
-     {"part.ngc -o words", "part.ngc --build serial --segment-queue 4096 -o serial",
+     {"part.ngc -o words", "part.ngc --build serial --device ecp5-25 -o serial",
       "part.ngc --holds bounds -o memory"}},
     {"cam",
      {"radii.csv --kappa 0.5 -o cam", "radii.csv --scallop 5um --cutter 10mm -o fine",
