@@ -13,7 +13,7 @@ namespace {
 constexpr double kTurn = 2 * 3.14159265358979323846;
 constexpr double kSamePoint = 1e-9;       // mm: below any length unit
 constexpr double kSmallestRadius = 1e-6;  // mm
-constexpr double kLargestRadius = 1e6;    // mm
+constexpr double kLargestRadius = 1e8;    // mm: 1e-16 of it is below any length unit
 constexpr double kRelativeMismatch = 1e-3;
 constexpr double kRounding = 1e-15;  // relative, of the numbers of a block
 
@@ -26,11 +26,18 @@ void check_radius(double radius) {
     }
 }
 
-/// The angle from `a` to `b`, 0 .. one turn.
-double sweep(const Eigen::Vector2d& a, const Eigen::Vector2d& b, bool clockwise) {
-    const double cross = a.x() * b.y() - a.y() * b.x();
-    const double angle = std::atan2(clockwise ? -cross : cross, a.dot(b));
+/// The angle from `arm` to `arm` + `chord`, 0 .. one turn: a far centre costs no digits.
+double sweep(const Eigen::Vector2d& arm, const Eigen::Vector2d& chord, bool clockwise) {
+    const double cross = arm.x() * chord.y() - arm.y() * chord.x();
+    const double angle = std::atan2(clockwise ? -cross : cross, arm.dot(arm + chord));
     return angle < 0 ? angle + kTurn : angle;
+}
+
+/// Where `start` comes to when it turns by `angle`, `arm` being its radius.
+Eigen::Vector2d turned(const Eigen::Vector2d& start, const Eigen::Vector2d& arm, double angle) {
+    const double half_sine = std::sin(angle / 2);
+    return start + std::sin(angle) * Eigen::Vector2d(-arm.y(), arm.x()) -
+           2 * half_sine * half_sine * arm;
 }
 
 }  // namespace
@@ -54,12 +61,12 @@ PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& en
                         "the end",
                         r_start, r_end));
     }
-    double angle = sweep(start - centre, end - centre, clockwise);
+    const Eigen::Vector2d arm = start - centre;
+    double angle = sweep(arm, end - start, clockwise);
     if (r_start * std::min(angle, kTurn - angle) < kSameDirection) angle = kTurn;
     PlaneArc arc{centre, angle + kTurn * (turns - 1), Eigen::Vector2d::Zero()};
-    const Eigen::Vector2d turned =
-        centre + Eigen::Rotation2Dd(clockwise ? -angle : angle) * (start - centre);
-    if ((end - turned).norm() > kSamePoint) arc.drift = end - turned;
+    const Eigen::Vector2d rest = end - turned(start, arm, clockwise ? -angle : angle);
+    if (rest.norm() > kSamePoint) arc.drift = rest;
     return arc;
 }
 

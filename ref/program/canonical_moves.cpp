@@ -76,7 +76,6 @@ void CanonicalMoves::line(const Target& target) {
 
 void CanonicalMoves::arc(const Target& target, const Vec3& centre, const Vec3& normal, int turns) {
     const Place here = place(target.line);
-    for (const double value : centre) check_range(value, "the arc's centre", here);
     if (!(std::abs(normal.norm() - 1) <= kUnitVector)) {
         here.refuse("the arc's normal is no unit vector");
     }
