@@ -68,10 +68,12 @@ def main():
     error.plot(at, data["bounds"], color=LIMIT, lw=1, ls="--")
     error.set(title=f"Error before rounding, derived bound, units of {data['unit']}",
               xlim=(0, at[-1]), xlabel="path, mm")
-    band(speed, data["speed"], data["duration_s"], data["limits"][0])
+    band(speed, data["speed"], data["duration_s"], data["velocity"])
     speed.set(title="Speed and its limit, mm/s", xticklabels=[])
-    band(acceleration, data["acceleration"], data["duration_s"], data["limits"][1])
-    acceleration.set(title="Acceleration along the path, limits, mm/s\u00b2", xlabel="time, s")
+    window = data["window"]
+    band(acceleration, data["total"], data["duration_s"], window["acceleration"])
+    acceleration.set(title=f"Acceleration, means over {window['ms']:g} ms, and their limit,"
+                     " mm/s\u00b2", xlabel="time, s")
     figure.canvas.draw()
     image = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB").quantize(128)
     image.save(ROOT / "scripts/figures/demo.png", optimize=True)
