@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many words the queues of a core hold (SegmentQueueWords, ProfileQueueWords) unless somebody
-// says otherwise: the defaults of rtl/motion_interpolator.sv, to which a test holds them. Boards say
-// theirs. The planner needs them, since what is queued must outlast a stop.
+// says otherwise: the defaults of rtl/motion_interpolator.sv, to which a test holds them. Boards
+// say theirs. The planner needs them, since what is queued must outlast a stop.
 #pragma once
 
 namespace curvecore::ref {

@@ -166,11 +166,13 @@ def check(result):
 
 def recorder():
     """canon_recorder.cpp, compiled when it is first asked for."""
-    source = pathlib.Path(__file__).resolve().parent / "canon_recorder.cpp"
+    here = pathlib.Path(__file__).resolve().parent
+    source = here / "canon_recorder.cpp"
     canon = pathlib.Path(HEADERS) / "canon.hh"
     if not canon.exists():
         raise Refused(f"LinuxCNC's headers are missing: apt-get install {PACKAGES}")
-    digest = hashlib.sha256(source.read_bytes() + canon.read_bytes()).hexdigest()[:16]
+    read = b"".join(file.read_bytes() for file in (source, here / "canon_lines.h", canon))
+    digest = hashlib.sha256(read).hexdigest()[:16]
     cache = os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache"
     made = pathlib.Path(cache) / "curvecore" / f"canon_recorder-{digest}.so"
     if not made.exists():
