@@ -67,7 +67,8 @@ build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accur
 build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
 build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
-build/release/tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json
+build/release/tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json ||
+  echo "limits: these pairs miss what is asked (ref/README.md, Effort)"
 
 python3 - <<'PYTHON'
 import glob
