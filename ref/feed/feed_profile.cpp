@@ -22,6 +22,11 @@ constexpr double kCutFrom = 0.6;   // of the time that is planned: the rest is l
 constexpr double kPace = 0.95;
 constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
 constexpr double kGiven = 8;               // of the longest window: twice what FeedWindow sees
+// What planning keeps of a motion, 1 to 3 kB for each knot and for every kSlow of time, is bounded.
+constexpr double kMostKnots = 8000;
+constexpr double kSteady = 0.99;  // of its feed: so fast a move has few knots, as lines have
+constexpr double kFew = 100;
+constexpr double kSlow = 0.3;  // s
 
 /// What is planned.
 struct Subject {
@@ -32,8 +37,27 @@ struct Subject {
     std::vector<GivenRun> given = {};
     bool window = false;  // bounds of holds are given
     bool more = false;    // is to come
+    std::size_t least = 0;
     double pace = 1;
 };
+
+/// The moves for which there is memory, by a motion that is found by rules.
+std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
+    const std::vector<double>& times = motion.times();
+    double knots = 0;
+    for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
+        if (knots > kMostKnots && i >= subject.least && motion.begins_move(i)) return i;
+        const PlannedMove& planned = subject.geometry.moves[i];
+        const Move& move = subject.program.moves[planned.move];
+        const double time = times[i + 1] - times[i];
+        const double step = knot_step(planned.shape, subject.machine);
+        const double feed = move.rapid || move.feed <= 0 ? 1e9 : move.feed;
+        const bool steady = planned.shape.length >= kSteady * feed * time;
+        const bool few = steady || move.kind == Move::Kind::kLine;
+        knots += std::min(time / step, few ? kFew : 1e300) + time / kSlow;
+    }
+    return subject.geometry.moves.size();
+}
 
 /// The slowest joint, a stop if there is one; of equals the last one.
 std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine& machine) {
@@ -98,7 +122,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
             set_branches(subject.program, subject.machine, subject.geometry, subject.options, plan);
             slowed = slow();
         }
-        if (slowed == 0) return PlannedWindow{std::move(found), cut};
+        if (slowed == 0) return PlannedWindow{std::move(found), cut, count};
         plan.slowed_moves = std::max(plan.slowed_moves, slowed);
         const auto first =
             std::find_if(most.begin(), most.end(), [](double v) { return v < kAnySpeed; });
@@ -121,10 +145,12 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     subject.options.effort = Effort::kRules;
     std::optional<PlannedWindow> rules = plan_covered(subject, 0, plan);
     if (effort == Effort::kRules || !rules) return rules;
+    rules->enough = enough_moves(subject, rules->motion);
+    if (rules->enough < subject.geometry.moves.size()) return rules;
     // More pieces want more queue, and so do stop branches: where that costs time, the optimum does
     // without them, and where it costs more than the optimum gains the rules stay.
+    const std::size_t cut = rules->cut;
     std::optional<PlannedWindow> best = std::move(rules);
-    const std::size_t cut = best->cut;
     subject.options.effort = effort;
     // False: it was slowed for the queues, or could not be had.
     const auto improve = [&](double worth) {
@@ -151,22 +177,23 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
 
 }  // namespace
 
-void plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
-               const Geometry& geometry, Plan& plan) {
+std::size_t plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
+                      const Geometry& geometry, std::size_t least, Plan& plan) {
     const std::optional<PlannedWindow> planned =
-        plan_best({program, machine, options, geometry}, plan);
+        plan_best({program, machine, options, geometry, {}, false, false, least}, plan);
     const std::size_t count = geometry.moves.size();
     plan.core_slowed = core_slowed({program, machine, options, geometry, plan.segments, {}},
                                    planned->motion, 0, count);
     plan.pieces.back().final = true;
     plan.segments.back().last = true;
+    return planned->enough;
 }
 
 std::optional<PlannedWindow> plan_window(const Program& program, const Machine& machine,
                                          const PlanOptions& options, const Geometry& geometry,
                                          const std::vector<GivenRun>& given, bool more,
-                                         Plan& plan) {
-    return plan_best({program, machine, options, geometry, given, true, more}, plan);
+                                         std::size_t least, Plan& plan) {
+    return plan_best({program, machine, options, geometry, given, true, more, least}, plan);
 }
 
 std::size_t given_from(const WindowMotion& motion, std::size_t cut, const Machine& machine) {

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
 constexpr std::size_t kFew = 32;     // moves that a window may have, however long they are
 constexpr double kLongMove = 1;      // mm, a mean of more: a window has fewer moves
+constexpr std::size_t kMostPlanned = 12000;  // moves, or segments: a window has no more
+constexpr std::size_t kFewest = 3;           // moves that it may have, however long they take
 
 double length_of(const std::vector<Move>& moves) {
     double length = 0;
@@ -47,6 +49,16 @@ struct PlanStream::Window {
     std::size_t open = 0;   // planned moves that are given
     std::size_t first = 0;  // move of the program, from its start
     std::size_t end = 0;
+
+    /// Planned moves: those of the first `moves` of its program, and those of a few more than
+    /// given.
+    std::size_t least(std::size_t moves) const {
+        const std::size_t given = open < geometry.moves.size() ? geometry.moves[open].move : 0;
+        const std::size_t most = std::max(moves, given + kFewest);
+        std::size_t i = open;
+        while (i < geometry.moves.size() && geometry.moves[i].move < most) ++i;
+        return i;
+    }
 };
 
 PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
@@ -54,7 +66,8 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
     : source_(std::move(source)),
       machine_(std::move(machine)),
       options_(with_cuts(options)),
-      fastest_(frame.fastest) {
+      fastest_(frame.fastest),
+      size_(options.window) {
     program_.file = std::move(frame.file);
     program_.aux_axes = frame_.aux_axes = frame.aux_axes;
     frame_.unit_mm = options_.unit_mm;
@@ -65,19 +78,36 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
 PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
-    for (std::size_t size = options_.window; !ended_; size *= 2) {
+    bool all = false;  // is planned, however much it is
+    for (std::size_t size = size_; !ended_;) {
         read(size);
-        std::unique_ptr<Window> window = look();
-        if (window->geometry.moves.empty()) break;
+        std::unique_ptr<Window> window = look(all ? SIZE_MAX : kMostPlanned);
+        const std::size_t count = window->geometry.moves.size();
+        if (count == 0) break;
+        const std::size_t least = all ? count : window->least(planned_before());
+        std::size_t enough = count;
         if (!begun_ && !more_) {
-            plan_feed(program_, machine_, options_, window->geometry, window->plan);
-            begun_ = ended_ = true;
-            return std::move(window->plan);
+            enough = plan_feed(program_, machine_, options_, window->geometry, least, window->plan);
+            if (enough == count) {
+                begun_ = ended_ = true;
+                return std::move(window->plan);
+            }
+        } else {
+            begun_ = true;
+            if (!plan(*window, least)) return stop_where_planned();
+            enough = window->planned->enough;
         }
-        begun_ = true;
-        if (!plan(*window)) return stop_where_planned();
-        if (more_ && window->planned->cut == 0 && size < kLargest * options_.window) continue;
-        return give_out(std::move(window));
+        if (enough < count) {
+            put_back(window->geometry.moves[enough].move);
+            size = size_;
+            all = true;
+        } else if (more_ && window->planned->cut == 0 && size < kLargest * size_) {
+            size *= 2;
+            all = true;
+        } else {
+            if (!all) size_ = std::min(options_.window, size_ + size_ / 2);
+            return give_out(std::move(window));
+        }
     }
     ended_ = true;
     const bool nothing = !std::exchange(begun_, true);
@@ -92,11 +122,6 @@ void PlanStream::fail() {
 }
 
 void PlanStream::read(std::size_t size) {
-    const double quantum = options_.unit_mm / 65536;
-    const auto take_next = [this] {
-        program_.moves.insert(program_.moves.end(), next_.begin(), next_.end());
-        next_.clear();
-    };
     double length = length_of(program_.moves) + length_of(next_);
     const auto is_full = [&] {
         const std::size_t moves = program_.moves.size() + next_.size();
@@ -105,19 +130,54 @@ void PlanStream::read(std::size_t size) {
     try {
         while (more_ && !is_full()) {
             take_next();
-            more_ = false;
-            for (Move move; !more_ && source_(move);) {
-                raise(move, raised_);
-                next_.push_back(move);
-                more_ = move.length() >= quantum;
-            }
+            read_next();
             length += length_of(next_);
-            if (!more_) take_next();
         }
     } catch (const InputError&) {
         fail();
     }
     check_next();
+}
+
+/// @throws InputError of the source
+void PlanStream::read_next() {
+    const double quantum = options_.unit_mm / 65536;
+    more_ = false;
+    for (Move move; !more_ && take(move);) {
+        next_.push_back(move);
+        more_ = move.length() >= quantum;
+    }
+    if (!more_) take_next();
+}
+
+void PlanStream::take_next() {
+    program_.moves.insert(program_.moves.end(), next_.begin(), next_.end());
+    next_.clear();
+}
+
+bool PlanStream::take(Move& move) {
+    if (!back_.empty()) {
+        move = back_.front();
+        back_.pop_front();
+        return true;
+    }
+    if (error_ || !source_(move)) return false;
+    raise(move, raised_);
+    return true;
+}
+
+/// Moves of the program_ that the window before has: it may have to go on as planned there.
+std::size_t PlanStream::planned_before() const { return before_ ? before_->end - dropped_ : 0; }
+
+/// The window's moves from `first` on.
+void PlanStream::put_back(std::size_t first) {
+    const auto from = program_.moves.begin() + static_cast<std::ptrdiff_t>(first);
+    back_.insert(back_.begin(), next_.begin(), next_.end());
+    back_.insert(back_.begin(), from, program_.moves.end());
+    program_.moves.erase(from, program_.moves.end());
+    size_ = first;
+    next_.clear();
+    read_next();
 }
 
 void PlanStream::raise_feed(double factor) {
@@ -127,6 +187,7 @@ void PlanStream::raise_feed(double factor) {
         raise(program_.moves[i], more);
     }
     for (Move& move : next_) raise(move, more);
+    for (Move& move : back_) raise(move, more);
 }
 
 void PlanStream::raise(Move& move, double factor) const {
@@ -153,14 +214,24 @@ bool PlanStream::check(const Move& move) {
     return true;
 }
 
-std::unique_ptr<PlanStream::Window> PlanStream::look() {
+/// At as many moves as `most` planned ones take, but at all that were planned before.
+std::unique_ptr<PlanStream::Window> PlanStream::look(std::size_t most) {
     auto window = std::make_unique<Window>();
+    const auto make = [&](std::size_t planned) {
+        window->geometry = make_geometry(program_, machine_, options_, miss_, planned);
+        const std::vector<PlannedMove>& moves = window->geometry.moves;
+        const std::size_t count = std::max(moves.size(), window->geometry.segments.size());
+        return count < planned ? program_.moves.size() : moves.back().move + 1;
+    };
+    std::size_t moves = 0;
     try {
-        window->geometry = make_geometry(program_, machine_, options_, miss_);
+        moves = make(most);
     } catch (const InputError&) {
         leave_out_what_fails();
-        window->geometry = make_geometry(program_, machine_, options_, miss_);
+        moves = make(most);
     }
+    if (moves < planned_before()) moves = make(SIZE_MAX);
+    if (moves < program_.moves.size()) put_back(moves);
     window->open = given_moves(given_);
     window->first = dropped_;
     window->end = dropped_ + program_.moves.size();
@@ -179,17 +250,17 @@ void PlanStream::leave_out_what_fails() {
 }
 
 /// False: it cannot go on.
-bool PlanStream::plan(Window& window) {
+bool PlanStream::plan(Window& window, std::size_t least) {
     try {
-        window.planned =
-            plan_window(program_, machine_, options_, window.geometry, given_, more_, window.plan);
+        window.planned = plan_window(program_, machine_, options_, window.geometry, given_, more_,
+                                     least, window.plan);
     } catch (const InputError&) {
         if (!before_) {
             ended_ = true;
             throw;
         }
         fail();
-        program_.moves.resize(before_->end - dropped_);
+        program_.moves.resize(planned_before());
     }
     return window.planned.has_value();
 }

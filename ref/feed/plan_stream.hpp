@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program of any length planned while it is read, in bounded memory.
 //
-// A window of moves is planned up to a rest at its end, as if the program ended there. Of this
-// motion the first part, up to a cut, is given out, and it stays. The next window begins with as
-// much of it as the rule of windows sees, goes on from the cut in the same speed, and reads more
-// moves. Where it cannot go on, what was planned behind the cut is given out after all, to its
-// rest.
+// A window of moves, as many as there is memory for, is planned up to a rest at its end, as if the
+// program ended there. Of this motion the first part, up to a cut, is given out, and it stays. The
+// next window begins with as much of it as the rule of windows sees, goes on from the cut in the
+// same speed, and reads more moves. Where it cannot go on, what was planned behind the cut is given
+// out after all, to its rest.
 #pragma once
 
+#include <deque>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -60,12 +61,17 @@ class PlanStream {
     struct Window;
 
     void read(std::size_t size);
+    void read_next();
+    void take_next();
+    std::size_t planned_before() const;
+    bool take(Move& move);
+    void put_back(std::size_t first);
     void check_next();
     void raise(Move& move, double factor) const;
     bool check(const Move& move);
-    std::unique_ptr<Window> look();
+    std::unique_ptr<Window> look(std::size_t most);
     void leave_out_what_fails();
-    bool plan(Window& window);
+    bool plan(Window& window, std::size_t least);
     Plan give_out(std::unique_ptr<Window> window);
     Plan stop_where_planned();
     Plan part(const Window& window, std::size_t first, std::size_t end);
@@ -78,6 +84,8 @@ class PlanStream {
     const PlanOptions options_;
     const double fastest_;
     double raised_ = 1;
+    std::size_t size_;             // moves of a window, that there is memory for
+    std::deque<Move> back_;        // read before, to be read again
     Program program_;              // the window's
     std::size_t begun_moves_ = 0;  // of it, that a part has, or the start of
     std::size_t dropped_ = 0;      // moves of the program before it

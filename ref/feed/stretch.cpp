@@ -26,13 +26,6 @@ constexpr double kKnots = 16;            // in it
 constexpr double kAny = 1e300;           // a limit that is none
 constexpr double kSameSpeed = 1e-9;      // relative
 
-/// A ramp half as long has knots 0.8 times as far apart: a looser limit is planned with more knots,
-/// but not by as much as it is looser.
-double knot_step(const PathShape& shape, const Machine& machine) {
-    const double step = kRampTime / kKnots * std::cbrt(ramp_time(shape, machine) / kRampTime);
-    return std::max(step, machine.joint_time);
-}
-
 /// How many times as far apart as elsewhere knots may be while the speed is constant.
 double knots_apart(const Move& move) {
     if (move.kind == Move::Kind::kCubic) return 2;
@@ -49,6 +42,13 @@ bool is_smooth(const std::vector<Phase>& phases) {
 }
 
 }  // namespace
+
+/// A ramp half as long has knots 0.8 times as far apart: a looser limit is planned with more knots,
+/// but not by as much as it is looser.
+double knot_step(const PathShape& shape, const Machine& machine) {
+    const double step = kRampTime / kKnots * std::cbrt(ramp_time(shape, machine) / kRampTime);
+    return std::max(step, machine.joint_time);
+}
 
 long double place_of(const Geometry& geometry, const Stretch& stretch, std::size_t move,
                      const PieceGrid& grid) {

@@ -55,6 +55,9 @@ struct Stretch {
     }
 };
 
+/// From knot to knot of a move, s, where the speed changes.
+double knot_step(const PathShape& shape, const Machine& machine);
+
 /// mm
 inline double length_of(const PlannedMove& move, const PieceGrid& grid) {
     return static_cast<double>(move.length) * grid.quantum;

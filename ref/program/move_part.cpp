@@ -50,12 +50,23 @@ Move part_of(const Move& move, double from, double to) {
     const double length = move.length();
     const double share = (to - from) / length;
     Move part = move;
-    if (from > 0) part.start = place_on(move, from).position;
+    const bool still = move.kind == Move::Kind::kLine && move.start == move.end;
+    const auto at = [&](double s) { return still ? move.start : place_on(move, s).position; };
+    if (from > 0) part.start = at(from);
+    if (move.kind == Move::Kind::kCubic) {
+        const double u0 = from > 0 ? parameter_at(move.cubic, from) : 0;
+        part.cubic = sub_cubic(move.cubic, u0, to < length ? parameter_at(move.cubic, to) : 1);
+    }
+    for (std::size_t i = 0; i < kAuxAxes; ++i) {
+        const double rate = (move.aux_end[i] - move.aux_start[i]) / length;
+        if (from > 0) part.aux_start[i] = move.aux_start[i] + rate * from;
+        if (to < length) part.aux_end[i] = move.aux_start[i] + rate * to;
+    }
     part.centre += from / length * move.advance;
     part.angle *= share;
     part.advance *= share;
     if (to < length) {
-        part.end = place_on(move, to).position;
+        part.end = at(to);
         part.exact_stop = false;
         part.dwell = 0;
     }

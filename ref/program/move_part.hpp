@@ -24,8 +24,7 @@ struct MovePlace {
 /// A move at the path length s of X Y Z, 0 .. length.
 MovePlace place_on(const Move& move, double s);
 
-/// A line or an arc from one path length to another, without auxiliary axes. The stop and the dwell
-/// stay behind the move's own end.
+/// The move from one path length to another. The stop and the dwell stay behind its own end.
 Move part_of(const Move& move, double from, double to);
 
 }  // namespace curvecore::ref

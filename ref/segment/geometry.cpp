@@ -136,7 +136,7 @@ class Cutter {
     Cutter(const Program& program, const Machine& machine, const PlanOptions& options, double miss)
         : program_(program), machine_(machine), options_(options), path_(miss / kQuanta) {}
 
-    Geometry run() {
+    Geometry run(std::size_t most) {
         if (program_.aux_axes > options_.aux_axes) {
             throw InputError(program_.file, 0,
                              fmt::format("the program needs AuxAxes {} (now {})", program_.aux_axes,
@@ -144,6 +144,7 @@ class Cutter {
         }
         for (std::size_t i = 0; i < program_.moves.size(); ++i) {
             const std::size_t first = geometry_.moves.size();
+            if (std::max(first, geometry_.segments.size()) >= most) break;
             const long double begin = path_ * kQuanta;
             add(i);
             if (first == geometry_.moves.size()) continue;
@@ -360,8 +361,8 @@ class Cutter {
 }  // namespace
 
 Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options,
-                       double miss) {
-    return Cutter(program, machine, options, miss).run();
+                       double miss, std::size_t most) {
+    return Cutter(program, machine, options, miss).run(most);
 }
 
 }  // namespace curvecore::ref

@@ -2,6 +2,8 @@
 // Moves to segments: cut so that every derived error bound holds, with exact path bookkeeping.
 #pragma once
 
+#include <cstdint>
+
 #include "ref/feed/path_shape.hpp"
 #include "ref/feed/planner.hpp"
 
@@ -34,7 +36,8 @@ struct Geometry {
 ///         the core has or faster along a spline than the words hold, an arc that misses its end
 ///         point, a bound that no cut can meet, a path beyond the program's words.
 /// @param miss PlannedMove::miss of the first move
+/// @param most so many planned moves or segments are enough: later moves are left out
 Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options,
-                       double miss = 0);
+                       double miss = 0, std::size_t most = SIZE_MAX);
 
 }  // namespace curvecore::ref

@@ -162,7 +162,7 @@ void JobStream::use(const Seen& seen) {
 }
 
 bool JobStream::take(ref::Move& move) {
-    if (!take_next(move)) return false;
+    if (!parts_.next(move)) return false;
     ++given_;
     if (keeps_) job_.plan.moves.push_back(move);
     return true;

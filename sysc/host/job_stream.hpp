@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "ref/feed/move_parts.hpp"
 #include "ref/feed/plan_stream.hpp"
 #include "sysc/host/drawn_moves.hpp"
 #include "sysc/host/job.hpp"
@@ -58,6 +59,7 @@ class JobStream {
     std::optional<ref::SplineForm> form_;
     Job job_;
     std::optional<DrawnMoves> moves_;
+    ref::MoveParts parts_{[this](ref::Move& move) { return take_next(move); }, job_.machine};
     std::vector<ref::Move> first_;  // of standard input, that were looked at
     std::size_t taken_ = 0;         // of these
     bool splines_ = false;

@@ -158,6 +158,22 @@ INSTANTIATE_TEST_SUITE_P(Of, Memory,
                                          std::vector<std::string>{"run", "--on", "kernel"}),
                          [](const auto& of) { return of.param.front(); });
 
+/// Motions that take hours: of chords, and of two lines.
+TEST(SlowPrograms, AreInTheSameMemory) {
+    std::string chords = "G21 G90 G64 P0.01 F6\n";
+    for (int i = 1; i <= 3000; ++i) {
+        chords += fmt::format("G1 X{} Y{:.2f}\n", i / 300 % 2 == 0 ? i % 300 : 300 - i % 300,
+                              i / 300 + i % 20 * 0.02);
+    }
+    const ProgramRun program;
+    for (const std::string& text : {chords, std::string("G21 G90 F1\nG1 X900\nG1 X0\n")}) {
+        program.write("part.ngc", text);
+        const ProgramResult result = program.run({"words", "part.ngc", "-q", "-o", "out"});
+        EXPECT_EQ(result.status, 0) << result.err;
+        EXPECT_LT(result.peak_kib, 64 * 1024) << text.substr(0, 40);
+    }
+}
+
 TEST(Stream, SegmentsAreWrittenUnlessTheyAreNotWanted) {
     const ProgramRun program;
     program.write("part.ngc", "G21 G90 F900\nG1 X10\n");

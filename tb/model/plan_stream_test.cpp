@@ -202,6 +202,23 @@ TEST(PlanStream, HasFewerLongMovesInAWindow) {
     EXPECT_LE(drawn_limits(all.plan, Machine{}).most(), 1);
 }
 
+/// However long its moves take, and however many stretches they have.
+TEST(PlanStream, HasAsMuchInAWindowAsThereIsMemoryFor) {
+    ProgramBuilder slow;
+    for (int i = 1; i <= 600; ++i) slow.line({i * 0.2, i % 2 * 0.01, 0}, 0.02);  // 10 s each
+    ProgramBuilder corners;
+    for (int i = 1; i <= 500; ++i) corners.line({i % 2 * 0.5, i * 0.2, 0}, 100);
+    for (ProgramBuilder* builder : {&slow, &corners}) {
+        Program program = with_tolerance(builder->program(), 0.005);
+        ref::smooth_path(program, Machine{});
+        const Joined all = joined(program, options(Effort::kOptimum), PlanOptions().window);
+        EXPECT_GE(all.parts, 2U);
+        EXPECT_EQ(all.forced_stops, 0U);
+        EXPECT_LT(all.jump, 1e-6);
+        expect_whole(all.plan);
+    }
+}
+
 /// In the middle of motion; what was given out stays.
 TEST(PlanStream, RaisesTheFeedOfWhatFollows) {
     for (const unsigned seed : {1U, 2U, 4U}) {
