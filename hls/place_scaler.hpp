@@ -26,7 +26,8 @@ struct StepRate {
     std::int64_t rate = 0;  // 2^-16 step per period
     bool fresh = false;     // the axis stands at this place: the rate is its fraction of a step
     bool moves = false;     // a rate that counts, and is not 0
-    bool refused = false;   // half a step per clock or more: the axis needs a new reference
+    bool refused = false;  // half a step per clock or more, or a program that begins a step or more
+                           // from where the axis stands: it needs a new reference
 };
 
 /// The rates of one axis. A rate has 16 + period_log2 bits: less than half a step per clock.
@@ -37,7 +38,8 @@ class PlaceScaler {
 
     void set_scale(std::int64_t scale) { scale_ = scale; }
 
-    StepRate next(std::int64_t position, bool fresh, bool referenced) {
+    /// `begins`: the sample is a program's first, from a standstill.
+    StepRate next(std::int64_t position, bool fresh, bool referenced, bool begins = false) {
         const std::int64_t here = place(position, scale_, fine_bits_);
         const std::int64_t moved = here - place_;
         place_ = here;
@@ -48,7 +50,9 @@ class PlaceScaler {
         } else {
             result.rate = wrapped(moved, half_);
             result.moves = referenced && result.rate != 0;
-            result.refused = referenced && result.rate != moved;
+            const bool elsewhere =
+                begins && moved != wrapped(moved, std::int64_t(1) << kStepFraction);
+            result.refused = referenced && (result.rate != moved || elsewhere);
         }
         return result;
     }

@@ -33,10 +33,11 @@ class StepGenerator {
     void stop(int axis, bool stop) { stopped_[axis] = stop; }
 
     /// A sample was taken: of the period after the next tick. One for each period at most.
-    void sample(const std::int64_t* positions) {
+    /// `begins`: a program's first.
+    void sample(const std::int64_t* positions, bool begins = false) {
         moving_ = false;
         for (std::size_t a = 0; a < axes_.size(); ++a) {
-            rates_[a] = scalers_[a].next(positions[a], fresh_[a], axes_[a].referenced());
+            rates_[a] = scalers_[a].next(positions[a], fresh_[a], axes_[a].referenced(), begins);
             fresh_[a] = false;
             moving_ = moving_ || rates_[a].moves;
         }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which words may enter a core's queues: whole frames, each word one that can be, frame after
-// frame. The first word that is not cuts the stream. Twins: rtl/queue/segment_entry.sv,
-// rtl/path/piece_entry.sv.
+// frame, each segment from where the one before ended. The first word that is not cuts the stream.
+// Twins: rtl/queue/segment_entry.sv, rtl/path/piece_entry.sv.
 #pragma once
 
-#include "hls/words.hpp"
+#include "hls/word_check.hpp"
 
 namespace curvecore {
 namespace hls {
@@ -14,7 +14,7 @@ enum class Entry {
     kPassed,     // it is in the queue
     kCompleted,  // and ends its frame
     kBadWord,    // it cannot be here: the stream is cut
-    kBadOrder,   // a frame is missing or came twice: the stream is cut
+    kBadOrder,   // a frame is missing, came twice or is foreign: the stream is cut
     kDropped     // the stream is cut
 };
 
@@ -27,29 +27,48 @@ inline bool sign_extended(std::uint64_t word, int bits, int field_bits) {
     return above == 0 || above == (std::uint64_t(1) << (field_bits - bits + 1)) - 1;
 }
 
-/// What both streams share: the place in a frame, the frame's number, the cut.
+/// What both streams share: the place in a frame, the frame's number, the check, the cut.
 class FrameEntry {
   public:
     bool cut() const { return cut_; }
 
   protected:
-    Entry verdict(std::uint64_t word, bool can_be, bool in_order, bool completes) {
+    /// Of a word: the number of its frame stands in it; it follows on the frame before; it ends its
+    /// frame.
+    struct Place {
+        bool numbered;
+        bool follows;
+        bool completes;
+    };
+
+    Entry verdict(std::uint64_t word, bool can_be, const Place& place) {
         if (cut_) return Entry::kDropped;
+        const WordCheck::Above above = place.numbered               ? WordCheck::Above::kNumber
+                                       : WordCheck::has_check(tag_) ? WordCheck::Above::kCheck
+                                                                    : WordCheck::Above::kNeither;
         const bool tagged = get(kTagField, word) == static_cast<std::uint64_t>(tag_);
-        cut_ = !(tagged && can_be && in_order);
-        if (!(tagged && can_be)) return Entry::kBadWord;
+        const bool holds =
+            above != WordCheck::Above::kCheck || get(kCheckField, word) == check_.of(word, above);
+        const bool in_order =
+            place.follows && (!place.numbered || get(kSequenceField, word) == sequence_);
+        cut_ = !(tagged && can_be && holds && in_order);
+        if (!(tagged && can_be && holds)) return Entry::kBadWord;
         if (!in_order) return Entry::kBadOrder;
-        if (!completes) return Entry::kPassed;
+        check_.pass(word, above);
+        if (!place.completes) return Entry::kPassed;
+        if (last_) check_.begin_program();
         sequence_ = (sequence_ + 1) & mask(kSequenceField);
         return Entry::kCompleted;
     }
 
-    Tag tag_;  // that the next word must have
-    std::uint64_t sequence_ = 0;
+    Tag tag_;            // that the next word must have
+    bool last_ = false;  // the frame under way ends its program
 
     explicit FrameEntry(Tag first) : tag_(first) {}
 
   private:
+    std::uint64_t sequence_ = 0;
+    WordCheck check_;
     bool cut_ = false;
 };
 
@@ -65,11 +84,13 @@ class SegmentEntry : public detail::FrameEntry, private C {
     Entry take(std::uint64_t word) {
         const bool completes = tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
         const bool numbered = tag_ == Tag::kTangent && axis_ == 0;
-        const bool in_order = !numbered || get(kSequenceField, word) == sequence_;
-        const Entry entry = verdict(word, can_be(word), in_order, completes);
+        const Entry entry = verdict(word, can_be(word), {numbered, follows(word), completes});
+        if (tag_ == Tag::kNormal && axis_ == 0) other_turn_ = get(kOtherTurnField, word) != 0;
+        if (tag_ == Tag::kEnd) ends_[axis_] = get(kPointField, word);
         if (tag_ == Tag::kTheta) {
             spline_ = get(kKindField, word) == 1;
             k_ = get(kStepExponentField, word);
+            last_ = get(kLastField, word) != 0;
         }
         if (entry == Entry::kPassed || entry == Entry::kCompleted) advance(completes);
         return entry;
@@ -85,11 +106,10 @@ class SegmentEntry : public detail::FrameEntry, private C {
             case Tag::kEnd:
                 return detail::sign_extended(word, C::kFineBits, kPointField.bits);
             case Tag::kTangent:
+            case Tag::kAdvance:
                 return coef;
             case Tag::kNormal:
                 return coef && (axis_ != 0 || lambda_can_be(word));
-            case Tag::kAdvance:
-                return coef && get({36, 8}, word) == 0;
             default:
                 return true;
         }
@@ -106,12 +126,20 @@ class SegmentEntry : public detail::FrameEntry, private C {
     }
 
     bool lambda_can_be(std::uint64_t word) const {
-        const std::uint64_t lambda = get({36, 8}, word);
-        return spline_ ? lambda <= kMaxStepExponent && k_ <= lambda : lambda == 0;
+        const std::uint64_t lambda = get(kLambdaField, word);
+        return get({43, 1}, word) == 0 &&
+               (spline_ ? lambda <= kMaxStepExponent && k_ <= lambda : lambda == 0);
+    }
+
+    /// It starts where the segment before ended.
+    bool follows(std::uint64_t word) const {
+        if (tag_ != Tag::kStart || any_start_ || (other_turn_ && axis_ >= 3)) return true;
+        return get(kPointField, word) == ends_[axis_];
     }
 
     void advance(bool completes) {
         if (completes) {
+            any_start_ = false;
             tag_ = Tag::kLength;
             axis_ = 0;
         } else if (tag_ == Tag::kAdvance) {
@@ -128,6 +156,9 @@ class SegmentEntry : public detail::FrameEntry, private C {
     int axis_ = 0;
     bool spline_ = false;
     std::uint64_t k_ = 0;
+    bool other_turn_ = false;
+    bool any_start_ = true;
+    std::uint64_t ends_[C::kMostAxes] = {};
 };
 
 class PieceEntry : public detail::FrameEntry {
@@ -137,8 +168,8 @@ class PieceEntry : public detail::FrameEntry {
     Entry take(std::uint64_t word) {
         if (tag_ == Tag::kPiece && !stop_ && get(kTagField, word) == kStopTag) tag_ = Tag::kStop;
         const bool completes = tag_ == Tag::kC3;
-        const bool in_order = tag_ != Tag::kPiece || get(kPieceSequenceField, word) == sequence_;
-        const Entry entry = verdict(word, can_be(word), in_order, completes);
+        const Entry entry = verdict(word, can_be(word), {tag_ == Tag::kPiece, true, completes});
+        if (tag_ == Tag::kPiece) last_ = get(kFinalField, word) != 0;
         if (entry == Entry::kPassed || entry == Entry::kCompleted) {
             stop_ = tag_ == Tag::kStop || (stop_ && tag_ != Tag::kPiece);
             tag_ = next(word);
@@ -158,12 +189,11 @@ class PieceEntry : public detail::FrameEntry {
     bool can_be(std::uint64_t word) const {
         if (tag_ == Tag::kStop) return get({20, 24}, word) == 0 && get(kStopWaitField, word) != 0;
         if (tag_ == Tag::kStep) return get(kStepTicksField, word) != 0;
-        if (tag_ == Tag::kDs) return true;
-        if (tag_ != Tag::kPiece) return get({36, 8}, word) == 0;
+        if (tag_ != Tag::kPiece) return true;
         const std::uint64_t ticks = get(kPieceTicksField, word);
         const std::uint64_t m = get(kTimeExponentField, word);
         return m <= kMaxTimeExponent && get(kExponentField, word) <= kMaxProfileExponent &&
-               ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({40, 4}, word) == 0;
+               ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({32, 4}, word) == 0;
     }
 
     bool stop_ = false;  // the next piece has a branch already

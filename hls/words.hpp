@@ -21,8 +21,10 @@
 //   |           | advance      | as tangent: linear rate per unit of path                       |
 //   | 3, 4, 7   | start, end, advance for each auxiliary axis                                   |
 //
+//   of every axis in the advance's word: check [43:36] (hls/word_check.hpp)
 //   of X in the tangent's word: sequence [43:36], one more than in the segment before, from 0
-//   of X in the normal's word:  lambda [41:36]
+//   of X in the normal's word:  lambda [41:36]; other turn [42]: auxiliary axes may start
+//   elsewhere than the segment before ended, since their words leave other whole turns out
 //   of Y and Z in the tangent's and normal's words: ticks, a byte [43:36] each, low byte first:
 //   the time of the profile in which the segment is drawn; a program's ticks are those of its
 //   pieces, together
@@ -44,9 +46,9 @@
 //   | tag      | word     | fields                                                              |
 //   |----------|----------|---------------------------------------------------------------------|
 //   | 8        | piece    | ticks [19:0] 1..2^m; m [24:20] 0..19; e [30:25] 0..46; final [31];   |
-//   |          |          | sequence [39:32], one more than in the piece before, from 0         |
+//   |          |          | sequence [43:36], one more than in the piece before, from 0         |
 //   | 9        | ds       | [43:0] unsigned, path quanta                                        |
-//   | 10 .. 12 | c1 c2 c3 | [35:0] 34 fraction bits, in 2^e quanta                               |
+//   | 10 .. 12 | c1 c2 c3 | [35:0] 34 fraction bits, in 2^e quanta; check [43:36]                |
 //
 // A stop branch, before the piece that it belongs to (hls/stop_schedule.hpp):
 //
@@ -79,6 +81,7 @@ struct SegmentWords {
     int lambda = 0;           // 0 for arcs
     std::uint32_t ticks = 0;  // of the profile, in which it is drawn
     bool last = false;        // of its program
+    bool other_turn = false;  // the words of auxiliary axes leave other turns out than before
     typename C::Fine start[C::kMostAxes] = {};
     typename C::Fine end[C::kMostAxes] = {};
     typename C::Coef tangent[3] = {};             // of a spline: a
@@ -107,7 +110,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 4;  // of these formats; every file of words says it
+constexpr int kWordsVersion = 5;  // of these formats; every file of words says it
 
 enum class Tag {
     kLength = 1,
@@ -132,14 +135,15 @@ constexpr Field kCoefField{0, 36};
 constexpr Field kKindField{36, 2};
 constexpr Field kStepExponentField{38, 5};
 constexpr Field kLastField{43, 1};
-constexpr Field kSequenceField{36, 8};
+constexpr Field kSequenceField{36, 8};  // also a piece's
+constexpr Field kCheckField{36, 8};
 constexpr Field kLambdaField{36, 6};
+constexpr Field kOtherTurnField{42, 1};
 constexpr Field kTicksByteField{36, 8};
 constexpr Field kPieceTicksField{0, 20};
 constexpr Field kTimeExponentField{20, 5};
 constexpr Field kExponentField{25, 6};
 constexpr Field kFinalField{31, 1};
-constexpr Field kPieceSequenceField{32, 8};
 
 constexpr Field kStopWaitField{0, ref::kStopWaitBits};
 constexpr Field kStepTicksField{0, ref::kStepTicksBits};
@@ -164,7 +168,8 @@ inline std::int64_t signed_bits(std::uint64_t word, int bits) {
 }
 }  // namespace detail
 
-/// A segment as the bus and the memory file carry it: 17 + 3 AuxAxes words to `out`.
+/// A segment as the bus and the memory file carry it, but for its checks (hls/word_check.hpp):
+/// 17 + 3 AuxAxes words to `out`.
 template <class C>
 inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out,
                  const C& c = C()) {
@@ -180,9 +185,10 @@ inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_
             const std::int64_t ticks = axis == 0 ? 0 : segment.ticks >> (16 * (axis - 1));
             *out++ = bus_word(Tag::kTangent, kCoefField, to_int(segment.tangent[axis])) |
                      (axis == 0 ? put(kSequenceField, sequence) : put(kTicksByteField, ticks));
-            *out++ =
-                bus_word(Tag::kNormal, kCoefField, to_int(segment.normal[axis])) |
-                (axis == 0 ? put(kLambdaField, segment.lambda) : put(kTicksByteField, ticks >> 8));
+            *out++ = bus_word(Tag::kNormal, kCoefField, to_int(segment.normal[axis])) |
+                     (axis == 0 ? put(kLambdaField, segment.lambda) |
+                                      put(kOtherTurnField, segment.other_turn)
+                                : put(kTicksByteField, ticks >> 8));
         }
         *out++ = bus_word(Tag::kAdvance, kCoefField, to_int(segment.advance[axis]));
     }
@@ -218,11 +224,12 @@ inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
     return segment;
 }
 
-/// A profile piece as the bus and the memory file carry it; `out` has kProfileBusWords words.
+/// A profile piece as the bus and the memory file carry it, but for its checks; `out` has
+/// kProfileBusWords words.
 inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* out) {
     out[0] = put(kTagField, static_cast<int>(Tag::kPiece)) | put(kPieceTicksField, piece.ticks) |
              put(kTimeExponentField, piece.time_exponent) | put(kExponentField, piece.exponent) |
-             put(kFinalField, piece.final) | put(kPieceSequenceField, sequence);
+             put(kFinalField, piece.final) | put(kSequenceField, sequence);
     out[1] = detail::bus_word(Tag::kDs, kLengthField, to_int(piece.ds));
     for (int i = 0; i < 3; ++i) {
         const Tag tag = static_cast<Tag>(static_cast<int>(Tag::kC1) + i);

@@ -29,9 +29,10 @@
 // Faults are sticky until reset.  Those of words cut the streams: further words are taken and
 // dropped, what is queued is drawn to a stop.
 //
-//   fault_o[0]  a segment word that cannot be: lost, doubled, foreign, out of range
-//   fault_o[1]  a segment is missing or came twice
-//   fault_o[2]  a profile word that cannot be
+//   fault_o[0]  a segment word that cannot be, or is not as it was made: lost, doubled, swapped,
+//               changed, foreign, out of range
+//   fault_o[1]  a segment is missing or came twice, or does not start where the one before ended
+//   fault_o[2]  a profile word that cannot be, or is not as it was made
 //   fault_o[3]  a piece is missing or came twice
 //   fault_o[4]  segments and pieces of a program end apart, in path or ticks
 //   fault_o[5]  a full queue does not cover a stop

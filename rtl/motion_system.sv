@@ -13,7 +13,7 @@
 // After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
 // writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words as ROOM lets
 // it; the first sample of the program says where the axes stand. After CONTROL.flush the next
-// program has to begin where they stand, or they are referenced anew.
+// program has to begin less than a step from where they stand, or they are referenced anew.
 //
 //   clock             0       1       2       3       4
 //   estop_i, limit_i  1
@@ -186,7 +186,7 @@ module motion_system #(
   );
 
   // What may be
-  logic hold, ends, empty, active, standing, underrun;
+  logic hold, ends, empty, begins, active, standing, underrun;
   logic [7:0] motion_fault;
   logic sample_valid, sample_ready;
   logic [Axes*FineBits-1:0] sample;
@@ -230,6 +230,7 @@ module motion_system #(
       .hold_o(hold),
       .ends_o(ends),
       .words_o(words),
+      .begins_o(begins),
       .position_o(by_position),
       .samples_o(positions),
       .queued_i(queued),
@@ -368,6 +369,7 @@ module motion_system #(
       .by_axis_i(by_position),
       .axis_o(position_axis),
       .position_i(position),
+      .begins_i(begins),
       .reference_i(reference_axes),
       .estop_i,
       .limit_i,

@@ -44,6 +44,7 @@ module machine_state #(
     output logic            hold_o,
     output logic            ends_o,
     output logic            words_o,         // may be taken
+    output logic            begins_o,        // the next sample is a program's first
 
     // Positions of the host
     output logic      position_o,  // move it, not a program
@@ -143,7 +144,8 @@ module machine_state #(
   logic clean_q;
   logic rests;
   assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow] || caught_i;
-  assign rests  = position_o ? !queued_i : standing_i || !moved_q;
+  assign begins_o = !moved_q && !position_o;
+  assign rests = position_o ? !queued_i : standing_i || !moved_q;
   assign ends_o = !enable_o || (flush_q && rests);
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

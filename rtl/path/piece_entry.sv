@@ -35,12 +35,14 @@ module piece_entry (
   logic stops;
   logic complete;
   logic ds;
+  logic checked;
   logic can_be;
   logic pass;
   assign stops    = data_o[words_pkg::TagLow+:words_pkg::TagBits] == words_pkg::TagStop;
   assign tag      = (tag_q == words_pkg::TagPiece && !stop_q && stops) ? words_pkg::TagStop : tag_q;
   assign complete = tag == words_pkg::TagC3;
   assign ds       = tag == words_pkg::TagDs;
+  assign checked  = tag == words_pkg::TagC1 || tag == words_pkg::TagC2 || complete;
   assign ds_o     = pass && ds;
   always_comb begin
     next_tag = tag + 4'd1;
@@ -59,9 +61,7 @@ module piece_entry (
     end
   end
 
-  frame_entry #(
-      .SequenceLow(words_pkg::PieceSequenceLow)
-  ) u_entry (
+  frame_entry u_entry (
       .clk_i,
       .rst_ni,
       .valid_i,
@@ -75,21 +75,22 @@ module piece_entry (
       .tag_i(tag),
       .can_be_i(can_be),
       .numbered_i(tag == words_pkg::TagPiece),
+      .checked_i(checked),
+      .follows_i(1'b1),
       .complete_i(complete),
+      .last_i(final_o),
       .pass_o(pass),
       .frame_o(piece_o),
       .fault_o
   );
 
   // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m; subtracted on the way in
-  localparam int FirstSpare = words_pkg::PieceSequenceLow + words_pkg::PieceSequenceBits;
-  localparam int CoefBits = words_pkg::CoefBits;
+  localparam int FirstSpare = words_pkg::FinalLow + words_pkg::FinalBits;
   logic [words_pkg::PieceTicksBits-1:0] less_one_q;
   logic [words_pkg::TimeExponentBits-1:0] m;
   logic [words_pkg::ExponentBits-1:0] e;
   logic lasts;
   logic piece_word;
-  logic no_rest;  // the bits above a coefficient
   always_ff @(posedge clk_i) begin
     if (ready_o) less_one_q <= data_i[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits] - 1'b1;
   end
@@ -97,20 +98,18 @@ module piece_entry (
   assign e = data_o[words_pkg::ExponentLow+:words_pkg::ExponentBits];
   assign lasts = less_one_q >> m == '0;
   assign piece_word = m <= words_pkg::MostTimeExponent && e <= words_pkg::MostExponent && lasts &&
-      data_o[words_pkg::TagLow-1:FirstSpare] == '0;
+      data_o[words_pkg::SequenceLow-1:FirstSpare] == '0;
   logic wait_word;
   logic step_word;
   assign wait_word = data_o[words_pkg::StopWaitBits-1:0] != '0 &&
       data_o[words_pkg::TagLow-1:words_pkg::StopWaitBits] == '0;
   assign step_word = data_o[words_pkg::StepTicksBits-1:0] != '0;
-  assign no_rest = data_o[words_pkg::TagLow-1:CoefBits] == '0;
   always_comb begin
     case (tag)
       words_pkg::TagPiece: can_be = piece_word;
       words_pkg::TagStop:  can_be = wait_word;
       words_pkg::TagStep:  can_be = step_word;
-      words_pkg::TagDs:    can_be = 1'b1;
-      default:             can_be = no_rest;
+      default:             can_be = 1'b1;
     endcase
   end
 

@@ -31,6 +31,7 @@ module motion_pins #(
     input  wire logic                     sample_valid_i,
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic                     begins_i,
     input  wire logic [         Axes-1:0] reference_i,
 
     // Or axis by axis: rtl/pulse/place_scaler.sv
@@ -90,6 +91,7 @@ module motion_pins #(
       .sample_valid_i,
       .sample_ready_o,
       .sample_i,
+      .begins_i,
       .reference_i,
       .by_axis_i,
       .axis_o,

@@ -17,7 +17,8 @@
 //
 // An axis that is to be referenced (fresh_i) takes its place as it is: the rate is the place's
 // signed fraction of a step, and counts from a standstill on a whole step.
-// A rate that is no word of RateBits, half a step per clock or more, is refused.
+// A rate that is no word of RateBits, half a step per clock or more, is refused; of the sample that
+// a program begins with (begins_i) that of a step or more: the axis stands elsewhere.
 //
 // A sample is one word of all axes, or with by_axis_i the position of axis_o, a clock later; its
 // lowest bit is 0, for it is looked at in the same clock.
@@ -46,6 +47,7 @@ module place_scaler #(
     input  wire logic                     by_axis_i,       // while none is offered, it may change
     output logic      [              3:0] axis_o,
     input  wire logic [     FineBits-1:0] position_i,      // instead, of that axis
+    input  wire logic                     begins_i,        // a program, from a standstill
 
     // Which axes are referenced by this sample, and which count at all
     input  wire logic [Axes-1:0] fresh_i,
@@ -192,13 +194,15 @@ module place_scaler #(
   logic moves_q;
   logic refused_q;
   logic fits;
+  logic near;
   logic signed [RateBits-1:0] rate;
   assign fits = sum_q[SumBits-1:RateBits-1] == '0 || sum_q[SumBits-1:RateBits-1] == '1;
+  assign near = sum_q[RateBits-1:Fraction] == '0 || sum_q[RateBits-1:Fraction] == '1;
   assign rate = fresh_q ? {{(RateBits - Fraction) {sum_q[Fraction-1]}}, sum_q[Fraction-1:0]} :
       sum_q[RateBits-1:0];
   always_ff @(posedge clk_i) begin
     counts_q  <= (referenced_i & here) != '0 && !fresh_q;
-    refused_q <= counts_q && !fits;
+    refused_q <= counts_q && !(fits && (near || !begins_i));
     moves_q   <= counts_q && sum_q[RateBits-1:0] != '0;
   end
   always_comb begin

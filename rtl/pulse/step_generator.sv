@@ -25,7 +25,8 @@
 // reference_i: the next sample says where the axis stands; before that it gives no steps. estop_i
 // (all axes) and limit_i (each) come from outside: two clocks of a synchroniser and one more, and
 // the step pin is low; of stop_i one clock. The axis then needs a reference, and so it does after a
-// refused rate: half a step per clock or more.
+// refused rate: half a step per clock or more, or a program that begins a step or more from where
+// the axis stands.
 //
 // The flags of an axis stay until its next reference. late_o, for one clock: a sample was not there
 // in time while the axes were moving; those that were stopped do not.
@@ -58,6 +59,7 @@ module step_generator #(
     input  wire logic                     sample_valid_i,
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
+    input  wire logic                     begins_i,        // with a program's first sample
     input  wire logic [         Axes-1:0] reference_i,
 
     // Or axis by axis: rtl/pulse/place_scaler.sv
@@ -135,6 +137,7 @@ module step_generator #(
       .by_axis_i,
       .axis_o,
       .position_i,
+      .begins_i,
       .fresh_i(fresh_q),
       .referenced_i(referenced_o),
       .fresh_taken_o(fresh_taken),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The word at the entry of a queue: it passes if it is the one that has to come, and can be.  The
+// The word at the entry of a queue: it passes if it is the one that has to come, can be, and has
+// the check of itself and of those before, since their program began (hls/word_check.hpp).  The
 // first that is not cuts the stream: it and all that follow are taken and dropped, until reset.
 // Which word has to come, and what it may be, the stream says: rtl/queue/segment_entry.sv,
 // rtl/path/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
@@ -15,9 +16,7 @@
 //
 // cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.
 `default_nettype none
-module frame_entry #(
-    parameter int SequenceLow = 36  // the frame's number, in the word with numbered_i
-) (
+module frame_entry (
     input wire logic clk_i,
     input wire logic rst_ni,
 
@@ -33,24 +32,28 @@ module frame_entry #(
 
     input  wire logic [3:0] tag_i,       // that the word must have
     input  wire logic       can_be_i,
-    input  wire logic       numbered_i,
+    input  wire logic       numbered_i,  // above it stands its frame's number
+    input  wire logic       checked_i,   // or a check
+    input  wire logic       follows_i,   // on the frame before
     input  wire logic       complete_i,  // it ends its frame
+    input  wire logic       last_i,      // and that its program
     output logic            pass_o,
     output logic            frame_o,
     output logic      [1:0] fault_o      // word, sequence
 );
 
   localparam int Bits = words_pkg::SequenceBits;
-  initial if (SequenceLow < 0 || SequenceLow > 36) $fatal(1, "SequenceLow must be in [0, 36]");
-
   logic held_q;
   logic cut;
   logic can_be;
   logic in_order;
   logic [Bits-1:0] sequence_q;
+  logic [words_pkg::CheckBits-1:0] above;
+  logic holds;
+  assign above    = data_o[words_pkg::CheckLow+:words_pkg::CheckBits];
   assign cut      = cut_i || fault_o != 2'b00;
-  assign can_be   = can_be_i && data_o[words_pkg::TagLow+:words_pkg::TagBits] == tag_i;
-  assign in_order = !numbered_i || data_o[SequenceLow+:Bits] == sequence_q;
+  assign can_be   = can_be_i && data_o[words_pkg::TagLow+:words_pkg::TagBits] == tag_i && holds;
+  assign in_order = follows_i && (!numbered_i || above == sequence_q);
   assign valid_o  = held_q && can_be && in_order && !cut && !wait_i;
   assign pass_o   = valid_o && ready_i;
   assign ready_o  = !held_q || pass_o || cut;
@@ -68,6 +71,24 @@ module frame_entry #(
       frame_o <= pass_o && complete_i;
       if (pass_o && complete_i) sequence_q <= sequence_q + 1'b1;
     end
+  end
+
+  // The check: 2^8 times what it was, modulo x^16 + x^3 + 1, and the word
+  logic [15:0] check_q;
+  logic [15:0] check;
+  logic [ 7:0] top;
+  logic [43:0] counted;  // without its number, or its check
+  assign top = check_q[15:8];
+  assign check = {check_q[7:0], top} ^ {5'd0, top, 3'd0} ^ {4'd0, counted[43:32]} ^
+      counted[31:16] ^ counted[15:0];
+  assign holds = !checked_i || above == (check[15:8] ^ check[7:0]);
+  always_comb begin
+    counted = data_o[words_pkg::TagLow-1:0];
+    if (numbered_i || checked_i) counted[words_pkg::CheckLow+:words_pkg::CheckBits] = '0;
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) check_q <= '0;
+    else if (pass_o) check_q <= complete_i && last_i ? '0 : check;
   end
 
 endmodule

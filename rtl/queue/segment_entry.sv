@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets words into the queue of segments: whole segments, one after the other, of words that can be.
+// Lets words into the queue of segments: whole segments, one after the other, of words that can be;
+// each starts where the one before ended, the first after a reset anywhere.
 // Clocks: rtl/queue/frame_entry.sv; ticks_o and last_o with segment_o, a segment's last, and until
 // the clock after. length_o: data_o passes, and is the length; it does so with turn_i only.
 // Word format: hls/words.hpp.  Twin: SegmentEntry of hls/word_entry.hpp.
@@ -70,9 +71,7 @@ module segment_entry #(
     end
   end
 
-  frame_entry #(
-      .SequenceLow(words_pkg::SequenceLow)
-  ) u_entry (
+  frame_entry u_entry (
       .clk_i,
       .rst_ni,
       .valid_i,
@@ -86,11 +85,30 @@ module segment_entry #(
       .tag_i(tag_q),
       .can_be_i(can_be),
       .numbered_i(tag_q == words_pkg::TagTangent && axis_q == 4'd0),
+      .checked_i(tag_q == words_pkg::TagAdvance),
+      .follows_i(follows),
       .complete_i(complete),
+      .last_i(last_o),
       .pass_o(pass),
       .frame_o(segment_o),
       .fault_o
   );
+
+  // Where the segment before ended, by axis: read for the axis of the next start
+  logic any_start_q;
+  logic other_turn_q;
+  logic follows;
+  logic [FineBits-1:0] end_q;
+  (* no_rw_check *)
+  logic [FineBits-1:0] ends[16];
+  assign follows = tag_q != words_pkg::TagStart || data_o[FineBits-1:0] == end_q ||
+      any_start_q || (other_turn_q && !xyz);
+  always_ff @(posedge clk_i) begin
+    if (pass && tag_q == words_pkg::TagEnd) ends[axis_q] <= data_o[FineBits-1:0];
+    end_q <= ends[axis_d];
+    if (!rst_ni) any_start_q <= 1'b1;
+    else if (pass && complete) any_start_q <= 1'b0;
+  end
 
   // What it may be.  A coefficient of CoefBits is sign-extended in its field, a point in its.
   localparam int CoefField = words_pkg::CoefBits;
@@ -114,7 +132,7 @@ module segment_entry #(
     assign theta_fits = below || largest;
   end
 
-  localparam int FirstSpare = words_pkg::LambdaLow + words_pkg::LambdaBits;
+  localparam int FirstSpare = words_pkg::OtherTurnLow + words_pkg::OtherTurnBits;
   logic spline_q;
   logic [words_pkg::StepExponentBits-1:0] k_q;
   logic [words_pkg::StepExponentBits-1:0] k;
@@ -122,11 +140,9 @@ module segment_entry #(
   logic [words_pkg::LambdaBits-1:0] lambda;
   logic scale_fits;
   logic theta_word;
-  logic no_rest;  // the bits above a coefficient
   assign kind = data_o[words_pkg::KindLow+:words_pkg::KindBits];
   assign k = data_o[words_pkg::StepExponentLow+:words_pkg::StepExponentBits];
   assign lambda = data_o[words_pkg::LambdaLow+:words_pkg::LambdaBits];
-  assign no_rest = data_o[words_pkg::TagLow-1:CoefField] == '0;
   assign scale_fits = data_o[words_pkg::TagLow-1:FirstSpare] == '0 &&
       (spline_q ? lambda <= words_pkg::MostLambda && {1'b0, k_q} <= lambda : lambda == '0);
   assign theta_word = k <= words_pkg::MostStepExponent &&
@@ -135,9 +151,8 @@ module segment_entry #(
     case (tag_q)
       words_pkg::TagTheta: can_be = theta_word;
       words_pkg::TagStart, words_pkg::TagEnd: can_be = point_fits;
-      words_pkg::TagTangent: can_be = coef_fits;
+      words_pkg::TagTangent, words_pkg::TagAdvance: can_be = coef_fits;
       words_pkg::TagNormal: can_be = coef_fits && (axis_q != 4'd0 || scale_fits);
-      words_pkg::TagAdvance: can_be = coef_fits && no_rest;
       default: can_be = 1'b1;
     endcase
   end
@@ -149,6 +164,8 @@ module segment_entry #(
       k_q      <= k;
       last_o   <= data_o[words_pkg::LastLow];
     end
+    if (pass && tag_q == words_pkg::TagNormal && axis_q == 4'd0)
+      other_turn_q <= data_o[words_pkg::OtherTurnLow];
     // Two bytes of Y, two of Z, and the two of X that are none go out at the far end.
     if (pass && (tag_q == words_pkg::TagTangent || tag_q == words_pkg::TagNormal))
       ticks_o <= {data_o[words_pkg::TicksByteLow+:words_pkg::TicksByteBits], ticks_o[31:8]};

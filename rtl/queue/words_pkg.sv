@@ -3,7 +3,7 @@
 `default_nettype none
 package words_pkg;
 
-  localparam int Version = 4;
+  localparam int Version = 5;
 
   localparam logic [3:0] TagLength = 4'd1;
   localparam logic [3:0] TagTheta = 4'd2;
@@ -37,8 +37,12 @@ package words_pkg;
   localparam int LastBits = 1;
   localparam int SequenceLow = 36;
   localparam int SequenceBits = 8;
+  localparam int CheckLow = 36;
+  localparam int CheckBits = 8;
   localparam int LambdaLow = 36;
   localparam int LambdaBits = 6;
+  localparam int OtherTurnLow = 42;
+  localparam int OtherTurnBits = 1;
   localparam int TicksByteLow = 36;
   localparam int TicksByteBits = 8;
   localparam int PieceTicksLow = 0;
@@ -49,8 +53,6 @@ package words_pkg;
   localparam int ExponentBits = 6;
   localparam int FinalLow = 31;
   localparam int FinalBits = 1;
-  localparam int PieceSequenceLow = 32;
-  localparam int PieceSequenceBits = 8;
   localparam int StopWaitLow = 0;
   localparam int StopWaitBits = 20;
   localparam int StepTicksLow = 0;

@@ -19,9 +19,10 @@ enum Fault {
 };
 
 inline std::string fault_text(unsigned fault) {
-    const char* const causes[kFaults] = {"a segment word that cannot be",
-                                         "a segment missing or doubled",
-                                         "a profile word that cannot be",
+    const char* const causes[kFaults] = {"a segment word that cannot be, or is not as it was made",
+                                         "a segment missing or doubled, or not from where the one "
+                                         "before ended",
+                                         "a profile word that cannot be, or is not as it was made",
                                          "a piece missing or doubled",
                                          "segments and pieces end apart",
                                          "a full queue does not cover a stop",

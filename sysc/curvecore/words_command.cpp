@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "hls/words.hpp"
 #include "ref/feed/planned_branches.hpp"
@@ -40,7 +41,9 @@ std::string segments_head(const Job& job) {
         "//   5..7 tangent, normal, advance [35:0] ({} bits, {} fraction bits, sign-extended)\n"
         "// 3 .. 7 for X, Y and Z, then 3, 4 and 7 for each auxiliary axis; above the "
         "coefficients,\n"
-        "// [43:36]: X sequence, lambda; Y and Z four bytes of ticks, the lowest first\n",
+        "// [43:36]: X sequence, lambda and other turn [42]; Y and Z four bytes of ticks, the "
+        "lowest\n"
+        "// first; of advance the check\n",
         ref::segment_bus_words(job.options.core.aux_axes), coef - 1, coef - 1, fine,
         job.options.core.guard_bits, coef, coef - 2);
     if (job.options.core.splines != 0) {
@@ -53,9 +56,9 @@ std::string segments_head(const Job& job) {
 std::string profile_head(const Job& job) {
     return head(job, "feed profile") +
            "// 5 words a piece of constant jerk, each a tag [47:44] and 44 bits:\n"
-           "//   8       ticks [19:0], m [24:20], e [30:25], final [31], sequence [39:32]\n"
+           "//   8       ticks [19:0], m [24:20], e [30:25], final [31], sequence [43:36]\n"
            "//   9       ds [43:0], path quanta\n"
-           "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta:\n"
+           "//   10..12  c1 c2 c3 [35:0]: 34 fraction bits, in 2^e quanta; check [43:36]:\n"
            "//           s = 2^e (c1 tau + c2 tau^2 + c3 tau^3), tau = t / 2^m, t in ticks\n"
            "// before some of them a stop branch:\n"
            "//   13      wait [19:0], ticks to the next one\n"
@@ -69,18 +72,20 @@ class WordFiles {
         : segments_(folder, "segments.hex"), profile_(folder, "profile.hex") {}
 
     void add(const Job& job, const ref::Plan& part) {
-        if (count_ == 0) {
+        if (!writer_) {
+            writer_.emplace(job.options.core);
             segments_.write(segments_head(job));
             profile_.write(profile_head(job));
         }
         for (const ref::Segment& segment : part.segments) {
-            std::string text = fmt::format("// segment {}, line {}\n", count_, segment.line);
-            append(text, segment_bus_words(segment, count_++, job.options.core));
+            std::string text =
+                fmt::format("// segment {}, line {}\n", writer_->count(), segment.line);
+            append(text, writer_->write(segment));
             segments_.write(text);
         }
         for (std::size_t i = 0; i < part.pieces.size(); ++i) {
             std::string text;
-            append(text, profile_bus_words(part, i, pieces_++));
+            append(text, pieces_.write(part, i));
             profile_.write(text);
         }
         branches_ += part.branches.size();
@@ -107,11 +112,11 @@ class WordFiles {
         json["core"] = job.core_name();
         json["parameters"] = parameters_json(job.options.core);
         json["segments"] = {{"file", "segments.hex"},
-                            {"count", count_},
+                            {"count", writer_->count()},
                             {"words", segment_words(job)},
                             {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
         json["profile"] = {{"file", "profile.hex"},
-                           {"count", pieces_},
+                           {"count", pieces_.count()},
                            {"words_each", hls::kProfileBusWords},
                            {"branches", branches_},
                            {"words", profile_words_}};
@@ -130,10 +135,10 @@ class WordFiles {
 
     std::string summary(const Job& job) const {
         const std::size_t segments = segment_words(job);
-        const std::size_t plain = pieces_ * hls::kProfileBusWords;  // without branches
+        const std::size_t plain = pieces_.count() * hls::kProfileBusWords;  // without branches
         std::string text =
             fmt::format("segments  {} in {} words of {} bits\nprofile   {} pieces in {} words",
-                        count_, segments, kBusBits, pieces_, plain);
+                        writer_->count(), segments, kBusBits, pieces_.count(), plain);
         if (branches_ > 0) {
             text += fmt::format(
                 ", and {} stop branches in {}: --holds bounds sends none, a hold takes longer then",
@@ -146,13 +151,14 @@ class WordFiles {
                           job.options.folder);
     }
 
-    bool empty() const { return count_ == 0; }
+    bool empty() const { return !writer_; }
 
   private:
     static constexpr int kBusBits = 48;
 
     std::size_t segment_words(const Job& job) const {
-        return count_ * static_cast<std::size_t>(ref::segment_bus_words(job.options.core.aux_axes));
+        return writer_->count() *
+               static_cast<std::size_t>(ref::segment_bus_words(job.options.core.aux_axes));
     }
     double path_mm(const Job& job) const {
         return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm;
@@ -168,8 +174,8 @@ class WordFiles {
 
     OutputFile segments_;
     OutputFile profile_;
-    std::size_t count_ = 0;
-    std::size_t pieces_ = 0;
+    std::optional<SegmentWriter> writer_;
+    ProfileWriter pieces_;
     std::size_t branches_ = 0;
     std::size_t profile_words_ = 0;
     std::uint64_t ticks_ = 0;

@@ -1,24 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/host/bus_words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
 
 #include "hls/quantise.hpp"
-#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 
-std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
-                                             const CoreParameters& parameters) {
-    const RunTimeFormat format(parameters, parameters.axes());
-    std::vector<std::uint64_t> words(
-        static_cast<std::size_t>(ref::segment_bus_words(parameters.aux_axes)));
-    hls::pack(hls::to_words(segment, format), static_cast<unsigned>(index), words.data(), format);
-    return words;
+std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
+    RunSegment words = hls::to_words(segment, format_);
+    if (count_ > 0) join(segment, words);
+    std::vector<std::uint64_t> bus(
+        static_cast<std::size_t>(ref::segment_bus_words(format_.kAxes - 3)));
+    hls::pack(words, static_cast<unsigned>(count_++), bus.data(), format_);
+    check_.seal(bus.data(), bus.size());
+    last_ = words;
+    last_turned_ = segment.aux_turned;
+    return bus;
 }
 
-std::vector<std::uint64_t> profile_bus_words(const ref::Plan& plan, std::size_t index,
-                                             std::size_t number) {
+/// A move that is shorter than half a quantum of path has no segment: that is as much as ends and
+/// starts of a plan may differ, and may round to words that differ by one.
+void SegmentWriter::join(const ref::Segment& segment, RunSegment& words) const {
+    for (int axis = 0; axis < format_.kAxes; ++axis) {
+        const auto aux = static_cast<std::size_t>(axis - 3);
+        if (axis >= 3 && segment.aux_turned[aux] != last_turned_[aux]) {
+            words.other_turn = true;
+            continue;
+        }
+        if (std::abs(words.start[axis] - last_.end[axis]) > 1) {
+            throw std::logic_error(
+                fmt::format("segment {} does not start where the one before ended", count_));
+        }
+        words.start[axis] = last_.end[axis];
+    }
+}
+
+std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size_t index) {
     std::vector<std::uint64_t> words;
     const auto is_before = [](const ref::PlannedBranch& branch, std::size_t piece) {
         return branch.piece < piece;
@@ -32,8 +54,9 @@ std::vector<std::uint64_t> profile_bus_words(const ref::Plan& plan, std::size_t 
         }
     }
     words.resize(words.size() + hls::kProfileBusWords);
-    hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(number),
+    hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(count_++),
               &words[words.size() - hls::kProfileBusWords]);
+    check_.seal(words.data(), words.size());
     return words;
 }
 

@@ -5,18 +5,45 @@
 #include <cstdint>
 #include <vector>
 
+#include "hls/word_check.hpp"
 #include "ref/curve/segment.hpp"
-#include "sysc/host/core_parameters.hpp"
+#include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {
 
-/// The words (hls/words.hpp) of the plan's segment `index`.
-std::vector<std::uint64_t> segment_bus_words(const ref::Segment& segment, std::size_t index,
-                                             const CoreParameters& parameters);
+/// A program's segments as words (hls/words.hpp), one after the other.
+class SegmentWriter {
+  public:
+    explicit SegmentWriter(const CoreParameters& parameters)
+        : format_(parameters, parameters.axes()) {}
 
-/// Words of 48 bits of the plan's piece `index`, number so and so of the program: of the branch
-/// before it, if there is one, and five.
-std::vector<std::uint64_t> profile_bus_words(const ref::Plan& plan, std::size_t index,
-                                             std::size_t number);
+    /// The next one's: it starts with the words that the one before ended with.
+    /// @throws std::logic_error when the plan starts it elsewhere
+    std::vector<std::uint64_t> write(const ref::Segment& segment);
+    /// Of those that were written.
+    std::size_t count() const { return count_; }
+
+  private:
+    void join(const ref::Segment& segment, RunSegment& words) const;
+
+    RunTimeFormat format_;
+    hls::WordCheck check_;
+    RunSegment last_;         // words, the one before
+    ref::Aux last_turned_{};  // and what they leave out
+    std::size_t count_ = 0;
+};
+
+/// Its pieces.
+class ProfileWriter {
+  public:
+    /// The next one's, number `index` of this part of its plan: of the branch before it, if there
+    /// is one, and five.
+    std::vector<std::uint64_t> write(const ref::Plan& plan, std::size_t index);
+    std::size_t count() const { return count_; }
+
+  private:
+    hls::WordCheck check_;
+    std::size_t count_ = 0;
+};
 
 }  // namespace curvecore::sysc

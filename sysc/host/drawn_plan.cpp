@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "ref/feed/stop_branch.hpp"
-#include "sysc/host/bus_words.hpp"
 
 namespace curvecore::sysc {
 
@@ -13,7 +12,7 @@ void DrawnPlan::append(const ref::Plan& part) {
     for (const ref::Segment& segment : part.segments) append(segment);
     for (std::size_t i = 0; i < part.pieces.size(); ++i) {
         first_word_.push_back(profile_words_.size());
-        for (const std::uint64_t word : profile_bus_words(part, i, pieces.size())) {
+        for (const std::uint64_t word : writer_.write(part, i)) {
             profile_words_.push_back(word);
         }
         pieces.push_back(part.pieces[i]);

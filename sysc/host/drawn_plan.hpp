@@ -7,6 +7,7 @@
 
 #include "ref/curve/segment.hpp"
 #include "ref/format/path_words.hpp"
+#include "sysc/host/bus_words.hpp"
 #include "sysc/host/file_list.hpp"
 
 namespace curvecore::sysc {
@@ -63,6 +64,7 @@ class DrawnPlan : public ref::PlanFrame {
     static std::size_t index(ref::Segment::Kind kind) { return static_cast<std::size_t>(kind); }
     void append(const ref::Segment& segment);
 
+    ProfileWriter writer_;
     FileList<std::uint64_t> profile_words_;  // of all pieces
     FileList<std::size_t> first_word_;       // of each
     std::array<OfKind, 2> kinds_;            // by Segment::Kind

@@ -9,7 +9,6 @@
 
 #include "hls/words.hpp"
 #include "sysc/board/faults.hpp"
-#include "sysc/host/bus_words.hpp"
 #include "sysc/host/path_source.hpp"
 
 namespace curvecore::sysc {
@@ -25,7 +24,7 @@ BoardSettings board_settings(const Options& options, const ref::PlanFrame& plan)
 }
 
 Feeder::Feeder(const Job& job, std::uint64_t samples, Board& board)
-    : job_(job), board_(board), samples_(samples) {}
+    : job_(job), board_(board), samples_(samples), segment_words_(job.options.core) {}
 
 void Feeder::turn(std::vector<Sample>& samples) {
     write_segments();
@@ -54,11 +53,10 @@ void Feeder::turn(std::vector<Sample>& samples) {
 
 void Feeder::write_segments() {
     const FileList<ref::Segment>& segments = job_.plan.segments;
-    while (segments_.send(board_, next_segment_ == segments.size()) &&
-           next_segment_ < segments.size()) {
-        const ref::Segment& segment = segments[next_segment_];
-        segments_.load(segment_bus_words(segment, next_segment_++, job_.options.core),
-                       segment.ticks);
+    while (segments_.send(board_, segment_words_.count() == segments.size()) &&
+           segment_words_.count() < segments.size()) {
+        const ref::Segment& segment = segments[segment_words_.count()];
+        segments_.load(segment_words_.write(segment), segment.ticks);
     }
 }
 

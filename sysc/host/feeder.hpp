@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sysc/board/board.hpp"
+#include "sysc/host/bus_words.hpp"
 #include "sysc/host/job.hpp"
 
 namespace curvecore::sysc {
@@ -60,7 +61,7 @@ class Feeder {
     const std::uint64_t samples_;
     Outbox segments_{Stream::kSegments};
     Outbox profile_{Stream::kProfile};
-    std::size_t next_segment_ = 0;
+    SegmentWriter segment_words_;
     std::size_t next_piece_ = 0;
     std::uint64_t requested_ = 0;
     std::uint64_t received_ = 0;

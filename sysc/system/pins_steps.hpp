@@ -37,6 +37,7 @@ struct StepPins {
         signal_at(model.by_axis_i);
         signal_at(model.axis_o);
         signal_at(model.position_i);
+        signal_at(model.begins_i);
         signal_at(model.estop_i);
         signal_at(model.estop_o);
         signal_at(model.limit_i);

@@ -65,6 +65,7 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
     write(fmt::format(
         "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n\"segments\": [",
         job.plan.unit_mm, std::ldexp(1.0, -16)));
+    SegmentWriter writer(job.options.core);
     job.plan.each_segment([&](const ref::Segment& segment, std::size_t i) {
         Text text;
         const auto out = std::back_inserter(text);
@@ -84,7 +85,7 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
                        job.bounded(segment.kind) ? fmt::format("{:.6g}", segment.bound) : "null",
                        segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";
-        for (const std::uint64_t word : segment_bus_words(segment, i, job.options.core)) {
+        for (const std::uint64_t word : writer.write(segment)) {
             fmt::format_to(out, "{}\"{:012x}\"", comma, word);
             comma = ", ";
         }

@@ -71,7 +71,7 @@ std::string fault_names(std::uint32_t state) {
         "the e-stop input",
         "a limit switch",
         "a dropped step: the drive's times are too long",
-        "an axis faster than half a step a clock",
+        "an axis faster than half a step a clock, or a program that begins elsewhere",
         "a sample too late"};
     std::string text;
     for (std::size_t n = 0; n < kNames.size(); ++n) {

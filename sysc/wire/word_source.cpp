@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sysc/host/bus_words.hpp"
 #include "sysc/host/feeder.hpp"
 
 namespace curvecore::sysc {
@@ -71,16 +70,17 @@ void WordSource::plan() {
 void WordSource::add(const ref::Plan& part) {
     const Options& options = stream_->job().options;
     PlannedWords words;
+    if (!segment_words_) segment_words_.emplace(options.core);
     const double tick_s = options.sample_period_s * options.samples_per_tick;
     std::size_t next = 0;  // segment to be counted
     double segment_s = 0;  // its begin, from the part's
     double piece_s = 0;
     for (const ref::Segment& segment : part.segments) {
-        append(words.segments, segment_bus_words(segment, segments_++, options.core));
+        append(words.segments, segment_words_->write(segment));
     }
     const std::size_t each = words.segments.size() / std::max<std::size_t>(part.segments.size(), 1);
     for (std::size_t i = 0; i < part.pieces.size(); ++i) {
-        const std::vector<std::uint64_t> piece = profile_bus_words(part, i, pieces_++);
+        const std::vector<std::uint64_t> piece = piece_words_.write(part, i);
         append(words.pieces, piece);
         for (; next < part.segments.size() && segment_s <= piece_s; ++next) {
             segment_s += part.segments[next].ticks * tick_s;

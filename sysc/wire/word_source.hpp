@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sysc/board/board.hpp"
+#include "sysc/host/bus_words.hpp"
 #include "sysc/host/job_stream.hpp"
 
 namespace curvecore::sysc {
@@ -58,8 +59,8 @@ class WordSource {
     std::mutex mutex_;
     std::condition_variable changed_;
     PlannedWords planned_;
-    std::size_t segments_ = 0;
-    std::size_t pieces_ = 0;
+    std::optional<SegmentWriter> segment_words_;
+    ProfileWriter piece_words_;
     double time_s_ = 0;  // of the program, as far as it is planned
     std::uint64_t words_of_second_ = 0;
     std::uint64_t busiest_ = 0;

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/frame_entry.sv, whatever words come: those that pass are the words that came, none lost
-// or doubled, each with its tag, one that can be, in a frame of the next number; and every such
-// word passes. The first other one is told, with its cause, and nothing passes after it; nor while
-// another stream is cut, or it has to wait. Words are numbered; a reset makes all as new.
+// or doubled, each with its tag, one that can be, with the check of all before it in its program,
+// in a frame of the next number that follows on the one before; and every such word passes. The
+// first other one is told, with its cause, and nothing passes after it; nor while another stream is
+// cut, or it has to wait. Words are numbered; a reset makes all as new.
 // control: LETS_TAG s/can_be_i && data_o.*;/can_be_i;/
 // control: ANY_ORDER s/!numbered_i ||/1'b1 ||/
+// control: ANY_FOLLOWS s/follows_i \&\&/1'b1 \&\&/
+// control: ANY_CHECK s/ \&\& holds;/;/
+// control: SHORT_CHECK s/{5.d0, top, 3.d0}/16'd0/
+// control: ENDLESS_CHECK s/complete_i \&\& last_i ? '0 : check/check/
+// control: CHECKS_NUMBER s/if (numbered_i || checked_i)/if (checked_i)/
 // control: FAULT_GOES s/if (held_q \&\& !cut) fault_o/if (held_q) fault_o/
 // control: LOSES_WORD s/assign ready_o  = !held_q || pass_o/assign ready_o  = !held_q || valid_o/
 // control: COUNTS_WORDS s/if (pass_o \&\& complete_i) sequence_q/if (pass_o) sequence_q/
@@ -16,10 +22,13 @@ module frame_entry_formal (
     input wire logic       rst_ni,
     input wire logic       valid_i,
     input wire logic [1:0] tag_i,
-    input wire logic [7:0] sequence_i,
+    input wire logic [7:0] above_i,     // the number, or a check
     input wire logic       can_be_i,
     input wire logic       numbered_i,
+    input wire logic       checked_i,
+    input wire logic       follows_i,
     input wire logic       complete_i,
+    input wire logic       last_i,
     input wire logic       cut_i,
     input wire logic       wait_i,
     input wire logic       ready_i,
@@ -43,7 +52,19 @@ module frame_entry_formal (
       .rst_ni,
       .valid_i,
       .ready_o(ready),
-      .data_i({2'b10, tag_i, sequence_i, 29'b0, can_be_i, numbered_i, complete_i, taken_q}),
+      .data_i({
+        2'b10,
+        tag_i,
+        above_i,
+        26'b0,
+        last_i,
+        checked_i,
+        follows_i,
+        can_be_i,
+        numbered_i,
+        complete_i,
+        taken_q
+      }),
       .cut_i,
       .wait_i,
       .valid_o(valid),
@@ -52,7 +73,10 @@ module frame_entry_formal (
       .tag_i({2'b10, tag_q}),
       .can_be_i(data[6]),
       .numbered_i(data[5]),
+      .checked_i(checked),
+      .follows_i(data[7]),
       .complete_i(data[4]),
+      .last_i(data[9]),
       .pass_o(pass),
       .frame_o(frame),
       .fault_o(fault)
@@ -63,9 +87,23 @@ module frame_entry_formal (
   logic follows;
   logic cut;
   assign tagged_so = data[47:44] == {2'b10, tag_q};
-  assign can_be    = tagged_so && data[6];
-  assign follows   = !data[5] || data[43:36] == frames_q;
+  assign can_be    = tagged_so && data[6] && (!checked || data[43:36] == (crc[15:8] ^ crc[7:0]));
+  assign follows   = data[7] && (!data[5] || data[43:36] == frames_q);
   assign cut       = cut_i || fault != 2'b00;
+
+  // The check of the word, bit by bit
+  logic checked;
+  logic [15:0] crc_q;
+  logic [15:0] crc;
+  logic [47:0] counted;
+  assign checked = data[8] && !data[5];
+  always_comb begin
+    counted = data;
+    if (checked || data[5]) counted[43:36] = '0;
+    crc = crc_q;
+    for (int n = 0; n < 8; n = n + 1) crc = {crc[14:0], 1'b0} ^ (crc[15] ? 16'h9 : 16'h0);
+    crc = crc ^ {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
+  end
 
   logic started_q = 1'b0;
   logic ran_q;  // no reset in the clock before
@@ -87,10 +125,12 @@ module frame_entry_formal (
       passed_q <= '0;
       frames_q <= '0;
       held_q   <= 1'b0;
+      crc_q    <= '0;
     end else begin
       if (valid && ready_i) begin
         held_q   <= 1'b0;
         passed_q <= passed_q + 4'd1;
+        crc_q    <= data[4] && data[9] ? '0 : crc;
         tag_q    <= next_tag_i;
         if (data[4]) frames_q <= frames_q + 8'd1;
       end
@@ -118,6 +158,7 @@ module frame_entry_formal (
 
       SecondFrame : cover (valid && data[5] && frames_q == 8'd1);
       Missing : cover (fault == 2'b10 && frames_q == 8'd1);
+      Checked : cover (valid && checked && passed_q == 4'd2 && data[43:36] != '0);
     end
   end
 

@@ -21,6 +21,7 @@
 // control: SLEEPS s/silence_q == watchdog_i/1'b0/
 // control: FOLLOWS_PASSES s/{following_i, encoder_i}/{1'b0, encoder_i}/
 // control: HOMED_ASTRAY s/ \& ~astray//
+// control: BEGINS_MOVED s/begins_o = !moved_q \&\&/begins_o = /
 // control: NAMES_THE_LAST s/if (faults_q\[17:16\] == '0) axis_q/axis_q/
 `default_nettype none
 module machine_state_formal (
@@ -64,6 +65,7 @@ module machine_state_formal (
   logic words;
   logic samples;
   logic position;
+  logic begins;
   logic enable;
   logic word;  // one that is taken: another access than the writes
   assign word = word_i && !write_i && (words || samples);
@@ -104,6 +106,7 @@ module machine_state_formal (
       .hold_o(hold),
       .ends_o(ends),
       .words_o(words),
+      .begins_o(begins),
       .tick_i,
       .estop_i,
       .limit_i,
@@ -192,6 +195,7 @@ module machine_state_formal (
       assert (!(ends && enable) || (flush_q && (position ? !queued_i : standing_i || !moved_q)));
       Stay : assert (!ran_q || (faults_q & ~cleared_q & ~faults) == 18'd0);
       Names : assert (!ran_q || faults[17:16] == 2'd0 || state[30:27] == axis_q);
+      Begins : assert (begins == (!moved_q && !position));
       Homed : assert (homed == home_q);
       Caught : assert (!caught_i || hold);
       Watches : assert (!silent_q || (state[1] && hold));

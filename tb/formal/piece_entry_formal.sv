@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
 // numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
-// hls/words.hpp says it; whole pieces alone are counted, each with the ticks and final of its own
-// words; a path length is told as it passes.
+// hls/words.hpp says it, and has the check of those before it in its program; whole
+// pieces alone are counted, each with the ticks and final of its own words; a path length is told
+// as it passes.
 // control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
-// control: ANY_REST s/default:  *can_be = no_rest;/default: can_be = 1'b1;/
+// control: ANY_REST s/data_o\[words_pkg::SequenceLow-1:FirstSpare\] == '0/1'b1/
+// control: NO_CHECK_OF_C2 s/tag == words_pkg::TagC2 ||//
+// control: ONE_PROGRAM s/.last_i(final_o)/.last_i(1'b0)/
 // control: SEVERAL_FINALS s/(pass \&\& tag == words_pkg::TagPiece)/(pass)/
 // control: TWO_BRANCHES s/\&\& !stop_q \&\& stops/\&\& stops/
 // control: ENDLESS s/data_o\[words_pkg::StepLastLow\] ?/1'b0 ?/
@@ -88,6 +91,23 @@ module piece_entry_formal (
     end
   end
 
+  // hls/word_check.hpp
+  logic checked;
+  logic [15:0] crc_q;
+  logic [15:0] crc;
+  logic [47:0] counted;
+  assign checked = place_q >= 3'd2 && !steps;
+  always_comb begin
+    counted = data;
+    if (checked || (place_q == 3'd0 && !steps && !stop)) counted[43:36] = '0;
+    crc = {crc_q[7:0], 8'b0} ^ {5'b0, crc_q[15:8], 3'b0} ^ {8'b0, crc_q[15:8]} ^
+        {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) crc_q <= '0;
+    else if (pass) crc_q <= place_q == 3'd4 && final_q ? '0 : crc;
+  end
+
   // hls/words.hpp: ticks 1 .. 2^m, m 0 .. 19, e 0 .. 46, 4 spare bits
   logic can_be;
   logic is_ds;
@@ -95,12 +115,11 @@ module piece_entry_formal (
   assign is_ds = place_q == 3'd1;
   assign turn  = turn_i || !is_ds;
   always_comb begin
-    can_be = data[43:36] == '0;
-    if (place_q == 3'd1) can_be = 1'b1;
+    can_be = !checked || data[43:36] == (crc[15:8] ^ crc[7:0]);
     if (place_q == 3'd0) begin
-      can_be = data[24:20] <= 5'd19 && data[30:25] <= 6'd46 && data[43:40] == '0;
+      can_be = data[24:20] <= 5'd19 && data[30:25] <= 6'd46 && data[35:32] == '0;
       if (data[19:0] == '0 || {12'b0, data[19:0]} > (32'd1 << data[24:20])) can_be = 1'b0;
-      if (data[39:32] != pieces_q) can_be = 1'b0;
+      if (data[43:36] != pieces_q) can_be = 1'b0;
     end
     if (data[47:44] != 4'd8 + {1'b0, place_q}) can_be = 1'b0;
     // A wait, ticks: not 0

@@ -42,6 +42,7 @@ module place_scaler_formal (
       .by_axis_i     (1'b0),
       .axis_o        (),
       .position_i    ('0),
+      .begins_i      (1'b0),
       .fresh_i       (fresh_q),
       .referenced_i  ('1),
       .fresh_taken_o (told),

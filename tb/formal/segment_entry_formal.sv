@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/segment_entry.sv, whatever words come: they pass as segments, word by word, of
-// consecutive numbers; a word passes exactly if it can be, as hls/words.hpp says it; whole segments
-// alone are counted, each with the ticks and last of its own words; a length is told as it passes.
+// consecutive numbers, each from where the one before ended, the first from anywhere; a word passes
+// exactly if it can be, as hls/words.hpp says it, and has the check of those before it in its
+// program; whole segments alone are counted, each with the ticks and last of its own words; a
+// length is told as it passes.
 // control: AUX_AS_XYZ s/ \&\& !xyz//
 // control: ANY_LAMBDA s/ \&\& {1'b0, k_q} <= lambda//
 // control: WIDE_POINT s/PointField-1:FineBits-1\]/PointField-1:FineBits]/g
@@ -9,7 +11,16 @@
 // control: TICKS_OF_X s/ticks_o\[31:8\]/ticks_o[31:16], 8'd0/
 // control: LAST_STAYS s/last_o   <= /last_o <= last_o || /
 // control: NO_RESET s/axis_q <= 4'd0;/axis_q <= axis_q;/
+// control: ANY_START s/data_o\[FineBits-1:0\] == end_q ||/1'b1 ||/
+// control: SHORT_START s/\[FineBits-1:0\] == end_q/[FineBits-2:0] == end_q[FineBits-2:0]/
+// control: ANY_TURN s/(other_turn_q \&\& !xyz)/other_turn_q/
+// control: NO_TURN s/(other_turn_q \&\& !xyz)/1'b0/
+// control: FIRST_AT_0 s/any_start_q <= 1'b1;/any_start_q <= 1'b0;/
+// control: ANY_AFTER_RESET s/else if (pass \&\& complete) any_start_q <= 1'b0;//
+// control: NO_CHECK_OF_ADVANCE s/.checked_i(tag_q == words_pkg::TagAdvance)/.checked_i(1'b0)/
+// control: ONE_PROGRAM s/.last_i(last_o)/.last_i(1'b0)/
 // configuration: ArcsOfSmallTurns Splines=0 TurnBits=3 AuxAxes=0
+// long: proved.ArcsOfSmallTurns
 `default_nettype none
 module segment_entry_formal #(
     parameter int Splines  = 1,
@@ -26,8 +37,8 @@ module segment_entry_formal #(
     input wire logic        ready_i
 );
 
-  localparam int CoefBits = 20;
-  localparam int FineBits = 24;
+  localparam int CoefBits = 8;  // fewer than a core has: the proof is of the logic
+  localparam int FineBits = 4;
   localparam int Last = 16 + 3 * AuxAxes;
 
   logic ready;
@@ -114,6 +125,36 @@ module segment_entry_formal #(
   logic point_fits;
   assign coef_fits  = coef >= -One && coef < One;
   assign point_fits = point >= -Edge && point < Edge;
+  // Where the segment before ended, by axis
+  logic signed [43:0] stood_q[3 + AuxAxes];
+  logic any_q;
+  logic turned_q;
+  logic [1:0] axis;
+  logic follows;
+  assign axis = place_q >= 5'd17 ? 2'd3 : place_q >= 5'd12 ? 2'd2 : place_q >= 5'd7 ? 2'd1 : 2'd0;
+  assign follows = any_q || (turned_q && axis == 2'd3) || point == stood_q[axis];
+  always_ff @(posedge clk_i) begin
+    if (pass && tag == 4'd4) stood_q[axis] <= point;
+    if (pass && place_q == 5'd5) turned_q <= data[42];
+    if (!rst_ni) any_q <= 1'b1;
+    else if (pass && place_q == 5'(Last)) any_q <= 1'b0;
+  end
+
+  // hls/word_check.hpp
+  logic [15:0] crc_q;
+  logic [15:0] crc;
+  logic [47:0] counted;
+  always_comb begin
+    counted = data;
+    if (tag == 4'd7 || place_q == 5'd4) counted[43:36] = '0;
+    crc = {crc_q[7:0], 8'b0} ^ {5'b0, crc_q[15:8], 3'b0} ^ {8'b0, crc_q[15:8]} ^
+        {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
+  end
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) crc_q <= '0;
+    else if (pass) crc_q <= place_q == 5'(Last) && last_q ? '0 : crc;
+  end
+
   always_comb begin
     tag = 4'd0;
     case (place_q)
@@ -134,15 +175,17 @@ module segment_entry_formal #(
         if (data[37:36] == 2'd1 && Splines == 1) can_be = coef >= One >>> 1 && coef < One;
         if (data[42:38] > 5'd27) can_be = 1'b0;
       end
-      4'd3, 4'd4: can_be = point_fits;
+      4'd3: can_be = point_fits && follows;
+      4'd4: can_be = point_fits;
       4'd5: can_be = coef_fits && (place_q != 5'd4 || data[43:36] == segments_q);
       4'd6: begin
         can_be = coef_fits;
-        if (place_q == 5'd5 && !spline_q && data[43:36] != '0) can_be = 1'b0;
-        if (place_q == 5'd5 && (data[43:36] < {3'b0, k_q} || data[43:36] > 8'd27) && spline_q)
+        if (place_q == 5'd5 && data[43]) can_be = 1'b0;
+        if (place_q == 5'd5 && !spline_q && data[41:36] != '0) can_be = 1'b0;
+        if (place_q == 5'd5 && (data[41:36] < {1'b0, k_q} || data[41:36] > 6'd27) && spline_q)
           can_be = 1'b0;
       end
-      4'd7: can_be = coef_fits && data[43:36] == '0;
+      4'd7: can_be = coef_fits && data[43:36] == (crc[15:8] ^ crc[7:0]);
       default: ;
     endcase
     if (data[47:44] != tag) can_be = 1'b0;

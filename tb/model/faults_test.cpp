@@ -8,7 +8,8 @@ namespace {
 
 TEST(Faults, AreNamedBitByBit) {
     EXPECT_EQ(sysc::fault_text(0), "none");
-    EXPECT_EQ(sysc::fault_text(0x81), "a segment word that cannot be, no sample for too long");
+    EXPECT_EQ(sysc::fault_text(0x81),
+              "a segment word that cannot be, or is not as it was made, no sample for too long");
 }
 
 }  // namespace

@@ -56,6 +56,14 @@ TEST(PlaceScaler, ARateThatIsNoWordIsRefusedAndMovesNothingElse) {
     EXPECT_TRUE(scaler.next(98303 + half, false, true).refused);
     EXPECT_TRUE(scaler.next(98302, false, true).refused);
     EXPECT_FALSE(scaler.next(98302 + half, false, false).refused) << "it does not count";
+    // A program begins less than a step from where the axis stands.
+    const std::int64_t step = std::int64_t(1) << kStepFraction;
+    EXPECT_TRUE(scaler.next(0, true, false).fresh);
+    EXPECT_EQ(scaler.next(step - 1, false, true, true).rate, step - 1);
+    EXPECT_EQ(scaler.next(-1, false, true, true).rate, -step);
+    EXPECT_TRUE(scaler.next(step - 1, false, true, true).refused);
+    EXPECT_TRUE(scaler.next(-2, false, true, true).refused);
+    EXPECT_FALSE(scaler.next(step, false, false, true).refused) << "it does not count";
     // The fraction of a step at which it stands.
     EXPECT_EQ(scaler.next(98304, true, false).rate, -32768);
     EXPECT_EQ(scaler.next(98303, true, false).rate, 32767);

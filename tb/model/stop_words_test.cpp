@@ -34,8 +34,13 @@ const std::vector<std::uint64_t> kBranch{hls::pack_stop(300), hls::pack(StopStep
                                          hls::pack(StopStep{16, 5, true})};
 
 TEST(StopWords, StandBeforeAPiece) {
-    const auto words = joined(joined(kBranch, piece_words(0)),
-                              joined(piece_words(1), joined(kBranch, piece_words(2))));
+    hls::WordCheck check;
+    std::vector<std::uint64_t> words;
+    for (unsigned n = 0; n < 3; ++n) {
+        auto frame = n == 1 ? piece_words(n) : joined(kBranch, piece_words(n));
+        check.seal(frame.data(), frame.size());
+        words = joined(words, frame);
+    }
     for (const Entry entry : enter(words)) {
         EXPECT_TRUE(entry == Entry::kPassed || entry == Entry::kCompleted);
     }

@@ -13,6 +13,7 @@
 #include "hls/path_kernel.hpp"
 #include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
+#include "hls/word_check.hpp"
 #include "ref/feed/hold_bounds.hpp"
 #include "tb/support/bench_format.hpp"
 #include "tb/support/mixed_segments.hpp"
@@ -50,6 +51,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     }
 
     void program(const std::vector<hls::ProfileWords>& pieces, std::vector<RunSegment> segments) {
+        join(segments);
         set_ticks(pieces, segments);
         send(pieces, segments);
     }
@@ -59,22 +61,44 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         for (const hls::ProfileWords& words : pieces) {
             pieces_.push_back(words);
             stops_.push_back(stop_before(stops_.size()));
+            std::vector<uint64_t> bus;
             if (stops_.back().wait > 0) {
-                profile_words_.push_back(hls::pack_stop(stops_.back().wait));
-                for (const hls::StopStep& step : stops_.back().steps) {
-                    profile_words_.push_back(hls::pack(step));
-                }
+                bus.push_back(hls::pack_stop(stops_.back().wait));
+                for (const hls::StopStep& step : stops_.back().steps)
+                    bus.push_back(hls::pack(step));
             }
-            uint64_t bus[hls::kProfileBusWords];
-            hls::pack(words, piece_sequence_++, bus);
-            profile_words_.insert(profile_words_.end(), bus, bus + hls::kProfileBusWords);
+            bus.resize(bus.size() + hls::kProfileBusWords);
+            hls::pack(words, piece_sequence_++, &bus[bus.size() - hls::kProfileBusWords]);
+            piece_check_.seal(bus.data(), bus.size());
+            profile_words_.insert(profile_words_.end(), bus.begin(), bus.end());
             length_ += words.ds;
         }
         for (const RunSegment& words : segments) {
             segments_.push_back(words);
-            const std::vector<uint64_t> bus = bus_words(words, segment_sequence_++);
+            std::vector<uint64_t> bus = bus_words(words, segment_sequence_++);
+            segment_check_.seal(bus.data(), bus.size());
             segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
         }
+    }
+
+    /// Each segment ends where the next one starts, with auxiliary axes in another turn or not; an
+    /// empty one leads there from the program before.
+    void join(std::vector<RunSegment>& segments) {
+        if (!segments_.empty()) {
+            RunSegment way = segments.front();
+            way.length = 0;
+            copy(segments_.back().end, way.start);
+            segments.insert(segments.begin(), way);
+        }
+        for (std::size_t n = 1; n < segments.size(); ++n) {
+            copy(segments[n].start, segments[n - 1].end);
+            if (core_.aux_axes == 0 || go(90)) continue;
+            segments[n].other_turn = true;
+            for (int axis = 3; axis < core_.axes(); ++axis) segments[n - 1].end[axis] >>= 1;
+        }
+    }
+    static void copy(const int64_t (&from)[kMostAxes], int64_t (&to)[kMostAxes]) {
+        std::copy(std::begin(from), std::end(from), std::begin(to));
     }
 
     struct Stop {
@@ -297,6 +321,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         next_segment_ = 0;
         piece_sequence_ = 0;
         segment_sequence_ = 0;
+        piece_check_ = {};
+        segment_check_ = {};
         length_ = 0;
         path_kernel_ = {};
         share_ = hls::SampleShare(0);
@@ -338,6 +364,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     std::size_t next_segment_ = 0;
     unsigned piece_sequence_ = 0;
     unsigned segment_sequence_ = 0;
+    hls::WordCheck piece_check_;
+    hls::WordCheck segment_check_;
     int64_t length_ = 0;
 
     hls::PathKernel path_kernel_;

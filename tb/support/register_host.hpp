@@ -50,8 +50,9 @@ struct Part {
         options.clock_hz = static_cast<double>(kSystemPeriod) / options.sample_period_s;
         job = sysc::plan_job(options);
         settings = sysc::board_settings(job);
+        sysc::SegmentWriter writer(job.options.core);
         for (std::size_t n = 0; n < job.plan.segments.size(); ++n) {
-            add(segments, sysc::segment_bus_words(job.plan.segments[n], n, job.options.core));
+            add(segments, writer.write(job.plan.segments[n]));
         }
         for (std::size_t n = 0; n < job.plan.pieces.size(); ++n) {
             const auto [words, count] = job.plan.words_of(n);
@@ -167,6 +168,10 @@ class RegisterHost {
     void draw(
         const Part& part, const std::function<void()>& between = [] {}) {
         Sent sent;
+        draw_rest(part, sent, between);
+    }
+    /// Those that have not gone.
+    void draw_rest(const Part& part, Sent& sent, const std::function<void()>& between) {
         while (!sent.all(part) && !testing::Test::HasFailure()) feed(part, sent, between);
         finish(part);
     }

@@ -41,6 +41,7 @@ class StepBench {
         dut_->limit_i = 0;
         dut_->limit_masked_i = 0;
         dut_->by_axis_i = 0;
+        dut_->begins_i = 0;
         dut_->stop_i = 0;
         dut_->step_inverted_i = 0;
         dut_->direction_inverted_i = 0;

@@ -42,6 +42,7 @@ class MotionTime : public MotionInterpolator {
         for (const ref::Segment& segment : plan.segments) {
             words.push_back(hls::to_words(segment, format_));
         }
+        join(words);
         send(pieces, words);
         return plan.slowed_moves;
     }

@@ -120,6 +120,7 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     const auto whole = pieces(9, 200, 20, 20, 3 << 16);
     LegalSegments shapes(core_, 9, kMaxStepExponent);
     auto segments = chain(shapes, 200 * 20 * (int64_t{3} << 16));
+    join(segments);
     program(whole, segments);
     segment_words_.clear();
     set_ticks(whole, segments);
@@ -130,8 +131,10 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
         segments[n].ticks = 0;
     }
     segments[0].ticks += stolen;
+    hls::WordCheck check;
     for (std::size_t n = 0; n < cut; ++n) {
-        const std::vector<uint64_t> bus = bus_words(segments[n], static_cast<unsigned>(n));
+        std::vector<uint64_t> bus = bus_words(segments[n], static_cast<unsigned>(n));
+        check.seal(bus.data(), bus.size());
         segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
     }
     fill();
@@ -156,7 +159,12 @@ void damage(const Stream& stream, std::mt19937& random) {
     std::deque<uint64_t>& words = stream.words;
     const std::size_t at = random() % words.size();
     const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
-    switch (random() % 9) {
+    const auto like_it = [&] {  // another with its tag
+        std::size_t other = random() % words.size();
+        while (tag(words[other]) != tag(*begin)) other = (other + 1) % words.size();
+        return words.begin() + static_cast<std::ptrdiff_t>(other);
+    };
+    switch (random() % 12) {
         case 0:
             words.erase(begin);
             return;
@@ -185,6 +193,15 @@ void damage(const Stream& stream, std::mt19937& random) {
             words.erase(first, first + static_cast<std::ptrdiff_t>(stream.frame));
             return;
         }
+        case 8:
+            *begin = *like_it();
+            return;
+        case 9:
+            std::iter_swap(begin, like_it());
+            return;
+        case 10:
+            *begin ^= uint64_t{1} << random() % 44;
+            return;
         default:
             words.resize(at);  // the host is gone
             return;
@@ -235,6 +252,29 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
     EXPECT_GT(found, rounds / 2);
 }
 
+// A program that begins elsewhere than the one before ended, behind it in the queue.
+TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn) {
+    const int64_t far = int64_t{1} << (core_.position_bits + core_.guard_bits - 3);
+    for (const int64_t off : {int64_t{1}, int64_t{-3}, far}) {
+        program(pieces(21, 30, 10, 20, 3 << 16));
+        const int64_t length = length_;
+        const auto whole = pieces(22, 30, 10, 20, 3 << 16);
+        LegalSegments shapes(core_, 22, kMaxStepExponent);
+        int64_t more = 0;
+        for (const hls::ProfileWords& piece : whole) more += piece.ds;
+        auto segments = chain(shapes, more);
+        join(segments);
+        segments.front().start[random_() % 3] ^= off;
+        set_ticks(whole, segments);
+        send(whole, segments);
+        run_out();
+        EXPECT_EQ(fault(), 1 << kSegmentOrder) << off;
+        EXPECT_EQ(path_, length) << off;
+        start_afresh();
+        if (HasFailure()) FAIL() << off;
+    }
+}
+
 // Fields that are legal by themselves: a path or ticks that are not the other stream's.
 TEST_F(MotionWords, ThatEndApartAreAFault) {
     for (int round = 0; round < 8; ++round) {
@@ -243,12 +283,10 @@ TEST_F(MotionWords, ThatEndApartAreAFault) {
         int64_t length = 0;
         for (const hls::ProfileWords& piece : whole) length += piece.ds;
         auto segments = chain(shapes, length + (round % 2 == 0 ? 1 : round % 4 == 1 ? -1 : 0));
-        program(whole, segments);
-        if (round % 4 == 3) {
-            // A tick more in the second segment
-            uint64_t& low_byte = segment_words_[segment_frame() + 9];
-            low_byte ^= uint64_t{1} << hls::kTicksByteField.low;
-        }
+        join(segments);
+        set_ticks(whole, segments);
+        if (round % 4 == 3) segments[1].ticks ^= 1;
+        send(whole, segments);
         run_out();
         EXPECT_EQ(fault(), 1 << kApart) << "round " << round;
         start_afresh();

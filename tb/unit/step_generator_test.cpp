@@ -115,6 +115,7 @@ TEST_F(StepGenerator, EqualsKernelClockByClock) {
                     position[a] = motions[a].next(random_);
                     if (jumps && any(20) == 0) position[a] = -position[a];
                 }
+                bench_->begins_i = any(8) == 0;
                 bench_.offer(position);
                 offered = true;
             }
@@ -128,7 +129,7 @@ TEST_F(StepGenerator, EqualsKernelClockByClock) {
                 if (referenced >> a & 1) kernel.reference(a);
             }
             if (taken) {
-                kernel.sample(position.data());
+                kernel.sample(position.data(), bench_->begins_i);
                 offered = false;
                 ++n;
             }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The check that words carry of themselves and of all before them, since their program began: a
+// CRC of 16 bits, its bytes' sum in each word that has room for it. A word that is lost, doubled,
+// swapped, changed or of other frames leaves another one, and so do whole frames whose numbers fit.
+// Twin: rtl/queue/frame_entry.sv.
+//
+//   check' = 2^8 check + [15:0] + [31:16] + [43:32]    of the word, modulo x^16 + x^3 + 1
+//
+// The word's check, if it has one, is the sum (xor) of both bytes of check', so one tells every bit
+// that changed alone, two every change of the sum before. A frame's number and the check itself are
+// left out, so frames may be numbered anew.
+#pragma once
+
+#include <cstddef>
+
+#include "hls/words.hpp"
+
+namespace curvecore {
+namespace hls {
+
+class WordCheck {
+  public:
+    /// Words [43:36]: the number of their frame, their check, or neither.
+    enum class Above { kNumber, kCheck, kNeither };
+
+    /// What the next word's check is, or would be.
+    std::uint64_t of(std::uint64_t word, Above above) const {
+        const std::uint64_t check = after(word, above);
+        return (check >> 8 ^ check) & mask(kCheckField);
+    }
+    void pass(std::uint64_t word, Above above) { check_ = after(word, above); }
+    void begin_program() { check_ = 0; }
+
+    /// Puts checks into a whole frame: a segment, or a piece with its stop branch.
+    void seal(std::uint64_t* words, std::size_t count) {
+        bool numbered = false;
+        bool last = false;
+        for (std::uint64_t* word = words; word != words + count; ++word) {
+            const Tag tag = static_cast<Tag>(get(kTagField, *word));
+            const bool number = !numbered && (tag == Tag::kTangent || tag == Tag::kPiece);
+            const Above above = number           ? Above::kNumber
+                                : has_check(tag) ? Above::kCheck
+                                                 : Above::kNeither;
+            numbered = numbered || number;
+            last = last || (tag == Tag::kTheta && get(kLastField, *word) != 0) ||
+                   (tag == Tag::kPiece && get(kFinalField, *word) != 0);
+            if (above == Above::kCheck) {
+                *word &= ~(mask(kCheckField) << kCheckField.low);
+                *word |= of(*word, above) << kCheckField.low;
+            }
+            pass(*word, above);
+        }
+        if (last) begin_program();
+    }
+
+    static bool has_check(Tag tag) {
+        return tag == Tag::kAdvance || tag == Tag::kC1 || tag == Tag::kC2 || tag == Tag::kC3;
+    }
+
+  private:
+    std::uint64_t after(std::uint64_t word, Above above) const {
+        word &= mask({0, kTagField.low});
+        if (above != Above::kNeither) word &= ~(mask(kCheckField) << kCheckField.low);
+        const std::uint64_t top = check_ >> 8;
+        const std::uint64_t shifted = check_ << 8 ^ top << 3 ^ top;
+        return (shifted ^ word ^ word >> 16 ^ word >> 32) & 0xffff;
+    }
+
+    std::uint64_t check_ = 0;
+};
+
+}  // namespace hls
+}  // namespace curvecore
