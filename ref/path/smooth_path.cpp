@@ -19,7 +19,7 @@ void look_at(const Move& move, Smoothed& smoothed) {
     smoothed.tolerance = std::max(smoothed.tolerance, move.tolerance);
     smoothed.deviation = std::max(smoothed.deviation, move.deviation);
     const double share =
-        move.deviation > 0 ? move.deviation / std::max(move.tolerance, kExactPath) : 0;
+        move.deviation > 0 ? move.deviation / std::max(move.tolerance, kExactDeviation) : 0;
     if (share > smoothed.share) {
         smoothed.share = share;
         smoothed.line = move.line;

@@ -10,7 +10,7 @@
 
 namespace curvecore::ref {
 
-constexpr double kExactPath = 1e-6;  // mm: what the exact path may be off by
+constexpr double kExactDeviation = 1e-6;  // mm: what the exact path may be off by
 
 struct Smoothed {
     std::size_t moves = 0;    // of the program, before
@@ -19,7 +19,7 @@ struct Smoothed {
     std::size_t cubics = 0;   // in them
     double tolerance = 0;     // mm, the largest that the program allows
     double deviation = 0;     // mm, the largest bound
-    double share = 0;         // of the tolerance, or of kExactPath, the largest
+    double share = 0;         // of the tolerance, or of kExactDeviation, the largest
     int line = 0;             // where the share is largest
 };
 

@@ -126,7 +126,7 @@ TEST(RoundedInput, PiecesWithoutLengthLeaveNoGap) {
     for (const Move& move : program.moves) {
         EXPECT_LT((move.cubic.position(0) - move.start).norm(), 1e-9);
         EXPECT_LT((move.cubic.position(1) - move.end).norm(), 1e-9);
-        if (before != nullptr) EXPECT_EQ(before->end, move.start);
+        EXPECT_TRUE(before == nullptr || before->end == move.start);
         before = &move;
     }
     EXPECT_EQ(program.moves.back().end, Vec3(5, 0, 0));
