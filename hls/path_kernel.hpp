@@ -11,6 +11,11 @@
 
 namespace curvecore {
 namespace hls {
+
+/// Ticks without a program behind which nothing is under way: as many as are ever on their way from
+/// the time scaler to the path generator.
+constexpr int kIdleTicks = 16;
+
 inline namespace CURVECORE_STORAGE {
 
 /// s(tau) - s0 of a piece at `time` ticks (16 fraction bits), in quanta. Rounding: one per product,
@@ -38,6 +43,19 @@ class PathKernel {
     /// present piece's end. No program begins in a tick that is held, one with target 0.
     template <class NextPiece>
     Length tick(std::int32_t rate, NextPiece&& next_piece, bool held = false) {
+        const Length increment = advance(rate, next_piece, held);
+        idle_ticks_ = active_ ? 0 : idle_ticks_ + (idle() ? 0 : 1);
+        return increment;
+    }
+
+    /// A piece is in progress: not at rest before a program or after its final piece.
+    bool active() const { return active_; }
+    /// Nothing is under way: there was no program in the last ticks.
+    bool idle() const { return idle_ticks_ == kIdleTicks; }
+
+  private:
+    template <class NextPiece>
+    Length advance(std::int32_t rate, NextPiece&& next_piece, bool held) {
         Length increment = 0;
         if (!active_) {
             if (held || !next_piece(piece_)) {
@@ -71,10 +89,6 @@ class PathKernel {
         return increment;
     }
 
-    /// A piece is in progress: not at rest before a program or after its final piece.
-    bool active() const { return active_; }
-
-  private:
     void begin_piece(std::int64_t time) {
         active_ = true;
         time_ = time;
@@ -83,6 +97,7 @@ class PathKernel {
 
     ProfileWords piece_;
     bool active_ = false;
+    int idle_ticks_ = kIdleTicks;
     std::int64_t time_ = 0;  // within the piece, ticks with 16 fraction bits
     Length walked_ = 0;      // of the piece's ds
 };

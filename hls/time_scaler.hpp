@@ -3,8 +3,9 @@
 // and second differences. Twin: rtl/path/time_scaler.sv.
 //
 // r has 32 fraction bits. Per tick its slope changes by at most `acceleration` and never exceeds
-// `slope`; r slows down in time to meet the target without overshoot. The first tick that is not
-// held lands on its target at once: no program begins before it.
+// `slope`; r slows down in time to meet the target without overshoot. Where nothing is under way
+// nothing moves, and r is its target at once: before the first tick that is not held, and when no
+// program was under way for kIdleTicks ticks, but for a stop that a branch makes: it goes on.
 //
 // Near 1 a plan leaves little of the limits, below 7/8 a third and more: r^2 a, r^3 j. So from 7/8
 // on an eighth of both bounds holds, and r rests on 7/8 when it goes from one side to the other.
@@ -51,15 +52,28 @@ class TimeScaler {
     TimeScaler(std::int64_t acceleration, std::int64_t slope)
         : acceleration_(acceleration), max_slope_(slope) {}
 
+    /// Whether the next tick is on its target at once; idle: PathKernel::idle() before it. Where
+    /// the rate has its target anyway there is nothing to do.
+    bool lands(std::int32_t target, bool idle) const {
+        return (idle || fresh_) && (unsettled_ || target != asked_) && !stopping_;
+    }
+
+    /// A branch makes a stop, with the next tick too.
+    bool stopping() const { return stopping_; }
+
     /// One tick towards target (0 .. 2^16 = 1.0); returns the new rate, 0 .. 2^16.
-    std::int32_t tick(std::int32_t target) {
-        return tick(target, StopDue(), [] { return StopStep{1, 0, true}; });
+    std::int32_t tick(std::int32_t target, bool idle = false) {
+        return tick(target, idle, StopDue(), [] { return StopStep{1, 0, true}; });
     }
 
     /// The same with branches; next_step() gives the steps of the one that began last.
     template <class NextStep>
-    std::int32_t tick(std::int32_t target, const StopDue& due, NextStep&& next_step) {
-        const bool held = at_one_ && target == 0;
+    std::int32_t tick(std::int32_t target, bool idle, const StopDue& due, NextStep&& next_step) {
+        const bool now = lands(target, idle);
+        unsettled_ = !now && (unsettled_ || target != asked_);
+        asked_ = target;
+        fresh_ = fresh_ && target == 0;
+        const bool held = at_one_ && target == 0 && !now;
         const bool waits = held && wait_ > 0;
         count(due.wait, waits, at_one_ && target == 1 << 16);
         if (held && due.begins) {
@@ -70,9 +84,10 @@ class TimeScaler {
         }
         if (stopping_) return stop_on(next_step);
         const std::int32_t obeyed = waits ? 1 << 16 : target;
-        const bool same = !fresh_ && obeyed == target_;
+        const bool same = !now && obeyed == target_;
         target_ = obeyed;
-        const std::int32_t rate = follow(obeyed);
+        if (now) rest();
+        const std::int32_t rate = now ? land(obeyed) : follow(obeyed);
         at_one_ = same && arrived_ && !settling_ && rate == 1 << 16;
         return rate;
     }
@@ -118,12 +133,14 @@ class TimeScaler {
         return target;
     }
 
+    void rest() {
+        slope_ = 0;
+        braking_ = 0;
+        settling_ = false;
+        arrived_ = true;
+    }
+
     std::int32_t follow(std::int32_t target) {
-        if (fresh_) {
-            fresh_ = target == 0;
-            arrived_ = true;
-            return land(target);
-        }
         const bool high = target >= ref::kFineRate;
         const std::int64_t border = std::int64_t(ref::kFineRate) << 16;
         if (slope_ == 0 && !settling_ && rate_ == border) fine_ = high;
@@ -162,8 +179,10 @@ class TimeScaler {
 
     std::int64_t acceleration_;
     std::int64_t max_slope_;
-    bool fresh_ = true;
-    bool fine_ = false;  // the bounds are those from 7/8 on
+    bool fresh_ = true;       // no tick came that was not held
+    bool unsettled_ = true;   // the target changed since a tick was on it at once
+    std::int32_t asked_ = 0;  // target of the last tick, whatever was obeyed
+    bool fine_ = false;       // the bounds are those from 7/8 on
     std::int64_t rate_ = 0;
     std::int64_t slope_ = 0;    // n a: of the last tick, towards rising_
     std::int64_t braking_ = 0;  // a n (n-1) / 2: what r still moves when it brakes now

@@ -91,6 +91,7 @@ node/series_product.sv
 node/series_state.sv
 node/square_integrator.sv
 node/stieltjes_integrator.sv
+path/idle_gate.sv
 path/motion_settings.sv
 path/path_datapath.sv
 path/path_generator.sv

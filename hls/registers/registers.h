@@ -137,7 +137,7 @@
 #define CURVECORE_OVERRIDE_RATE_LOW 0
 #define CURVECORE_OVERRIDE_RATE_MASK 0x0001ffffu
 
-/* How long the host may be silent while a program is under way, or in position mode. */
+/* How long the host may be silent while a program is under way, or in position mode. Only a write that is obeyed ends its silence: any that is no error; of frames, one behind the number that SEQUENCE has. Reads do not, whoever reads; a host that has nothing to write writes SEQUENCE. */
 #define CURVECORE_WATCHDOG 0x028
 #define CURVECORE_WATCHDOG_SAMPLES_LOW 0
 #define CURVECORE_WATCHDOG_SAMPLES_MASK 0x0000ffffu

@@ -25,9 +25,9 @@ module machine_state #(
     output logic                 reference_ready_o,
     input  wire logic            homed_write_i,
     input  wire logic [    31:0] command_i,
-    input  wire logic            access_i,           // any, answered
-    input  wire logic            error_i,            // a write, with an error
-    input  wire logic [    15:0] watchdog_i,         // samples without access
+    input  wire logic            write_i,            // any, answered
+    input  wire logic            error_i,            // with an error
+    input  wire logic [    15:0] watchdog_i,         // samples without a write that was obeyed
     output logic      [    31:0] state_o,
     output logic      [Axes-1:0] homed_o,
     input  wire logic            caught_i,           // PROBE
@@ -82,7 +82,7 @@ module machine_state #(
   assign estop = control_write_i && command_i[registers_pkg::ControlEstopLow];
   always_comb begin
     sources = 18'd0;
-    sources[registers_pkg::StateBusLow] = error_i;
+    sources[registers_pkg::StateBusLow] = write_i && error_i;
     sources[registers_pkg::StateWatchdogLow] = silent;
     sources[registers_pkg::StateEstopLow] = estop;
     sources[registers_pkg::StateEstopInputLow] = estop_i && enable_o;
@@ -187,13 +187,15 @@ module machine_state #(
     else homed_o <= (homed_write_i ? command_i[Axes-1:0] : homed_o) & ~uncertain_i & ~astray;
   end
 
-  // The host's silence, in samples
+  // The host's silence, in samples. Reads are no sign of life: any program may read.
   logic [15:0] silence_q;
   logic under_way;
+  logic obeyed;
+  assign obeyed = write_i && !error_i;
   assign under_way = active_i || (enable_o && position_o);
   assign silent = tick_i && under_way && watchdog_i != '0 && silence_q == watchdog_i;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || access_i || !under_way) silence_q <= '0;
+    if (!rst_ni || obeyed || !under_way) silence_q <= '0;
     else if (tick_i) silence_q <= silence_q + 1'b1;
   end
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requests for samples into rates of time, one per tick: how fast time runs in it.
 //
-//   requests -> gate -> targets -> scaler -> rates
-//                 ^ settings ^-------'
+//   requests -> gate -> targets -> idle gate -> scaler -> rates
+//                 ^ settings ^--------------------'
 //
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick. Its rate follows
-// override_i, or goes to 0 for kill_i, hold_i and underrun_i. With settings that are not obeyed it
-// is 0. Twin: TimeScaler of hls/time_scaler.hpp.
+// override_i, or goes to 0 for kill_i, hold_i and underrun_i; at once while nothing is under way. With
+// settings that are not obeyed it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
 `default_nettype none
 module rate_generator #(
     parameter int Build = 0,  // 0 parallel, 1 serial
@@ -114,18 +114,39 @@ module rate_generator #(
   logic next_valid;
   logic next_ready;
   logic [16:0] next_target;
+  logic next_differs;
+  logic [16:0] target_q;  // of the tick before
+  always_ff @(posedge clk_i) if (tick) target_q <= target;
   word_queue #(
-      .Bits (17),
+      .Bits (18),
       .Depth(16)
   ) u_target_queue (
       .clk_i,
       .rst_ni,
       .valid_i(tick),
       .ready_o(target_room),
-      .data_i (target),
+      .data_i ({target != target_q, target}),
       .valid_o(next_valid),
       .ready_i(next_ready),
-      .data_o (next_target)
+      .data_o ({next_differs, next_target})
+  );
+
+  logic free_valid;
+  logic free_ready;
+  logic land;
+  logic stopping;
+  idle_gate u_idle (
+      .clk_i,
+      .rst_ni(rst_ni && !restart),
+      .valid_i(next_valid),
+      .ready_o(next_ready),
+      .differs_i(next_differs),
+      .valid_o(free_valid),
+      .ready_i(free_ready),
+      .land_o(land),
+      .stopping_i(stopping),
+      .tick_taken_i,
+      .active_i
   );
 
   logic scaled_valid;
@@ -138,9 +159,11 @@ module rate_generator #(
         .rst_ni(rst_ni && !restart),
         .acceleration_i(hold_acceleration),
         .slope_i(hold_slope),
-        .valid_i(next_valid),
-        .ready_o(next_ready),
+        .valid_i(free_valid),
+        .ready_o(free_ready),
         .target_i(next_target),
+        .land_i(land),
+        .stopping_o(stopping),
         .next_wait_i(due_i[19:0]),
         .begins_i(due_i[20]),
         .step_valid_i,
@@ -176,9 +199,11 @@ module rate_generator #(
         .rst_ni(rst_ni && !restart),
         .acceleration_i(hold_acceleration),
         .slope_i(hold_slope),
-        .valid_i(next_valid),
-        .ready_o(next_ready),
+        .valid_i(free_valid),
+        .ready_o(free_ready),
         .target_i(next_target),
+        .land_i(land),
+        .stopping_o(stopping),
         .next_wait_i(due_i[19:0]),
         .begins_i(due_i[20]),
         .step_valid_i,
@@ -216,7 +241,7 @@ module rate_generator #(
       .standing_o
   );
 
-  assign scaled_o = next_valid && next_ready;
+  assign scaled_o = free_valid && free_ready;
 
   logic unused_room;
   assign unused_room = target_room;

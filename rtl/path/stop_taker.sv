@@ -22,9 +22,11 @@ module stop_taker (
     output logic             ready_o,
     output logic             taken_o,
     input  wire logic        one_i,          // the rate rests on 1
+    input  wire logic        land_i,         // it is on its target at once: no stop begins
     input  wire logic [16:0] target_i,
     output logic      [16:0] obeyed_o,
     output logic             stopping_o,
+    output logic             goes_on_o,      // with the stop of the tick before
     input  wire logic [19:0] next_wait_i,    // of time_scaler
     input  wire logic        begins_i,
     input  wire logic        step_valid_i,
@@ -56,11 +58,12 @@ module stop_taker (
   logic old_ends;
   assign new_ends     = step_last_i && step_ticks_i == 11'd1;
   assign old_ends     = last_q && left_q == 11'd1;
-  assign held         = one_i && target_i == '0;
+  assign held         = one_i && target_i == '0 && !land_i;
   assign waits        = held && wait_q != '0;
   assign short_wait   = wait_q[19:LeadBits] == '0;
   assign begins       = held && begins_i && next_wait_i != '0 && !stopping_q;
   assign stopping_o   = stopping_q || begins;
+  assign goes_on_o    = stopping_q;
   assign new_step     = begins || left_q == '0;
   assign left         = (new_step ? step_ticks_i : left_q) - 1'b1;
   assign ends         = stopping_o && (new_step ? new_ends : old_ends);

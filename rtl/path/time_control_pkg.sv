@@ -20,7 +20,7 @@ package time_control_pkg;
   localparam int Turned = 22;  // subtract it if the rate is falling
   localparam int Ready = 23;  // for a tick
   localparam int Send = 24;  // the sum is the rate
-  localparam int Turn = 25;  // falling, or rising again
+  localparam int Turn = 25;  // falling, or rising again; with Swap: rising
   localparam int Moves = 26;  // the sum is the slope
   localparam int Settles = 27;  // unless the sum is 0
   localparam int Settled = 28;

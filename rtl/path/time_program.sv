@@ -27,8 +27,8 @@ module time_program (
     Wait,
     Kind,
     Follow,
-    First,
-    FirstGoal,
+    LandAtOnce,
+    LandRest,
     // The way to the goal
     Goal,
     LessRate,
@@ -157,8 +157,8 @@ module time_program (
     program_rom[Wait]        = Clear | Ready | stay_if(time_control_pkg::NoTick);
     program_rom[Kind]        = go_if(time_control_pkg::Stops, Stop);
     program_rom[Follow]      = go_if(time_control_pkg::Follows, Goal);
-    program_rom[First]       = Swaps;
-    program_rom[FirstGoal]   = add(ToGoal) | go(KeepRate);
+    program_rom[LandAtOnce]  = Swaps | Turns | write(Slope) | Moves | Settled;
+    program_rom[LandRest]    = write(Braking) | add(ToGoal) | go(KeepRate);
     program_rom[Goal]        = Turned | add(ToGoal);
     program_rom[LessRate]    = less(Rate);
     program_rom[Rest]        = go_if(time_control_pkg::Moving, LessBraking);

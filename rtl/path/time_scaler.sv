@@ -12,10 +12,9 @@
 //
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
 // each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
-// there on an eighth of the bounds holds. The first tick after a reset that is not held lands on
-// its target at once: no program begins before it. What follows it, a held one before it, or the
-// end of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset
-// on.
+// there on an eighth of the bounds holds. A tick with land_i, as the first one after a reset, is on
+// its target at once; it comes when the rates of all before it are out. What follows it, or the end
+// of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset on.
 // Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
@@ -37,7 +36,9 @@ module time_scaler (
 
     input  wire logic        valid_i,
     output logic             ready_o,
-    input  wire logic [16:0] target_i, // 16 fraction bits, up to 1
+    input  wire logic [16:0] target_i,   // 16 fraction bits, up to 1
+    input  wire logic        land_i,     // be there at once
+    output logic             stopping_o, // a branch goes on with the next tick, which may not land
 
     // Of target_i: for how long a stop from here on waits for the next branch, or 0; one begins
     input  wire logic [19:0] next_wait_i,
@@ -56,8 +57,7 @@ module time_scaler (
 
   // The tick at hand, and how its target differs.
   logic head_valid_q;
-  logic fresh_q;  // none came yet that was not held
-  logic first_q;  // it lands on its target
+  logic landing_q;  // on its target, at once
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
@@ -127,7 +127,7 @@ module time_scaler (
   assign arrive   = state_q == Run && head_valid_q && !change_q && !turns && arrives;
   assign swap     = state_q == Run && head_valid_q && !change_q && !turns && swaps;
   assign tick     = state_q == Run && head_valid_q && !change_q && !turns && !arrives && !swaps;
-  assign anew     = tick && (first_q || head_ends);
+  assign anew     = tick && (landing_q || head_ends);
   assign up       = !faster_q[35] && !at_max_q && !settling_q;
   assign no_brake = !steady_q[35] || settling_q;
   assign steady   = !up && no_brake;
@@ -157,9 +157,11 @@ module time_scaler (
       .ready_o,
       .taken_o(takes),
       .one_i(one),
+      .land_i,
       .target_i,
       .obeyed_o(obeyed),
       .stopping_o(stopping),
+      .goes_on_o(stopping_o),
       .next_wait_i,
       .begins_i,
       .step_valid_i,
@@ -175,25 +177,23 @@ module time_scaler (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_valid_q <= 1'b0;
-      fresh_q      <= 1'b1;
       change_q     <= 1'b0;
     end else begin
       if (room) head_valid_q <= takes;
-      if (takes) fresh_q <= fresh_q && target_i == '0;
-      if (takes) change_q <= aim != goal_q && !fresh_q && !stopping;
+      if (takes) change_q <= aim != goal_q && !land_i && !stopping;
       else if (state_q == Clear) change_q <= aim != goal_q;
       else if (change) change_q <= 1'b0;
     end
   end
   always_ff @(posedge clk_i) begin
     if (takes) begin
-      first_q  <= fresh_q;
-      same_q   <= obeyed == target_q && !fresh_q;
-      target_q <= obeyed;
-      zero_q   <= target_i == '0;
+      landing_q <= land_i;
+      same_q    <= obeyed == target_q && !land_i;
+      target_q  <= obeyed;
+      zero_q    <= target_i == '0;
     end
     if (takes || state_q == Clear) begin
-      beyond_q <= high != fine_q && !(takes && (fresh_q || stopping));
+      beyond_q <= high != fine_q && !(takes && (land_i || stopping));
       delta_q  <= $signed({1'b0, aim}) - $signed({1'b0, goal_q});
     end
   end
@@ -344,7 +344,7 @@ module time_scaler (
   logic rises_q;
   logic stops_q;
   logic held_q;
-  logic [16:0] landing_q;
+  logic [16:0] place_q;
   logic signed [35:0] rate_q;
   logic signed [35:0] stop_slope_q;
   logic signed [35:0] move;
@@ -364,19 +364,19 @@ module time_scaler (
   end
   always_ff @(posedge clk_i) begin
     if (ticked_q) begin
-      if (lands_q) rate_q <= {3'b0, landing_q, 16'b0};
+      if (lands_q) rate_q <= {3'b0, place_q, 16'b0};
       else if (rises_q) rate_q <= rate_q + move;
       else rate_q <= rate_q - move;
       held_o  <= held_q;
-      still_o <= held_q && landing_q == '0 && lands_q;
+      still_o <= held_q && place_q == '0 && lands_q;
     end
   end
   always_ff @(posedge clk_i) begin
-    lands_q <= first_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q);
+    lands_q <= landing_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q);
     rises_q <= rising_q || head_stop;
     stops_q <= head_stop;
     held_q <= zero_q;
-    landing_q <= first_q || head_stop ? target_q : goal_q;
+    place_q <= landing_q || head_stop ? target_q : goal_q;
   end
   // In a stop below 1, whatever its steps.
   logic stopped_q;

@@ -23,7 +23,9 @@ module time_scaler_serial (
 
     input  wire logic        valid_i,
     output logic             ready_o,
-    input  wire logic [16:0] target_i, // 16 fraction bits, up to 1
+    input  wire logic [16:0] target_i,   // 16 fraction bits, up to 1
+    input  wire logic        land_i,     // be there at once
+    output logic             stopping_o, // a branch goes on with the next tick, which may not land
 
     // Of target_i: for how long a stop from here on waits for the next branch, or 0; one begins
     input  wire logic [19:0] next_wait_i,
@@ -59,9 +61,11 @@ module time_scaler_serial (
       .ready_o,
       .taken_o(takes),
       .one_i(one_q),
+      .land_i,
       .target_i,
       .obeyed_o(obeyed),
       .stopping_o(unused),
+      .goes_on_o(stopping_o),
       .next_wait_i,
       .begins_i,
       .step_valid_i,
@@ -74,27 +78,24 @@ module time_scaler_serial (
       .change_o(change)
   );
 
-  logic fresh_q;  // none came yet that was not held
-  logic first_q;  // it lands on its target
+  logic lands_q;  // on its target
   logic same_q;  // its target is that of the tick before
   logic [16:0] target_q;
   logic rests;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       taken_q <= 1'b0;
-      fresh_q <= 1'b1;
       one_q   <= 1'b0;
     end else begin
       taken_q <= takes;
-      if (takes) fresh_q <= fresh_q && target_i == '0;
       if (takes) one_q <= 1'b0;
       else if (rests) one_q <= same_q && target_q[16];
     end
   end
   always_ff @(posedge clk_i) begin
     if (takes) begin
-      first_q  <= fresh_q;
-      same_q   <= obeyed == target_q && !fresh_q;
+      lands_q  <= land_i;
+      same_q   <= obeyed == target_q && !land_i;
       target_q <= obeyed;
       held_o   <= target_i == '0;
     end
@@ -118,7 +119,7 @@ module time_scaler_serial (
       .rst_ni,
       .ready_o(idle),
       .tick_i(taken_q),
-      .first_i(first_q),
+      .lands_i(lands_q),
       .stops_i(stops),
       .ends_i(ends),
       .high_i(high),

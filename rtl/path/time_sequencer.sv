@@ -5,7 +5,7 @@
 //
 //   clock        0    1             n
 //   tick_i       1
-//   first_i, ..       of the tick   until sent_o
+//   lands_i, ..       of the tick   until sent_o
 //   sent_o                          1        n < kSerialScaleClocks - 1 of hls/clocks.hpp
 //   taken_i                         1        it is offered until then
 `default_nettype none
@@ -16,7 +16,7 @@ module time_sequencer (
     // Ticks
     output logic      ready_o,
     input  wire logic tick_i,   // only when ready
-    input  wire logic first_i,  // it lands on its target
+    input  wire logic lands_i,  // on its target
     input  wire logic stops_i,  // it is one of a stop branch
     input  wire logic ends_i,   // the last one
     input  wire logic high_i,   // its target is on the fine side of 7/8
@@ -81,7 +81,7 @@ module time_sequencer (
       time_control_pkg::Always:   holds = 1'b1;
       time_control_pkg::NoTick:   holds = !tick_i;
       time_control_pkg::Stops:    holds = stops_i;
-      time_control_pkg::Follows:  holds = !first_i;
+      time_control_pkg::Follows:  holds = !lands_i;
       time_control_pkg::Moving:   holds = moves_o;
       time_control_pkg::Positive: holds = !negative_i;
       time_control_pkg::Settling: holds = settling_q;
@@ -104,7 +104,7 @@ module time_sequencer (
       moves_o    <= 1'b0;
       settling_q <= 1'b0;
     end else begin
-      if (word[time_control_pkg::Turn]) falling_q <= !falling_q;
+      if (word[time_control_pkg::Turn]) falling_q <= !falling_q && !word[time_control_pkg::Swap];
       if (word[time_control_pkg::Moves]) moves_o <= !zero_i;
       if (word[time_control_pkg::Settles]) settling_q <= !zero_i;
       else if (word[time_control_pkg::Settled]) settling_q <= 1'b0;

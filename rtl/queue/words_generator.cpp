@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "hls/stop_schedule.hpp"
+#include "hls/path_kernel.hpp"
 #include "hls/words.hpp"
 
 using namespace curvecore;
@@ -75,5 +76,9 @@ int main(int argc, char** argv) {
     file.print("\n  // Of stop branches: hls/stop_schedule.hpp\n");
     file.print("  localparam int StopLead = {};\n", kStopLead);
     file.print("  localparam int StopSteps = {};\n", kStopSteps);
+    file.print(
+        "\n  // Ticks without a program behind which nothing is under way: "
+        "rtl/path/idle_gate.sv\n");
+    file.print("  localparam int IdleTicks = {};\n", kIdleTicks);
     file.print("\nendpackage\n`default_nettype wire\n");
 }

@@ -77,5 +77,8 @@ package words_pkg;
   localparam int StopLead = 32;
   localparam int StopSteps = 256;
 
+  // Ticks without a program behind which nothing is under way: rtl/path/idle_gate.sv
+  localparam int IdleTicks = 16;
+
 endpackage
 `default_nettype wire

@@ -41,7 +41,8 @@ bool KernelBoard::move() {
     if (share_.needs_tick()) {
         // A tick may end the present piece and begin the next one.
         if (!final_ && !piece_queued()) return false;
-        rate_ = scaler_.tick(target_, stops_.due(), [this] { return stops_.next_step(); });
+        rate_ = scaler_.tick(target_, path_.idle(), stops_.due(),
+                             [this] { return stops_.next_step(); });
         const auto next = [this](hls::ProfileWords& words) { return next_piece(words); };
         share_.tick(path_.tick(rate_, next, target_ == 0));
     }

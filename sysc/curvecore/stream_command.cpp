@@ -60,6 +60,16 @@ class StatusLine {
     double mm_ = 0;
 };
 
+double mm_of(std::uint64_t quanta, const Options& options) {
+    return static_cast<double>(quanta) / kQuantaPerUnit * options.unit_mm;
+}
+
+/// Words a second that the link carries; null where that is not known, as of UDP.
+nlohmann::ordered_json link_words(const RemoteMachine& machine) {
+    if (machine.words_per_s() == 0) return nullptr;
+    return machine.words_per_s();
+}
+
 /// What was planned and what the board saw.
 nlohmann::ordered_json report(const Options& options, const RemoteMachine& machine,
                               const WireStream& stream, const std::vector<std::int32_t>& steps,
@@ -82,6 +92,10 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
                        {"words", planned.words},
                        {"words_of_busiest_second", planned.busiest}};
     json["drawn"] = {{"path_quanta", stream.path()}, {"steps", steps}, {"held", stream.held()}};
+    json["drawn"]["waits_mm"] = nlohmann::json::array();
+    for (const std::uint64_t at : stream.waits()) {
+        json["drawn"]["waits_mm"].push_back(mm_of(at, options));
+    }
     for (const Following& axis : following) {
         json["following_error_mm"][std::string(1, ref::kAxisLetters[axis.encoder.axis])] = {
             {"worst", axis.worst_mm}, {"end", axis.now_mm}};
@@ -90,7 +104,7 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
                     {"frames", link.frames},
                     {"repeated", link.repeated},
                     {"round_trip_s", link.round_trip_s},
-                    {"words_per_s", machine.words_per_s()},
+                    {"words_per_s", link_words(machine)},
                     {"rate", stream.link_rate()}};
     return json;
 }
@@ -185,6 +199,15 @@ int stream_command(Options options, const RawWireOptions& wire) {
             }
         }
         if (!astray.empty()) fmt::print(stderr, "{}\n", astray);
+        if (!stream.waits().empty()) {
+            fmt::print(stderr,
+                       "{}: warning: waited for words at s = {:.3f} mm{}: the link was too slow or "
+                       "lost too many frames; the path was kept\n",
+                       wire.to, mm_of(stream.waits().front(), options),
+                       stream.waits().size() == 1
+                           ? ""
+                           : fmt::format(", and {} times more", stream.waits().size() - 1));
+        }
         if (stream.link_rate() < 1) {
             fmt::print(
                 stderr,

@@ -237,8 +237,9 @@ static void link_receive(struct board_link* link, int64_t now) {
 }
 
 /* Once more what is not answered. A question, where nothing is under way: a board that is slow gets
- * no more of them than it answers. */
-static void link_keep(struct board_link* link, int64_t now) {
+ * no more of them than it answers. With a number, if the board is to know that its host is alive:
+ * any program may ask without one. */
+static void link_keep(struct board_link* link, int64_t now, int alive) {
     int n;
     if (link->count > 0 && now - link->went_on > link->wait) {
         link->went_on = now;
@@ -250,7 +251,11 @@ static void link_keep(struct board_link* link, int64_t now) {
         }
     }
     if (link->count == 0 && (link->answered >= link->sent || now - link->sent > link->wait)) {
-        link_question(link, now);
+        if (alive && link->known) {
+            link_end(link, link_begin(link), now);
+        } else {
+            link_question(link, now);
+        }
     }
 }
 

@@ -329,5 +329,5 @@ FUNCTION(write_) {
         if (STATE_HAS(ENABLED) && now - tried >= AGAIN) turn_off(now);
         break;
     }
-    link_keep(&link_, now);
+    link_keep(&link_, now, mode == COMING || mode == ON);
 }

@@ -40,7 +40,8 @@ WireClock::duration seconds(double s) {
 
 }  // namespace
 
-FrameStream::FrameStream(Link& link) : link_(link) {
+FrameStream::FrameStream(Link& link)
+    : link_(link), window_(link.bytes_per_s() == 0 ? kNetWindow : kLineWindow) {
     const std::uint32_t id = read(CURVECORE_ID, 1)[0];
     if (id != CURVECORE_ID_ID_VALUE) throw BoardLost("what answers is not a motion_board");
     // A number that no frame under way has: of another host, or of this one before a restart.
@@ -98,6 +99,7 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
     Frame whole = frame;
     add_reads(whole);
     transmit(whole.bytes());
+    numbered_ = transmitted_;
     under_way_.push_back(
         {next_++, whole.bytes(), segment_words, profile_words, transmitted_, false});
     telemetry_.segment_room -= segment_words;
@@ -107,7 +109,9 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
 void FrameStream::work() {
     // Questions wait for answers, so that a slow board does not drown in them, but not for long: a
     // board whose host is silent stops.
-    if (WireClock::now() >= transmitted_ + (waits_ ? kUnanswered : link_.poll_period())) {
+    if (all_taken() && WireClock::now() >= numbered_ + live_period_) {
+        send(begin());
+    } else if (WireClock::now() >= transmitted_ + (waits_ ? kUnanswered : link_.poll_period())) {
         Frame poll;
         transmit(add_reads(poll).bytes());
     }
@@ -163,7 +167,7 @@ void FrameStream::measure(WireClock::duration round_trip) {
 WireClock::duration FrameStream::patience() const {
     const double mean = figures_.round_trip_s;
     return std::max<WireClock::duration>(2 * link_.poll_period(),
-                                         seconds(backoff_ * (mean + 4 * deviation_s_)));
+                                         seconds(backoff_ * (mean + 2 * deviation_s_)));
 }
 
 void FrameStream::repeat_overdue() {

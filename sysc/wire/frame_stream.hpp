@@ -43,10 +43,13 @@ class FrameStream {
     /// A frame to fill; it has its number.
     Frame begin() const;
     /// Whether one more may be under way.
-    bool may_send() const { return under_way_.size() < kWindow; }
+    bool may_send() const { return under_way_.size() < window_; }
     /// With the words that it pushes. It is under way until a later answer; see all_taken().
     void send(const Frame& frame, int segment_words = 0, int profile_words = 0);
     bool all_taken() const { return under_way_.empty(); }
+    /// At least so often a frame with a number goes out, in work(): what the board's watchdog
+    /// counts.
+    void live_each(WireClock::duration period) { live_period_ = period; }
 
     /// Works off answers and repeats what is overdue, for one wait of the link; asks for the state
     /// when it is old.
@@ -64,7 +67,9 @@ class FrameStream {
     static constexpr std::size_t kOwnBytes = 2 * (kCommandBytes + 4) + 3 * kCommandBytes;
 
   private:
-    static constexpr std::size_t kWindow = 16;
+    /// Frames under way: a line as slow as its bytes has few, or what is urgent waits behind them.
+    static constexpr std::size_t kLineWindow = 16;
+    static constexpr std::size_t kNetWindow = 64;
 
     struct UnderWay {
         std::uint32_t number;
@@ -85,9 +90,12 @@ class FrameStream {
     Link& link_;
     std::uint32_t next_ = 0;  // number of the next frame
     std::deque<UnderWay> under_way_;
+    std::size_t window_;
     Telemetry telemetry_;
     LinkFigures figures_;
     WireClock::time_point transmitted_;
+    WireClock::time_point numbered_ = WireClock::now();
+    WireClock::duration live_period_ = std::chrono::hours(1);
     WireClock::time_point waits_since_;
     bool waits_ = false;  // nothing was answered since then
     std::size_t question_ = 0;

@@ -18,6 +18,8 @@ namespace {
 /// Clocks of a pin's time: boards have TimeBits = 12, and count two of them together.
 constexpr std::uint32_t kMostTime = (1U << 11) - 1;
 constexpr auto kSettles = std::chrono::seconds(2);
+/// Frames with a number that go out in the watchdog's time, at least.
+constexpr double kSignsOfLife = 5;
 
 /// Words in two commands of a frame, beside what the stream adds itself.
 constexpr std::size_t kWordsOfFrame =
@@ -158,6 +160,11 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
     write(CURVECORE_PROBE, 0);
     write(CURVECORE_OVERRIDE, static_cast<std::uint32_t>(settings.override_word));
     write(CURVECORE_WATCHDOG, static_cast<std::uint32_t>(watchdog_samples));
+    if (watchdog_samples > 0) {
+        const double silence = watchdog_samples * build_.sample_period_s;
+        frames_.live_each(std::chrono::duration_cast<WireClock::duration>(
+            std::chrono::duration<double>(silence / kSignsOfLife)));
+    }
     write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
     write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
     write(CURVECORE_HOLD_SLOPE, static_cast<std::uint32_t>(settings.hold_slope));

@@ -16,7 +16,7 @@ struct RawWireOptions {
     std::string stepspace = "2us";
     std::string dirsetup = "4us";
     std::string dirhold = "4us";
-    std::string watchdog = "200ms";
+    std::string watchdog = "500ms";
     std::string control;
 };
 

@@ -46,6 +46,17 @@ void WireStream::look() {
               (machine_.telemetry().state & (kFaultBits | CURVECORE_STATE_FAULT_AXIS_MASK));
     if ((faults_ & kOff) != 0) faults_ &= ~CURVECORE_STATE_BUS_MASK;
     held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
+    see_waits();
+}
+
+/// UNDERRUN stays: it tells the first time, and then a program that stands without a hold.
+void WireStream::see_waits() {
+    const bool first = waits_.empty() && machine_.is(CURVECORE_STATE_UNDERRUN_MASK);
+    const bool stands =
+        machine_.is(CURVECORE_STATE_UNDERRUN_MASK) && machine_.is(CURVECORE_STATE_ACTIVE_MASK) &&
+        machine_.is(CURVECORE_STATE_STANDING_MASK) && !machine_.is(CURVECORE_STATE_HOLDING_MASK);
+    if (first || (stands && !waiting_)) waits_.push_back(path_);
+    waiting_ = first || stands;
 }
 
 /// Time goes no faster than words come.

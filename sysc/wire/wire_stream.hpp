@@ -31,6 +31,8 @@ class WireStream {
     /// Bits of STATE.
     std::uint32_t faults() const { return faults_; }
     bool held() const { return held_; }
+    /// Where it waited for words, quanta: each time that time stood still, or was slowed first.
+    const std::vector<std::uint64_t>& waits() const { return waits_; }
     /// Rate of time that the link's words a second allow, at most 1.
     double link_rate() const { return link_rate_; }
 
@@ -38,6 +40,7 @@ class WireStream {
     bool meet_wishes();
     bool drawn() const;
     void look();
+    void see_waits();
     void keep_to_link();
     void set_rate(double wished);
 
@@ -49,6 +52,8 @@ class WireStream {
     double link_rate_ = 1;
     std::uint64_t path_ = 0;
     std::uint32_t faults_ = 0;
+    std::vector<std::uint64_t> waits_;
+    bool waiting_ = false;
     bool held_ = false;  // time stood still or went slower, for whatever reason
 };
 

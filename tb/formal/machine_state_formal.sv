@@ -19,6 +19,7 @@
 // control: STAYS_HOMED s/& ~uncertain_i/\& ~(2'd0 \& uncertain_i)/
 // control: PASSES_THE_PROBE s/ || caught_i//
 // control: SLEEPS s/silence_q == watchdog_i/1'b0/
+// control: REFUSED_IS_LIFE s/obeyed = write_i \&\& !error_i/obeyed = write_i/
 // control: FOLLOWS_PASSES s/{following_i, encoder_i}/{1'b0, encoder_i}/
 // control: HOMED_ASTRAY s/ \& ~astray//
 // control: BEGINS_MOVED s/begins_o = !moved_q \&\&/begins_o = /
@@ -39,7 +40,7 @@ module machine_state_formal (
     input wire logic        queued_i,
     input wire logic        word_i,
     input wire logic        tick_i,
-    input wire logic        access_i,
+    input wire logic        answered_i,
     input wire logic        estop_i,
     input wire logic [ 1:0] limit_i,
     input wire logic [ 1:0] referenced_i,
@@ -86,7 +87,7 @@ module machine_state_formal (
       .reference_ready_o(reference_ready),
       .homed_write_i(homes),
       .command_i,
-      .access_i,
+      .write_i(answered_i),
       .error_i,
       .watchdog_i(16'd2),
       .state_o(state),
@@ -176,7 +177,7 @@ module machine_state_formal (
       if (sample_i) moved_q <= 1'b1;
       if (empty) moved_q <= 1'b0;
       silent_q <= tick_i && watches && silence_q == 2'd2;
-      if (access_i || !watches) silence_q <= '0;
+      if ((answered_i && !error_i) || !watches) silence_q <= '0;
       else if (tick_i && silence_q != 2'd3) silence_q <= silence_q + 1'b1;
     end
   end

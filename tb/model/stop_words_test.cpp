@@ -72,7 +72,7 @@ class Stops {
   public:
     std::int32_t tick(std::int32_t target, bool begin = false) {
         const std::int32_t rate =
-            scaler_.tick(target, schedule_.due(), [this] { return schedule_.next_step(); });
+            scaler_.tick(target, false, schedule_.due(), [this] { return schedule_.next_step(); });
         if (begin) {
             schedule_.load_wait(100);
             schedule_.load_step({32, -(1 << 22), false});

@@ -90,6 +90,19 @@ TEST(TimeScaler, FirstTickThatIsNotHeldLandsOnItsTarget) {
     }
 }
 
+TEST(TimeScaler, WhileNothingIsUnderWayTheRateIsItsTarget) {
+    TimeScaler scaler(1 << 10, 1 << 20);
+    EXPECT_EQ(scaler.tick(65536), 65536);
+    // In motion it goes there step by step; at its end it is there.
+    for (int tick = 0; tick < 100; ++tick) EXPECT_GT(scaler.tick(655), 60000);
+    for (const std::int32_t target : {655, 0, 65536, 12345}) {
+        for (int tick = 0; tick < 3; ++tick) EXPECT_EQ(scaler.tick(target, true), target);
+    }
+    // It begins a motion at rest on 12345.
+    EXPECT_EQ(scaler.tick(12345), 12345);
+    EXPECT_LE(scaler.tick(65536), 12346);
+}
+
 TEST(TimeScaler, StopsNearlyAsFastAsTheBoundsAllow) {
     const std::int64_t acceleration = 1 << 20;
     TimeScaler scaler(acceleration, acceleration * 1000);

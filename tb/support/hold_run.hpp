@@ -19,7 +19,7 @@ class HoldRun {
     /// Towards a rate of time, 2^16 = 1; returns the rate.
     std::int32_t tick(std::int32_t target) {
         const auto next_step = [this] { return schedule_.next_step(); };
-        const std::int32_t rate = scaler_.tick(target, schedule_.due(), next_step);
+        const std::int32_t rate = scaler_.tick(target, false, schedule_.due(), next_step);
         const std::size_t begun = run_.begun();
         run_.tick(rate, target == 0);
         if (run_.begun() != begun) begin(begun, rate);

@@ -142,6 +142,57 @@ TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
     EXPECT_GT(silences, 0);
 }
 
+TEST_F(MotionSystem, BeginsAtAnOverrideThatIsWrittenAtRest) {
+    host_.prepare(part_);
+    host_.samples(50);  // samples are asked for, at the full rate
+    const uint32_t slow = 655;
+    host_.write(CURVECORE_OVERRIDE, slow);
+    host_.samples(20);
+    int looks = 0;
+    RegisterHost::Sent sent;
+    while (looks < 1000 && !HasFailure()) {
+        host_.feed(part_, sent, [&] {
+            if (host_.path() == 0) return;
+            ASSERT_EQ(host_.read(CURVECORE_RATE), slow) << "look " << looks;
+            ++looks;
+        });
+        if (sent.all(part_)) break;
+    }
+    for (; looks < 1000 && !HasFailure(); ++looks) {
+        host_.samples(1);
+        const bool begun = host_.path() != 0;
+        ASSERT_TRUE(!begun || host_.read(CURVECORE_RATE) == slow) << "look " << looks;
+    }
+    EXPECT_GT(host_.path(), 0U);
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
+}
+
+/// A monitor reads a hundred times as often as the watchdog asks for life.
+TEST_F(MotionSystem, HoldsWhenTheMasterIsGoneHoweverManyRead) {
+    begin(700);
+    host_.write(CURVECORE_WATCHDOG, 500);
+    const int64_t gone = host_.now();
+    while (!host_.is(CURVECORE_STATE_WATCHDOG_MASK)) {
+        ASSERT_LT(host_.now() - gone, 502 * kSystemPeriod) << "reads are taken for life";
+        host_.samples(4);
+    }
+    EXPECT_GT(host_.now() - gone, 498 * kSystemPeriod);
+    while (!host_.is(CURVECORE_STATE_STANDING_MASK)) {
+        ASSERT_LT(host_.now() - gone, 8000 * kSystemPeriod);
+        host_.samples(1);
+    }
+    EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK)) << "it drew on to the end";
+    // Nor are writes life that are refused.
+    clear_faults();
+    const int64_t refused = host_.now();
+    while (!host_.is(CURVECORE_STATE_WATCHDOG_MASK)) {
+        ASSERT_LT(host_.now() - refused, 503 * kSystemPeriod)
+            << "refused writes are taken for life";
+        EXPECT_FALSE(host_.write(CURVECORE_ID, 0));
+        host_.samples(4);
+    }
+}
+
 TEST_F(MotionSystem, TakesNoWordUntilEveryAxisIsReferenced) {
     EXPECT_FALSE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
     EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_BUS_MASK});

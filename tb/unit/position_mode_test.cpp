@@ -260,7 +260,10 @@ TEST_F(PositionMode, AHostThatIsGoneTurnsItOff) {
     begin();
     host_.write(CURVECORE_WATCHDOG, 100);
     for (int n = 0; n < 40; ++n) push(n);
-    host_.samples(95);
+    for (int n = 0; n < 95; ++n) {
+        host_.samples(1);
+        host_.state();  // any program may read
+    }
     EXPECT_TRUE(host_->enable_o);
     host_.samples(10);
     EXPECT_FALSE(host_->enable_o);

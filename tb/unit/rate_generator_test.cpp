@@ -58,6 +58,7 @@ class RateGenerator : public testing::Test {
 
     /// One clock of the bench, with a request or without.
     void clock(bool request) {
+        if (took_) idle_ticks_ = dut_->active_i ? 0 : std::min(idle_ticks_ + 1, hls::kIdleTicks);
         dut_->request_valid_i = request;
         dut_->rate_ready_i = go();
         dut_->tick_taken_i = !taken_.empty() && go();
@@ -70,7 +71,8 @@ class RateGenerator : public testing::Test {
         if (dut_->standing_o) stands_until_ = asked_before_[1];
         asked_before_ = {asked_, asked_before_[0]};
         if (request && dut_->request_ready_o) admit();
-        const bool active = dut_->tick_taken_i ? take() : dut_->active_i != 0;
+        took_ = dut_->tick_taken_i != 0;
+        const bool active = took_ ? take() : dut_->active_i != 0;
         if (dut_->rate_valid_o && dut_->rate_ready_i) compare();
         if (dut_->sent_i) send();
         if (dut_->leaves_i) ++left_;
@@ -82,7 +84,19 @@ class RateGenerator : public testing::Test {
     bool take() {
         const Tick tick = taken_.front();
         taken_.pop_front();
-        const bool active = dut_->active_i || (begins_ && tick.target != 0);
+        ++ticks_taken_;
+        const bool before = dut_->active_i != 0;
+        const bool landed = kernel_.lands(tick.target, idle_ticks_ == hls::kIdleTicks);
+        EXPECT_EQ(tick.rate, kernel_.tick(tick.target, idle_ticks_ == hls::kIdleTicks))
+            << "tick " << compared_;
+        EXPECT_FALSE(landed && before && begins_) << "it lands in motion";
+        const bool ends = before && chance(end_percent_);
+        const bool active =
+            !ends && (before || (begins_ && tick.target != 0 && chance(begin_percent_)));
+        if (active && !before && idle_ticks_ == hls::kIdleTicks) {
+            EXPECT_EQ(tick.rate, tick.target) << "a program begins at another rate";
+            begun_ += tick.target != tick.asked_before ? 1 : 0;
+        }
         if (active && tick.rate != 0) {
             EXPECT_GE(tick.sample, stands_until_) << "it moves on its way, and is said to stand";
             moves_until_ = tick.sample + (1 << taken_settings_.samples_log2);
@@ -96,6 +110,7 @@ class RateGenerator : public testing::Test {
         EXPECT_EQ(asked_, sent_) << "they were taken while samples were under way";
         EXPECT_EQ(index_, 0);
         taken_settings_ = settings_;
+        idle_ticks_ = hls::kIdleTicks;  // nothing is under way
         kernel_ = hls::TimeScaler(settings_.acceleration, settings_.slope);
     }
 
@@ -106,7 +121,8 @@ class RateGenerator : public testing::Test {
             const int32_t target =
                 stops ? 0 : std::min(static_cast<int32_t>(dut_->override_i), 65536);
             if (target != 0) ++free_ticks_;
-            expected_.push_back({kernel_.tick(target), target, asked_});
+            expected_.push_back({0, target, last_target_, asked_});
+            last_target_ = target;
         }
         index_ = (index_ + 1) & ((1 << taken_settings_.samples_log2) - 1);
         ++asked_;
@@ -114,12 +130,11 @@ class RateGenerator : public testing::Test {
 
     void compare() {
         ASSERT_FALSE(expected_.empty()) << "a rate that nobody asked for";
-        const Tick tick = expected_.front();
+        Tick tick = expected_.front();
         expected_.pop_front();
-        ASSERT_EQ(static_cast<int32_t>(dut_->rate_o), tick.rate) << "tick " << compared_;
+        tick.rate = static_cast<int32_t>(dut_->rate_o);
         ASSERT_EQ(dut_->held_o != 0, tick.target == 0) << "tick " << compared_;
         taken_.push_back(tick);
-        ++ticks_taken_;
         ++compared_;
     }
 
@@ -164,11 +179,13 @@ class RateGenerator : public testing::Test {
     }
 
     bool go() { return !stalls_ || random_() % 4 != 0; }
+    bool chance(unsigned percent) { return percent == 100 || random_() % 100 < percent; }
 
     struct Tick {
         int32_t rate;
         int32_t target;
-        int64_t sample;  // its first
+        int32_t asked_before;  // target of the tick before
+        int64_t sample;        // its first
     };
 
     ClockedDut<Vrate_generator> dut_;
@@ -177,7 +194,13 @@ class RateGenerator : public testing::Test {
     uint32_t stop_ticks_ = 0;
     hls::TimeScaler kernel_{settings_.acceleration, settings_.slope};
     bool stalls_ = false;
-    bool begins_ = false;  // a program, in a tick that is not held
+    bool begins_ = false;           // programs, in ticks that are not held
+    unsigned begin_percent_ = 100;  // of these
+    unsigned end_percent_ = 0;      // of ticks of programs: the last one
+    int idle_ticks_ = hls::kIdleTicks;
+    bool took_ = false;  // a tick, in the clock before
+    int64_t begun_ = 0;  // programs at another rate than the tick before was to have
+    int32_t last_target_ = 0;
     std::mt19937_64 random_{1};
     int index_ = 0;  // of the next sample in its tick
     std::deque<Tick> expected_;
@@ -198,6 +221,7 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
     int obeyed = 0;
     while (compared_ < 1'000'000) {
         stalls_ = random_() % 2 == 0;
+        begins_ = random_() % 8 != 0;
         const auto every = static_cast<unsigned>(1 + random_() % 300);
         const int requests = random_() % 2 == 0 ? 100 : 30;
         for (int n = 0; n < 1500; ++n) {
@@ -209,6 +233,8 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
             << "acceleration " << taken_settings_.acceleration << " slope " << taken_settings_.slope
             << " stop ticks " << taken_settings_.stop_ticks;
         obeyed += fits(taken_settings_) ? 1 : 0;
+        begins_ = false;
+        dut_->active_i = 0;
         // New ones, in a pause or while requests go on.
         if (random_() % 2 == 0) drain();
         const int64_t taken = stop_ticks_;
@@ -219,6 +245,25 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
     EXPECT_GT(obeyed, 100);
     EXPECT_GT(free_ticks_, 100'000);
     EXPECT_FALSE(dut_->settings_fault_o) << "no program ever waited";
+}
+
+/// Programs begin and end at any time; overrides and holds come in and between them.
+TEST_F(RateGenerator, WhileNothingIsUnderWayTheRateIsTheTargetAtOnce) {
+    begins_ = true;
+    for (int round = 0; round < 400 && !HasFailure(); ++round) {
+        stalls_ = random_() % 2 == 0;
+        end_percent_ = round % 3 == 0 ? 20 : 1;
+        const auto every = static_cast<unsigned>(1 + random_() % 300);
+        const int requests = round % 4 == 0 ? 100 : round % 4 == 1 ? 30 : 3;
+        for (int n = 0; n < 2000 && !HasFailure(); ++n) {
+            // Pauses between programs, and none.
+            if (n % 500 == 0) begin_percent_ = random_() % 2 == 0 ? 100 : random_() % 8;
+            if (random_() % every == 0) dut_->override_i = to_port(any_override(), 17);
+            if (random_() % every == 0) dut_->hold_i = random_() % 2;
+            run(1, requests);
+        }
+    }
+    EXPECT_GT(begun_, 50);
 }
 
 TEST_F(RateGenerator, ReportsSettingsThatCannotBeWhenAProgramWaits) {

@@ -48,6 +48,7 @@ class TimeScalerBench : public testing::Test {
         expected_.clear();
         steps_ = 0;
         stands_ = false;
+        stops_on_ = false;
     }
 
     /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
@@ -57,6 +58,9 @@ class TimeScalerBench : public testing::Test {
         dut_->target_i = to_port(target, 17);
         dut_->next_wait_i = to_port(due.wait, 20);
         dut_->begins_i = due.begins ? 1 : 0;
+        // A tick that lands comes when the rates of all before it are out.
+        const bool idle = idle_percent_ > 0 && expected_.empty() && random_() % 100 < idle_percent_;
+        dut_->land_i = target >= 0 && kernel_.lands(target, idle) ? 1 : 0;
         const hls::StopStep offered = step(steps_);
         dut_->step_valid_i = random_() % 4 != 0 ? 1 : 0;
         dut_->step_ticks_i = to_port(offered.ticks, 11);
@@ -67,10 +71,13 @@ class TimeScalerBench : public testing::Test {
         const bool stepped = dut_->step_ready_o && dut_->step_valid_i;
         const uint64_t before = steps_;
         if (taken) {
-            const int32_t rate = kernel_.tick(target, due, [this] { return step(steps_++); });
+            const int32_t rate = kernel_.tick(target, idle, due, [this] { return step(steps_++); });
+            landed_ += dut_->land_i;
             expected_.push_back({target, rate});
         }
         EXPECT_EQ(stepped, steps_ != before);
+        EXPECT_EQ(dut_->stopping_o != 0, stops_on_);
+        if (taken) stops_on_ = kernel_.stopping();
         if (dut_->valid_o && room) compare();
         dut_.tick();
         return taken;
@@ -131,6 +138,9 @@ class TimeScalerBench : public testing::Test {
     std::deque<Tick> expected_;
     uint64_t steps_ = 0;  // taken
     unsigned hold_percent_ = 0;
+    unsigned idle_percent_ = 0;  // of ticks before which all rates are out
+    int64_t landed_ = 0;
+    bool stops_on_ = false;
     bool stands_ = false;
     int64_t ticks_ = 0;
     std::mt19937_64 random_{1};
@@ -172,6 +182,25 @@ TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
         steps += steps_;
     }
     EXPECT_GT(steps, 0U);
+}
+
+/// Whatever the rate does, at rest or on its way, up or down, above or below 7/8.
+TEST_P(TimeScaler, EqualsKernelWhereNothingIsUnderWay) {
+    for (const unsigned every : {3U, 20U, 400U}) {
+        int32_t target = 65536;
+        start(GetParam());
+        for (int n = 0; n < 40000 / kFewer; ++n) {
+            idle_percent_ = n / 100 % 2 * 50;
+            if (random_() % every == 0) target = any_target();
+            const bool due = random_() % 50 == 0;
+            if (idle_percent_ > 0) {
+                while (!expected_.empty() && !HasFatalFailure()) clock(-1);
+            }
+            take(target, due ? hls::StopDue(40, random_() % 2) : hls::StopDue());
+            if (HasFatalFailure()) FAIL() << "a new target every " << every << " ticks";
+        }
+    }
+    EXPECT_GT(landed_, 1000 / kFewer);
 }
 
 TEST_P(TimeScaler, FirstTickThatIsNotHeldLandsOnItsTarget) {
