@@ -9,7 +9,7 @@
 // follows override_i, or stops for hold_i, kill_i and underrun, with bounded first and second
 // differences; time stops, the geometry stays. Inputs beside the streams belong to that request.
 // While they stop time no program begins. kill_i is a hold for good: killed_o rises at once,
-// standing_o when the machine stands: at once between programs. While nothing is under way, at first
+// standing_o when the machine stands: at once between programs. While nothing is under way, first
 // and from 16 ticks behind a program on, the rate is override_i at once, and 0 under a hold.
 //
 // Settings are taken while nothing is under way. With settings outside their ranges time does not

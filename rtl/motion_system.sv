@@ -94,6 +94,7 @@ module motion_system #(
       Encoders
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
+  localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, SamplesAhead);
   logic [16:0] override_rate;
   logic [15:0] watchdog;
   logic [ 3:0] samples_per_tick_log2;
@@ -127,6 +128,7 @@ module motion_system #(
       .TimeBits  (TimeBits),
       .Capability(Capability),
       .Core      (Core),
+      .Widths    (Widths),
       .ClockHertz(ClockHertz)
   ) u_registers (
       .clk_i,

@@ -309,6 +309,7 @@ foreach(size ${sizes})
   core_test(register_file a${axes}_s${scale}_t${time} TOP register_file
             LIBRARIES nlohmann_json::nlohmann_json
             PARAMS Axes=${axes} ScaleBits=${scale} TimeBits=${time} Capability=1234567 Core=89
+            Widths=543
                    ClockHertz=100000000)
   target_compile_definitions(register_file_a${axes}_s${scale}_t${time}
                              PRIVATE REGISTERS_JSON="${REGISTERS_JSON}")
@@ -321,6 +322,7 @@ illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
 set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
+                  TimeBits=10 ScaleBits=48
                   ClockHertz=2560000 SampleBufferWords=512)
 set(serial ${system} Build=1 Galvo=0)
 core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${serial})

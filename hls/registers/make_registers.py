@@ -92,12 +92,11 @@ def package(registers, axes):
         if register["axis"]:
             lines.append(f"  localparam logic [1:0] Axis{camel(register['name'])} = "
                          f"2'd{(register['address'] - axes['address']) // 4};")
-    lines += ["", "  // Lowest bits, and how many"]
+    lines += ["", "  // Lowest bits"]
     for register in registers:
         for field in register["fields"] if register["first"] else ():
             name = camel(register["name"], field["name"])
-            lines += [f"  localparam int {name}Low = {field['low']};",
-                      f"  localparam int {name}Bits = {field['bits']};"]
+            lines.append(f"  localparam int {name}Low = {field['low']};")
     for what in ("read", "write"):
         names = [word(register) for register in plain if register[what]]
         lines += ["", f"  // What can be {'read' if what == 'read' else 'written'}, but of axes",

@@ -17,7 +17,7 @@
 #define CURVECORE_VERSION 0x004
 #define CURVECORE_VERSION_MAP_LOW 0
 #define CURVECORE_VERSION_MAP_MASK 0x000000ffu
-#define CURVECORE_VERSION_MAP_VALUE 0x1u
+#define CURVECORE_VERSION_MAP_VALUE 0x2u
 #define CURVECORE_VERSION_WORDS_LOW 8
 #define CURVECORE_VERSION_WORDS_MASK 0x0000ff00u
 
@@ -132,7 +132,7 @@
 #define CURVECORE_REFERENCE_AXES_LOW 0
 #define CURVECORE_REFERENCE_AXES_MASK 0x000001ffu
 
-/* How fast time shall run. This and the settings below: rtl/motion_interpolator.sv. */
+/* How fast time shall run. While nothing is under way it does so at once: a program begins at it. This and the settings below: rtl/motion_interpolator.sv. */
 #define CURVECORE_OVERRIDE 0x024
 #define CURVECORE_OVERRIDE_RATE_LOW 0
 #define CURVECORE_OVERRIDE_RATE_MASK 0x0001ffffu
@@ -185,6 +185,15 @@
 #define CURVECORE_PINS_LIMIT_MASKED_LOW 18
 #define CURVECORE_PINS_LIMIT_MASKED_MASK 0x07fc0000u
 
+/* Widths of settings, what a host has to keep to: hls/registers/board_link.h. */
+#define CURVECORE_WIDTHS 0x048
+#define CURVECORE_WIDTHS_TIME_BITS_LOW 0
+#define CURVECORE_WIDTHS_TIME_BITS_MASK 0x0000001fu
+#define CURVECORE_WIDTHS_SCALE_BITS_LOW 5
+#define CURVECORE_WIDTHS_SCALE_BITS_MASK 0x000007e0u
+#define CURVECORE_WIDTHS_SAMPLES_AHEAD_LOW 11
+#define CURVECORE_WIDTHS_SAMPLES_AHEAD_MASK 0x00007800u
+
 /* Low 32 bits of the next word; both addresses write the same. */
 #define CURVECORE_SEGMENT_LO 0x050
 #define CURVECORE_SEGMENT_LO_WORD_LOW 0
@@ -215,7 +224,7 @@
 #define CURVECORE_PATH_HI_PATH_LOW 0
 #define CURVECORE_PATH_HI_PATH_MASK 0xffffffffu
 
-/* Rate of time, as it was when PATH_LO was read. */
+/* Rate of time in the sample that was asked for last, as it was when PATH_LO was read. */
 #define CURVECORE_RATE 0x068
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu

@@ -13,7 +13,8 @@
 // begins so, and then gives SEQUENCE a number of its own, is obeyed once and in order, however
 // often it comes; its reads are answered always.
 //
-// What is not such a command ends its frame, with an access that the registers refuse.
+// What is not such a command, or is cut, ends its frame, with an access that the registers refuse,
+// and is answered: with STATE, behind what was read before.
 `default_nettype none
 module frame_reader (
     input wire logic clk_i,
@@ -107,6 +108,9 @@ module frame_reader (
   assign data32_o = word_q;
 
   // Answers
+  logic refused_q;  // it has to be told
+  logic tells;
+  assign tells = state_q == CommandLow && last && refused_q;
   logic answered_q;
   assign data_valid_o = state_q == Answer;
   assign data_o       = word_q[7:0];
@@ -119,7 +123,7 @@ module frame_reader (
       case (state_q)
         Length:  if (next_o) state_q <= CommandLow;
         CommandLow: begin
-          if (last) state_q <= Finish;
+          if (last) state_q <= refused_q ? Data : Finish;
           else if (next_o) state_q <= CommandHigh;
         end
         CommandHigh: begin
@@ -165,6 +169,14 @@ module frame_reader (
       place_q  <= registers_pkg::Id;
       words_q  <= 8'd1;
       obeyed_q <= 1'b1;
+    end
+    if (state_q == Length) refused_q <= 1'b0;
+    else if (state_q == Refuse) refused_q <= 1'b1;
+    else if (tells) refused_q <= 1'b0;
+    if (tells) begin
+      writes_q <= 1'b0;
+      place_q  <= registers_pkg::State;
+      words_q  <= 8'd1;
     end
     if (done) begin
       words_q <= words_q - 1'b1;

@@ -94,7 +94,8 @@ module machine_state #(
   logic [17:0] cleared;
   assign cleared = {command_i[registers_pkg::StateEncoderLow+:2], command_i[15:0]};
   always_ff @(posedge clk_i) begin
-    if (faults_q[17:16] == '0) axis_q <= fault_axis_i;
+    if (!rst_ni) axis_q <= '0;
+    else if (sources[17:16] != '0) axis_q <= fault_axis_i;
     if (!rst_ni) begin
       faults_q <= '0;
       steps_q  <= '0;

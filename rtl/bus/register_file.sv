@@ -19,6 +19,7 @@ module register_file #(
     parameter int TimeBits   = 12,  // [4, 16]
     parameter int Capability = 0,   // constants, of these names
     parameter int Core       = 0,
+    parameter int Widths     = 0,
     parameter int ClockHertz = 0
 ) (
     input wire logic clk_i,
@@ -232,6 +233,7 @@ module register_file #(
       end
       registers_pkg::Capability: fill_data = 32'(Capability);
       registers_pkg::Core:       fill_data = 32'(Core);
+      registers_pkg::Widths:     fill_data = 32'(Widths);
       registers_pkg::Clock:      fill_data = 32'(ClockHertz);
       default:                   fill_data = registers_pkg::reset_value(fill_q[6:0]);
     endcase

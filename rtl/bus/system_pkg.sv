@@ -17,6 +17,12 @@ package system_pkg;
         ((encoders != 0 ? 1 : 0) << registers_pkg::CapabilityEncodersLow);
   endfunction
 
+  function automatic int widths(input int time_bits, input int scale_bits, input int samples_ahead);
+    widths = (time_bits << registers_pkg::WidthsTimeBitsLow) +
+        (scale_bits << registers_pkg::WidthsScaleBitsLow) +
+        (samples_ahead << registers_pkg::WidthsSamplesAheadLow);
+  endfunction
+
   function automatic int core(input int order, input int mode, input int coef_bits,
                               input int position_bits, input int guard_bits);
     core = (order << registers_pkg::CoreOrderLow) + (mode << registers_pkg::CoreModeLow) +

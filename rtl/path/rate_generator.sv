@@ -5,8 +5,8 @@
 //                 ^ settings ^--------------------'
 //
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick. Its rate follows
-// override_i, or goes to 0 for kill_i, hold_i and underrun_i; at once while nothing is under way. With
-// settings that are not obeyed it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
+// override_i, or goes to 0 for kill_i, hold_i and underrun_i; at once while nothing is under way.
+// With settings that are not obeyed it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
 `default_nettype none
 module rate_generator #(
     parameter int Build = 0,  // 0 parallel, 1 serial

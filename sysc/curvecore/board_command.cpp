@@ -25,7 +25,8 @@ void add_board(CLI::App& command, BoardOptions& options) {
         "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
         "that of the wall");
     command
-        .add_option("-o,--output", options.folder, "folder for steps.csv: every step of its pins")
+        .add_option("-o,--output", options.folder,
+                    "folder for steps.csv: every step of its pins, written when it ends")
         ->type_name("DIR");
     command
         .add_option("--home", options.home,
@@ -42,7 +43,10 @@ void add_board(CLI::App& command, BoardOptions& options) {
     command.add_option("--lag", options.lag, "axes, as their encoders see them, are so late")
         ->type_name("TIME")
         ->capture_default_str();
-    command.footer("It ends when it is interrupted (Ctrl-C).");
+    command.footer(
+        "It ends when it is interrupted (Ctrl-C). Only then DIR is written: killed otherwise, it "
+        "leaves "
+        "what an earlier run left.");
 }
 
 namespace {

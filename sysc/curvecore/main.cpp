@@ -177,6 +177,11 @@ int dispatch(const std::vector<std::string>& arguments) {
     CLI::App* words =
         app.add_subcommand("words", "segment and profile words as memory files for $readmemh");
     for (CLI::App* command : {run, plan, words}) add_common(*command, raw, options);
+    std::string words_for;
+    words
+        ->add_option("--to", words_for,
+                     "for this board, which is asked for its core, clock, sample period and queues")
+        ->type_name("BOARD");
     for (CLI::App* command : {run, plan}) add_report(*command, options);
     add_run(*run, raw, options);
     CLI::App* cam = app.add_subcommand(
@@ -253,6 +258,7 @@ int dispatch(const std::vector<std::string>& arguments) {
     if (*join) options.file = "join.ngc";
     interpret(raw, options);
     if (*join) return join_command(options, raw_join);
+    if (!words_for.empty()) plan_for(words_for, options);
     if (*run) return run_command(options);
     if (*stream) return stream_command(options, raw_wire);
     if (*home) return home_command(options, raw_home);

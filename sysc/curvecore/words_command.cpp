@@ -109,6 +109,7 @@ class WordFiles {
         json["input"] = job.options.file;
         json["unit_mm"] = job.plan.unit_mm;
         json["sample_period_s"] = job.options.sample_period_s;
+        json["clock_hz"] = job.options.clock_hz;
         json["core"] = job.core_name();
         json["parameters"] = parameters_json(job.options.core);
         json["segments"] = {{"file", "segments.hex"},

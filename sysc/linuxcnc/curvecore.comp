@@ -73,7 +73,7 @@ function write_ fp "where the joints shall go: behind motion";
 license "GPL";
 author "curvecore";
 ;;
-#include "board_link.h"
+#include "udp_link.h"
 #include "sample_line.h"
 
 static char *address = "127.0.0.1:" LINK_PORT;
@@ -81,7 +81,6 @@ RTAPI_MP_STRING(address, "HOST[:PORT] of the board");
 
 #define ASK 20000000LL   /* ns between questions to a board that does not answer */
 #define AGAIN 50000000LL /* ns until drives that did not come on are tried again */
-#define MOST_FOLLOWING (2147483648.0 - 131072) /* FOLLOWING_LIMIT of hls/registers/registers.rdl */
 #define LONGEST 2000000000LL /* ns until they are a fault */
 
 enum mode { OFF, COMING, ON, FAULT };
@@ -93,10 +92,8 @@ static int64_t steps[CURVECORE_MOST_AXES];     /* given, as far as it is known *
 static int32_t seen[CURVECORE_MOST_AXES];      /* of the board, when they were */
 static int joints, was_known, was_late;
 
-static unsigned field(uint32_t word, uint32_t mask, int low) { return (word & mask) >> low; }
-#define FIELD(word, name) field(word, CURVECORE_##name##_MASK, CURVECORE_##name##_LOW)
+#define FIELD CURVECORE_FIELD
 #define WATCHED (CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK)
-#define FAULTS (0xffffu | WATCHED) /* bits of STATE */
 #define STATE_HAS(name) ((link_.status.state & CURVECORE_STATE_##name##_MASK) != 0)
 
 static double sample_seconds(void) {
@@ -104,8 +101,8 @@ static double sample_seconds(void) {
            link_.kind.hertz;
 }
 /* Times are rounded up. */
-static uint32_t clocks(uint32_t ns) {
-    return (uint32_t)(((uint64_t)ns * link_.kind.hertz + 999999999u) / 1000000000u);
+static uint64_t clocks(uint32_t ns) {
+    return ((uint64_t)ns * link_.kind.hertz + 999999999u) / 1000000000u;
 }
 static uint32_t pair(uint32_t low, uint32_t high) {
     return (low < 0xffff ? low : 0xffff) | (high < 0xffff ? high : 0xffff) << 16;
@@ -147,7 +144,7 @@ FUNCTION(read_) {
                     ? 0
                     : link_.status.following[n] / (joint_scale(n) * joint_encoder_counts(n));
         }
-        faults = link_.status.state & FAULTS;
+        faults = link_.status.state & CURVECORE_FAULTS;
         following_fault = STATE_HAS(FOLLOWING);
         encoder_fault = STATE_HAS(ENCODER);
         fault_joint = (faults & WATCHED) ? (int)FIELD(link_.status.state, STATE_FAULT_AXIS) : -1;
@@ -170,7 +167,7 @@ static int encoder_of(struct __comp_state *__comp_inst, int n, uint32_t *ratio, 
     *ratio = *limit = 0;
     if (counts_ == 0) return 0;
     if (link_.watched == 0 || counts_ > 65535 || steps_ == 0 || steps_ < -32767 ||
-        steps_ > 32767 || !(units >= 0 && units <= MOST_FOLLOWING) ||
+        steps_ > 32767 || !(units >= 0 && units <= CURVECORE_MOST_FOLLOWING) ||
         (joint_following_limit(n) > 0 && units < 1)) {
         return -1;
     }
@@ -192,18 +189,39 @@ static int watchable(struct __comp_state *__comp_inst) {
     return 1;
 }
 
+/* 2^-16 steps in the whole range of positions, of LINE_UNITS in a step each. */
+static uint64_t scale_of_joints(void) {
+    return (uint64_t)1 << (FIELD(link_.kind.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS);
+}
+/* Whether the board has room for them: what does not fit would be cut there. */
+static int fits(struct __comp_state *__comp_inst) {
+    const uint32_t most = curvecore_most_clocks(link_.kind.widths);
+    const uint32_t times[4] = {steplen, stepspace, dirsetup, dirhold};
+    static const char *const names[4] = {"steplen", "stepspace", "dirsetup", "dirhold"};
+    int n;
+    for (n = 0; n < 4; ++n) {
+        if (clocks(times[n]) <= most) continue;
+        rtapi_print_msg(RTAPI_MSG_ERR,
+                        "curvecore: %s: %u ns are more than %u clocks of the board\n", names[n],
+                        (unsigned)times[n], (unsigned)most);
+        return 0;
+    }
+    if (scale_of_joints() < curvecore_scale_end(link_.kind.widths)) return 1;
+    rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: the board's scales have %u bits, too few\n",
+                    (unsigned)FIELD(link_.kind.widths, WIDTHS_SCALE_BITS));
+    return 0;
+}
+
 /* Drives off, then all that stands still while they are on. */
 static int settings(struct __comp_state *__comp_inst, int64_t now) {
     struct link_frame *frame = link_begin(&link_);
-    /* 2^-16 steps in the whole range of positions, of LINE_UNITS in a step each */
-    const int scale_bits = (int)FIELD(link_.kind.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS;
     uint32_t step = 0, direction = 0, masked = 0, ratio, limit;
     int n;
     if (!frame) return -1;
     link_write(frame, CURVECORE_CONTROL, 0);
     for (n = 0; n < joints; ++n) {
         const unsigned axis = (unsigned)n * CURVECORE_AXIS_STRIDE;
-        const uint64_t scale = (uint64_t)1 << scale_bits;
+        const uint64_t scale = scale_of_joints();
         link_write(frame, CURVECORE_AXIS_SCALE_LO + axis, (uint32_t)scale);
         link_write(frame, CURVECORE_AXIS_SCALE_HI + axis, (uint32_t)(scale >> 32));
         step |= (uint32_t)(joint_invert_step(n) != 0) << n;
@@ -220,14 +238,16 @@ static int settings(struct __comp_state *__comp_inst, int64_t now) {
     }
     frame = link_begin(&link_);
     if (!frame) return -1;
-    link_write(frame, CURVECORE_PULSE, pair(clocks(steplen), clocks(stepspace)));
-    link_write(frame, CURVECORE_DIRECTION, pair(clocks(dirsetup), clocks(dirhold)));
+    link_write(frame, CURVECORE_PULSE,
+               (uint32_t)(clocks(steplen) | clocks(stepspace) << 16));
+    link_write(frame, CURVECORE_DIRECTION,
+               (uint32_t)(clocks(dirsetup) | clocks(dirhold) << 16));
     link_write(frame, CURVECORE_PINS,
                step << CURVECORE_PINS_STEP_INVERTED_LOW |
                    direction << CURVECORE_PINS_DIRECTION_INVERTED_LOW |
                    masked << CURVECORE_PINS_LIMIT_MASKED_LOW);
     link_write(frame, CURVECORE_WATCHDOG, pair((uint32_t)(watchdog_time / sample_seconds()), 0));
-    link_write(frame, CURVECORE_STATE, FAULTS);
+    link_write(frame, CURVECORE_STATE, CURVECORE_FAULTS);
     link_write(frame, CURVECORE_REFERENCE, CURVECORE_REFERENCE_AXES_MASK);
     link_write(frame, CURVECORE_CONTROL,
                CURVECORE_CONTROL_ENABLE_MASK | CURVECORE_CONTROL_POSITION_MASK);
@@ -301,7 +321,7 @@ FUNCTION(write_) {
             mode = ON;
         } else if (now - began > LONGEST) {
             mode = FAULT;
-        } else if (!watchable(__comp_inst)) {
+        } else if (!watchable(__comp_inst) || !fits(__comp_inst)) {
             mode = FAULT;
         } else if (now - tried >= AGAIN) {
             tried = now;

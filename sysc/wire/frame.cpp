@@ -77,6 +77,7 @@ FrameContents contents_of(const Bytes& frame) {
             contents.words_read += words;
         }
     }
+    if (!contents.whole) ++contents.words_read;  // it is answered with STATE
     return contents;
 }
 

@@ -5,12 +5,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "hls/registers/board_link.h"
 #include "sysc/wire/slip.hpp"
 
 namespace curvecore::sysc {
 
 /// Bytes of a frame at most: rtl/bus/frame_port.sv.
-constexpr std::size_t kLongestFrame = 251;
+constexpr std::size_t kLongestFrame = CURVECORE_LONGEST_FRAME;
 /// Bytes of a command with its address, and of each word that is pushed.
 constexpr std::size_t kCommandBytes = 4;
 constexpr std::size_t kPushedBytes = 8;

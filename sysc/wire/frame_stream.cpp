@@ -17,6 +17,8 @@ using std::chrono::milliseconds;
 constexpr auto kSilence = std::chrono::seconds(10);
 /// After so long without an answer another question goes.
 constexpr WireClock::duration kUnanswered = milliseconds(25);
+/// Questions without a number between two with one: a fast board's clock goes on by frames.
+constexpr int kMostPolls = 20;
 /// Numbers that an answer may be late by; one that is further off is of another session.
 constexpr std::int32_t kLate = 1 << 20;
 
@@ -44,6 +46,9 @@ FrameStream::FrameStream(Link& link)
     : link_(link), window_(link.bytes_per_s() == 0 ? kNetWindow : kLineWindow) {
     const std::uint32_t id = read(CURVECORE_ID, 1)[0];
     if (id != CURVECORE_ID_ID_VALUE) throw BoardLost("what answers is not a motion_board");
+}
+
+void FrameStream::open() {
     // A number that no frame under way has: of another host, or of this one before a restart.
     std::random_device chance;
     const std::uint32_t session = chance();
@@ -100,6 +105,7 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
     add_reads(whole);
     transmit(whole.bytes());
     numbered_ = transmitted_;
+    polls_ = 0;
     under_way_.push_back(
         {next_++, whole.bytes(), segment_words, profile_words, transmitted_, false});
     telemetry_.segment_room -= segment_words;
@@ -109,11 +115,12 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
 void FrameStream::work() {
     // Questions wait for answers, so that a slow board does not drown in them, but not for long: a
     // board whose host is silent stops.
-    if (all_taken() && WireClock::now() >= numbered_ + live_period_) {
+    if (all_taken() && (polls_ >= kMostPolls || WireClock::now() >= numbered_ + live_period_)) {
         send(begin());
     } else if (WireClock::now() >= transmitted_ + (waits_ ? kUnanswered : link_.poll_period())) {
         Frame poll;
         transmit(add_reads(poll).bytes());
+        ++polls_;
     }
     WireClock::duration wait = link_.poll_period();
     while (const std::optional<Bytes> answer = link_.receive(wait)) {

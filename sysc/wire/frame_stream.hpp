@@ -36,9 +36,11 @@ struct LinkFigures {
 
 class FrameStream {
   public:
-    /// Opens a session.
     /// @throws BoardLost: nobody answers, or not a board of this kind
     explicit FrameStream(Link& link);
+
+    /// Opens a session: of all hosts the board obeys this one. Until then it is only read.
+    void open();
 
     /// A frame to fill; it has its number.
     Frame begin() const;
@@ -95,6 +97,7 @@ class FrameStream {
     LinkFigures figures_;
     WireClock::time_point transmitted_;
     WireClock::time_point numbered_ = WireClock::now();
+    int polls_ = 0;  // since then
     WireClock::duration live_period_ = std::chrono::hours(1);
     WireClock::time_point waits_since_;
     bool waits_ = false;  // nothing was answered since then

@@ -15,8 +15,6 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Clocks of a pin's time: boards have TimeBits = 12, and count two of them together.
-constexpr std::uint32_t kMostTime = (1U << 11) - 1;
 constexpr auto kSettles = std::chrono::seconds(2);
 /// Frames with a number that go out in the watchdog's time, at least.
 constexpr double kSignsOfLife = 5;
@@ -27,14 +25,14 @@ constexpr std::size_t kWordsOfFrame =
 /// Bytes on a line of such a frame: CRC, end, and one in 64 that is escaped.
 constexpr double kLineBytes = (kLongestFrame + 4 + 1) * (1 + 1.0 / 64);
 
-/// A field of a register.
-std::uint32_t field(std::uint32_t word, std::uint32_t mask, int low) {
-    return (word & mask) >> low;
-}
-#define CURVECORE_FIELD(word, name) field(word, CURVECORE_##name##_MASK, CURVECORE_##name##_LOW)
-
-RemoteBuild build_of(const std::vector<std::uint32_t>& constants) {
+RemoteBuild read_build(FrameStream& frames) {
+    const std::vector<std::uint32_t> constants = frames.read(CURVECORE_ID, 5);
     const std::uint32_t version = constants[1];
+    if (curvecore_knows(version) == 0) {
+        throw UsageError(
+            fmt::format("the board has registers of version {}; this program knows version {}",
+                        CURVECORE_FIELD(version, VERSION_MAP), CURVECORE_VERSION_MAP_VALUE));
+    }
     const std::uint32_t capability = constants[2];
     const std::uint32_t core = constants[3];
     const std::uint32_t words = CURVECORE_FIELD(version, VERSION_WORDS);
@@ -49,6 +47,7 @@ RemoteBuild build_of(const std::vector<std::uint32_t>& constants) {
         std::exp2(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2)) / build.clock_hz;
     build.segment_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_SEGMENT_QUEUE_LOG2);
     build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
+    build.widths = frames.read(CURVECORE_WIDTHS, 1)[0];
     build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
     build.core.build =
         CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0 ? Build::kSerial : Build::kParallel;
@@ -61,7 +60,6 @@ RemoteBuild build_of(const std::vector<std::uint32_t>& constants) {
     build.core.guard_bits = static_cast<int>(CURVECORE_FIELD(core, CORE_GUARD_BITS));
     return build;
 }
-#undef CURVECORE_FIELD
 
 }  // namespace
 
@@ -92,8 +90,14 @@ std::string fault_names(std::uint32_t state) {
     return text;
 }
 
-RemoteMachine::RemoteMachine(Link& link)
-    : link_(link), frames_(link), build_(build_of(frames_.read(CURVECORE_ID, 5))) {}
+RemoteMachine::RemoteMachine(Link& link) : link_(link), frames_(link), build_(read_build(frames_)) {
+    frames_.open();
+}
+
+RemoteBuild ask_build(Link& link) {
+    FrameStream frames(link);
+    return read_build(frames);
+}
 
 void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
     while (!frames_.may_send()) frames_.work();
@@ -125,17 +129,20 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     const auto range = std::exp2(build_.core.position_bits) * unit_mm;  // mm
     for (int axis = 0; axis < build_.axes; ++axis) {
         const double scale = std::round(drives.steps_per_mm[axis] * range * std::exp2(16));
-        if (scale >= std::exp2(44)) {
-            throw UsageError(fmt::format("{:g} steps per mm are too many for the board",
-                                         drives.steps_per_mm[axis]));
+        if (scale >= static_cast<double>(curvecore_scale_end(build_.widths))) {
+            throw UsageError(fmt::format(
+                "{:g} steps per mm are too many for the board, whose scales "
+                "have {} bits",
+                drives.steps_per_mm[axis], CURVECORE_FIELD(build_.widths, WIDTHS_SCALE_BITS)));
         }
         set_scale(axis, static_cast<std::uint64_t>(scale));
     }
-    const auto clocks = [this](const char* what, double time_s) {
+    const std::uint32_t most = curvecore_most_clocks(build_.widths);
+    const auto clocks = [this, most](const char* what, double time_s) {
         const double count = std::ceil(time_s * build_.clock_hz - 1e-6);
-        if (count > kMostTime) {
+        if (count > most) {
             throw UsageError(fmt::format("--{} of {:g} us is more than {} clocks of the board",
-                                         what, time_s * 1e6, kMostTime));
+                                         what, time_s * 1e6, most));
         }
         return static_cast<std::uint32_t>(count);
     };

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "hls/registers/registers.h"
+#include "hls/registers/board_link.h"
 #include "sysc/board/board.hpp"
 #include "sysc/host/core_parameters.hpp"
 #include "sysc/wire/frame_stream.hpp"
@@ -19,7 +19,8 @@ struct RemoteBuild {
     double sample_period_s = 0;
     int segment_queue_words = 0;
     int profile_queue_words = 0;
-    bool encoders = false;  // it has inputs of them
+    std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_link.h
+    bool encoders = false;     // it has inputs of them
     CoreParameters core;
 };
 
@@ -38,9 +39,13 @@ struct EncoderRatio {
     int steps = 0;
 };
 
+/// Reads what a board is; it has no master by that.
+/// @throws BoardLost, UsageError: its registers or words are of another version
+RemoteBuild ask_build(Link& link);
+
 class RemoteMachine {
   public:
-    /// @throws BoardLost, UsageError: its words are of another version
+    /// @throws BoardLost, UsageError: its registers or words are of another version
     explicit RemoteMachine(Link& link);
 
     const RemoteBuild& build() const { return build_; }
@@ -109,8 +114,7 @@ class RemoteMachine {
 };
 
 /// All faults in a word of STATE.
-constexpr std::uint32_t kFaultBits =
-    0xffff | CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK;
+constexpr std::uint32_t kFaultBits = CURVECORE_FAULTS;
 
 /// Names of the faults in a word of STATE.
 std::string fault_names(std::uint32_t state);

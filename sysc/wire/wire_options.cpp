@@ -25,6 +25,14 @@ void plan_for(const RemoteBuild& build, Options& options) {
     options.profile_queue_words = build.profile_queue_words;
 }
 
+void plan_for(const std::string& link, Options& options) {
+    try {
+        plan_for(ask_build(*open_link(link)), options);
+    } catch (const BoardLost& lost) {
+        throw UsageError(link + ": " + lost.what());
+    }
+}
+
 Drives drives_of(const RawWireOptions& raw, int axes) {
     Drives drives;
     std::istringstream list(raw.steps_per_mm);

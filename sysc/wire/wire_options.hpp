@@ -25,6 +25,9 @@ Drives drives_of(const RawWireOptions& raw, int axes);
 
 /// Plans are for this board.
 void plan_for(const RemoteBuild& build, Options& options);
+/// For the board at the end of this link, which is only asked.
+/// @throws UsageError: none is there, or one of another kind
+void plan_for(const std::string& link, Options& options);
 
 /// In s; units ns, us, ms, s. @throws UsageError
 double duration_of(const std::string& option, const std::string& text);

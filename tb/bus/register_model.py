@@ -7,8 +7,8 @@ import random
 
 AXES = 3
 # Of those that registers.json leaves to the build: constants that the bench does not set.
-ZERO = {"CAPABILITY", "CORE", "CLOCK", "STATE", "AXES", "ROOM", "SAMPLES", "PATH_LO", "PATH_HI",
-        "RATE", "STEPS"}
+ZERO = {"CAPABILITY", "CORE", "CLOCK", "WIDTHS", "STATE", "AXES", "ROOM", "SAMPLES", "PATH_LO",
+        "PATH_HI", "RATE", "STEPS"}
 REFUSED = {"PROFILE_HI", "SAMPLE", "REFERENCE"}  # by the motion beside them
 
 

@@ -202,6 +202,20 @@ async def nonsense_in_whole_frames_ends(dut):
         await check_behind(host)
 
 
+@cocotb.test()
+async def a_frame_that_is_cut_is_answered(dut):
+    host = await start(dut)
+    for cut in range(1, 8):
+        before, after = host.sequence, host.chance.getrandbits(32)
+        read = command(WORDS, 1, SEQUENCE)
+        frame = number(before, after) + read + write(IDENTITY, 0)[:-cut]
+        await host.send(slip(frame))
+        answer = await host.answer()
+        assert len(answer) == 8 and answer[:4] == after.to_bytes(4, "little"), (cut, answer.hex())
+        host.sequence = after
+        await check_sequence(host)
+
+
 async def check_behind(host):
     """The number is answered, whatever frames without one were before it."""
     await host.send(slip(command(WORDS, 2, IDENTITY) + command(WORDS, 1, SEQUENCE)))

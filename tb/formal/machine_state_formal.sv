@@ -23,7 +23,8 @@
 // control: FOLLOWS_PASSES s/{following_i, encoder_i}/{1'b0, encoder_i}/
 // control: HOMED_ASTRAY s/ \& ~astray//
 // control: BEGINS_MOVED s/begins_o = !moved_q \&\&/begins_o = /
-// control: NAMES_THE_LAST s/if (faults_q\[17:16\] == '0) axis_q/axis_q/
+// control: NAMES_THE_LAST s/enable_o ? {following_i, encoder_i} : 2'd0/{following_i, encoder_i}/
+// control: NAMES_WITHOUT_FAULT s/else if (sources\[17:16\] != '0) axis_q/else axis_q/
 `default_nettype none
 module machine_state_formal (
     input wire logic        clk_i,
@@ -132,6 +133,7 @@ module machine_state_formal (
   logic [17:0] faults_q;
   logic [17:0] cleared_q;
   logic [3:0] axis_q;
+  logic [3:0] named_q;  // STATE.fault_axis in the clock before
   logic [1:0] astray;
   assign faults = {state[26:25], state[15:0]};
   assign astray = following_i ? 2'd1 << axis_i : 2'd0;
@@ -155,6 +157,7 @@ module machine_state_formal (
     enable_q <= enable;
     faults_q <= faults;
     axis_q <= faults[17:16] != 2'd0 ? state[30:27] : {3'd0, axis_i};
+    named_q <= state[30:27];
     position_q <= position;
     cleared_q <= state_write ? {command_i[26:25], command_i[15:0]} : 18'd0;
     if (!rst_ni) begin
@@ -197,6 +200,7 @@ module machine_state_formal (
       Stay : assert (!ran_q || (faults_q & ~cleared_q & ~faults) == 18'd0);
       Names : assert (!ran_q || faults[17:16] == 2'd0 || state[30:27] == axis_q);
       Begins : assert (begins == (!moved_q && !position));
+      Stays : assert (!ran_q || faults[17:16] != 2'd0 || state[30:27] == named_q);
       Homed : assert (homed == home_q);
       Caught : assert (!caught_i || hold);
       Watches : assert (!silent_q || (state[1] && hold));

@@ -30,7 +30,7 @@ breach tb/a.py 'from interpret import Ini'
 breach sysc/CMakeLists.txt 'add_library(recorder MODULE linuxcnc/canon_recorder.cpp)'
 breach sysc/CMakeLists.txt 'target_link_libraries(curvecore_host PRIVATE rs274)'
 breach sysc/linuxcnc/canon_recorder.cpp '#include "ref/program/move.hpp"'
-breach sysc/linuxcnc/board_link.h '#include "hls/words.hpp"'
+breach sysc/linuxcnc/udp_link.h '#include "hls/words.hpp"'
 breach sysc/linuxcnc/other.h 'int x;'
 breach sysc/linuxcnc/other.py 'print()'
 exit $status

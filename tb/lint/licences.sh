@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 # licences.sh ROOT : what runs inside LinuxCNC stands in sysc/linuxcnc under LinuxCNC's licence, and
-# shares no source with the rest, which talks to it through pipes and sockets. Both read the header
-# of registers, which has both licences.
+# shares no source with the rest, which talks to it through pipes and sockets. Both read the headers
+# of registers, which have both licences.
 set -u
 cd "$1" || exit 1
 inside=sysc/linuxcnc
@@ -12,8 +12,10 @@ complain() {
   status=1
 }
 head -n 2 $inside/COPYING | grep -q 'GNU GENERAL PUBLIC LICENSE' || complain "$inside: no licence"
-header=hls/registers/registers.h
-head -n 1 $header | grep -q 'Apache-2.0 OR GPL-2.0-or-later' || complain "$header: not under both"
+for header in registers board_link; do
+  header=hls/registers/$header.h
+  head -n 1 $header | grep -q 'Apache-2.0 OR GPL-2.0-or-later' || complain "$header: not under both"
+done
 for file in $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp; do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-2.0-or-later' ||
     complain "$file: not under LinuxCNC's licence"
@@ -21,7 +23,7 @@ done
 # Nothing of the rest in it
 grep -nE '#include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
   $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp |
-  grep -vE "#include \"(../../$header|board_link.h|canon_lines.h|sample_line.h)\"" &&
+  grep -vE '#include "(../../hls/registers/(registers|board_link).h|(udp_link|canon_lines|sample_line).h)"' &&
   complain "$inside uses the rest"
 # Nothing of it in the rest
 grep -rnE --include='*.[ch]pp' --exclude-dir=linuxcnc \

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "hls/registers/board_link.h"
 #include "hls/xy2_frame.hpp"
 #include "tb/support/register_host.hpp"
 
@@ -75,6 +76,10 @@ TEST_F(MotionSystem, SaysWhatItIs) {
               uint32_t{CFG_PeriodLog2});
     EXPECT_EQ(host_.read(CURVECORE_ROOM), uint32_t{CFG_ProfileQueueWords} << 16 | kSegmentRoom);
     EXPECT_EQ(host_.read(CURVECORE_CLOCK), uint32_t{CFG_ClockHertz});
+    const uint32_t widths = host_.read(CURVECORE_WIDTHS);
+    EXPECT_EQ(CURVECORE_FIELD(widths, WIDTHS_TIME_BITS), uint32_t{CFG_TimeBits});
+    EXPECT_EQ(CURVECORE_FIELD(widths, WIDTHS_SCALE_BITS), uint32_t{CFG_ScaleBits});
+    EXPECT_EQ(CURVECORE_FIELD(widths, WIDTHS_SAMPLES_AHEAD), uint32_t{CFG_SamplesAhead});
     EXPECT_EQ(host_.state(), uint32_t{CURVECORE_STATE_STANDING_MASK | CURVECORE_STATE_CLEAN_MASK});
 }
 
@@ -148,20 +153,15 @@ TEST_F(MotionSystem, BeginsAtAnOverrideThatIsWrittenAtRest) {
     const uint32_t slow = 655;
     host_.write(CURVECORE_OVERRIDE, slow);
     host_.samples(20);
-    int looks = 0;
     RegisterHost::Sent sent;
-    while (looks < 1000 && !HasFailure()) {
-        host_.feed(part_, sent, [&] {
-            if (host_.path() == 0) return;
-            ASSERT_EQ(host_.read(CURVECORE_RATE), slow) << "look " << looks;
-            ++looks;
-        });
-        if (sent.all(part_)) break;
-    }
-    for (; looks < 1000 && !HasFailure(); ++looks) {
-        host_.samples(1);
+    const auto check = [&] {
         const bool begun = host_.path() != 0;
-        ASSERT_TRUE(!begun || host_.read(CURVECORE_RATE) == slow) << "look " << looks;
+        ASSERT_TRUE(!begun || host_.read(CURVECORE_RATE) == slow);
+    };
+    host_.feed(part_, sent, check);
+    for (int n = 0; n < 300 && !HasFailure(); ++n) {
+        host_.samples(1);
+        check();
     }
     EXPECT_GT(host_.path(), 0U);
     EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));

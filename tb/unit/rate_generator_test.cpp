@@ -7,6 +7,7 @@
 #include <random>
 
 #include "Vrate_generator.h"
+#include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
 #include "sysc/board/clocked_dut.hpp"
 #include "sysc/board/port_word.hpp"

@@ -167,6 +167,7 @@ class RegisterFile : public testing::Test {
         if (word.name == "VERSION") return word.value | hls::kWordsVersion << 8;
         if (word.name == "CAPABILITY") return CFG_Capability;
         if (word.name == "CORE") return CFG_Core;
+        if (word.name == "WIDTHS") return CFG_Widths;
         if (word.name == "CLOCK") return CFG_ClockHertz;
         if (word.name == "STATE") return dut_->state_i;
         if (word.name == "AXES") return dut_->axes_i;

@@ -11,6 +11,7 @@ import os
 import pathlib
 import pty
 import random
+import re
 import signal
 import socket
 import subprocess
@@ -20,9 +21,10 @@ import threading
 import time
 import tty
 import unittest
+import zlib
 
-from wire_parts import (CONTROL, CURVECORE, ENABLED, STATE, STEPS_PER_MM, Board, Wire, bridge,
-                        command, counts, numbered, read, system_steps, times, until)
+from wire_parts import (CONTROL, CURVECORE, ENABLED, SEQUENCE, STATE, STEPS_PER_MM, Board, Wire,
+                        bridge, command, counts, numbered, read, system_steps, times, until)
 
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
@@ -152,17 +154,16 @@ class WireTest(unittest.TestCase):
                             2 / STEPS_PER_MM)
 
     def test_killed_host_leaves_a_machine_that_stands_on_the_path(self):
-        # A quarter of the speed: when the host is gone, 59 mm are 6 s of the board, however busy the
-        # computer is.
-        board = self.board()
+        # A quarter of the speed, 10 mm/s: the watchdog's 500 ms are 5 mm of the 59 that are left.
+        board = self.board("--fast")
         host = self.stream(f"udp:127.0.0.1:{board.port}", "--override", "25")
         self.wait_for_path(board.port, 12)
         host.kill()
         host.communicate()
         # A monitor that never rests; ACTIVE ends where the program does.
-        while read(board.port, STATE) & (STANDING | ACTIVE) == ACTIVE:
-            pass
-        self.assertTrue(read(board.port, STATE) & ACTIVE, "it drew on to the end")
+        while not read(board.port, STATE) & STANDING:
+            self.assertTrue(read(board.port, STATE) & ACTIVE, "it drew on to the end")
+        self.assertLess(read(board.port, 0x60) + (read(board.port, 0x64) << 32), 27e6 * 65536)
         self.assertTrue(read(board.port, STATE) & WATCHDOG)
         self.assertTrue(read(board.port, STATE) & ENABLED)
         steps = board.end()
@@ -218,6 +219,53 @@ class WireTest(unittest.TestCase):
         board = self.board("--fast")
         self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--steplen", "800us"), 2,
                     "more than 2047 clocks of the board")
+
+    def test_boards_of_other_widths_are_asked(self):
+        # What the board says of itself is changed on its way: times of 10 bits, scales of 40.
+        def change(answer):
+            words = [int.from_bytes(answer[n:n + 4], "little") for n in range(0, len(answer), 4)]
+            if words and words[0] == 12 | 44 << 5 | 15 << 11:
+                words[0] = 10 | 40 << 5 | 15 << 11
+            return b"".join(word.to_bytes(4, "little") for word in words)
+        board = self.board("--fast")
+        to = f"udp:127.0.0.1:{Wire(board.port, 0, 0, change).port}"
+        self.finish(self.stream(to, "--steplen", "250us"), 2, "more than 511 clocks of the board")
+        self.finish(self.stream(to, "--steps-per-mm", "4000"), 2,
+                    "steps per mm are too many for the board, whose scales have 40")
+
+    def test_registers_of_another_version_are_refused(self):
+        def change(answer):
+            return answer[:4] + b"\x01" + answer[5:] if answer[:4] == b"1MVC" else answer
+        board = self.board("--fast")
+        self.finish(self.stream(f"udp:127.0.0.1:{Wire(board.port, 0, 0, change).port}"), 2,
+                    "registers of version 1")
+
+    def test_words_are_made_for_the_board_that_is_asked(self):
+        board = self.board("--fast")
+        out = self.folder / "words"
+        subprocess.run([CURVECORE, "words", str(self.part), "-q", "-o", str(out), "--to",
+                        f"udp:127.0.0.1:{board.port}"], check=True)
+        words = json.loads((out / "words.json").read_text(encoding="utf-8"))
+        self.assertEqual(words["queue_words"], {"segments": 4096, "profile": 1024})
+        self.assertEqual((words["clock_hz"], words["sample_period_s"]), (2.56e6, 1e-4))
+        self.assertEqual(words["parameters"]["Mode"], 1)
+        self.assertEqual(read(board.port, SEQUENCE), 0, "it was only asked")
+
+    def test_examples_of_the_page(self):
+        page = pathlib.Path(__file__).resolve().parents[2] / "sysc/wire/README.md"
+        text = page.read_text(encoding="ascii")
+        rows = re.findall(r"^\| .* \| `([0-9a-f ]+)` \| `([0-9a-f ]+)` \|$",
+                          text[text.index("<!-- examples -->"):], re.MULTILINE)
+        self.assertEqual(len(rows), 6)
+        board = self.board("--fast")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
+            host.connect(("127.0.0.1", board.port))
+            for frame, answer in rows:
+                host.send(bytes.fromhex(frame))
+                self.assertEqual(host.recv(1000).hex(), answer.replace(" ", ""), frame)
+        line = bytes.fromhex(re.search(r"serial line, whole: `([0-9a-f ]+)`", text)[1])
+        self.assertEqual(line[-1:], b"\xc0")
+        self.assertEqual(zlib.crc32(line[:-5]).to_bytes(4, "little"), line[-5:-1])
 
     def test_strangers_change_nothing(self):
         board = self.board("--fast")

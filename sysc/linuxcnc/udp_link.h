@@ -5,8 +5,8 @@
  * Each frame with writes says which number the board must have had (EXPECT) and gives it the next
  * (SEQUENCE): lost, doubled or overtaken frames change nothing. Frames go out again until an
  * answer, which every frame asks for, says that they were obeyed. */
-#ifndef CURVECORE_BOARD_LINK_H
-#define CURVECORE_BOARD_LINK_H
+#ifndef CURVECORE_UDP_LINK_H
+#define CURVECORE_UDP_LINK_H
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -16,9 +16,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "../../hls/registers/registers.h"
+#include "../../hls/registers/board_link.h"
 
-#define LINK_LONGEST 251              /* bytes of a frame */
+#define LINK_LONGEST CURVECORE_LONGEST_FRAME
 #define LINK_FRAMES 8                 /* under way at once */
 #define LINK_REPEAT 10000000LL        /* ns beyond two round trips without an answer: once more */
 #define LINK_LONGEST_WAIT 300000000LL /* ns */
@@ -43,7 +43,7 @@ struct board_status {
 };
 /* Of the first answer only. */
 struct board_kind {
-    uint32_t id, version, capability, core, hertz;
+    uint32_t id, version, capability, core, hertz, widths;
 };
 
 struct board_link {
@@ -136,7 +136,10 @@ static void link_send(struct board_link* link, const struct link_frame* frame, i
 static void link_question(struct board_link* link, int64_t now) {
     struct link_frame frame;
     frame.length = 0;
-    if (!link->known) link_command(&frame, WORDS | INCREMENT, 5, CURVECORE_ID);
+    if (!link->known) {
+        link_command(&frame, WORDS | INCREMENT, 5, CURVECORE_ID);
+        link_command(&frame, WORDS, 1, CURVECORE_WIDTHS);
+    }
     link_ask(link, &frame);
     link_send(link, &frame, now);
 }
@@ -206,6 +209,7 @@ static void link_know(struct board_link* link, const uint8_t* bytes, int64_t now
     kind->capability = link_get(&bytes);
     kind->core = link_get(&bytes);
     kind->hertz = link_get(&bytes);
+    kind->widths = link_get(&bytes);
     status = bytes;
     link->number = link_get(&bytes);
     link->same = link->number == link->obeyed;
@@ -216,7 +220,7 @@ static void link_know(struct board_link* link, const uint8_t* bytes, int64_t now
     link->first = link->count = 0;
     link->wait = LINK_REPEAT;
     link->chance = (uint32_t)now * 2654435761u;
-    link->known = kind->id == CURVECORE_ID_ID_VALUE;
+    link->known = kind->id == CURVECORE_ID_ID_VALUE && curvecore_knows(kind->version);
     link_take(link, status, now);
     link->watched = kind->capability & CURVECORE_CAPABILITY_ENCODERS_MASK ? link->axes : 0;
 }
@@ -227,7 +231,7 @@ static void link_receive(struct board_link* link, int64_t now) {
     ssize_t got;
     while ((got = recv(link->socket, bytes, sizeof bytes, 0)) >= 0) {
         const int answered = link_answered(link) + 4;
-        if (!link->known && got == answered + 20) {
+        if (!link->known && got == answered + 24) {
             link_know(link, bytes, now);
         } else if (link->known && got == answered) {
             link_take(link, bytes, now);

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: Apache-2.0 OR GPL-2.0-or-later
+ * What a host has to know of a board besides the registers' places: limits that follow from its
+ * constants, and those of frames. For C99 and C++; of words as they are read. */
+#ifndef CURVECORE_HLS_BOARD_LINK_H
+#define CURVECORE_HLS_BOARD_LINK_H
+
+#include <stdint.h>
+
+#include "registers.h"
+
+/* A field of a register's word, by the register's and the field's name. */
+#define CURVECORE_FIELD(word, name) \
+    (((uint32_t)(word)&CURVECORE_##name##_MASK) >> CURVECORE_##name##_LOW)
+
+/* Bytes of a frame, without its CRC: rtl/bus/frame_port.sv. */
+#define CURVECORE_LONGEST_FRAME 251
+
+/* All faults in a word of STATE. */
+#define CURVECORE_FAULTS (0xffffu | CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK)
+
+/* FOLLOWING_LIMIT at most. */
+#define CURVECORE_MOST_FOLLOWING 2147352576.0 /* 2^31 - 2^17 */
+
+/* Whether a board's registers, by its VERSION, are those of registers.h. */
+static inline int curvecore_knows(uint32_t version) {
+    return CURVECORE_FIELD(version, VERSION_MAP) == CURVECORE_VERSION_MAP_VALUE;
+}
+
+/* A time of PULSE or DIRECTION in clocks at most, by WIDTHS: the board counts two of them
+ * together, in as many bits. */
+static inline uint32_t curvecore_most_clocks(uint32_t widths) {
+    return ((uint32_t)1 << (CURVECORE_FIELD(widths, WIDTHS_TIME_BITS) - 1)) - 1;
+}
+
+/* A scale is below this, by WIDTHS. */
+static inline uint64_t curvecore_scale_end(uint32_t widths) {
+    return (uint64_t)1 << CURVECORE_FIELD(widths, WIDTHS_SCALE_BITS);
+}
+
+#endif
