@@ -334,6 +334,7 @@ core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${seri
 # Nothing else there depends on scan heads.
 core_test(position_mode galvo TOP motion_system TESTS *.ScanHeads* LIBRARIES curvecore_host
           ${system} Build=1 Galvo=1)
+core_test(motion_begin serial TOP motion_system LIBRARIES curvecore_host ${serial})
 core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_host ${serial})
 core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_host ${serial} Encoders=2)
 # The same beside its flat file, clock by clock.
@@ -342,6 +343,6 @@ core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
           LIBRARIES curvecore_host flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial
-             position_mode_galvo motion_probe_serial motion_encoder_serial)
+             position_mode_galvo motion_begin_serial motion_probe_serial motion_encoder_serial)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()

@@ -2,70 +2,15 @@
 // rtl/motion_system.sv from its registers to its pins: programs, silence, stops, nonsense.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <random>
-
 #include "hls/registers/board_link.h"
 #include "hls/xy2_frame.hpp"
-#include "tb/support/register_host.hpp"
+#include "tb/support/motion_system_bench.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 /// Of an empty queue, as ROOM can say it.
 constexpr uint32_t kSegmentRoom = CFG_SegmentQueueWords < 65536 ? CFG_SegmentQueueWords : 65535;
-
-/// CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo), without stop branches,
-/// which are too many words for short queues.
-Part part_to_draw() {
-    const char* part = std::getenv("CURVECORE_PART");
-    return part == nullptr ? Part("pulses.ngc", ref::Holds::kBranches)
-                           : Part(part, ref::Holds::kBounds);
-}
-
-class MotionSystem : public testing::Test {
-  protected:
-    /// The drives have counted the part, and the registers say the same, from `start` on.
-    void expect_drawn(const std::vector<int64_t>& start = {0, 0, 0}) {
-        EXPECT_EQ(host_.state() & kFaults, 0U);
-        for (int a = 0; a < kSystemAxes; ++a) {
-            EXPECT_EQ(host_.drive(a).complaint(), "") << "axis " << a;
-            EXPECT_EQ(host_.drive(a).count(), start[a] + part_.end(a)) << "axis " << a;
-        }
-        expect_counted();
-    }
-    void expect_counted() {
-        for (int a = 0; a < kSystemAxes; ++a) {
-            const uint32_t axis = static_cast<uint32_t>(a) * CURVECORE_AXIS_STRIDE;
-            EXPECT_EQ(static_cast<int32_t>(host_.read(CURVECORE_AXIS_STEPS + axis)),
-                      host_.drive(a).count());
-        }
-    }
-    std::vector<int64_t> counts() const {
-        std::vector<int64_t> all;
-        for (int a = 0; a < kSystemAxes; ++a) all.push_back(host_.drive(a).count());
-        return all;
-    }
-    int64_t steps() const {
-        int64_t sum = 0;
-        for (int a = 0; a < kSystemAxes; ++a) sum += host_.drive(a).steps();
-        return sum;
-    }
-    void clear_faults() { host_.write(CURVECORE_STATE, kFaults); }
-
-    /// The machine comes on and draws for so many samples.
-    void begin(int64_t samples) {
-        host_.prepare(part_);
-        RegisterHost::Sent sent;
-        const int64_t end = host_.now() + samples * kSystemPeriod;
-        while (host_.now() < end && !HasFailure()) host_.feed(part_, sent, [] {});
-        ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
-    }
-
-    std::mt19937 random_{1};
-    Part part_ = part_to_draw();
-    RegisterHost host_;
-};
 
 TEST_F(MotionSystem, SaysWhatItIs) {
     EXPECT_EQ(host_.read(CURVECORE_ID), CURVECORE_ID_ID_VALUE);
@@ -145,26 +90,6 @@ TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
     });
     expect_drawn();
     EXPECT_GT(silences, 0);
-}
-
-TEST_F(MotionSystem, BeginsAtAnOverrideThatIsWrittenAtRest) {
-    host_.prepare(part_);
-    host_.samples(50);  // samples are asked for, at the full rate
-    const uint32_t slow = 655;
-    host_.write(CURVECORE_OVERRIDE, slow);
-    host_.samples(20);
-    RegisterHost::Sent sent;
-    const auto check = [&] {
-        const bool begun = host_.path() != 0;
-        ASSERT_TRUE(!begun || host_.read(CURVECORE_RATE) == slow);
-    };
-    host_.feed(part_, sent, check);
-    for (int n = 0; n < 300 && !HasFailure(); ++n) {
-        host_.samples(1);
-        check();
-    }
-    EXPECT_GT(host_.path(), 0U);
-    EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
 }
 
 /// A monitor reads a hundred times as often as the watchdog asks for life.
@@ -335,81 +260,6 @@ TEST_F(MotionSystem, FlushStopsOnThePathEmptiesAndKeepsThePosition) {
     EXPECT_TRUE(host_.write(CURVECORE_REFERENCE, kEveryAxis));
     host_.draw(part_);
     expect_drawn(stands);
-}
-
-/// Each of the part's points is so many steps away.
-void move(Part& part, const std::vector<double>& steps) {
-    hls::WordCheck check;
-    constexpr std::size_t kFrame = ref::segment_bus_words(0);
-    for (std::size_t n = 0; n < part.segments.size(); ++n) {
-        const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, part.segments[n]));
-        if (tag == hls::Tag::kStart || tag == hls::Tag::kEnd) {
-            const double units =
-                steps[(n % kFrame - 2) / 5] / kStepsPerMm / part.job.options.unit_mm;
-            const int64_t point = hls::detail::signed_bits(part.segments[n], 44) +
-                                  std::llround(std::ldexp(units, kFineBits - 32));
-            part.segments[n] = hls::detail::bus_word(tag, hls::kPointField, point);
-        }
-        if (n % kFrame == kFrame - 1) check.seal(&part.segments[n + 1 - kFrame], kFrame);
-    }
-}
-
-/// Steps since the last reference.
-std::vector<double> way(const std::vector<int64_t>& from, const std::vector<int64_t>& to) {
-    std::vector<double> steps;
-    for (std::size_t a = 0; a < to.size(); ++a) steps.push_back(double(to[a] - from[a]));
-    return steps;
-}
-
-TEST_F(MotionSystem, BeginsAProgramWhereTheAxesStandAndNowhereElse) {
-    host_.prepare(part_);
-    std::vector<int64_t> reference = counts();
-    host_.draw(part_);
-    for (const double off : {0.4, 25.0, -1.1}) {
-        const auto stands = counts();
-        std::vector<double> start = way(reference, stands);
-        start[random_() % kSystemAxes] += off;
-        host_.write(CURVECORE_CONTROL, kEnable | kFlush);
-        while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
-        Part part = part_to_draw();
-        move(part, start);
-        RegisterHost::Sent sent;  // a segment says where
-        for (; sent.segments < ref::segment_bus_words(0); ++sent.segments) {
-            ASSERT_TRUE(host_.push(CURVECORE_SEGMENT_LO, part.segments[sent.segments]));
-        }
-        if (std::abs(off) < 0.5) {
-            host_.draw_rest(part, sent, [] {});
-            expect_drawn(stands);
-        } else {
-            host_.samples(40);
-            EXPECT_EQ(host_.state() & (kFaults | CURVECORE_STATE_ENABLED_MASK),
-                      uint32_t{CURVECORE_STATE_REFUSED_MASK});
-            EXPECT_EQ(counts(), stands);
-            clear_faults();
-            host_.prepare(part_);
-            reference = counts();
-            host_.draw(part_);
-            expect_drawn(stands);
-        }
-        if (HasFailure()) FAIL() << off << " steps";
-    }
-}
-
-/// The steps that were made say where: the path's place is less than a step from there.
-TEST_F(MotionSystem, BeginsAProgramWhereAFlushInMotionStopped) {
-    for (int repeat = 0; repeat < 2 && !HasFailure(); ++repeat) {
-        const std::vector<int64_t> reference = counts();
-        begin(300 + random_() % 700);
-        host_.write(CURVECORE_CONTROL, kEnable | kFlush);
-        while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
-        const auto stands = counts();
-        Part part = part_to_draw();
-        move(part, way(reference, stands));
-        host_.draw(part);
-        expect_drawn(stands);
-        host_.write(CURVECORE_CONTROL, 0);
-        while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
-    }
 }
 
 TEST_F(MotionSystem, DrawsBehindAFlushAsFastAsBefore) {
