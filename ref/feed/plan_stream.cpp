@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
 constexpr std::size_t kFew = 32;     // moves that a window may have, however long they are
 constexpr double kLongMove = 1;      // mm, a mean of more: a window has fewer moves
-constexpr std::size_t kMostPlanned = 12000;  // moves, or segments: a window has no more
+constexpr std::size_t kMostPlanned = 16000;  // moves, or segments: a window has no more
 constexpr std::size_t kFewest = 3;           // moves that it may have, however long they take
 
 double length_of(const std::vector<Move>& moves) {

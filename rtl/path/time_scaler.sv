@@ -375,7 +375,7 @@ module time_scaler (
     lands_q <= landing_q || (head_stop ? head_ends : at_rest_q && !up && !settling_q);
     rises_q <= rising_q || head_stop;
     stops_q <= head_stop;
-    held_q <= zero_q;
+    held_q  <= zero_q;
     place_q <= landing_q || head_stop ? target_q : goal_q;
   end
   // In a stop below 1, whatever its steps.

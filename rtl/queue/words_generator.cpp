@@ -5,8 +5,8 @@
 #include <string>
 #include <tuple>
 
-#include "hls/stop_schedule.hpp"
 #include "hls/path_kernel.hpp"
+#include "hls/stop_schedule.hpp"
 #include "hls/words.hpp"
 
 using namespace curvecore;

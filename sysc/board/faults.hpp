@@ -20,8 +20,7 @@ enum Fault {
 
 inline std::string fault_text(unsigned fault) {
     const char* const causes[kFaults] = {"a segment word that cannot be, or is not as it was made",
-                                         "a segment missing or doubled, or not from where the one "
-                                         "before ended",
+                                         "a segment missing, doubled or not from the last end",
                                          "a profile word that cannot be, or is not as it was made",
                                          "a piece missing or doubled",
                                          "segments and pieces end apart",

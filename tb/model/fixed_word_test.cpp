@@ -129,7 +129,7 @@ TEST(Words, ProfileFieldsKeepTheirPlacesOnTheBus) {
     piece.c[0] = -1;
     std::uint64_t bus[kProfileBusWords];
     pack(piece, 5, bus);
-    EXPECT_EQ(bus[0], (1U << 19) | (19U << 20) | (46ULL << 25) | (1ULL << 31) | (5ULL << 32) |
+    EXPECT_EQ(bus[0], (1U << 19) | (19U << 20) | (46ULL << 25) | (1ULL << 31) | (5ULL << 36) |
                           (8ULL << 44));
     EXPECT_EQ(bus[1], 0x900000000007U);
     EXPECT_EQ(bus[2], 0xA00FFFFFFFFFU);

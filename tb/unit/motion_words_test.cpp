@@ -252,7 +252,8 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
     EXPECT_GT(found, rounds / 2);
 }
 
-// A program that begins elsewhere than the one before ended, behind it in the queue.
+// A program that begins elsewhere than the one before ended, behind it in the queue. Its pieces are
+// there: time may begin on them, and waits for a sample in vain, which is kNoSample besides.
 TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn) {
     const int64_t far = int64_t{1} << (core_.position_bits + core_.guard_bits - 3);
     for (const int64_t off : {int64_t{1}, int64_t{-3}, far}) {
@@ -268,8 +269,13 @@ TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn
         set_ticks(whole, segments);
         send(whole, segments);
         run_out();
-        EXPECT_EQ(fault(), 1 << kSegmentOrder) << off;
-        EXPECT_EQ(path_, length) << off;
+        EXPECT_EQ(fault() & ~(1 << kNoSample), 1 << kSegmentOrder) << off;
+        if ((fault() & 1 << kNoSample) == 0) {
+            EXPECT_EQ(path_, length) << off;
+        }
+        int64_t drawn = 0;
+        for (int64_t n = 0; n < samples_; ++n) drawn += moves_[static_cast<std::size_t>(n)];
+        EXPECT_LE(drawn, length) << off;
         start_afresh();
         if (HasFailure()) FAIL() << off;
     }
