@@ -11,21 +11,17 @@
 
 namespace curvecore::sysc {
 
-std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
+RunSegment JoinedSegments::next(const ref::Segment& segment) {
     RunSegment words = hls::to_words(segment, format_);
-    if (count_ > 0) join(segment, words);
-    std::vector<std::uint64_t> bus(
-        static_cast<std::size_t>(ref::segment_bus_words(format_.kAxes - 3)));
-    hls::pack(words, static_cast<unsigned>(count_++), bus.data(), format_);
-    check_.seal(bus.data(), bus.size());
+    if (count_++ > 0) join(segment, words);
     last_ = words;
     last_turned_ = segment.aux_turned;
-    return bus;
+    return words;
 }
 
 /// A move that is shorter than half a quantum of path has no segment: that is as much as ends and
 /// starts of a plan may differ, and may round to words that differ by one.
-void SegmentWriter::join(const ref::Segment& segment, RunSegment& words) const {
+void JoinedSegments::join(const ref::Segment& segment, RunSegment& words) const {
     for (int axis = 0; axis < format_.kAxes; ++axis) {
         const auto aux = static_cast<std::size_t>(axis - 3);
         if (axis >= 3 && segment.aux_turned[aux] != last_turned_[aux]) {
@@ -34,10 +30,20 @@ void SegmentWriter::join(const ref::Segment& segment, RunSegment& words) const {
         }
         if (std::abs(words.start[axis] - last_.end[axis]) > 1) {
             throw std::logic_error(
-                fmt::format("segment {} does not start where the one before ended", count_));
+                fmt::format("segment {} does not start where the one before ended", count_ - 1));
         }
         words.start[axis] = last_.end[axis];
     }
+}
+
+std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
+    const RunTimeFormat& format = segments_.format();
+    std::vector<std::uint64_t> bus(
+        static_cast<std::size_t>(ref::segment_bus_words(format.kAxes - 3)));
+    const auto number = static_cast<unsigned>(segments_.count());
+    hls::pack(segments_.next(segment), number, bus.data(), format);
+    check_.seal(bus.data(), bus.size());
+    return bus;
 }
 
 std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size_t index) {

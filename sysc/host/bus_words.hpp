@@ -11,26 +11,42 @@
 
 namespace curvecore::sysc {
 
-/// A program's segments as words (hls/words.hpp), one after the other.
-class SegmentWriter {
+/// The segments of a program in words that join.
+class JoinedSegments {
   public:
-    explicit SegmentWriter(const CoreParameters& parameters)
-        : format_(parameters, parameters.axes()) {}
+    explicit JoinedSegments(const RunTimeFormat& format) : format_(format) {}
 
     /// The next one's: it starts with the words that the one before ended with.
     /// @throws std::logic_error when the plan starts it elsewhere
-    std::vector<std::uint64_t> write(const ref::Segment& segment);
-    /// Of those that were written.
+    RunSegment next(const ref::Segment& segment);
+    /// Of those that were given.
     std::size_t count() const { return count_; }
+    const RunTimeFormat& format() const { return format_; }
 
   private:
     void join(const ref::Segment& segment, RunSegment& words) const;
 
     RunTimeFormat format_;
-    hls::WordCheck check_;
     RunSegment last_;         // words, the one before
     ref::Aux last_turned_{};  // and what they leave out
     std::size_t count_ = 0;
+};
+
+/// A program's segments as words (hls/words.hpp), one after the other.
+class SegmentWriter {
+  public:
+    explicit SegmentWriter(const CoreParameters& parameters)
+        : segments_(RunTimeFormat(parameters, parameters.axes())) {}
+
+    /// The next one's.
+    /// @throws std::logic_error as JoinedSegments
+    std::vector<std::uint64_t> write(const ref::Segment& segment);
+    /// Of those that were written.
+    std::size_t count() const { return segments_.count(); }
+
+  private:
+    JoinedSegments segments_;
+    hls::WordCheck check_;
 };
 
 /// Its pieces.

@@ -21,6 +21,7 @@ Checker::Checker(const Job& job, SamplesWriter& samples, Pictures& pictures)
       ranges_(job.options.core.coef_bits),
       format_(job.options.core, core_axes_, &ranges_),
       kernel_(format_),
+      words_(format_),
       cursor_(job.plan),
       samples_(samples),
       pictures_(pictures),
@@ -55,7 +56,7 @@ void Checker::take(const Sample& drawn) {
 
 /// The sample before the first request: the start words.
 void Checker::start() {
-    const RunSegment first = words(cursor_.index());
+    const RunSegment first = hls::to_words(cursor_.segment(), format_);
     std::int64_t position[kMostAxes];
     for (int axis = 0; axis < core_axes_; ++axis) {
         position[axis] = hls::to_position(first.start[axis], format_);
@@ -68,14 +69,10 @@ void Checker::start() {
     pictures_.sample(0, cursor_.index(), last_curve_, true);
 }
 
-RunSegment Checker::words(std::size_t segment) const {
-    return hls::to_words(job_.plan.segments[segment], format_);
-}
-
 void Checker::compare_with_kernel(const Sample& drawn) {
     std::int64_t fine[kMostAxes];
     kernel_.sample(
-        source_.ds(), [this] { return words(next_segment_++); }, fine);
+        source_.ds(), [this] { return words_.next(job_.plan.segments[next_segment_++]); }, fine);
     int differing = (drawn.ds != source_.ds()) + (drawn.rate != source_.rate());
     for (int axis = 0; axis < core_axes_; ++axis) {
         const auto a = static_cast<std::size_t>(axis);

@@ -5,6 +5,7 @@
 
 #include "ref/curve/curve_follower.hpp"
 #include "sysc/board/board.hpp"
+#include "sysc/host/bus_words.hpp"
 #include "sysc/host/job.hpp"
 #include "sysc/host/path_cursor.hpp"
 #include "sysc/host/path_source.hpp"
@@ -34,7 +35,6 @@ class Checker {
     void compare_speed(const ref::Vec3& point, const ref::Vec3& curve);
     bool stops(std::size_t segment) const;
     void compare_landing(const Sample& drawn);
-    RunSegment words(std::size_t segment) const;
 
     const Job& job_;
     const int core_axes_;
@@ -45,6 +45,7 @@ class Checker {
     ValueRanges ranges_;
     const RunTimeFormat format_;
     RunTimeKernel kernel_;
+    JoinedSegments words_;
     PathCursor cursor_;
     ref::CurveFollower curve_;
     SamplesWriter& samples_;

@@ -246,7 +246,7 @@ TEST_F(Compare, PrintsATableLineForEveryRow) {
         {"compare", "-o", "out", "--curves", "arcs", "--set", "Order=6", "--samples", "500"});
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_EQ(result.err, "") << "the bar is for terminals";
-    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 2);
+    EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1 + 10 + 2 + 1);
     EXPECT_NE(result.out.find("planned for "), std::string::npos);
 }
 
