@@ -6,10 +6,11 @@
     clock_mhz, fmax_mhz            asked, reached
     lut4, ff, dsp, bram            used
     axes, samples_s, steps_s       what a drive and a host get of it
-    tree                           the last commit that changed rtl before it was placed
+    tree                           the last commit that changed rtl before it was placed, if known
 """
 
 import json
+import shutil
 import subprocess
 
 from synthesis.boards import TOP
@@ -20,16 +21,21 @@ FILE = ROOT / "sysc" / "widths" / "placed_boards.json"
 FIGURES = ("clock_mhz", "fmax_mhz", "lut4", "ff", "dsp", "bram", "axes", "samples_s", "steps_s")
 
 
+def tree():
+    if not (shutil.which("git") and (ROOT / ".git").exists()):
+        return "unknown"
+    sources = ["rtl", ":(exclude)*.md"]
+    return subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *sources],
+                          check=True, text=True, capture_output=True).stdout.strip()
+
+
 def record(board, facts, file):
     """Its row anew, the others as they are."""
-    sources = ["rtl", ":(exclude)*.md"]
-    tree = subprocess.run(["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *sources],
-                          check=True, text=True, capture_output=True).stdout.strip()
     row = {"board": board.name, "part": board.part, "family": board.family,
            "device": board.device,
            "parameters": {name: int(value) for name, value in
                           (parameters(TOP) | board.settings).items()},
-           **{name: facts[name] for name in FIGURES}, "tree": tree}
+           **{name: facts[name] for name in FIGURES}, "tree": tree()}
     others = json.loads(file.read_text()) if file.exists() else []
     rows = [other for other in others if other["board"] != board.name] + [row]
     rows.sort(key=lambda row: row["board"])
