@@ -170,7 +170,7 @@ const std::vector<BadComparison> kBadComparisons{
     {"UnitTooLarge", {"--unit", "1in"}, "curvecore: error: --unit must be in [1e-07, 1] mm"},
     {"OptionOfRun",
      {"--stall", "1"},
-     "curvecore: error: The following argument was not expected: --stall"},
+     "curvecore: error: compare has no option '--stall'; compare --help-all lists them"},
     {"SetUnknown",
      {"--set", "Width=36"},
      "curvecore: error: --set Width: unknown parameter; there are " + ref::parameter_names()},
