@@ -27,6 +27,7 @@ constexpr double kMostKnots = 8000;
 constexpr double kSteady = 0.99;  // of its feed: so fast a move has few knots, as lines have
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
+constexpr std::size_t kSmall = 500;  // so few moves are planned at once, as slow as queues make them
 
 /// What is planned.
 struct Subject {
@@ -43,6 +44,7 @@ struct Subject {
 
 /// The moves for which there is memory, by a motion that is found by rules.
 std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
+    if (subject.geometry.moves.size() < kSmall) return subject.geometry.moves.size();
     const std::vector<double>& times = motion.times();
     double knots = 0;
     for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
