@@ -21,7 +21,7 @@ std::string joints(int count) {
 
 class TimeKept : public testing::Test {
   protected:
-    /// With a queue that outlasts a stop in moves of 0.2 um: the core's clocks alone bound the feed.
+    /// With a queue that outlasts a stop in moves of 0.2 um: the clocks alone bound the feed.
     Json report(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin() + 1,
                          {"part.ngc", "-q", "-o", "out", "--segment-queue", "65536"});
