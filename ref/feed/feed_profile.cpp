@@ -27,10 +27,9 @@ constexpr double kMostKnots = 8000;
 constexpr double kSteady = 0.99;  // of its feed: so fast a move has few knots, as lines have
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
-// What crawls so far below its feed, as short queues make it, has few knots; of so few moves it is
-// planned at once.
+// What crawls so far below its feed for so long, as short queues make it, has few knots.
 constexpr double kCrawls = 0.2;
-constexpr std::size_t kSmall = 500;
+constexpr double kLong = 0.2;  // s
 
 /// What is planned.
 struct Subject {
@@ -47,7 +46,6 @@ struct Subject {
 
 /// The moves for which there is memory, by a motion that is found by rules.
 std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
-    const bool small = subject.geometry.moves.size() < kSmall;
     const std::vector<double>& times = motion.times();
     double knots = 0;
     for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
@@ -57,7 +55,7 @@ std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
         const double time = times[i + 1] - times[i];
         const double step = knot_step(planned.shape, subject.machine);
         const double feed = move.rapid || move.feed <= 0 ? 1e9 : move.feed;
-        if (small && planned.shape.length < kCrawls * feed * time) continue;
+        if (time > kLong && planned.shape.length < kCrawls * feed * time) continue;
         const bool steady = planned.shape.length >= kSteady * feed * time;
         const bool few = steady || move.kind == Move::Kind::kLine;
         knots += std::min(time / step, few ? kFew : 1e300) + time / kSlow;
