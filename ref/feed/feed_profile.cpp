@@ -30,6 +30,8 @@ constexpr double kSlow = 0.3;  // s
 // What crawls so far below its feed for so long, as short queues make it, has few knots.
 constexpr double kCrawls = 0.2;
 constexpr double kLong = 0.2;  // s
+// Shorter ones cover no stop at the bounds that windows have for holds: planned at once.
+constexpr int kShortQueue = 1024;
 
 /// What is planned.
 struct Subject {
@@ -46,6 +48,10 @@ struct Subject {
 
 /// The moves for which there is memory, by a motion that is found by rules.
 std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
+    const PlanOptions& options = subject.options;
+    if (std::min(options.segment_queue_words, options.profile_queue_words) < kShortQueue) {
+        return subject.geometry.moves.size();
+    }
     const std::vector<double>& times = motion.times();
     double knots = 0;
     for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
