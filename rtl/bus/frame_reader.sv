@@ -55,6 +55,8 @@ module frame_reader (
   } state_t;
   state_t state_q;
 
+  logic [7:0] words_q;  // to come
+  logic writes_q;  // as the command says
   // Bytes
   localparam logic [7:0] CrcBytes = 8'd4;
   logic [7:0] left_q;  // of the frame
@@ -80,7 +82,6 @@ module frame_reader (
   // The command
   logic pair_q;
   logic increment_q;
-  logic [7:0] words_q;  // to come
   logic [1:0] part_q;  // of a word
   logic known;  // a command whose high byte is read
   logic aligned;  // an address
@@ -91,7 +92,6 @@ module frame_reader (
   logic [31:0] word_q;  // to write, or read
   logic [6:0] place_q;
   logic obeyed_q;
-  logic writes_q;  // as the command says
   logic expects;  // reads SEQUENCE for it
   logic asks;
   logic accessed;

@@ -110,6 +110,9 @@ module machine_state #(
   // Of a host that moves the axes itself: if it is gone, nobody does; if it is late, it goes on.
   localparam logic [17:0] Other = (18'd1 << registers_pkg::StateWatchdogLow) |
       (18'd1 << registers_pkg::StateLateLow);
+  logic clean_q;
+  logic clean;
+  logic asks_position;
   logic [17:0] stop_mask;
   logic stops;
   logic stopped;
@@ -129,8 +132,6 @@ module machine_state #(
   end
 
   // A program or positions: chosen when nothing of either is under way.
-  logic clean;
-  logic asks_position;
   assign clean = clean_q && !offered_i;
   assign asks_position = command_i[registers_pkg::ControlPositionLow];
   always_ff @(posedge clk_i) begin
@@ -142,7 +143,6 @@ module machine_state #(
   logic hold_q;
   logic flush_q;
   logic moved_q;
-  logic clean_q;
   logic rests;
   assign hold_o = hold_q || flush_q || faults_q[registers_pkg::StateWatchdogLow] || caught_i;
   assign begins_o = !moved_q && !position_o;

@@ -46,6 +46,7 @@ module position_buffer #(
   localparam int AddressBits = $clog2(Words);
   localparam int CountBits = $clog2(Words / Axes + 1);
 
+  logic [CountBits-1:0] room_q;
   // Which axis comes next
   logic [3:0] axis_q;
   logic refused_q;
@@ -63,7 +64,6 @@ module position_buffer #(
   end
 
   // How many samples: a place is kept from the first position on.
-  logic [CountBits-1:0] room_q;
   logic [CountBits-1:0] queued_q;
   logic reserves;
   logic comes;

@@ -188,11 +188,15 @@ module taylor_sequencer #(
   assign next_order      = order_q + 4'd2;
   assign next_reciprocal = reciprocal[next_order];
 
+  // Digits of both; for odd Bits the doubled word.
+  localparam int Shifted = 2 * Digits;
+  logic        [Shifted-1:0] theta_q;
+
   // Order 1 needs none: its copy leaves the weight of order 2 in peace.
-  logic                   take_weight;
-  logic                   triple_weight;
-  logic signed [Bits-1:0] unused_base;
-  logic signed [Bits-1:0] next_weight;
+  logic                      take_weight;
+  logic                      triple_weight;
+  logic signed [   Bits-1:0] unused_base;
+  logic signed [   Bits-1:0] next_weight;
   assign take_weight   = take_q && !zeroth_q;
   assign triple_weight = triple_q && !copy_q;
   digit_multiplier #(
@@ -205,11 +209,8 @@ module taylor_sequencer #(
       .product_o(next_weight)
   );
 
-  // Digits of both; for odd Bits the doubled word.
-  localparam int Shifted = 2 * Digits;
   logic [Bits-1:0] weight;
   logic [Shifted-1:0] weight_q;
-  logic [Shifted-1:0] theta_q;
   assign weight = close_q ? theta_i : next_weight;
   always_ff @(posedge clk_i) begin
     if (take_weight) begin

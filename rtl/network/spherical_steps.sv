@@ -182,6 +182,7 @@ module spherical_steps #(
     origin_q     <= origin;
     end_q        <= end_point_i;
   end
+  logic [CoefBits-1:0] angle;
   arc_bank #(
       .CoefBits(CoefBits),
       .Mode(Mode)
@@ -201,7 +202,6 @@ module spherical_steps #(
   );
 
   // The angle from the step's start: sine and cosine from 0 and 1.
-  logic [CoefBits-1:0] angle;
   if (Mode == 1) begin : g_angle
     logic signed [CoefBits-1:0] sine;
     logic signed [CoefBits-1:0] cosine;

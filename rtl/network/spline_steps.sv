@@ -120,7 +120,7 @@ module spline_steps #(
       .begin_i(start_i),
       .fresh_i,
       .s_i(difference),
-      .theta_i,
+      .theta_i(theta_i),
       .phi_end_i(phi_end),
       .moved_i(moved),
       .axis_o(anchor_axis),

@@ -115,6 +115,7 @@ module time_scaler (
   logic swaps;
   logic swap;
   logic tick;
+  logic head_ends;
   logic anew;
   logic up;
   logic steady;
@@ -134,7 +135,6 @@ module time_scaler (
 
   logic [16:0] goal_q;
   logic        head_stop;
-  logic        head_ends;
   logic [31:0] head_change;
   logic        one;
   logic        one_q;
@@ -174,6 +174,8 @@ module time_scaler (
       .change_o(head_change)
   );
 
+  logic        high;
+  logic [16:0] aim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       head_valid_q <= 1'b0;
@@ -200,8 +202,6 @@ module time_scaler (
 
   // Where the rate goes next: to the target, or first to 7/8.
   logic [16:0] wish;
-  logic        high;
-  logic [16:0] aim;
   assign wish = room ? obeyed : target_q;
   assign high = is_fine(wish);
   assign aim  = high == fine_q ? wish : FineFrom;

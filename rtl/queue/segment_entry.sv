@@ -71,6 +71,7 @@ module segment_entry #(
     end
   end
 
+  logic follows;
   frame_entry u_entry (
       .clk_i,
       .rst_ni,
@@ -97,7 +98,6 @@ module segment_entry #(
   // Where the segment before ended, by axis: read for the axis of the next start
   logic any_start_q;
   logic other_turn_q;
-  logic follows;
   logic [FineBits-1:0] end_q;
   (* no_rw_check *)
   logic [FineBits-1:0] ends[16];

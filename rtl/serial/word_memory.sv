@@ -45,7 +45,7 @@ module word_memory #(
   (* no_rw_check *)
   logic [CoefBits-1:0] memory[Words];
   initial for (int n = 0; n < Words; n = n + 1) memory[n] = first(n);
-  always_ff @(posedge clk_i) begin
+  always @(posedge clk_i) begin  // with always_ff nothing else, no initial block, might write it
     if (write_i) memory[write_address_i] <= write_data_i;
     data_o <= memory[read_i];
   end

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# add_lint_tests(): every module of rtl as its own top through four tools, and the C++ trees.
-#   lint.<module>.verilator|icarus|yosys|verible    lint.<tree>.format|tidy    lint.files
-#   lint.configurations    lint.licences
+# add_lint_tests(): every module of rtl as its own top through five tools, and the C++ trees.
+#   lint.<module>.verilator|icarus|yosys|verible    lint.slang    lint.<tree>.format|tidy
+#   lint.files    lint.configurations    lint.licences
 # Waivers: rtl/waivers.vlt, each with its reason; verible's and clang-tidy's rules beside this.
 find_program(YOSYS yosys REQUIRED)
 find_program(VERIBLE_LINT verible-verilog-lint)
@@ -59,6 +59,9 @@ function(add_lint_tests)
   endforeach()
   lint_test(files.curvecore.f.elaborates ${VERILATOR} --lint-only -Wall ${lint_waivers}
             -F ${PROJECT_SOURCE_DIR}/rtl/curvecore.f --top-module motion_interpolator)
+  cmake_path(GET ICE40_CELLS PARENT_PATH cells)
+  lint_test(slang ${PROJECT_SOURCE_DIR}/.venv/bin/python3 ${PROJECT_SOURCE_DIR}/tb/lint/slang.py
+            ${ICE40_CELLS} ${cells}/../ecp5/cells_bb.v)
   lint_test(configurations ${PROJECT_SOURCE_DIR}/tb/lint/configurations.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
