@@ -3,22 +3,47 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
+
+#include "ref/program/value_reader.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
 constexpr double kLargestNumber = 1e9;
-constexpr int kMostFigures = 100;  // no number so short leaves a double's range
-constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// The line without comments and blanks, in upper case.
-std::string strip(std::string_view text, const Place& place) {
+/// What stands where a word should begin.
+[[noreturn]] void refuse_character(char c, const Place& place) {
+    switch (c) {
+        case '@':
+        case '^':
+            place.refuse(fmt::format("polar coordinates ({}) are not supported", c));
+        case '%':
+            place.refuse("% must stand alone on its line");
+        default:
+            place.refuse(fmt::format("'{}' where a word should begin", c));
+    }
+}
+
+/// Codes are whole numbers, or tenths for G.
+int code_of(char letter, double number, const Place& place) {
+    const std::optional<int> code =
+        letter == 'G' ? near_whole(number * 10, 1e-3) : near_whole(number);
+    if (!code || *code < 0 || number > 999) {
+        place.refuse(fmt::format("{}{:.10g} is not a code", letter, number));
+    }
+    return *code;
+}
+
+}  // namespace
+
+std::string words_of(std::string_view text, const Place& place) {
+    if (text.size() > kLongestLine) {
+        place.refuse(fmt::format("the line is longer than {} characters", kLongestLine));
+    }
     std::string words;
     bool comment = false;
     bool rest = false;
@@ -51,95 +76,65 @@ std::string strip(std::string_view text, const Place& place) {
     return words;
 }
 
-/// What stands where a word should begin.
-[[noreturn]] void refuse_character(char c, const Place& place) {
-    switch (c) {
-        case '#':
-            place.refuse("parameters (#) belong to LinuxCNC's interpreter: give plain numbers");
-        case '[':
-        case ']':
-            place.refuse("expressions ([ ]) belong to LinuxCNC's interpreter: give plain numbers");
-        case '@':
-        case '^':
-            place.refuse(fmt::format("polar coordinates ({}) are not supported", c));
-        case '%':
-            place.refuse("% must stand alone on its line");
-        default:
-            place.refuse(fmt::format("'{}' where a word should begin", c));
-    }
-}
-
-/// Reads the number at words[at] and moves `at` behind it.
-double read_number(char letter, const std::string& words, std::size_t& at, const Place& place) {
-    const std::size_t begin = at;
-    if (at < words.size() && (words[at] == '+' || words[at] == '-')) {
-        ++at;
-    }
-    const std::size_t digits = at;
-    int points = 0;
-    int figures = 0;
-    for (; at < words.size() && (is_digit(words[at]) || words[at] == '.'); ++at) {
-        (words[at] == '.' ? points : figures) += 1;
-    }
-    if (points > 1) {
-        place.refuse(fmt::format("{}{} is not a number", letter, words.substr(begin, at - begin)));
-    }
-    if (figures == 0) {
-        if (at < words.size() && (words[at] == '#' || words[at] == '[')) {
-            refuse_character(words[at], place);
-        }
-        const std::size_t name_end = words.find_first_not_of(kAlphabet, at);
-        if (name_end != std::string::npos && name_end > at && words[name_end] == '[') {
-            refuse_character('[', place);  // a function, as in XSIN[30]
-        }
-        place.refuse(fmt::format("{} without a number", letter));
-    }
-    double number = 0;
-    std::from_chars(words.data() + digits, words.data() + at, number, std::chars_format::fixed);
-    if (figures > kMostFigures || number > kLargestNumber) {
-        place.refuse(fmt::format("the number of {} is out of range", letter));
-    }
-    return words[begin] == '-' ? -number : number;
-}
-
-/// Codes are whole numbers, or tenths for G.
-int code_of(char letter, double number, const Place& place) {
-    const double scaled = letter == 'G' ? number * 10 : number;
-    if (number < 0 || number > 999 || std::abs(scaled - std::round(scaled)) > 1e-6) {
-        place.refuse(fmt::format("{}{:.10g} is not a code", letter, number));
-    }
-    return static_cast<int>(std::lround(scaled));
-}
-
-}  // namespace
-
-Block::Block(std::string_view text, const Place& place) {
-    if (text.size() > kLongestLine) {
-        place.refuse(fmt::format("the line is longer than {} characters", kLongestLine));
-    }
-    const std::string words = strip(text, place);
+Block::Block(const std::string& words, const Place& place, ProgramParameters& parameters) {
     if (words == "%") {
         percent = true;
         return;
     }
-    std::size_t at = !words.empty() && words[0] == '/' ? 1 : 0;
-    while (at < words.size()) {
-        const char letter = words[at];
-        if (!is_letter(letter)) {
-            refuse_character(letter, place);
+    ValueReader reader(words, parameters, place);
+    reader.take("/");
+    while (!reader.at_end()) {
+        const char letter = reader.peek();
+        if (letter == '#') {
+            read_assignment(reader, parameters);
+            continue;
         }
+        if (!is_letter(letter)) refuse_character(letter, place);
         if (letter == 'O') {
             place.refuse("subroutines and O-words belong to LinuxCNC's interpreter");
         }
-        if (letter == 'E') {
-            place.refuse("unknown word E (numbers have no exponent; an extruder may be A)");
+        reader.skip();
+        add_word(letter, reader.value(std::string(1, letter)), place);
+    }
+    assign(parameters, place);
+}
+
+void Block::read_assignment(ValueReader& reader, ProgramParameters& parameters) {
+    reader.skip();
+    Assignment assignment{0, "", 0};
+    if (reader.peek() == '<') {
+        assignment.name = reader.name();
+        try {
+            parameters.declare(assignment.name);
+        } catch (const ParameterError& error) {
+            reader.refuse(error.what());
         }
-        ++at;
-        add_word(letter, read_number(letter, words, at, place), place);
+    } else {
+        assignment.number = reader.whole_value("#");
+    }
+    if (!reader.take("=")) reader.refuse("a parameter that begins a word wants =, as in #1=5");
+    assignment.value = reader.value("=");
+    assignments_.push_back(assignment);
+}
+
+void Block::assign(ProgramParameters& parameters, const Place& place) const {
+    try {
+        for (const Assignment& assignment : assignments_) {
+            if (assignment.name.empty()) {
+                parameters.assign(assignment.number, assignment.value);
+            } else {
+                parameters.assign(assignment.name, assignment.value);
+            }
+        }
+    } catch (const ParameterError& error) {
+        place.refuse(error.what());
     }
 }
 
 void Block::add_word(char letter, double number, const Place& place) {
+    if (!(std::abs(number) <= kLargestNumber)) {
+        place.refuse(fmt::format("the number of {} is out of range", letter));
+    }
     if (letter == 'G') {
         g.push_back(code_of(letter, number, place));
         return;
@@ -172,14 +167,16 @@ double Block::use(char letter) {
     return value_[letter - 'A'];
 }
 
-char Block::unused() const {
+void Block::check_all_used(const Place& place) const {
     const std::bitset<26> left = given_ & ~used_;
     for (int i = 0; i < 26; ++i) {
-        if (left[i]) {
-            return static_cast<char>('A' + i);
-        }
+        if (!left[i]) continue;
+        const char letter = static_cast<char>('A' + i);
+        place.refuse(fmt::format("{} has no use in this block{}", letter,
+                                 letter == 'E' ? ": numbers have no exponent, an extruder is read "
+                                                 "by --dialect marlin"
+                                               : ""));
     }
-    return 0;
 }
 
 int whole_number(char letter, double value, int least, int most, const Place& place) {

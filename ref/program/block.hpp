@@ -2,8 +2,9 @@
 // One line of a program taken apart into words; knows letters and numbers, not their meaning.
 //
 // As in RS274/NGC: upper and lower case are the same, blanks may stand anywhere (also inside a
-// number), comments are (...) and ;..., numbers have no exponent. A '/' at the start of a line
-// (block delete) is passed over: the switch is off.
+// number), comments are (...) and ;..., numbers have no exponent and may be parameters, functions
+// and expressions. Parameters are assigned behind all other words of their line. A '/' at the start
+// of a line (block delete) is passed over: the switch is off.
 #pragma once
 
 #include <array>
@@ -12,25 +13,22 @@
 #include <string_view>
 #include <vector>
 
-#include "ref/program/input_error.hpp"
+#include "ref/program/place.hpp"
+#include "ref/program/program_parameters.hpp"
 
 namespace curvecore::ref {
 
-/// Where in the input something stands.
-struct Place {
-    const std::string& file;
-    int line;
+class ValueReader;
 
-    [[noreturn]] void refuse(const std::string& reason) const {
-        throw InputError(file, line, reason);
-    }
-};
+/// A line without comments and blanks, in upper case. @throws InputError: it is not text
+std::string words_of(std::string_view text, const Place& place);
 
 /// The words of a line. G codes are held in tenths (G59.1 is 591); G and M words may repeat.
 class Block {
   public:
+    /// @param words of words_of()
     /// @throws InputError for anything that is not a word, and for a word that stands twice.
-    Block(std::string_view text, const Place& place);
+    Block(const std::string& words, const Place& place, ProgramParameters& parameters);
 
     bool empty() const { return !percent && given_.none() && g.empty() && m.empty(); }
     bool has(char letter) const { return given_[letter - 'A']; }
@@ -38,8 +36,8 @@ class Block {
     /// The number behind `letter`, which counts as used from here on.
     double use(char letter);
     bool used(char letter) const { return used_[letter - 'A']; }
-    /// The first letter that was given and not used, or 0.
-    char unused() const;
+    /// @throws InputError when a letter was given and not used
+    void check_all_used(const Place& place) const;
 
     bool percent = false;  // a '%' that stands alone
     std::vector<int> g;
@@ -47,10 +45,20 @@ class Block {
 
   private:
     void add_word(char letter, double number, const Place& place);
+    void read_assignment(ValueReader& reader, ProgramParameters& parameters);
+    void assign(ProgramParameters& parameters, const Place& place) const;
+
+    /// Of a parameter by its number or by its name.
+    struct Assignment {
+        int number;
+        std::string name;  // empty: by the number
+        double value;
+    };
 
     std::bitset<26> given_;
     std::bitset<26> used_;
     std::array<double, 26> value_{};
+    std::vector<Assignment> assignments_;
 };
 
 /// `value` of a word that must be a whole number within a range. @throws InputError

@@ -32,6 +32,11 @@ class Coordinates {
     bool inches() const { return unit_ != 1; }
     const Point& position() const { return position_; }
     void set_position(const Point& point) { position_ = point; }
+    /// Where the current point lies for the program: in its units, with all offsets.
+    double programmed(int axis) const { return (position_[axis] - offset(axis)) / scale(axis); }
+    /// On the machine, in the program's units.
+    double on_machine(int axis) const { return position_[axis] / scale(axis); }
+    int system() const { return system_; }  // 0 is G54
 
     /// Where the block's axis words lead; in machine coordinates for G53. Groups of axes (X Y Z,
     /// A B C, U V W) that move by less than 1e-9 mm keep their place exactly.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// G-code (RS274/NGC as LinuxCNC reads it, without its interpreter's language) to moves.
+// G-code (RS274/NGC as LinuxCNC reads it: parameters, functions, expressions) to moves.
 //
 // G0 G1 G2 G3 G2.4 G3.4 (by way of a point, next block: end point) G4 G5 G5.1 G5.2 G5.3 (splines in
 // G17) G10 L2 G17 G18 G19 G20 G21 G40 G43 G49 G53 G54..G59.3 G61 G61.1 G64 G80 G90 G91 G90.1 G91.1

@@ -7,7 +7,7 @@ bool GcodeStream::read() {
     const std::optional<std::string_view> line = lines_.next();
     if (!line) return false;
     const Place place{file_, lines_.number()};
-    const Block block(*line, place);
+    const Block block(words_of(*line, place), place, parameters_);
     if (block.percent && begun_) {
         if (!framed_) place.refuse("% ends a program that does not begin with %");
         return false;

@@ -12,7 +12,7 @@ class GcodeStream : public BlockStream {
   public:
     /// @param text outlives this object
     GcodeStream(std::istream& text, const std::string& file, double fit_tolerance)
-        : file_(file), lines_(text), interpreter_(file, fit_tolerance) {}
+        : file_(file), lines_(text), interpreter_(file, fit_tolerance, parameters_) {}
 
   private:
     bool read() override;
@@ -21,6 +21,7 @@ class GcodeStream : public BlockStream {
 
     std::string file_;
     TextLines lines_;
+    ProgramParameters parameters_;
     Interpreter interpreter_;
     bool framed_ = false;
     bool begun_ = false;

@@ -13,6 +13,12 @@ bool ends_program(int m_code) { return m_code == 2 || m_code == 30; }
 
 }  // namespace
 
+Interpreter::Interpreter(const std::string& file, double fit_tolerance,
+                         ProgramParameters& parameters)
+    : fit_tolerance_(fit_tolerance), parameters_(parameters), moves_(file) {
+    give_values();
+}
+
 bool Interpreter::execute(Block block, const Place& place) {
     if (block.empty()) {
         return true;
@@ -37,9 +43,7 @@ bool Interpreter::execute(Block block, const Place& place) {
         set_offsets(*action, block, codes, place);
     }
     move(block, codes, place);
-    if (const char letter = block.unused()) {
-        place.refuse(fmt::format("{} has no use in this block", letter));
-    }
+    block.check_all_used(place);
     const std::optional<int> end = codes.of(Group::kStop);
     if (end) {
         check_nothing_waits(place);

@@ -20,8 +20,10 @@ namespace curvecore::ref {
 
 class Interpreter {
   public:
-    Interpreter(const std::string& file, double fit_tolerance)
-        : fit_tolerance_(fit_tolerance), moves_(file) {}
+    /// @param parameters outlives this object, whose values it can ask for afterwards
+    Interpreter(const std::string& file, double fit_tolerance, ProgramParameters& parameters);
+    Interpreter(const Interpreter&) = delete;
+    Interpreter& operator=(const Interpreter&) = delete;
 
     /// Carries out a block; false when it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
@@ -33,6 +35,7 @@ class Interpreter {
     Program finish();
 
   private:
+    void give_values();
     void set_feed(Block& block, const Codes& codes, const Place& place);
     void use_spindle_and_tool(Block& block, const Codes& codes, const Place& place);
     void set_modes(Block& block, const Codes& codes, const Place& place);
@@ -83,6 +86,7 @@ class Interpreter {
     };
 
     double fit_tolerance_;  // mm
+    ProgramParameters& parameters_;
     MoveList moves_;
     Coordinates coordinates_;
     int motion_ = 800;  // G code in tenths

@@ -192,9 +192,7 @@ void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place
     }
     middle_.reset();
     add(move, target, place);
-    if (const char letter = block.unused()) {
-        place.refuse(fmt::format("{} has no use in this block", letter));
-    }
+    block.check_all_used(place);
 }
 
 void Interpreter::add(Move move, const Point& target, const Place& place) {

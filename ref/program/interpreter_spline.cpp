@@ -122,9 +122,7 @@ void Interpreter::nurbs_block(Block& block, const Codes& codes, const Place& pla
         check_spline(block, place);
         control_point(block, place);
     }
-    if (const char letter = block.unused()) {
-        place.refuse(fmt::format("{} has no use in this block", letter));
-    }
+    block.check_all_used(place);
 }
 
 void Interpreter::control_point(Block& block, const Place& place) {

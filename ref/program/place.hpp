@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where in the input something stands.
+#pragma once
+
+#include <string>
+
+#include "ref/program/input_error.hpp"
+
+namespace curvecore::ref {
+
+struct Place {
+    const std::string& file;
+    int line;
+
+    [[noreturn]] void refuse(const std::string& reason) const {
+        throw InputError(file, line, reason);
+    }
+};
+
+}  // namespace curvecore::ref
