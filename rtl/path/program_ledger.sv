@@ -8,8 +8,9 @@
 //   lead_o                                         segments' ticks, less pieces'
 //   apart_o                                                1       they end apart: stays
 //
-// Of a segment and a piece one comes at a time, and of their lengths. complete_o: all segments of
-// the program under way are in.
+// Of a segment and a piece one comes at a time, and of their lengths. All segments of a program are
+// in: complete_o, of the one under way, and next_complete_o, of the one that begins once the final
+// piece of that is under way. Without one under way both are of the next.
 `default_nettype none
 module program_ledger (
     input wire logic clk_i,
@@ -28,12 +29,14 @@ module program_ledger (
     input wire logic [19:0] piece_ticks_i,
     input wire logic        final_i,
 
-    // Final pieces that wait or are under way
-    input wire logic [10:0] programs_i,
+    // Final pieces: those that wait, and the one under way
+    input wire logic [9:0] finals_i,
+    input wire logic       present_final_i,
 
     output logic               wait_segments_o,
     output logic               wait_pieces_o,
     output logic               complete_o,
+    output logic               next_complete_o,
     output logic signed [31:0] lead_o,           // 2^31 - 1: so many or more
     output logic               apart_o
 );
@@ -59,12 +62,20 @@ module program_ledger (
     end
   end
 
-  // The newest program is complete when its last segment is in, those before it are.
-  logic [10:0] newest;
-  assign newest = {10'b0, wait_pieces_o};
+  // The newest program is complete when its last segment is in, those before it are. It has a final
+  // piece, of those that are not over, while wait_pieces_o.
+  logic [9:0] newest;
+  logic [9:0] present;
+  assign newest  = {9'b0, wait_pieces_o};
+  assign present = {9'b0, present_final_i};
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) complete_o <= 1'b0;
-    else complete_o <= wait_segments_o || programs_i > newest;
+    if (!rst_ni) begin
+      complete_o      <= 1'b0;
+      next_complete_o <= 1'b0;
+    end else begin
+      complete_o      <= wait_segments_o || finals_i + present > newest;
+      next_complete_o <= wait_segments_o ? finals_i >= newest : finals_i > newest;
+    end
   end
 
   // What the segments are ahead of the pieces: ticks, path. What comes is a piece's with its bits

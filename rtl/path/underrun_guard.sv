@@ -6,9 +6,9 @@
 //     hold      when either no longer exceeds the ticks that a stop takes
 //     go on     when both exceed twice as many, or as many with a full queue: it gets no more
 //
-// A stream whose program is complete covers it to its end.  No hold when no piece is under way; a
-// program begins (begin_o) when it could go on.  A full queue that does not cover a stop never
-// will: fault_o.
+// A stream whose program is complete covers it to its end: for a hold that of the program under way
+// counts, for the next program's begin (begin_o), where it could go on, its own.  No hold when no
+// piece is under way.  A full queue that does not cover a stop never will: fault_o.
 //
 // The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
 `default_nettype none
@@ -20,11 +20,13 @@ module underrun_guard (
 
     // The queues
     input wire logic               pieces_full_i,
-    input wire logic               pieces_complete_i,
     input wire logic        [31:0] ticks_i,
     input wire logic               segments_full_i,
-    input wire logic               segments_complete_i,
     input wire logic signed [31:0] lead_i,
+
+    // Segments, pieces: of the program under way, and of the one that begins next
+    input wire logic [1:0] complete_i,
+    input wire logic [1:0] next_complete_i,
 
     // The present piece
     input wire logic               active_i,
@@ -61,29 +63,36 @@ module underrun_guard (
   assign segments_over_go   = go - segments_q;
 
   logic [1:0] complete_q[2];
+  logic [1:0] next_complete_q[2];
   logic [1:0] full_q[2];
   logic [1:0] low;
   logic [1:0] enough;
   always_ff @(posedge clk_i) begin
-    present_q     <= 23'(present_ticks_i) - $signed({17'b0, gone});
-    pieces_q      <= $signed({2'b0, ticks_i}) + 34'(present_q);
-    lead_q        <= lead_i;  // as old as the ticks in pieces_q
-    segments_q    <= pieces_q + 34'(lead_q);
-    complete_q[0] <= {segments_complete_i, pieces_complete_i};
-    complete_q[1] <= complete_q[0];
-    full_q[0]     <= rst_ni ? {segments_full_i, pieces_full_i} : 2'b00;
-    full_q[1]     <= rst_ni ? full_q[0] : 2'b00;
-    low           <= {!segments_over_stop[33], !pieces_over_stop[33]};
-    enough        <= {segments_over_go[33], pieces_over_go[33]};
+    present_q          <= 23'(present_ticks_i) - $signed({17'b0, gone});
+    pieces_q           <= $signed({2'b0, ticks_i}) + 34'(present_q);
+    lead_q             <= lead_i;  // as old as the ticks in pieces_q
+    segments_q         <= pieces_q + 34'(lead_q);
+    complete_q[0]      <= complete_i;
+    complete_q[1]      <= complete_q[0];
+    next_complete_q[0] <= next_complete_i;
+    next_complete_q[1] <= next_complete_q[0];
+    full_q[0]          <= rst_ni ? {segments_full_i, pieces_full_i} : 2'b00;
+    full_q[1]          <= rst_ni ? full_q[0] : 2'b00;
+    low                <= {!segments_over_stop[33], !pieces_over_stop[33]};
+    enough             <= {segments_over_go[33], pieces_over_go[33]};
   end
 
   // Any of the two streams, all of them
+  logic [1:0] ample;
   logic runs_low;
   logic covered;
+  logic next_covered;
   logic short_queue;
-  assign runs_low    = (low & ~complete_q[1]) != 2'b00;
-  assign covered     = (complete_q[1] | enough | (full_q[1] & ~low)) == 2'b11;
-  assign short_queue = (low & full_q[1] & ~complete_q[1]) != 2'b00;
+  assign ample        = enough | (full_q[1] & ~low);
+  assign runs_low     = (low & ~complete_q[1]) != 2'b00;
+  assign covered      = (complete_q[1] | ample) == 2'b11;
+  assign next_covered = (next_complete_q[1] | ample) == 2'b11;
+  assign short_queue  = (low & full_q[1] & ~complete_q[1]) != 2'b00;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -92,7 +101,7 @@ module underrun_guard (
       underrun_o <= 1'b0;
       fault_o    <= 1'b0;
     end else begin
-      begin_o <= covered;
+      begin_o <= next_covered;
       if (short_queue) fault_o <= 1'b1;
       if (!active_i || covered) hold_o <= 1'b0;
       else if (runs_low) begin

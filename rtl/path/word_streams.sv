@@ -207,7 +207,10 @@ module word_streams #(
   );
 
   logic segments_complete;
+  logic next_segments_complete;
+  logic waits_final;
   logic signed [31:0] lead;
+  assign waits_final = finals != 10'd0;
   program_ledger u_programs (
       .clk_i,
       .rst_ni,
@@ -222,10 +225,12 @@ module word_streams #(
       .piece_i(piece_counts),
       .piece_ticks_i(piece_ticks),
       .final_i(piece_final),
-      .programs_i({1'b0, finals} + {10'b0, present_final_i}),
+      .finals_i(finals),
+      .present_final_i,
       .wait_segments_o(wait_segments),
       .wait_pieces_o(wait_pieces),
       .complete_o(segments_complete),
+      .next_complete_o(next_segments_complete),
       .lead_o(lead),
       .apart_o(fault_o[4])
   );
@@ -236,11 +241,11 @@ module word_streams #(
       .rst_ni,
       .stop_ticks_i,
       .pieces_full_i(pieces_full),
-      .pieces_complete_i((present_final_i || finals != 10'd0) && !fault_o[4]),
       .ticks_i(queued_ticks),
       .segments_full_i(segments_full),
-      .segments_complete_i(segments_complete && !fault_o[4]),
       .lead_i(lead),
+      .complete_i({segments_complete, present_final_i || waits_final} & {2{!fault_o[4]}}),
+      .next_complete_i({next_segments_complete, waits_final} & {2{!fault_o[4]}}),
       .active_i,
       .present_ticks_i,
       .started_i,

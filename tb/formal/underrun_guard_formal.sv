@@ -2,12 +2,13 @@
 // rtl/path/underrun_guard.sv: hold comes exactly where the ticks that a stream covers, as they were
 // some clocks before, do not exceed stop ticks + 10; it goes where those of both exceed twice as
 // many + 10, or a full queue's exceed a stop, or nothing can run out; it stays otherwise. A program
-// begins where a hold would go; underrun and fault are sticky; after reset there is neither. Counts
-// are small ones.
+// begins where a hold would go, were that program under way; underrun and fault are sticky; after
+// reset there is neither. Counts are small ones.
 // control: LATE s/pieces_over_stop   = stop - pieces_q;/pieces_over_stop   = go - pieces_q;/
 // control: NO_HYSTERESIS s/{1'b0, stop_ticks_i, 1'b0}/{2'b0, stop_ticks_i}/
 // control: FORGETS_SEGMENTS s/pieces_q + 34'(lead_q)/pieces_q/
 // control: HOLDS_COMPLETE s/(low \& ~complete_q\[1\]) != 2'b00/low != 2'b00/
+// control: BEGINS_AS_BEFORE s/begin_o <= next_covered/begin_o <= covered/
 // control: FORGETS_STARTED s/{1'b0, started_i} + Age/Age/
 // control: TRUSTS_FULL s/(full_q\[1\] \& ~low)/full_q[1]/
 // control: NO_RESET s/underrun_o <= 1'b0;//
@@ -18,6 +19,7 @@ module underrun_guard_formal (
     input wire logic        [2:0] stop_i,
     input wire logic        [1:0] full_i,
     input wire logic        [1:0] complete_i,
+    input wire logic        [1:0] next_complete_i,
     input wire logic        [4:0] ticks_i,
     input wire logic signed [4:0] lead_i,
     input wire logic              active_i,
@@ -34,11 +36,11 @@ module underrun_guard_formal (
       .rst_ni,
       .stop_ticks_i({29'b0, stop_i}),
       .pieces_full_i(full_i[0]),
-      .pieces_complete_i(complete_i[0]),
       .ticks_i({27'b0, ticks_i}),
       .segments_full_i(full_i[1]),
-      .segments_complete_i(complete_i[1]),
       .lead_i({{27{lead_i[4]}}, lead_i}),
+      .complete_i,
+      .next_complete_i,
       .active_i,
       .present_ticks_i({{17{present_i[4]}}, present_i}),
       .started_i({3'b0, started_i}),
@@ -57,6 +59,7 @@ module underrun_guard_formal (
   logic signed [4:0] lead_q;
   logic signed [8:0] segments_before_q;
   logic [1:0] complete_q[2];
+  logic [1:0] next_q[3];  // next_complete_i
   logic [1:0] full_q[2];
   logic active_q;
   logic ran_q;  // no reset in the clock before
@@ -78,6 +81,9 @@ module underrun_guard_formal (
     segments_before_q <= segments_q;
     complete_q[0]     <= complete_i;
     complete_q[1]     <= complete_q[0];
+    next_q[0]         <= next_complete_i;
+    next_q[1]         <= next_q[0];
+    next_q[2]         <= next_q[1];
     full_q[0]         <= rst_ni ? full_i : 2'b00;
     full_q[1]         <= rst_ni ? full_q[0] : 2'b00;
     active_q          <= active_i;
@@ -103,10 +109,12 @@ module underrun_guard_formal (
 
   logic [1:0] is_low;
   logic [1:0] is_enough;
+  logic [1:0] is_ample;
   logic covered;
   assign is_low    = {segments_then_q <= low, pieces_then_q <= low};
   assign is_enough = {segments_then_q > enough, pieces_then_q > enough};
-  assign covered   = (complete_before_q | is_enough | (full_before_q & ~is_low)) == 2'b11;
+  assign is_ample  = is_enough | (full_before_q & ~is_low);
+  assign covered   = (complete_before_q | is_ample) == 2'b11;
 
   always_comb begin
     if (age_q != '0) assume (stop_i == stop_q);
@@ -116,7 +124,7 @@ module underrun_guard_formal (
       Sticky : assert (underrun == (ever_q || hold));
       if (!ran_q) AfterReset : assert (!hold && !underrun && !fault && !begins);
       if (ran_q) begin
-        Begins : assert (begins == covered);
+        Begins : assert (begins == ((next_q[2] | is_ample) == 2'b11));
         if (!active_q || covered)
           GoesOn :
           assert (!hold);
