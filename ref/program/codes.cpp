@@ -12,6 +12,11 @@ std::optional<Group> g_group(int code) {
     switch (code) {
         case 40:
         case 100:
+        case 280:
+        case 281:
+        case 300:
+        case 301:
+        case 520:
         case 530:
         case 920:
         case 921:
@@ -28,6 +33,10 @@ std::optional<Group> g_group(int code) {
         case 51:
         case 52:
         case 53:
+        case 382:
+        case 383:
+        case 384:
+        case 385:
         case 800:
             return Group::kMotion;
         case 170:
@@ -42,6 +51,7 @@ std::optional<Group> g_group(int code) {
             return Group::kArcDistance;
         case 930:
         case 940:
+        case 950:
             return Group::kFeedMode;
         case 200:
         case 210:
@@ -49,6 +59,8 @@ std::optional<Group> g_group(int code) {
         case 400:
             return Group::kCompensation;
         case 430:
+        case 431:
+        case 432:
         case 490:
             return Group::kToolLength;
         case 980:
@@ -68,8 +80,10 @@ std::optional<Group> g_group(int code) {
         case 611:
         case 640:
             return Group::kPathControl;
+        case 960:
         case 970:
             return Group::kSpindleMode;
+        case 70:
         case 80:
             return Group::kDiameter;
         default:
@@ -77,7 +91,7 @@ std::optional<Group> g_group(int code) {
     }
 }
 
-std::optional<Group> m_group(int code) {
+Group m_group(int code) {
     switch (code) {
         case 0:
         case 1:
@@ -88,8 +102,10 @@ std::optional<Group> m_group(int code) {
         case 3:
         case 4:
         case 5:
+        case 19:
             return Group::kSpindle;
         case 6:
+        case 61:
             return Group::kToolChange;
         case 7:
         case 8:
@@ -97,9 +113,21 @@ std::optional<Group> m_group(int code) {
             return Group::kCoolant;
         case 48:
         case 49:
+        case 50:
+        case 51:
+        case 52:
+        case 53:
             return Group::kOverride;
+        case 62:
+        case 63:
+        case 64:
+        case 65:
+        case 66:
+        case 67:
+        case 68:
+            return Group::kOutput;
         default:
-            return std::nullopt;
+            return Group::kOwn;
     }
 }
 
@@ -112,26 +140,11 @@ std::string_view g_refusal(int code) {
     if ((whole >= 81 && whole <= 89) || whole == 73 || whole == 74) {
         return "canned cycles belong to LinuxCNC's interpreter";
     }
+    if (whole == 33 || whole == 76) {
+        return "threads belong to LinuxCNC's interpreter";
+    }
     if (whole >= 70 && whole <= 72) {
         return "turning cycles belong to LinuxCNC's interpreter";
-    }
-    if (whole == 28 || whole == 30) {
-        return "stored positions are not supported: give the move with G53 G0";
-    }
-    if (whole == 33 || whole == 76 || whole == 95 || whole == 96) {
-        return "motion that depends on the spindle is not supported";
-    }
-    if (whole == 38) {
-        return "probing is not supported";
-    }
-    if (whole == 43) {
-        return "only G43 without a length is accepted";
-    }
-    if (whole == 52) {
-        return "give the offset with G10 L2 or G92";
-    }
-    if (code == 70) {
-        return "lathe diameters are not supported";
     }
     if (whole >= 17 && whole <= 19) {
         return "arcs of U V W are not supported";
@@ -145,12 +158,6 @@ std::string_view m_refusal(int code) {
     }
     if (code >= 70 && code <= 73) {
         return "saved modal state belongs to LinuxCNC's interpreter";
-    }
-    if ((code >= 62 && code <= 68) || code == 19 || (code >= 50 && code <= 53)) {
-        return "inputs, outputs and adaptive controls are not supported";
-    }
-    if (code >= 100) {
-        return "user-defined codes are not supported";
     }
     return "";
 }
@@ -171,18 +178,24 @@ Codes::Codes(const Block& block, const Place& place) {
         add(*group, code, 'G', place);
     }
     for (const int code : block.m) {
-        const std::optional<Group> group = m_group(code);
-        if (!group) {
+        const Group group = m_group(code);
+        if (!m_refusal(code).empty()) {
             refuse_code(fmt::format("M{}", code), m_refusal(code), place);
         }
-        if (*group != Group::kCoolant) {  // M7 and M8 may both be on
-            add(*group, code, 'M', place);
-        }
+        if (group != Group::kCoolant && group != Group::kOwn) add(group, code, 'M', place);
     }
+}
+
+bool Codes::known(int m_code) {
+    return m_group(m_code) != Group::kOwn || (m_code >= 100 && m_code <= 199);
 }
 
 void Codes::add(Group group, int code, char letter, const Place& place) {
     std::optional<int>& slot = code_[static_cast<int>(group)];
+    if (group == Group::kMotion && slot && *slot != code) {
+        if (code == kNoMotion) return;
+        if (*slot == kNoMotion) slot.reset();
+    }
     if (slot) {
         const auto name = [letter](int c) {
             return letter == 'G' ? g_name(c) : fmt::format("M{}", c);

@@ -9,9 +9,10 @@
 
 namespace curvecore::ref {
 
-/// Modal groups of RS274/NGC: one code of each at most in a block.
+/// Modal groups of RS274/NGC: one code of each at most in a block, but for coolants and codes of
+/// the machine's own; G80 gives way to any other motion code.
 enum class Group {
-    kAction,  // G4 G10 G53 G92.x: not modal, yet one at most
+    kAction,  // G4 G10 G28 G30 G52 G53 G92.x: not modal, yet one at most
     kMotion,
     kPlane,
     kDistance,
@@ -26,19 +27,25 @@ enum class Group {
     kSpindleMode,
     kDiameter,
     kStop,  // M0 M1 M2 M30 M60
+    kOutput,
     kToolChange,
     kSpindle,
     kCoolant,
     kOverride,
+    kOwn,  // M100 .. M199 and what nobody knows
     kCount
 };
+
+constexpr int kNoMotion = 800;  // G80
 
 /// The codes of a block by group (G codes in tenths).
 class Codes {
   public:
-    /// @throws InputError for unknown and unsupported codes and for two of a group.
+    /// @throws InputError for unknown and unsupported G codes and for two of a group.
     Codes(const Block& block, const Place& place);
 
+    /// Whether LinuxCNC knows the M code.
+    static bool known(int m_code);
     std::optional<int> of(Group group) const { return code_[static_cast<int>(group)]; }
 
   private:

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace curvecore::ref {
@@ -43,7 +44,7 @@ bool Interpreter::execute(Block block, const Place& place) {
         set_offsets(*action, block, codes, place);
     }
     move(block, codes, place);
-    block.check_all_used(place);
+    use_leftovers(block, place);
     const std::optional<int> end = codes.of(Group::kStop);
     if (end) {
         check_nothing_waits(place);
@@ -60,14 +61,14 @@ Program Interpreter::finish() {
 }
 
 void Interpreter::set_feed(Block& block, const Codes& codes, const Place& place) {
-    if (const std::optional<int> mode = codes.of(Group::kFeedMode)) {
-        const bool inverse = mode == 930;
-        if (inverse != inverse_time_) {
-            feed_.reset();
-        }
-        inverse_time_ = inverse;
-    } else if (inverse_time_) {
-        feed_.reset();  // holds for one block
+    if (const std::optional<int> code = codes.of(Group::kFeedMode)) {
+        const FeedMode mode = code == 930   ? FeedMode::kInverseTime
+                              : code == 950 ? FeedMode::kPerTurn
+                                            : FeedMode::kPerMinute;
+        if (mode != modes_.feed_mode) modes_.feed.reset();
+        modes_.feed_mode = mode;
+    } else if (modes_.feed_mode == FeedMode::kInverseTime) {
+        modes_.feed.reset();  // holds for one block
     }
     if (const std::optional<int> units = codes.of(Group::kUnits)) {
         coordinates_.set_inches(units == 200);
@@ -77,8 +78,8 @@ void Interpreter::set_feed(Block& block, const Codes& codes, const Place& place)
         if (feed < 0) {
             place.refuse(fmt::format("F must not be negative, but is {:g}", feed));
         }
-        feed_ = feed;
-        feed_unit_ = coordinates_.unit();
+        modes_.feed = feed;
+        modes_.feed_unit = coordinates_.unit();
     }
 }
 
@@ -86,6 +87,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
     if (block.has('S')) {
         const double speed = block.use('S');
         if (speed < 0) place.refuse("S must not be negative");
+        modes_.speed = speed;
         moves_.leave_out("S", place, speed);
     }
     if (block.has('T')) {
@@ -93,11 +95,27 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         moves_.leave_out("T", place);
     }
     for (const int code : block.m) {
-        if (!ends_program(code)) moves_.leave_out(fmt::format("M{}", code), place);
+        if (ends_program(code)) continue;
+        moves_.leave_out(fmt::format("M{}", code), place);
+        if (!Codes::known(code)) moves_.warn(fmt::format("unknown code M{}", code), place);
+    }
+    if (const std::optional<int> spindle = codes.of(Group::kSpindle)) {
+        modes_.turning = spindle == 3   ? Turning::kClockwise
+                         : spindle == 4 ? Turning::kCounterClockwise
+                                        : Turning::kNo;
     }
     if (codes.of(Group::kToolChange) || codes.of(Group::kSpindle)) {
         moves_.stop();
     }
+}
+
+/// Words of M codes that ask for more than motion.
+void Interpreter::use_leftovers(Block& block, const Place& place) {
+    const auto takes_words = [](int m) { return m == 19 || m == 61 || (m >= 50 && m != 60); };
+    if (std::any_of(block.m.begin(), block.m.end(), takes_words)) {
+        for (const char letter : std::string_view("DEHIJKLPQR")) block.use(letter);
+    }
+    block.check_all_used(place);
 }
 
 /// P has many meanings; in one block it may have one.
@@ -122,13 +140,13 @@ void Interpreter::dwell(Block& block, const Place& place) {
 
 void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place) {
     if (const std::optional<int> plane = codes.of(Group::kPlane)) {
-        normal_axis_ = plane == 170 ? 2 : plane == 180 ? 1 : 0;
+        modes_.normal_axis = plane == 170 ? 2 : plane == 180 ? 1 : 0;
     }
-    if (codes.of(Group::kToolLength) == 430) {
-        if (block.has('H')) {
-            whole_number('H', block.use('H'), 0, 99999, place);
-        }
-        moves_.warn("G43 takes a tool of length 0", place);
+    if (const std::optional<int> diameter = codes.of(Group::kDiameter)) {
+        coordinates_.set_diameter(diameter == 70);
+    }
+    if (const std::optional<int> length = codes.of(Group::kToolLength)) {
+        set_tool_length(*length, block, place);
     }
     if (const std::optional<int> system = codes.of(Group::kSystem)) {
         coordinates_.select_system(*system);
@@ -140,60 +158,28 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
         coordinates_.set_absolute(distance == 900);
     }
     if (const std::optional<int> distance = codes.of(Group::kArcDistance)) {
-        absolute_centre_ = distance == 901;
+        modes_.absolute_centre = distance == 901;
+    }
+    if (const std::optional<int> retract = codes.of(Group::kReturn)) {
+        modes_.retract_to_r = retract == 990;
     }
 }
 
 void Interpreter::set_path_control(int control, Block& block, const Place& place) {
-    exact_stop_ = control == 611;
-    path_tolerance_ = control == 640 ? kPathTolerance : 0;
+    modes_.exact_stop = control == 611;
+    modes_.path_tolerance = control == 640 ? kPathTolerance : 0;
     if (control != 640) return;
     if (block.has('P')) {
-        path_tolerance_ = use_p(block, place) * coordinates_.unit();
-        if (path_tolerance_ < 0) place.refuse("P of G64 must not be negative");
-        if (path_tolerance_ > kLargestTolerance ||
-            (path_tolerance_ > 0 && path_tolerance_ < kSmallestTolerance)) {
-            place.refuse(fmt::format("P of G64 is {:g} mm: 0 or {:g} .. {:g} mm", path_tolerance_,
-                                     kSmallestTolerance, kLargestTolerance));
+        modes_.path_tolerance = use_p(block, place) * coordinates_.unit();
+        if (modes_.path_tolerance < 0) place.refuse("P of G64 must not be negative");
+        if (modes_.path_tolerance > kLargestTolerance ||
+            (modes_.path_tolerance > 0 && modes_.path_tolerance < kSmallestTolerance)) {
+            place.refuse(fmt::format("P of G64 is {:g} mm: 0 or {:g} .. {:g} mm",
+                                     modes_.path_tolerance, kSmallestTolerance, kLargestTolerance));
         }
     }
     if (block.has('Q') && block.use('Q') < 0) {
         place.refuse("Q of G64 must not be negative");
-    }
-}
-
-void Interpreter::set_offsets(int action, Block& block, const Codes& codes, const Place& place) {
-    const bool takes_axes = action == 100 || action == 920;
-    const std::optional<int> motion = codes.of(Group::kMotion);
-    if (takes_axes && motion && motion != 800) {
-        place.refuse(fmt::format("{} and {} both want the axis words of this block", g_name(action),
-                                 g_name(*motion)));
-    }
-    if (takes_axes && !block.has_any(kAxisLetters)) {
-        place.refuse(fmt::format("{} without axis words", g_name(action)));
-    }
-    switch (action) {
-        case 100:
-            if (!block.has('L') || block.use('L') != 2) {
-                place.refuse("of G10 only L2 is supported");
-            }
-            if (!block.has('P')) {
-                place.refuse("G10 L2 without P (1 is G54, 0 the system in force)");
-            }
-            if (block.has('R') && block.use('R') != 0) {
-                place.refuse("a rotation (R of G10 L2) is not supported");
-            }
-            coordinates_.set_offset(whole_number('P', use_p(block, place), 0, 9, place), block,
-                                    place);
-            break;
-        case 920:
-            coordinates_.set_shift(block, place);
-            break;
-        case 923:
-            coordinates_.restore_shift();
-            break;
-        default:
-            coordinates_.suspend_shift(action == 921);
     }
 }
 

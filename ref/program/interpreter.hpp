@@ -3,10 +3,11 @@
 //
 // A block is carried out in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets,
 // motion, stop. One difference: an F word is read in the units of its own block (G20 F10 is
-// 10 inches a minute). The machine starts at 0 on all axes with G17 G21 G40 G49 G54 G64 G90 G91.1
-// G94 and no motion mode.
+// 10 inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90
+// G91.1 G94 G98 and no motion mode; stored positions (G28, G30) are 0.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "ref/program/arc_geometry.hpp"
 #include "ref/program/codes.hpp"
 #include "ref/program/coordinates.hpp"
+#include "ref/program/modes.hpp"
 #include "ref/program/move_list.hpp"
 
 namespace curvecore::ref {
@@ -42,8 +44,14 @@ class Interpreter {
     static double use_p(Block& block, const Place& place);
     void dwell(Block& block, const Place& place);
     void set_path_control(int control, Block& block, const Place& place);
+    void set_tool_length(int code, Block& block, const Place& place);
+    static bool takes_axes(int action);
     void set_offsets(int action, Block& block, const Codes& codes, const Place& place);
+    void set_system(Block& block, const Place& place);
+    void go_home(const Point& stored, Block& block, const Place& place);
+    void use_leftovers(Block& block, const Place& place);
     void move(Block& block, const Codes& codes, const Place& place);
+    void line(const Point& target, const Place& place);
     void arc(Block& block, const Place& place);
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
@@ -89,14 +97,9 @@ class Interpreter {
     ProgramParameters& parameters_;
     MoveList moves_;
     Coordinates coordinates_;
-    int motion_ = 800;  // G code in tenths
-    int normal_axis_ = 2;
-    bool absolute_centre_ = false;
-    bool exact_stop_ = false;
-    double path_tolerance_ = kPathTolerance;  // mm
-    bool inverse_time_ = false;
-    std::optional<double> feed_;  // F as written: per minute, of degrees or ..
-    double feed_unit_ = 1;        // .. of this many mm
+    Modes modes_;
+    int motion_ = kNoMotion;         // G code in tenths
+    std::array<Point, 2> stored_{};  // of G28 and G30, on the machine
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
     std::optional<Vec3> last_leg_;  // P Q R of a G5 that is still in force, mm

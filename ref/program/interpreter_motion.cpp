@@ -17,6 +17,16 @@ constexpr std::string_view kOffsetLetters = "IJK";
 bool is_arc(int motion) { return motion == 20 || motion == 30; }
 bool is_space_arc(int motion) { return motion == 24 || motion == 34; }
 bool is_spline(int motion) { return motion == 50 || motion == 51; }
+bool is_probing(int motion) { return motion >= 382 && motion <= 385; }
+
+/// G5 P.., G5.1 Q.. of Fanuc.
+bool is_look_ahead(Block& block, int code) {
+    if (!is_spline(code) || block.has_any("XYZABCUVWIJK")) return false;
+    const char letter = code == 50 ? 'P' : 'Q';
+    if (!block.has(letter)) return false;
+    block.use(letter);
+    return true;
+}
 
 Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], point[7], point[8]}; }
 
@@ -24,13 +34,20 @@ Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], po
 
 void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     const std::optional<int> code = codes.of(Group::kMotion);
+    const std::optional<int> action = codes.of(Group::kAction);
+    if (code && is_look_ahead(block, *code)) {
+        moves_.warn(fmt::format("{} asks for looking ahead, which is done anyway", g_name(*code)),
+                    place);
+        return;
+    }
     motion_ = code.value_or(motion_);
     if (motion_ != 50) {
         last_leg_.reset();
     }
-    const std::optional<int> action = codes.of(Group::kAction);
     const bool machine = action == 530;
-    const bool axes_taken = action == 100 || action == 920;
+    const std::optional<int> length = codes.of(Group::kToolLength);
+    const bool axes_taken =
+        (action && takes_axes(*action)) || (!code && (length == 431 || length == 432));
     const bool wants_motion =
         !axes_taken && (block.has_any(kAxisLetters) || (is_arc(motion_) && block.has_any("IJKR")));
     if (machine && motion_ != 0 && motion_ != 10) {
@@ -56,9 +73,12 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
         if (code && is_spline(*code)) {
             place.refuse(fmt::format("{} without an end point (X, Y)", g_name(*code)));
         }
+        if (code && *code >= 330 && *code != kNoMotion) {
+            place.refuse(fmt::format("{} without axis words", g_name(*code)));
+        }
         return;
     }
-    if (motion_ == 800) {
+    if (motion_ == kNoMotion) {
         place.refuse("axis words, but no motion code (G0 G1 G2 G3) is in force");
     }
     if (is_arc(motion_)) {
@@ -70,12 +90,19 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
             place.refuse("the intermediate point of an arc takes X, Y and Z only");
         }
         const Point point = coordinates_.target(block, false, place);
-        middle_ = Middle{coordinates_.position(), xyz(point), place.line, feed_};
+        middle_ = Middle{coordinates_.position(), xyz(point), place.line, modes_.feed};
         coordinates_.set_position(point);
     } else {
-        const Point target = coordinates_.target(block, machine, place);
-        add(move_to(target, place), target, place);
+        line(coordinates_.target(block, machine, place), place);
+        if (is_probing(motion_)) {
+            moves_.warn("a probing move is drawn to its end", place);
+            moves_.stop();
+        }
     }
+}
+
+void Interpreter::line(const Point& target, const Place& place) {
+    add(move_to(target, place), target, place);
 }
 
 Move Interpreter::move_to(const Point& target, const Place& place) const {
@@ -86,23 +113,25 @@ Move Interpreter::move_to(const Point& target, const Place& place) const {
     move.end = xyz(target);
     move.aux_start = aux(coordinates_.position());
     move.aux_end = aux(target);
-    move.exact_stop = exact_stop_;
-    move.tolerance = path_tolerance_;
+    move.exact_stop = modes_.exact_stop;
+    move.tolerance = modes_.path_tolerance;
     return move;
 }
 
 void Interpreter::arc(Block& block, const Place& place) {
-    const int first = (normal_axis_ + 1) % 3;
-    const int second = (normal_axis_ + 2) % 3;
+    const int first = (modes_.normal_axis + 1) % 3;
+    const int second = (modes_.normal_axis + 2) % 3;
     const bool clockwise = motion_ == 20;
     const bool has_end = block.has(kAxisLetters[first]) || block.has(kAxisLetters[second]);
     const Point target = coordinates_.target(block, false, place);
     Move move = move_to(target, place);
+    move.start = coordinates_.turned_back(move.start);
+    move.end = coordinates_.turned_back(move.end);
     const Eigen::Vector2d start(move.start[first], move.start[second]);
     const Eigen::Vector2d end(move.end[first], move.end[second]);
     PlaneArc found{};
     AskedArc asked{move.start, move.end, move.start,
-                   Vec3::Unit(normal_axis_) * (clockwise ? -1 : 1), 1};
+                   Vec3::Unit(modes_.normal_axis) * (clockwise ? -1 : 1), 1};
     int& turns = asked.turns;
     if (block.has('P')) {
         turns = whole_number('P', use_p(block, place), 1, kMostTurns, place);
@@ -137,31 +166,37 @@ void Interpreter::arc(Block& block, const Place& place) {
     move.advance[first] = found.drift.x();
     move.advance[second] = found.drift.y();
     move.deviation = distance(asked, move);
+    move.start = xyz(coordinates_.position());
+    move.end = xyz(target);
+    for (Vec3* vector : {&move.centre, &move.normal, &move.advance}) {
+        *vector = coordinates_.turned(*vector);
+    }
     add(move, target, place);
 }
 
 Eigen::Vector2d Interpreter::plane_centre(Block& block, const Eigen::Vector2d& start,
                                           const Place& place) const {
-    const std::array<int, 2> axes = {(normal_axis_ + 1) % 3, (normal_axis_ + 2) % 3};
+    const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
     const std::array<char, 2> letters = {kOffsetLetters[axes[0]], kOffsetLetters[axes[1]]};
     const int given = int{block.has(letters[0])} + int{block.has(letters[1])};
-    if (block.has(kOffsetLetters[normal_axis_])) {
-        place.refuse(fmt::format("{} with an arc in the {}{} plane", kOffsetLetters[normal_axis_],
-                                 kAxisLetters[axes[0]], kAxisLetters[axes[1]]));
+    if (block.has(kOffsetLetters[modes_.normal_axis])) {
+        place.refuse(fmt::format("{} with an arc in the {}{} plane",
+                                 kOffsetLetters[modes_.normal_axis], kAxisLetters[axes[0]],
+                                 kAxisLetters[axes[1]]));
     }
     if (given == 0) {
         place.refuse(fmt::format("{} without a centre ({}, {}) or a radius (R)", g_name(motion_),
                                  letters[0], letters[1]));
     }
-    if (absolute_centre_ && given == 1) {
+    if (modes_.absolute_centre && given == 1) {
         place.refuse(fmt::format("G90.1 wants both {} and {}", letters[0], letters[1]));
     }
     Eigen::Vector2d centre = start;
     for (int i = 0; i < 2; ++i) {
         if (block.has(letters[i])) {
             const double number = block.use(letters[i]);
-            centre[i] = absolute_centre_ ? coordinates_.absolute_centre(axes[i], number)
-                                         : start[i] + number * coordinates_.unit();
+            centre[i] = modes_.absolute_centre ? coordinates_.absolute_centre(axes[i], number)
+                                               : start[i] + number * coordinates_.unit();
         }
     }
     return centre;
@@ -176,7 +211,7 @@ void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place
     if (block.has('F')) {
         set_feed(block, codes, place);
     } else {
-        feed_ = middle_->feed;
+        modes_.feed = middle_->feed;
     }
     const Point target = coordinates_.target(block, false, place);
     coordinates_.set_position(middle_->start);
@@ -203,21 +238,29 @@ void Interpreter::add(Move move, const Point& target, const Place& place) {
 }
 
 double Interpreter::feed_on(const Move& move, double length, const Place& place) const {
-    if (!feed_) {
-        place.refuse(inverse_time_
+    const bool inverse_time = modes_.feed_mode == FeedMode::kInverseTime;
+    if (!modes_.feed) {
+        place.refuse(inverse_time
                          ? fmt::format("{} in G93 wants an F in its own block", g_name(motion_))
                          : fmt::format("{} without a feed: no F yet", g_name(motion_)));
     }
-    if (*feed_ == 0) {
+    double feed = *modes_.feed;
+    if (feed == 0) {
         place.refuse(fmt::format("{} with a feed of 0", g_name(motion_)));
+    }
+    if (inverse_time) return feed_of(feed * length, place);
+    if (modes_.feed_mode == FeedMode::kPerTurn) {
+        if (modes_.speed == 0) {
+            place.refuse(
+                fmt::format("{} in G95: F is per turn of the spindle, whose speed is 0: give S",
+                            g_name(motion_)));
+        }
+        feed *= modes_.speed;
     }
     const auto still = [&move](int axis) { return move.aux_end[axis] == move.aux_start[axis]; };
     const bool degrees = move.kind == Move::Kind::kLine && move.start == move.end && still(3) &&
                          still(4) && still(5);
-    const double per_minute = inverse_time_ ? *feed_ * length
-                              : degrees     ? *feed_
-                                            : *feed_ * feed_unit_;
-    return feed_of(per_minute, place);
+    return feed_of(degrees ? feed : feed * modes_.feed_unit, place);
 }
 
 }  // namespace curvecore::ref

@@ -23,7 +23,7 @@ constexpr int kUsualOrder = 3;
 }  // namespace
 
 void Interpreter::check_spline(Block& block, const Place& place) {
-    if (normal_axis_ != 2) {
+    if (modes_.normal_axis != 2) {
         place.refuse(fmt::format("{} wants the XY plane (G17)", g_name(motion_)));
     }
     const bool flat = motion_ == 51;
@@ -77,7 +77,7 @@ Bezier Interpreter::cubic_legs(Block& block, const Vec3& start, const Vec3& end,
     }
     const double p = use_p(block, place) * unit;
     last_leg_ = Vec3(p, block.use('Q') * unit, block.has('R') ? block.use('R') * unit : 0);
-    return {start, start + out, end + *last_leg_, end};
+    return {start, start + coordinates_.turned(out), end + coordinates_.turned(*last_leg_), end};
 }
 
 Bezier Interpreter::quadratic_legs(Block& block, const Vec3& start, const Vec3& end,
@@ -91,7 +91,7 @@ Bezier Interpreter::quadratic_legs(Block& block, const Vec3& start, const Vec3& 
     if (out.isZero(0)) {
         place.refuse("G5.1 wants I and J, from the start to the control point, not both 0");
     }
-    const Vec3 middle = start + out;
+    const Vec3 middle = start + coordinates_.turned(out);
     return {start, start + 2 * out / 3, end + 2 * (middle - end) / 3, end};
 }
 
@@ -101,7 +101,7 @@ void Interpreter::open_nurbs(Block& block, const Place& place) {
     open.last = coordinates_.position();
     open.curve.points = {xyz(open.last)};
     open.curve.weights = {1};
-    open.feed = feed_;
+    open.feed = modes_.feed;
     open.line = place.line;
     nurbs_ = std::move(open);
     control_point(block, place);
@@ -114,7 +114,7 @@ void Interpreter::nurbs_block(Block& block, const Codes& codes, const Place& pla
     }
     if (block.has('F')) {
         set_feed(block, codes, place);
-        nurbs_->feed = feed_;
+        nurbs_->feed = modes_.feed;
     }
     if (code == 53) {
         close_nurbs(place);
@@ -174,9 +174,9 @@ void Interpreter::close_nurbs(const Place& place) {
             place.refuse(fmt::format("the NURBS begun in line {} has {}", open.line, why));
         }
     }
-    feed_ = open.feed;
+    modes_.feed = open.feed;
     add_curve(cubics_of(open.curve, fit_tolerance_), open.last, place);
-    motion_ = 800;
+    motion_ = kNoMotion;
 }
 
 void Interpreter::add_curve(const std::vector<Cubic>& cubics, const Point& target,

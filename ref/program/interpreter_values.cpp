@@ -27,20 +27,35 @@ void Interpreter::give_values() {
         parameters_.compute(name, std::move(value));
     };
     give("_motion_mode", [this] { return motion_; });
-    give("_plane", [this] { return normal_axis_ == 2 ? 170 : normal_axis_ == 1 ? 180 : 190; });
+    give("_plane", [this] {
+        const int axis = modes_.normal_axis;
+        return axis == 2 ? 170 : axis == 1 ? 180 : 190;
+    });
     give("_ccomp", [] { return 400; });
     give("_metric", [this] { return coordinates_.inches() ? 0 : 1; });
     give("_imperial", [this] { return coordinates_.inches() ? 1 : 0; });
     give("_absolute", [this] { return coordinates_.absolute() ? 1 : 0; });
     give("_incremental", [this] { return coordinates_.absolute() ? 0 : 1; });
-    give("_inverse_time", [this] { return inverse_time_ ? 1 : 0; });
-    give("_units_per_minute", [this] { return inverse_time_ ? 0 : 1; });
-    give("_ijk_absolute_mode", [this] { return absolute_centre_ ? 1 : 0; });
+    const auto give_mode = [this, &give](const char* name, FeedMode mode) {
+        give(name, [this, mode] { return modes_.feed_mode == mode ? 1 : 0; });
+    };
+    give_mode("_inverse_time", FeedMode::kInverseTime);
+    give_mode("_units_per_minute", FeedMode::kPerMinute);
+    give_mode("_units_per_rev", FeedMode::kPerTurn);
+    give("_ijk_absolute_mode", [this] { return modes_.absolute_centre ? 1 : 0; });
     give("_coord_system", [this] {
-        const int system = coordinates_.system();
+        const int system = coordinates_.modes().system;
         return system < 6 ? 540 + 10 * system : 585 + system;
     });
-    give("_feed", [this] { return feed_.value_or(0) * feed_unit_ / coordinates_.unit(); });
+    give("_feed",
+         [this] { return modes_.feed.value_or(0) * modes_.feed_unit / coordinates_.unit(); });
+    give("_rpm", [this] { return modes_.speed; });
+    give("_spindle_on", [this] { return modes_.turning == Turning::kNo ? 0 : 1; });
+    give("_spindle_cw", [this] { return modes_.turning == Turning::kClockwise ? 1 : 0; });
+    give("_lathe_diameter_mode", [this] { return coordinates_.modes().diameter ? 1 : 0; });
+    give("_lathe_radius_mode", [this] { return coordinates_.modes().diameter ? 0 : 1; });
+    give("_retract_r_plane", [this] { return modes_.retract_to_r ? 1 : 0; });
+    give("_retract_old_z", [this] { return modes_.retract_to_r ? 0 : 1; });
 }
 
 }  // namespace curvecore::ref
