@@ -87,10 +87,10 @@ def compare(path, samples):
     return float(max(found.max(), end)), len(s)
 
 
-def expected(file, folder):
+def expected(file, folder, ini=MACHINE):
     """LinuxCNC's own reading: empty, or "LINE: its message"."""
     (folder / "scratch").mkdir()
-    done = subprocess.run([CALLBACKS, file, "--scratch", folder / "scratch", "--ini", MACHINE,
+    done = subprocess.run([CALLBACKS, file, "--scratch", folder / "scratch", "--ini", ini,
                            "--path", folder / "path"], capture_output=True, text=True)
     return done.stderr.strip().split("\n")[-1] if done.returncode else ""
 
