@@ -4,8 +4,9 @@
 
     own_reader.py --program curvecore [-o FILE.json] [FILE.ngc ...]    all, or some
 
-A program that LinuxCNC reads is drawn by ours on the path of LinuxCNC's own Python modules, or refused
-where it asks for cutter compensation. What LinuxCNC refuses ours may read: it takes other dialects.
+A program that LinuxCNC reads is drawn by ours on the path of LinuxCNC's own Python modules, or
+refused where it asks for cutter compensation. What LinuxCNC refuses ours may read: it takes other
+dialects.
 Exit status 77: the package is not installed.
 """
 

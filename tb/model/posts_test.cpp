@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs in the manner of CAM posts, senders and slicers, and small ones from bug reports, read as
-// they are. Their figures are not ours: tb/data/posts/README.md says where they come from.
+// Programs in the manner of CAM posts, senders and slicers, and small ones of bug reports, read
+// as they are. Their figures are not ours: tb/data/posts/README.md says where they come from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
