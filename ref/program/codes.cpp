@@ -33,11 +33,25 @@ std::optional<Group> g_group(int code) {
         case 51:
         case 52:
         case 53:
+        case 330:
+        case 331:
         case 382:
         case 383:
         case 384:
         case 385:
+        case 730:
+        case 740:
+        case 760:
         case 800:
+        case 810:
+        case 820:
+        case 830:
+        case 840:
+        case 850:
+        case 860:
+        case 870:
+        case 880:
+        case 890:
             return Group::kMotion;
         case 170:
         case 180:
@@ -136,12 +150,6 @@ std::string_view g_refusal(int code) {
     const int whole = code / 10;
     if (whole == 41 || whole == 42) {
         return "cutter compensation belongs to LinuxCNC's interpreter";
-    }
-    if ((whole >= 81 && whole <= 89) || whole == 73 || whole == 74) {
-        return "canned cycles belong to LinuxCNC's interpreter";
-    }
-    if (whole == 33 || whole == 76) {
-        return "threads belong to LinuxCNC's interpreter";
     }
     if (whole >= 70 && whole <= 72) {
         return "turning cycles belong to LinuxCNC's interpreter";

@@ -69,6 +69,12 @@ Point Coordinates::target(Block& block, bool machine, const Place& place) const 
         check_range(kAxisLetters[axis], point[axis], place);
     }
     point = turn(point, angle);
+    keep_still(point);
+    return point;
+}
+
+/// Groups of axes that all but stand keep their place.
+void Coordinates::keep_still(Point& point) const {
     for (int first = 0; first < kAxes; first += 3) {
         const double travel =
             std::hypot(point[first] - position_[first], point[first + 1] - position_[first + 1],
@@ -77,7 +83,6 @@ Point Coordinates::target(Block& block, bool machine, const Place& place) const 
             std::copy_n(position_.begin() + first, 3, point.begin() + first);
         }
     }
-    return point;
 }
 
 Point Coordinates::home(const Block& block, const Point& from, const Point& stored) const {
@@ -94,14 +99,17 @@ double Coordinates::absolute_centre(int axis, double number) const {
     return number * scale(axis) + origin()[axis];
 }
 
-Point Coordinates::place_in(const System& system) const {
-    return turn(position_ - system.offset - modes_.tool, -system.rotation);
+Point Coordinates::counted_in(const System& system, const Point& on_machine) const {
+    return turn(on_machine - system.offset - modes_.tool, -system.rotation);
 }
 
-Point Coordinates::program_position() const { return place_in(systems_[modes_.system]) - shift_; }
+Point Coordinates::in_program(const Point& on_machine) const {
+    return counted_in(systems_[modes_.system], on_machine) - shift_;
+}
 
 Point Coordinates::on_machine(const Point& program, const Place& place) const {
-    const Point point = turn(program + origin(), rotation());
+    Point point = turn(program + origin(), rotation());
+    keep_still(point);
     for (int axis = 0; axis < kAxes; ++axis) check_range(kAxisLetters[axis], point[axis], place);
     return point;
 }
@@ -123,7 +131,7 @@ void Coordinates::set_offset(int system, Block& block, const Place& place) {
 
 void Coordinates::set_offset_here(int system, Block& block, const Place& place) {
     System& set = systems_[system == 0 ? modes_.system : system - 1];
-    const Point now = place_in(set);
+    const Point now = counted_in(set, position_);
     Point wanted = now;
     for (int axis = 0; axis < kAxes; ++axis) {
         if (block.has(kAxisLetters[axis])) wanted[axis] = number(block, axis) + shift_[axis];
@@ -135,7 +143,7 @@ void Coordinates::set_offset_here(int system, Block& block, const Place& place) 
 }
 
 void Coordinates::set_shift(Block& block, const Place& place) {
-    const Point now = place_in(systems_[modes_.system]);
+    const Point now = counted_in(systems_[modes_.system], position_);
     for (int axis = 0; axis < kAxes; ++axis) {
         const char letter = kAxisLetters[axis];
         if (!block.has(letter)) continue;

@@ -63,8 +63,10 @@ class Coordinates {
     /// A centre word of G90.1, in the machine's coordinates turned to the program's axes.
     double absolute_centre(int axis, double number) const;
 
-    /// The present place as the program counts it, mm; and where such a point is on the machine.
-    Point program_position() const;
+    /// A place on the machine as the program counts it, mm; and where such a point is on the machine,
+    /// exactly at the present place where it is as near as target() says.
+    Point in_program(const Point& on_machine) const;
+    Point program_position() const { return in_program(position_); }
     Point on_machine(const Point& program, const Place& place) const;
     /// A vector along the program's axes to one along the machine's, and back.
     Vec3 turned(const Vec3& vector) const;
@@ -89,8 +91,9 @@ class Coordinates {
 
     double scale(int axis) const { return axis >= 3 && axis < 6 ? 1 : modes_.unit; }
     double rotation() const { return systems_[modes_.system].rotation; }
-    /// Where the machine stands, counted in a system without the shift.
-    Point place_in(const System& system) const;
+    /// A place on the machine, counted in a system without the shift.
+    Point counted_in(const System& system, const Point& on_machine) const;
+    void keep_still(Point& point) const;
     /// Of the program's zero, in the machine's coordinates turned to the program's axes.
     Point origin() const;
 

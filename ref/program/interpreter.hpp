@@ -4,7 +4,7 @@
 // A block is carried out in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets,
 // motion, stop. One difference: an F word is read in the units of its own block (G20 F10 is
 // 10 inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90
-// G91.1 G94 G98 and no motion mode; stored positions (G28, G30) are 0.
+// G91.1 G94 G99 and no motion mode; stored positions (G28, G30) are 0.
 #pragma once
 
 #include <array>
@@ -13,6 +13,7 @@
 
 #include "ref/curve/fit/nurbs.hpp"
 #include "ref/program/arc_geometry.hpp"
+#include "ref/program/canned_cycles.hpp"
 #include "ref/program/codes.hpp"
 #include "ref/program/coordinates.hpp"
 #include "ref/program/modes.hpp"
@@ -51,7 +52,9 @@ class Interpreter {
     void go_home(const Point& stored, Block& block, const Place& place);
     void use_leftovers(Block& block, const Place& place);
     void move(Block& block, const Codes& codes, const Place& place);
-    void line(const Point& target, const Place& place);
+    void line(const Point& target, bool rapid, const Place& place);
+    void cycle(bool again, Block& block, const Place& place);
+    void carry_out(const CycleStep& step, const Place& place);
     void arc(Block& block, const Place& place);
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
@@ -100,6 +103,7 @@ class Interpreter {
     Modes modes_;
     int motion_ = kNoMotion;         // G code in tenths
     std::array<Point, 2> stored_{};  // of G28 and G30, on the machine
+    CannedCycles canned_cycles_;
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;
     std::optional<Vec3> last_leg_;  // P Q R of a G5 that is still in force, mm

@@ -8,6 +8,7 @@
 
 #include "ref/program/asked_arc.hpp"
 #include "ref/program/interpreter.hpp"
+#include "ref/program/thread_cycles.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -40,6 +41,7 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
                     place);
         return;
     }
+    const bool again = code.value_or(motion_) == motion_;
     motion_ = code.value_or(motion_);
     if (motion_ != 50) {
         last_leg_.reset();
@@ -81,7 +83,10 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     if (motion_ == kNoMotion) {
         place.refuse("axis words, but no motion code (G0 G1 G2 G3) is in force");
     }
-    if (is_arc(motion_)) {
+    if (!is_canned_cycle(motion_)) canned_cycles_.end_row();
+    if (is_canned_cycle(motion_) || is_thread(motion_)) {
+        cycle(again, block, place);
+    } else if (is_arc(motion_)) {
         arc(block, place);
     } else if (is_spline(motion_)) {
         spline(block, place);
@@ -93,7 +98,7 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
         middle_ = Middle{coordinates_.position(), xyz(point), place.line, modes_.feed};
         coordinates_.set_position(point);
     } else {
-        line(coordinates_.target(block, machine, place), place);
+        line(coordinates_.target(block, machine, place), motion_ == 0, place);
         if (is_probing(motion_)) {
             moves_.warn("a probing move is drawn to its end", place);
             moves_.stop();
@@ -101,14 +106,15 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     }
 }
 
-void Interpreter::line(const Point& target, const Place& place) {
-    add(move_to(target, place), target, place);
+void Interpreter::line(const Point& target, bool rapid, const Place& place) {
+    Move move = move_to(target, place);
+    move.rapid = rapid;
+    add(move, target, place);
 }
 
 Move Interpreter::move_to(const Point& target, const Place& place) const {
     Move move;
     move.line = place.line;
-    move.rapid = motion_ == 0;
     move.start = xyz(coordinates_.position());
     move.end = xyz(target);
     move.aux_start = aux(coordinates_.position());
@@ -232,7 +238,7 @@ void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place
 
 void Interpreter::add(Move move, const Point& target, const Place& place) {
     if (!moves_.moves(move, place)) return;
-    move.feed = move.rapid ? 0 : feed_on(move, move.length(), place);
+    if (!move.rapid && move.feed == 0) move.feed = feed_on(move, move.length(), place);
     moves_.append(move);
     coordinates_.set_position(target);
 }

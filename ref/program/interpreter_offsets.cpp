@@ -73,12 +73,9 @@ void Interpreter::set_system(Block& block, const Place& place) {
 /// By rapids, the first to where the axis words lead.
 void Interpreter::go_home(const Point& stored, Block& block, const Place& place) {
     const Point by_way_of = coordinates_.target(block, false, place);
-    const int motion = motion_;
-    motion_ = 0;
     for (const Point& target : {by_way_of, coordinates_.home(block, by_way_of, stored)}) {
-        if (target != coordinates_.position()) line(target, place);
+        if (target != coordinates_.position()) line(target, true, place);
     }
-    motion_ = motion;
 }
 
 void Interpreter::set_tool_length(int code, Block& block, const Place& place) {

@@ -29,7 +29,7 @@ struct Modes {
     double feed_unit = 1;
     double speed = 0;
     Turning turning = Turning::kNo;
-    bool retract_to_r = false;
+    bool retract_to_r = true;
 };
 
 }  // namespace curvecore::ref

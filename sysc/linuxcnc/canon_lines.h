@@ -22,6 +22,7 @@ long calls_left = 0;
 int (*line_now)() = nullptr;  // of the program, for calls that do not tell it
 
 double unit_mm = 25.4;  // the program's unit
+double path_tolerance_mm = 0;
 Point system_offset{}, shift{}, tool{};
 double turn_cos = 1, turn_sin = 0;
 int plane = 1;        // LinuxCNC's number: arcs are in XY, YZ or ZX

@@ -81,13 +81,17 @@ void STOP_SPEED_FEED_SYNCH() {
 }
 
 void SET_MOTION_CONTROL_MODE(CANON_MOTION_MODE mode, double tolerance) {
+    path_tolerance_mm = tolerance * unit_mm;
     const char* const name = mode == CANON_EXACT_STOP   ? "exact stop"
                              : mode == CANON_EXACT_PATH ? "exact path"
                                                         : "continuous";
     write("\"kind\":\"path\",\"mode\":\"" + std::string(name) +
-          "\",\"tolerance\":" + number(tolerance * unit_mm));
+          "\",\"tolerance\":" + number(path_tolerance_mm));
     next(SET_MOTION_CONTROL_MODE)(mode, tolerance);
 }
+
+/// Canned cycles ask for it, to set it again at their end; the module says 0.1 always.
+double GET_EXTERNAL_MOTION_CONTROL_TOLERANCE() { return path_tolerance_mm / unit_mm; }
 
 /// interpret.py's own comment says that the program begins, here.
 void COMMENT(const char* text) {
