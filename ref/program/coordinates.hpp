@@ -63,8 +63,8 @@ class Coordinates {
     /// A centre word of G90.1, in the machine's coordinates turned to the program's axes.
     double absolute_centre(int axis, double number) const;
 
-    /// A place on the machine as the program counts it, mm; and where such a point is on the machine,
-    /// exactly at the present place where it is as near as target() says.
+    /// A place on the machine as the program counts it, mm; and where such a point is on the
+    /// machine, exactly at the present place where it is as near as target() says.
     Point in_program(const Point& on_machine) const;
     Point program_position() const { return in_program(position_); }
     Point on_machine(const Point& program, const Place& place) const;

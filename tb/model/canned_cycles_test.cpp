@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Canned cycles and threads, move by move: what LinuxCNC 2.9 makes of the same blocks, worked out by
-// hand.
+// Canned cycles and threads, move by move: what LinuxCNC 2.9 makes of the same blocks, worked out
+// by hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
