@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 """Reads a program with LinuxCNC's own interpreter and prints its canonical moves as JSON lines.
 
-    interpret.py PROGRAM --scratch FOLDER [--ini FILE] [--seconds N] [--moves N]
+    interpret.py PROGRAM --scratch FOLDER [--ini FILE] [--tools FILE] [--seconds N] [--moves N]
 
 README.md describes the lines. The last one is of kind `end` or `error`; without it the interpreter
 has crashed or was stopped by its limits. The scratch folder takes LinuxCNC's own files.
@@ -14,6 +14,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import resource
 import shutil
 import subprocess
@@ -22,6 +23,8 @@ import sys
 PACKAGES = "linuxcnc-uspace linuxcnc-uspace-dev g++"
 HEADERS = "/usr/include/linuxcnc"
 BEGINS = "(curvecore begins)"  # canon_recorder.cpp waits for it
+USUAL_TOOLS = range(1, 100)
+MOST_TOOLS = 900  # LinuxCNC has room for 1000
 
 
 class Refused(Exception):
@@ -68,14 +71,14 @@ class Ini:
 class Tools:
     """The machine's tools, in the memory where LinuxCNC's library looks for them."""
 
-    def __init__(self, ini, scratch):
+    def __init__(self, ini, scratch, table=None):
         os.environ["HOME"] = str(scratch)  # where the library keeps that memory
         library = ctypes.CDLL("libtooldata.so.0")
         self.get_entry = library._Z12tooldata_getP16CANON_TOOL_TABLEi
         library._Z17tool_mmap_creatorPK13EMC_TOOL_STATi(
             ctypes.create_string_buffer(1 << 12), 0)
         library._Z13tooldata_initb(False)
-        table = ini.path("EMCIO", "TOOL_TABLE")
+        table = table or ini.path("EMCIO", "TOOL_TABLE")
         if table:
             if library._Z13tooldata_loadPKcPPc(str(table).encode(), None) != 0:
                 raise Refused(f"the tool table {table} cannot be read")
@@ -95,13 +98,34 @@ class Tools:
         return (tool.number, *tool.offset, tool.diameter, tool.front, tool.back, tool.orientation)
 
 
+def tools_of_length_0(program, scratch):
+    """A tool table of the tools that a program names by a number, and the usual ones."""
+    text = pathlib.Path(program).read_bytes().decode("latin-1").upper()
+    named = {int(number) for number in re.findall(r"[TH]\s*(\d{1,5})", text)} - {0}
+    table = scratch / "tools.tbl"
+    numbers = sorted(named)[:MOST_TOOLS]
+    numbers += [number for number in USUAL_TOOLS if number not in named]
+    table.write_text("".join(f"T{number} P{number} Z0\n" for number in numbers))
+    return table
+
+
+def with_its_end(program, scratch):
+    """A copy of a program that may lack its M2, which nothing reaches where it does not."""
+    folder = scratch / "program"
+    folder.mkdir(exist_ok=True)
+    copy = folder / pathlib.Path(program).name
+    copy.write_bytes(pathlib.Path(program).read_bytes() + b"\nM2\n")
+    return copy
+
+
 class Machine:
     """What LinuxCNC's module `gcode` asks a machine; its motion goes through canon_recorder.cpp."""
 
-    def __init__(self, ini, tools, parameters):
+    def __init__(self, ini, tools, parameters, knows_tools):
         self.ini = ini
         self.tools = tools
         self.parameter_file = str(parameters)
+        self.knows_tools = knows_tools
         self.left_out = []
 
     def __getattr__(self, name):
@@ -129,6 +153,9 @@ class Machine:
 
     def change_tool(self, slot):
         self.tools.in_spindle = slot
+        if not self.knows_tools:
+            self.left_out.append("tools have a length of 0: --tools FILE.tbl or a TOOL_TABLE of "
+                                 "--machine's .ini says it")
 
     def user_defined_function(self, code, *_):
         self.left_out.append(f"M{100 + code} is left out")
@@ -200,12 +227,15 @@ def interpret(given, lines):
     import gcode
     ini = Ini(given.ini)
     scratch = pathlib.Path(given.scratch)
-    machine = Machine(ini, Tools(ini, scratch), settings_of(ini, given.program, scratch))
+    table = given.tools or ini.path("EMCIO", "TOOL_TABLE")
+    tools = Tools(ini, scratch, table or tools_of_length_0(given.program, scratch))
+    machine = Machine(ini, tools, settings_of(ini, given.program, scratch), table is not None)
     line = ctypes.CFUNCTYPE(ctypes.c_int)(line_now)
     recording.record(gcode.__file__.encode(), lines, ctypes.c_long(given.moves), line)
     startup = ini.find("RS274NGC", "RS274NGC_STARTUP_CODE", "")
-    result, _ = gcode.parse(given.program, machine, f"G2{1 if ini.metric() else 0}",
-                               f"{startup} {BEGINS}")
+    program = str(with_its_end(given.program, scratch))
+    result, _ = gcode.parse(program, machine, f"G2{1 if ini.metric() else 0}",
+                            f"{startup} {BEGINS}")
     recording.flush_record()
     check(result)
     return machine.left_out
@@ -216,6 +246,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--scratch", required=True, help="folder for LinuxCNC's own files")
     parser.add_argument("--ini", help="the machine's")
+    parser.add_argument("--tools", help="tool table, instead of that of the .ini")
     parser.add_argument("--seconds", type=int, default=120, help="of computing at most")
     parser.add_argument("--moves", type=int, default=5000000, help="to print at most")
     given = parser.parse_args()

@@ -76,6 +76,32 @@ class Lines(unittest.TestCase):
         self.assertEqual(lines[-1]["line"], 2)
         self.assertIn("divide by zero", lines[-1]["text"])
 
+    def test_programs_need_no_end(self):
+        for text in ("G1 X1 F60", "%\nG1 X1 F60\n", "%\nG1 X1 F60\n%\nG1 X2\n",
+                     "G1 X1 F60\nM2\nG1 X2\n"):
+            with self.subTest(text):
+                self.assertEqual(len(self.of_kind(text, "line")), 1)
+
+    def test_tools_are_there_without_a_machine(self):
+        found = self.of_kind("T12345 M6 G43\nT7 M6\nG43 H8\nF60 G1 Z1\n", "line", "warning")
+        self.assertEqual([line["kind"] for line in found], ["line", "warning"])
+        self.assertEqual(found[0]["to"][2], 1)
+        self.assertIn("tools have a length of 0", found[1]["text"])
+
+    def test_tool_table(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".tbl") as table:
+            table.write("T3 P1 Z5\n")
+            table.flush()
+            lines, _ = interpret("T3 M6 G43\nF60 G1 Z1\nT4 M6\n", "--tools", table.name)
+        self.assertEqual([line["to"][2] for line in lines if line["kind"] == "line"], [6])
+        self.assertEqual(lines[-1]["kind"], "error")
+        self.assertIn("tool 4 not found", lines[-1]["text"])
+
+    def test_tolerance_behind_a_canned_cycle_is_that_before_it(self):
+        found = self.of_kind("F60 G64 P0.05\nG81 X1 Z-1 R1\nG20\nX2\n", "path")
+        self.assertEqual([round(line["tolerance"], 9) for line in found[-5:]],
+                         [0.05, 0, 0.05, 0, 0.05])
+
     def test_endless_loop_is_stopped(self):
         loop = "O1 while [1]\n#1 = 2\nO1 endwhile\nM2\n"
         lines, status = interpret(loop, "--seconds", "1")
