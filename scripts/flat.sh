@@ -2,19 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0
 # A core as one file of Verilog-2005, without a hierarchy, for tools that read nothing else.
 #
-#   scripts/flat.sh TOP [Name=Value ...] [-o FILE.v]     else build/flat/TOP.v
+#   scripts/flat.sh TOP [Name=Value ...] [-o FILE.v] [--vhdl]     else build/flat/TOP.v
 #
+# --vhdl: its component for VHDL besides, FILE.vhd, in the package TOP_component.
 # TOP is a module of rtl/, Name a parameter of it: whole numbers. With MultiplierForm 1 or 2 the
 # multipliers are the device's own cells, which its tools know.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-usage() { sed -n '3,8s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,9s/^# \{0,1\}//p' "$0"; }
 refuse() {
   echo "flat: $*" >&2
   exit 2
 }
 top=
 file=
+vhdl=
 parameters=()
 while [ $# -gt 0 ]; do
   case $1 in
@@ -27,6 +29,7 @@ while [ $# -gt 0 ]; do
       [ -n "$file" ] || refuse "-o needs a file"
       shift
       ;;
+    --vhdl) vhdl=1 ;;
     -*) refuse "unknown option '$1'" ;;
     *=*)
       [[ $1 =~ ^[A-Za-z0-9]+=[0-9]+$ ]] || refuse "'$1' must be Name=Value, a whole number"
@@ -57,7 +60,7 @@ command -v yosys >/dev/null || "$root/scripts/setup.sh" >&2
 file=$(realpath -m "$file")
 mkdir -p "$(dirname "$file")"
 made=$(mktemp "$file.XXXXXX")
-trap 'rm -f "$made" "$made.v"' EXIT
+trap 'rm -f "$made" "$made".*' EXIT
 cd "$root/rtl"
 set=$(printf ' -set %s' "${parameters[@]/=/ }")
 yosys -q -w "Replacing memory" -p "
@@ -77,4 +80,10 @@ said='keep_hierarchy|async_reg|ram_style|no_rw_check|fsm_encoding|parallel_case'
   sed -E -e 1d -e "/^ *\(\* ($said) /b" -e '/^ *\(\*.*\*\)$/d' -e 's/\(\* \w+ = [^*]* \*\) //g' \
     -e "s/\\\\\\\$paramod\\\\(\w+)\\\\Bits=s32'0*([01]+) /${top}_\1_\2 /" "$made"
 } >"$made.v"
+if [ -n "$vhdl" ]; then
+  component=${file%.v}.vhd
+  yosys -q -p "read_verilog -lib $made; write_json $made.json"
+  "$root/scripts/vhdl_component.py" "$top" <"$made.json" >"$made.vhd"
+  mv "$made.vhd" "$component"
+fi
 mv "$made.v" "$file"

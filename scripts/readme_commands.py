@@ -33,6 +33,7 @@ LONG = {
     "scripts/synth.sh": "minutes to hours of place and route; tests of its own",
     "scripts/hls.sh": "a minute or more; tests of its own",
     "sudo ": "installs a package",
+    "openFPGALoader ": "wants a board",
     "build/curvecore run part.ngc --interpreter linuxcnc": "wants that package; tests of its own",
     "cmake ": "builds the libraries; system.Package tests do it",
 }

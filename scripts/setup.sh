@@ -3,18 +3,21 @@
 # Installs what curvecore needs and this machine lacks, at the versions of scripts/versions.env:
 # Debian packages with apt, Python packages into .venv.  Says what it does; does nothing (in a
 # fraction of a second) when everything is there.  Made for Debian 12.
+#
+#   scripts/setup.sh [run]     run: what builds the program and runs a part, no more
 set -euo pipefail
 case ${1:-} in
-  "") ;;
+  "" | run) ;;
   -h | --help)
-    sed -n '3,5s/^# \{0,1\}//p' "$0"
+    sed -n '3,7s/^# \{0,1\}//p' "$0"
     exit 0
     ;;
   *)
-    echo "setup: takes no arguments" >&2
+    echo "setup: '$1' is not known: run, or nothing for all" >&2
     exit 2
     ;;
 esac
+only=${1:-}
 cd "$(dirname "$0")/.."
 source scripts/versions.env
 
@@ -32,10 +35,11 @@ installed() {
     sed -n 's/^ii *//p'
 }
 
+# Installs the packages named, as name=version.
 install_debian_packages() {
   local missing=() pin name version have
-  have=$(installed $(printf '%s\n' $APT_PACKAGES | sed 's/=.*//')) || true
-  for pin in $APT_PACKAGES; do
+  have=$(installed $(printf '%s\n' "$@" | sed 's/=.*//')) || true
+  for pin in "$@"; do
     name=${pin%%=*}
     version=$(sed -n "s/^$name=//p" <<<"$have")
     if [ -z "$version" ]; then
@@ -86,5 +90,9 @@ install_python_packages() {
 
 [ "$(. /etc/os-release && echo "$ID-${VERSION_ID:-}")" = debian-12 ] ||
   say "warning: this is not Debian 12; going on as if it were"
-install_debian_packages
-install_python_packages
+if [ "$only" = run ]; then
+  install_debian_packages $APT_PACKAGES_RUN
+else
+  install_debian_packages $APT_PACKAGES_RUN $APT_PACKAGES_TEST
+  install_python_packages
+fi

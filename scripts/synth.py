@@ -126,6 +126,9 @@ def board(given, output):
     print(f"{wanted.name}: {found['fmax_mhz']} MHz of {found['clock_mhz']:g}, {cells_of(found)},"
           f" {found['axes']} axes, {found['samples_s']} samples/s, {found['steps_s']} steps/s;"
           f" {os.path.relpath(folder / found['bitstream'])}")
+    if wanted.loader:
+        print(f"to load it: openFPGALoader -b {wanted.loader}"
+              f" {os.path.relpath(folder / found['bitstream'])}")
     return 0
 
 

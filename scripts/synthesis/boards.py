@@ -7,6 +7,7 @@
     parameters              of rtl/motion_board.sv; the other ones follow or have their defaults
     pins                    names of balls or pins; of step, direction and limit one for each axis;
                             and where there are any probe, home, encoder_a, encoder_b
+    loader                  where openFPGALoader knows the board, its name there
     board, where            for people
 """
 
@@ -41,6 +42,7 @@ class Board:
     parameters: dict
     pins: dict
     where: str
+    loader: str = ""
 
     @property
     def axes(self):
