@@ -10,8 +10,7 @@ import sys
 import tempfile
 
 PART = "G21 G90 F600\nG2 X0.04 Y0 I0.02 J0\nG5 X0.08 Y0.02 I0.02 J0.02 P-0.02 Q0.01\nG1 Z0.01\nM2\n"
-HERE = pathlib.Path(__file__).resolve().parent
-RTL = HERE.parent.parent / "rtl"
+RTL = pathlib.Path(__file__).resolve().parent.parent.parent / "rtl"
 
 
 def motion(positions):
@@ -52,7 +51,7 @@ def main():
         generics = [f"-Ppart_player_bench.{name}={value}" for name, value in parameters.items()]
         files = [RTL / line for line in (RTL / "curvecore.f").read_text().split()]
         subprocess.run([iverilog, "-g2012", "-o", folder / "player", "-s", "part_player_bench",
-                        *generics, *files, HERE / "part_player.sv", HERE / "part_player_bench.sv"],
+                        *generics, *files, *sorted((RTL / "examples").glob("*.sv"))],
                        check=True)
         found = subprocess.run([vvp, "-n", folder / "player"], cwd=folder / "words", check=True,
                                text=True, stdout=subprocess.PIPE).stdout.split()
