@@ -34,6 +34,7 @@ LONG = {
     "scripts/hls.sh": "a minute or more; tests of its own",
     "sudo ": "installs a package",
     "openFPGALoader ": "wants a board",
+    "fusesoc ": "a test of its own",
     "build/curvecore run part.ngc --interpreter linuxcnc": "wants that package; tests of its own",
     "cmake ": "builds the libraries; system.Package tests do it",
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the first Samples positions of part_player, a line each.
+// Prints the first Samples positions of part_player, a line each: by default of part.ngc, whose
+// words stand beside this.
 `timescale 1ns / 1ns
 `default_nettype none
 module part_player_bench #(
-    parameter int Samples            = 1,
-    parameter int SegmentWords       = 17,
-    parameter int ProfileWords       = 5,
+    parameter int Samples            = 263,
+    parameter int SegmentWords       = 102,
+    parameter int ProfileWords       = 100,
     parameter int SamplesPerTickLog2 = 0,
-    parameter int HoldAcceleration   = 1,
-    parameter int HoldSlope          = 1,
-    parameter int StopTicks          = 1
+    parameter int HoldAcceleration   = 2548784,
+    parameter int HoldSlope          = 28036624,
+    parameter int StopTicks          = 267
 );
 
   logic clk = 1'b0;
