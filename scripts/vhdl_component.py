@@ -19,7 +19,7 @@ def component(top, ports):
     width = max(map(len, ports))
     lines = ";\n".join(port(name, one, width) for name, one in ports.items())
     return (f"-- SPDX-License-Identifier: Apache-2.0\n"
-            f"-- The component {top} of curvecore: made by scripts/flat.sh with its file of Verilog.\n"
+            f"-- The component of {top}.v: made by scripts/flat.sh of curvecore with that file.\n"
             f"library ieee;\nuse ieee.std_logic_1164.all;\n\n"
             f"package {top}_component is\n  component {top} is\n    port (\n{lines}\n    );\n"
             f"  end component;\nend package;\n")
