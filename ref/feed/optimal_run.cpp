@@ -12,17 +12,19 @@
 namespace curvecore::ref {
 namespace {
 
-// Intervals that are solved at once, some 17 times to full acceleration, and how many of them are
-// kept: the rest, more than it takes to full deceleration, is solved again with what follows.
-constexpr std::size_t kWindow = 280;
-constexpr std::size_t kCommitted = 240;
-constexpr std::size_t kBeyond = 10;  // them, what needs easing is eased at once
-// Shares of the time that the barrier may cost: first, to draw back from limits, and last.
+// Intervals that are solved at once, some 34 times to full acceleration. Those are kept that the
+// window's end, which stands at a slower motion, does not make slower; what brakes for it is solved
+// again with what follows. Where that is more than half of them, the window is too short.
+constexpr std::size_t kWindow = 560;
+constexpr std::size_t kLongestWindow = 16 * kWindow;
+constexpr std::size_t kBeyond = 10;  // what is kept, what needs easing is eased at once
+// Shares of the time that the barrier may cost: at first, then, to draw back from limits, and last.
 constexpr double kFirstGap = 0.5;
-constexpr double kBackGap = 0.0448;
+constexpr double kNextGap = 0.15;
+constexpr double kBackGap = 0.0248;
 constexpr double kGap = 0.004;
 constexpr double kInside = 0.999;    // of a limit
-constexpr double kKept = 1.01;       // of a limit's share
+constexpr double kKept = 1.02;       // of a limit's share
 constexpr double kTolerated = 1.05;  // of it, after some rounds
 constexpr double kMore = 0.02;       // by which limits are eased more, from round to round
 constexpr RunLoads kAll{1e300, 1e300};
@@ -55,12 +57,22 @@ class OptimalRun {
     /// False: the ends, where they are in motion, leave no way to keep the limits.
     bool solve() {
         if (!optimum_.slow_down(1, end_)) return false;
-        for (std::size_t first = 1;; first += kCommitted) {
-            const bool whole = first + kWindow + kCommitted / 2 >= end_;
-            const std::size_t last = whole ? end_ : first + kWindow;
-            optimum_.improve(first, last, kFirstGap, kGap);
-            settle(first, last, whole ? end_ : first + kCommitted + kBeyond, {}, kBackGap);
+        std::size_t window = kWindow;
+        for (std::size_t first = 1;;) {
+            const bool whole = first + window + window / 2 >= end_;
+            const std::size_t last = whole ? end_ : first + window;
+            optimum_.improve(first, last, kFirstGap, kFirstGap);
+            std::vector<double> roomy = optimum_.controls(first, last);
+            optimum_.improve(first, last, kNextGap, kGap);
+            const std::size_t led = whole ? end_ : optimum_.led_by_end(first, last, kGap);
+            if (led < first + window / 2 && window < kLongestWindow && !whole) {
+                window *= 2;
+                continue;
+            }
+            const std::size_t next = std::max(led, first + window / 2);
+            settle(first, last, std::min(last, next + kBeyond), std::move(roomy));
             if (whole) return true;
+            first = next;
         }
     }
 
@@ -93,8 +105,7 @@ class OptimalRun {
                 }
                 most = std::max(most, times);
             }
-            const double back = std::min(kFirstGap, std::ldexp(kBackGap, most));
-            settle(first, last, last, std::move(eased), back);
+            mend(first, last, std::move(eased), most);
         }
     }
 
@@ -129,52 +140,79 @@ class OptimalRun {
         return motions;
     }
 
-    /// Where the true path asks for more than its interval's limits did, they are eased.
-    void settle(std::size_t first, std::size_t last, std::size_t kept, Eased eased, double back) {
+    /// Where the true path asks for more than its interval's limits did, they are eased, and the
+    /// window is solved again from where it had room.
+    void settle(std::size_t first, std::size_t last, std::size_t kept, std::vector<double> roomy) {
         for (int round = 0;; ++round) {
-            if (!eased.empty()) {
-                optimum_.improve(first, last, back, back);
-                ease(first, last, eased);
-                optimum_.improve(first, last, back, kGap);
-                back = std::min(kFirstGap, 3 * back);
+            const Eased eased = missed(first, kept, round);
+            if (eased.empty()) return;
+            const std::vector<double> found = optimum_.controls(first, last);
+            optimum_.set_controls(first, roomy);
+            if (ease(first, last, eased)) {
+                roomy = optimum_.controls(first, last);
+                optimum_.improve(first, last, kNextGap, kGap);
+            } else {
+                optimum_.set_controls(first, found);
+                draw_back(first, last, eased, back_gap(round));
             }
-            eased.clear();
-            double worst = 0;
-            for (std::size_t k = first - 1; k <= kept; ++k) {
-                found_[k] = phase(k);
-                const double load = path_.loads(found_[k], k, k + 1, kAll).load;
-                worst = std::max(worst, load);
-                if (load <= kKept) continue;
-                eased.push_back({k, (1 - kMore * round) * optimum_.load(k) / load, 1});
-            }
-            if (worst <= (round < kRounds ? kKept : kTolerated) || round == kMostRounds) return;
         }
     }
 
-    void ease(std::size_t first, std::size_t last, const Eased& eased) {
-        const auto all = [&](double load) {  // of what is taken now
-            for (const Ease& e : eased) {
-                const PathInterval& now = optimum_.interval(e.interval);
-                optimum_.ease(
-                    e.interval,
-                    std::min(now.share, std::max(e.share, load * optimum_.load(e.interval))),
-                    std::min(now.speed, std::max(e.speed, load * optimum_.speed_load(e.interval))));
-            }
-        };
-        const Eased before = shares(eased);
-        all(0);
-        if (optimum_.slow_down(first, last)) return;
+    /// Eases this in what is solved, and the same then.
+    void mend(std::size_t first, std::size_t last, Eased eased, int times) {
+        for (int round = 0; !eased.empty(); ++round) {
+            draw_back(first, last, eased, back_gap(times + round));
+            eased = missed(first, last, round);
+        }
+    }
+
+    void draw_back(std::size_t first, std::size_t last, const Eased& eased, double back) {
+        optimum_.improve(first, last, back, back);
+        if (!ease(first, last, eased)) ease_by_and_by(eased);
+        optimum_.improve(first, last, back, kGap);
+    }
+
+    static double back_gap(int times) { return std::min(kFirstGap, kBackGap * std::pow(3, times)); }
+
+    /// Up to interval `last`, what it takes to keep the limits; after some rounds, nothing.
+    Eased missed(std::size_t first, std::size_t last, int round) {
+        Eased eased;
+        double worst = 0;
+        for (std::size_t k = first - 1; k <= last; ++k) {
+            found_[k] = phase(k);
+            const double load = path_.loads(found_[k], k, k + 1, kAll).load;
+            worst = std::max(worst, load);
+            if (load <= kKept) continue;
+            eased.push_back({k, (1 - kMore * round) * optimum_.load(k) / load, 1});
+        }
+        const bool kept = worst <= (round < kRounds ? kKept : kTolerated) || round >= kMostRounds;
+        return kept ? Eased{} : eased;
+    }
+
+    /// False, and nothing is eased: no motion was found that keeps this.
+    bool ease(std::size_t first, std::size_t last, const Eased& eased) {
+        Eased before;
+        for (const Ease& e : eased) {
+            const PathInterval& now = optimum_.interval(e.interval);
+            before.push_back({e.interval, now.share, now.speed});
+        }
+        for (const Ease& e : eased) take_no_more(e);
+        if (optimum_.slow_down(first, last)) return true;
         for (const Ease& e : before) optimum_.ease(e.interval, e.share, e.speed);
-        all(1 / kInside);  // by and by, then
+        return false;
     }
 
-    Eased shares(const Eased& of) const {
-        Eased now;
-        for (const Ease& e : of) {
-            const PathInterval& interval = optimum_.interval(e.interval);
-            now.push_back({e.interval, interval.share, interval.speed});
+    /// To what is taken now, at least.
+    void ease_by_and_by(const Eased& eased) {
+        for (const Ease& e : eased) {
+            take_no_more({e.interval, std::max(e.share, optimum_.load(e.interval) / kInside),
+                          std::max(e.speed, optimum_.speed_load(e.interval) / kInside)});
         }
-        return now;
+    }
+
+    void take_no_more(const Ease& e) {
+        const PathInterval& now = optimum_.interval(e.interval);
+        optimum_.ease(e.interval, std::min(now.share, e.share), std::min(now.speed, e.speed));
     }
 
     Phase phase(std::size_t k) const {

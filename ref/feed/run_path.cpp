@@ -95,6 +95,13 @@ double RunPath::jerk_along(std::size_t k) const {
     return looks_[k < count() ? first_look_[k] : looks_.size() - 1].jerk;
 }
 
+bool RunPath::bends(std::size_t look) const {
+    for (std::size_t i = looks_[look].limits; i < limits_end(look); ++i) {
+        if (limits_[i].d22 > 0) return true;
+    }
+    return false;
+}
+
 /// Whether the path bends unevenly.
 bool RunPath::changes(std::size_t k) const {
     const std::size_t first = first_look_[k];
@@ -142,6 +149,7 @@ PathInterval RunPath::interval(std::size_t k) const {
     }
     const bool rests = starts(k) || ends(k);
     const bool all = !rests && changes(k);
+    const bool bent = bends(first);
     for (std::size_t i = first; i < end; ++i) {
         const int part = looks_[i].part;
         if (rests) {
@@ -152,9 +160,10 @@ PathInterval RunPath::interval(std::size_t k) const {
             }
         } else if (all) {
             if (part < 0 || part % 2 == 0) add_places(i, interval, from, true, true);
-        } else if (part == kParts / 2 || part == kParts) {
-            // Where the path bends evenly, the acceleration at the end and the jerk in the middle.
-            add_places(i, interval, from, part == kParts, part != kParts);
+        } else if (bent ? part == 0 || part == kParts : part == kParts / 2 || part == kParts) {
+            // Where the path bends evenly, the acceleration at the end and the jerk at both, since
+            // it changes with the acceleration; on a line, where it does not, in the middle.
+            add_places(i, interval, from, part == kParts, bent || part != kParts);
         }
     }
     return interval;

@@ -61,6 +61,7 @@ class RunPath {
     std::size_t limits_end(std::size_t look) const {
         return look + 1 < looks_.size() ? looks_[look + 1].limits : limits_.size();
     }
+    bool bends(std::size_t look) const;
     bool changes(std::size_t k) const;
     void add_places(std::size_t look, PathInterval& interval, long double from, bool acceleration,
                     bool jerk) const;

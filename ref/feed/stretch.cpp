@@ -23,6 +23,7 @@ constexpr double kSpeedCarried = 1.001;  // the same of velocities
 constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
 constexpr double kRampTime = 0.05;       // s, to full acceleration: that of kKnots
 constexpr double kKnots = 16;            // in it
+constexpr double kSlowApart = 2;         // steps between knots where an axis bounds the speed
 constexpr double kAny = 1e300;           // a limit that is none
 constexpr double kSameSpeed = 1e-9;      // relative
 
@@ -174,7 +175,8 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
         move.velocity = std::min(asked_speed(i, fastest), stretch.caps[zone]);
         move.slow_axes = kVelocityShare * highest < move.velocity;
         move.step = knot_step(geometry_.moves[i].shape, machine_);
-        move.widest = move.slow_axes ? 1 : knots_apart(program_.moves[geometry_.moves[i].move]);
+        move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
+        if (move.slow_axes) move.widest = std::min(move.widest, kSlowApart);
         move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
         if (i < stretch.last) {
             move.end_velocity = std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);

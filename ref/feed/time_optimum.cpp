@@ -14,11 +14,13 @@ namespace {
 constexpr double kKept = 0.995;      // of a limit: what is slowed down
 constexpr double kInside = 0.98;     // of it: what that leads to
 constexpr std::size_t kNearby = 3;   // intervals to both sides that are slowed down first
-constexpr double kStage = 11.2;      // by which the weight of the time grows
+constexpr double kStage = 6.2;       // by which the weight of the time grows
 constexpr int kMostSteps = 30;       // of Newton's method in a stage
 constexpr double kCentred = 0.1;     // half the square of Newton's decrement
 constexpr double kLeastStep = 1e-6;  // of one of Newton's
 constexpr double kLonger = 4;        // times the part that was gone last: what is tried next
+constexpr double kHeld = 1e100;      // a force that moves a control point by one, whatever holds it
+constexpr double kLittle = 0.02;     // of that: as good as nothing
 constexpr double kGain = 0.1;        // of what Newton's method promises: what a step must gain
 
 std::vector<double> lengths(const std::vector<PathInterval>& path) {
@@ -37,6 +39,7 @@ class Descent {
     /// As low as it can be, by Newton's method.
     void centre(double weight) {
         double here = barrier_.value(spline_, weight);
+        if (!std::isfinite(here)) return;
         double most = 1;
         for (int step = 0; step < kMostSteps; ++step) {
             newton_work() += count_;
@@ -87,6 +90,17 @@ class Descent {
 TimeOptimum::TimeOptimum(std::vector<PathInterval> path, const std::vector<KnotMotion>& start)
     : path_(std::move(path)), spline_(lengths(path_), start) {}
 
+std::vector<double> TimeOptimum::controls(std::size_t first, std::size_t last) const {
+    std::vector<double> controls;
+    controls.reserve(last - first);
+    for (std::size_t k = first; k < last; ++k) controls.push_back(spline_.control(k));
+    return controls;
+}
+
+void TimeOptimum::set_controls(std::size_t first, const std::vector<double>& controls) {
+    for (std::size_t i = 0; i < controls.size(); ++i) spline_.control(first + i) = controls[i];
+}
+
 void TimeOptimum::ease(std::size_t k, double share, double speed) {
     path_[k].share = share;
     path_[k].speed = speed;
@@ -94,8 +108,7 @@ void TimeOptimum::ease(std::size_t k, double share, double speed) {
 
 bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
     const std::size_t count = last - first;
-    std::vector<double> before;
-    for (std::size_t k = first; k < last; ++k) before.push_back(spline_.control(k));
+    const std::vector<double> before = controls(first, last);
     for (std::size_t width = kNearby;; width *= 2) {
         std::vector<double> factor(count, 1);
         bool kept = true;
@@ -109,7 +122,7 @@ bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
         }
         if (kept) return true;
         if (width > 2 * count) {
-            for (std::size_t i = 0; i < count; ++i) spline_.control(first + i) = before[i];
+            set_controls(first, before);
             return false;
         }
         const std::vector<double> smooth =
@@ -127,6 +140,26 @@ void TimeOptimum::improve(std::size_t first, std::size_t last, double from, doub
         Descent(barrier, spline_, first, last).centre(weight);
         if (share <= to) return;
     }
+}
+
+/// The barrier is flat there, so its second derivatives tell how its points move one another.
+std::size_t TimeOptimum::led_by_end(std::size_t first, std::size_t last, double to) const {
+    const TimeBarrier barrier(path_, spline_, first, last + 2);
+    const std::size_t count = last + 2 - first;
+    TimeBarrier::Derivatives by(count);
+    newton_work() += count;
+    barrier.differentiate(spline_,
+                          static_cast<double>(barrier.rooms()) / (to * barrier.time(spline_)), by);
+    std::vector<double> moved(count, 0);
+    for (std::size_t i = count - 2; i < count; ++i) {
+        by.hessian.add(i, i, kHeld);
+        moved[i] = kHeld;
+    }
+    by.hessian.decompose();
+    by.hessian.solve(moved);
+    const auto led = std::find_if(moved.begin(), moved.end(),
+                                  [](double by_one) { return std::abs(by_one) > kLittle; });
+    return first + static_cast<std::size_t>(led - moved.begin());
 }
 
 }  // namespace curvecore::ref

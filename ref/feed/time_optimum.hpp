@@ -24,6 +24,10 @@ class TimeOptimum {
     const PathInterval& interval(std::size_t k) const { return path_[k]; }
     const SpeedSpline& spline() const { return spline_; }
 
+    /// Control points from `first` up to `last` (not included).
+    std::vector<double> controls(std::size_t first, std::size_t last) const;
+    void set_controls(std::size_t first, const std::vector<double>& controls);
+
     /// What interval k takes of its limits of acceleration and jerk.
     double load(std::size_t k) const { return ref::load(path_, spline_, k); }
 
@@ -41,6 +45,10 @@ class TimeOptimum {
     ///
     /// @param from, to shares of the time that the barrier may cost, at first and in the end
     void improve(std::size_t first, std::size_t last, double from, double to);
+
+    /// After improve(.., to): the first of the free control points that would be elsewhere if the
+    /// two after them, which stand still, were.
+    std::size_t led_by_end(std::size_t first, std::size_t last, double to) const;
 
   private:
     std::vector<PathInterval> path_;

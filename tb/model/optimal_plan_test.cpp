@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "ref/curve/newton_work.hpp"
 #include "ref/feed/limit_report.hpp"
 #include "ref/feed/limits.hpp"
 #include "ref/feed/piece_walk.hpp"
@@ -49,6 +50,55 @@ sysc::LimitLoads held_limits(const Plan& plan, const Machine& machine, int at, i
         run.tick(scaler.tick(hold ? 0 : 1 << 16), hold);
     }
     return run.finish();
+}
+
+/// Lines with dull corners.
+Program dull_corners() {
+    ProgramBuilder builder;
+    for (int i = 0; i < 12; ++i) {
+        const double angle = i % 2 == 0 ? 0.015 : -0.015;
+        builder.line(builder.at() + 12 * ref::Vec3(std::cos(angle), std::sin(angle), 0), 300);
+    }
+    return with_tolerance(builder.program(), 0.01);
+}
+
+Machine machine_of(double velocity, double acceleration, double jerk, const ref::AxisLimits& axis) {
+    Machine machine;
+    machine.velocity = velocity;
+    machine.acceleration = acceleration;
+    machine.jerk = jerk;
+    for (std::size_t i = 0; i < 3; ++i) machine.axis[i] = axis;
+    return machine;
+}
+
+/// Newton steps times knots, and seconds of motion.
+struct Cost {
+    double work, seconds;
+};
+
+Cost cost(Program program, const Machine& machine) {
+    const std::uint64_t before = ref::newton_work();
+    ref::smooth_path(program, machine);
+    const Plan plan = make_plan(program, machine, options_of(Effort::kOptimum));
+    return {static_cast<double>(ref::newton_work() - before), plan.duration_s};
+}
+
+/// A window ends at the speed of the rules. Braking to it may take longer than to full
+/// acceleration, as with these limits; all of it is solved again.
+TEST(OptimalPlan, BrakesForNoWindow) {
+    Machine machine = machine_of(94, 258, 4035, {65, 130, 8222});
+    const double tight = cost(dull_corners(), machine).seconds;
+    machine.axis[0].velocity *= 8;
+    EXPECT_LT(cost(dull_corners(), machine).seconds, tight);
+}
+
+/// Where the path bends evenly the jerk changes with the acceleration. Looked at in the middle of
+/// intervals alone it was too much at their ends, and easing it did not help.
+TEST(OptimalPlan, CostsNoMoreWhereThePathBends) {
+    const Program program = with_tolerance(chopped_wave(0.1, 200), 0.01);
+    const Cost built_in = cost(program, Machine());
+    const Cost own = cost(program, machine_of(760, 4161, 80348, {465, 11322, 375784}));
+    EXPECT_LT(own.work / own.seconds, 2 * built_in.work / built_in.seconds);
 }
 
 TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {
