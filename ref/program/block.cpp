@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ref/program/value_reader.hpp"
@@ -10,7 +11,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::size_t kLongestLine = 4096;
 constexpr double kLargestNumber = 1e9;
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
@@ -40,47 +40,7 @@ int code_of(char letter, double number, const Place& place) {
 
 }  // namespace
 
-std::string words_of(std::string_view text, const Place& place) {
-    if (text.size() > kLongestLine) {
-        place.refuse(fmt::format("the line is longer than {} characters", kLongestLine));
-    }
-    std::string words;
-    bool comment = false;
-    bool rest = false;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte < 0x20 && c != '\t') || byte == 0x7f) {
-            place.refuse(fmt::format("byte 0x{:02x} is not text", byte));
-        }
-        if (rest) {
-            continue;
-        }
-        if (comment) {
-            if (c == '(') {
-                place.refuse("a comment inside a comment");
-            }
-            comment = c != ')';
-        } else if (c == '(') {
-            comment = true;
-        } else if (c == ';') {
-            rest = true;
-        } else if (byte >= 0x80) {
-            place.refuse(fmt::format("byte 0x{:02x} outside a comment", byte));
-        } else if (c != ' ' && c != '\t') {
-            words += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-        }
-    }
-    if (comment) {
-        place.refuse("a comment without its closing parenthesis");
-    }
-    return words;
-}
-
 Block::Block(const std::string& words, const Place& place, ProgramParameters& parameters) {
-    if (words == "%") {
-        percent = true;
-        return;
-    }
     ValueReader reader(words, parameters, place);
     reader.take("/");
     while (!reader.at_end()) {
@@ -90,9 +50,7 @@ Block::Block(const std::string& words, const Place& place, ProgramParameters& pa
             continue;
         }
         if (!is_letter(letter)) refuse_character(letter, place);
-        if (letter == 'O') {
-            place.refuse("subroutines and O-words belong to LinuxCNC's interpreter");
-        }
+        if (letter == 'O') place.refuse("an O-word begins its line");
         reader.skip();
         add_word(letter, reader.value(std::string(1, letter)), place);
     }
@@ -165,6 +123,19 @@ bool Block::has_any(std::string_view letters) const {
 double Block::use(char letter) {
     used_.set(letter - 'A');
     return value_[letter - 'A'];
+}
+
+double Block::take(char letter) {
+    given_.reset(letter - 'A');
+    return value_[letter - 'A'];
+}
+
+std::optional<int> Block::take_m(std::initializer_list<int> codes) {
+    const auto found = std::find_first_of(m.begin(), m.end(), codes.begin(), codes.end());
+    if (found == m.end()) return std::nullopt;
+    const int code = *found;
+    m.erase(found);
+    return code;
 }
 
 void Block::check_all_used(const Place& place) const {

@@ -9,6 +9,8 @@
 
 #include <array>
 #include <bitset>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +22,6 @@ namespace curvecore::ref {
 
 class ValueReader;
 
-/// A line without comments and blanks, in upper case. @throws InputError: it is not text
-std::string words_of(std::string_view text, const Place& place);
-
 /// The words of a line. G codes are held in tenths (G59.1 is 591); G and M words may repeat.
 class Block {
   public:
@@ -30,16 +29,19 @@ class Block {
     /// @throws InputError for anything that is not a word, and for a word that stands twice.
     Block(const std::string& words, const Place& place, ProgramParameters& parameters);
 
-    bool empty() const { return !percent && given_.none() && g.empty() && m.empty(); }
+    bool empty() const { return given_.none() && g.empty() && m.empty(); }
     bool has(char letter) const { return given_[letter - 'A']; }
     bool has_any(std::string_view letters) const;
     /// The number behind `letter`, which counts as used from here on.
     double use(char letter);
+    /// The number behind `letter`, which is in the block no more.
+    double take(char letter);
+    /// One of these M codes, which is in the block no more.
+    std::optional<int> take_m(std::initializer_list<int> codes);
     bool used(char letter) const { return used_[letter - 'A']; }
     /// @throws InputError when a letter was given and not used
     void check_all_used(const Place& place) const;
 
-    bool percent = false;  // a '%' that stands alone
     std::vector<int> g;
     std::vector<int> m;
 

@@ -95,7 +95,7 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
             place.refuse("the intermediate point of an arc takes X, Y and Z only");
         }
         const Point point = coordinates_.target(block, false, place);
-        middle_ = Middle{coordinates_.position(), xyz(point), place.line, modes_.feed};
+        middle_ = Middle{coordinates_.position(), xyz(point), place.program_line, modes_.feed};
         coordinates_.set_position(point);
     } else {
         line(coordinates_.target(block, machine, place), motion_ == 0, place);
@@ -114,7 +114,7 @@ void Interpreter::line(const Point& target, bool rapid, const Place& place) {
 
 Move Interpreter::move_to(const Point& target, const Place& place) const {
     Move move;
-    move.line = place.line;
+    move.line = place.program_line;
     move.start = xyz(coordinates_.position());
     move.end = xyz(target);
     move.aux_start = aux(coordinates_.position());

@@ -102,7 +102,7 @@ void Interpreter::open_nurbs(Block& block, const Place& place) {
     open.curve.points = {xyz(open.last)};
     open.curve.weights = {1};
     open.feed = modes_.feed;
-    open.line = place.line;
+    open.line = place.program_line;
     nurbs_ = std::move(open);
     control_point(block, place);
 }

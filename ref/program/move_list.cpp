@@ -87,7 +87,7 @@ void MoveList::dwell(double seconds, const Place& place) {
 }
 
 void MoveList::warn(const std::string& text, const Place& place) {
-    ++warnings_.try_emplace(text, Warning{place.line, 0}).first->second.count;
+    ++warnings_.try_emplace(text, Warning{place.program_line, 0}).first->second.count;
 }
 
 void MoveList::leave_out(const std::string& code, const Place& place, double value) {
@@ -96,7 +96,7 @@ void MoveList::leave_out(const std::string& code, const Place& place, double val
     value_changed_ = value_changed_ || all.changed;
     all.value = value;
     ++all.count;
-    if (all.lines.size() < kNamedLines) all.lines.push_back(place.line);
+    if (all.lines.size() < kNamedLines) all.lines.push_back(place.program_line);
 }
 
 /// Before the next move: those that changed hold from here on.

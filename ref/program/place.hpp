@@ -11,6 +11,7 @@ namespace curvecore::ref {
 struct Place {
     const std::string& file;
     int line;
+    int program_line = line;  // of the program that calls this file, if it is another
 
     [[noreturn]] void refuse(const std::string& reason) const {
         throw InputError(file, line, reason);

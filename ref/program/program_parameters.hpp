@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program's parameters as RS274/NGC has them: #1 .. #5601, #<local> and #<_global>.
 //
-// Numbers that were never set are 0. #1 .. #30 are arguments: a call sets all of them and its return
-// brings the caller's back. Named ones exist once they are assigned to; names are in lower case, and
-// those that begin with '_' are the same everywhere, others belong to one call. Some of both kinds
-// are computed, as the position of #5420 and #<_x>: whoever knows the value gives a function for it.
+// Numbers that were never set are 0. #1 .. #30 are arguments: a call sets all of them, and its
+// return brings the caller's back. Named ones exist once they are assigned to; names are in lower
+// case, those that begin with '_' are the same everywhere, others belong to one call. Some of both
+// kinds are computed, as the position of #5420 and #<_x>: who knows the value gives a function.
 #pragma once
 
 #include <functional>
@@ -51,8 +51,8 @@ class ProgramParameters {
     void compute(int number, std::function<double()> value);
     void compute(const std::string& name, std::function<double()> value);
 
-    /// A subroutine begins, with names of its own and, unless it shares its caller's #1 .. #30, with
-    /// these arguments. @throws ParameterError beyond nine calls in each other
+    /// A subroutine begins, with names of its own and, unless it shares its caller's #1 .. #30,
+    /// with these arguments. @throws ParameterError beyond nine calls in each other
     void enter(const std::vector<double>& arguments);
     void enter_sharing();
     void leave();

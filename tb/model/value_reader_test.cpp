@@ -8,6 +8,7 @@
 
 #include "ref/program/block.hpp"
 #include "ref/program/gcode_reader.hpp"
+#include "ref/program/program_lines.hpp"
 
 namespace curvecore::tb {
 namespace {
