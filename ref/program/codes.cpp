@@ -161,12 +161,8 @@ std::string_view g_refusal(int code) {
 }
 
 std::string_view m_refusal(int code) {
-    if (code == 98 || code == 99) {
-        return "subroutines belong to LinuxCNC's interpreter";
-    }
-    if (code >= 70 && code <= 73) {
-        return "saved modal state belongs to LinuxCNC's interpreter";
-    }
+    if (code == 98 || code == 99) return "one call or return in a block";
+    if (code >= 70 && code <= 73) return "one code of M70 to M73 in a block";
     return "";
 }
 

@@ -8,6 +8,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kShownCharacters = 20;
+constexpr std::string_view kBlanks = " \t";
 
 }  // namespace
 
@@ -17,12 +18,25 @@ std::string_view trim(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+std::vector<std::string_view> cells_of(std::string_view line, char separator) {
     std::vector<std::string_view> cells;
     for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
+        const std::size_t end = std::min(line.find(separator, begin), line.size());
         cells.push_back(trim(line.substr(begin, end - begin)));
         begin = end + 1;
+    }
+    return cells;
+}
+
+std::vector<std::string_view> columns_of(std::string_view line) {
+    for (const char separator : {',', ';'}) {
+        if (line.find(separator) != std::string_view::npos) return cells_of(line, separator);
+    }
+    std::vector<std::string_view> cells;
+    for (std::size_t begin = line.find_first_not_of(kBlanks); begin < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+        cells.push_back(line.substr(begin, end - begin));
+        begin = line.find_first_not_of(kBlanks, end);
     }
     return cells;
 }

@@ -12,8 +12,10 @@ namespace curvecore::ref {
 /// Without spaces and tabs at both ends.
 std::string_view trim(std::string_view text);
 
-/// The line's cells, trimmed; a line without a comma is one cell.
-std::vector<std::string_view> cells_of(std::string_view line);
+/// The line's cells, trimmed; a line without a separator is one cell.
+std::vector<std::string_view> cells_of(std::string_view line, char separator = ',');
+/// Between commas; without one between semicolons; without these between blanks and tabs.
+std::vector<std::string_view> columns_of(std::string_view line);
 
 /// A cell as a message may show it: printable, not too long.
 std::string shown(std::string_view cell);

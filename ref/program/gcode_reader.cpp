@@ -8,15 +8,16 @@
 
 namespace curvecore::ref {
 
-Program read_gcode(const std::string& file, double fit_tolerance) {
+Program read_gcode(const std::string& file, const GcodeOptions& options) {
     std::ifstream text = open_text_file(file);
-    GcodeStream stream(text, file, fit_tolerance);
+    GcodeStream stream(text, file, options);
     return read_all(stream, file);
 }
 
-Program read_gcode_text(std::string_view text, const std::string& file_name, double fit_tolerance) {
+Program read_gcode_text(std::string_view text, const std::string& file_name,
+                        const GcodeOptions& options) {
     std::istringstream lines{std::string(text)};
-    GcodeStream stream(lines, file_name, fit_tolerance);
+    GcodeStream stream(lines, file_name, options);
     return read_all(stream, file_name);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ref/program/block_stream.hpp"
+#include "ref/program/gcode_options.hpp"
 #include "ref/program/interpreter.hpp"
 #include "ref/program/program_flow.hpp"
 
@@ -11,17 +12,30 @@ namespace curvecore::ref {
 class GcodeStream : public BlockStream {
   public:
     /// @param text outlives this object
-    GcodeStream(std::istream& text, const std::string& file, double fit_tolerance);
+    GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options);
+
+    std::optional<Dialect> dialect() const override { return flow_.dialect(); }
 
   private:
+    /// What a call, or the program itself, has kept of the modes.
+    struct Kept {
+        std::optional<Interpreter::State> state;
+        bool restores = false;  // when it returns
+    };
+
     bool read() override;
     std::vector<Move> take(bool last) override;
-    Program finish() override { return interpreter_.finish(); }
+    Program finish() override;
+
+    void keep_modes(int code, const Place& place);
+    void end_call();
 
     std::string file_;
+    bool recognised_;
     ProgramParameters parameters_;
     Interpreter interpreter_;
     ProgramFlow flow_;
+    std::vector<Kept> kept_{1};
 };
 
 }  // namespace curvecore::ref

@@ -53,6 +53,11 @@ bool Interpreter::execute(Block block, const Place& place) {
     return !end || !ends_program(*end);
 }
 
+void Interpreter::note(const std::string& code, bool waits, const Place& place) {
+    moves_.leave_out(code, place);
+    if (waits) moves_.stop();
+}
+
 Program Interpreter::finish() {
     if (middle_ || nurbs_) {
         check_nothing_waits({moves_.file(), middle_ ? middle_->line : nurbs_->line});

@@ -28,8 +28,22 @@ class Interpreter {
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
+    /// What M70 keeps and M72 brings back: all modes but that of motion.
+    struct State {
+        Modes modes;
+        Coordinates::Modes coordinates;
+    };
+    State state() const { return {modes_, coordinates_.modes()}; }
+    void restore(const State& state) {
+        modes_ = state.modes;
+        coordinates_.restore(state.coordinates);
+    }
+
     /// Carries out a block; false when it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
+    /// A code of another dialect that asks for more than motion; the machine may stand still at it.
+    void note(const std::string& code, bool waits, const Place& place);
+    void warn(const std::string& text, const Place& place) { moves_.warn(text, place); }
     /// Moves in order, which leave the program: the `last` one as well, for which a stop or a dwell
     /// may still come.
     std::vector<Move> take(bool last) { return moves_.take(last); }

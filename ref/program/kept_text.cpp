@@ -70,7 +70,8 @@ std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, co
     return std::nullopt;
 }
 
-std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label) {
+std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
+                                            Dialect dialect) {
     std::vector<std::string> names{label, "O" + label, "o" + label, fmt::format("O{:0>4}", label)};
     if (label[0] == '<') {
         names = {label.substr(1, label.size() - 2)};
@@ -85,7 +86,7 @@ std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const st
             std::error_code error;
             if (!fs::is_regular_file(text->file, error)) continue;
             std::ifstream stream = open_text_file(text->file);
-            ProgramLines lines(stream, text->file);
+            ProgramLines lines(stream, text->file, dialect);
             while (std::optional<ProgramLine> line = lines.next()) {
                 text->lines.push_back(std::move(*line));
             }

@@ -46,6 +46,7 @@ std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, co
 /// The file that a call means: NAME.ngc, or NAME with the program's own extension, in the
 /// program's folder; a number may be written as O100 and O0100, too. None: there is no such file.
 /// @throws InputError
-std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label);
+std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
+                                            Dialect dialect);
 
 }  // namespace curvecore::ref

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "ref/program/dialect.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
@@ -24,6 +26,9 @@ class MoveStream {
     /// The next move; false: there is none.
     /// @throws InputError of what is wrong, after all moves before it
     virtual bool next(Move& move) = 0;
+
+    /// Of G-code that this reader reads.
+    virtual std::optional<Dialect> dialect() const { return {}; }
 
     /// At the end.
     virtual int aux_axes() const = 0;

@@ -5,10 +5,11 @@
 //     x, y, z, a                      the header may be missing: then x y z a b c u v w in this
 //     order 0, 0, 0, 0 10, 2.5, -1e-3, 45
 //
-// Columns: x y z (wanted), a b c u v w (auxiliary axes, linear in path length between the points),
-// dx dy dz and ddx ddy ddz (derivatives by the spline's parameter, for the fits that want them;
-// their cells may be empty where the fit does not; the fits that want them everywhere take them
-// from the positions if the columns are missing). Lengths in mm, angles in degrees.
+// Numbers stand between commas, semicolons, blanks or tabs. Columns: x y (wanted), z (0 where it is
+// missing), a b c u v w (auxiliary axes, linear in path length between the points), dx dy dz and
+// ddx ddy ddz (derivatives by the spline's parameter, for the fits that want them; their cells may
+// be empty where the fit does not; the fits that want them everywhere take them from the positions
+// if the columns are missing). Lengths in mm, angles in degrees.
 #pragma once
 
 #include <string>

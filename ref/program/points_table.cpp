@@ -27,7 +27,7 @@ class Reader {
             const std::string_view content = trim(line->substr(0, line->find('#')));
             if (content.empty()) continue;
             const Place place{file_, lines.number()};
-            const std::vector<std::string_view> cells = cells_of(content);
+            const std::vector<std::string_view> cells = columns_of(content);
             if (order_.empty() && is_name(cells[0])) {
                 table_.header_line = place.line;
                 read_header(cells, place);
@@ -60,7 +60,8 @@ class Reader {
         }
         for (const int first : {0, kFirstD1, kFirstD2}) {
             const int given = table_.has[first] + table_.has[first + 1] + table_.has[first + 2];
-            if (given < 3 && (given > 0 || first == 0)) {
+            const bool flat = first == 0 && given == 2 && !table_.has[2];
+            if (given < 3 && !flat && (given > 0 || first == 0)) {
                 const auto* missing = std::find(&table_.has[first], &table_.has[first] + 3, false);
                 place.refuse(fmt::format("the column {} is missing",
                                          kPointColumns[missing - &table_.has[0]]));
@@ -69,9 +70,9 @@ class Reader {
     }
 
     void assume_columns(std::size_t count, const Place& place) {
-        if (count < 3 || count > kFirstD1) {
+        if (count < 2 || count > kFirstD1) {
             place.refuse(
-                fmt::format("{} numbers: without a header there are 3 (x y z) to {} (x y "
+                fmt::format("{} numbers: without a header there are 2 (x y) to {} (x y "
                             "z a b c u v w)",
                             count, kFirstD1));
         }
@@ -94,6 +95,7 @@ class Reader {
         }
         PointRow row;
         row.line = place.line;
+        row.cell[2] = 0;  // where there is no z
         for (std::size_t i = 0; i < cells.size(); ++i) {
             row.cell[order_[i]] = number(order_[i], cells[i], place);
         }

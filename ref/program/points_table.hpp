@@ -29,8 +29,8 @@ struct PointTable {
     std::vector<PointRow> rows;
 };
 
-/// Positions and auxiliary axes stand in every row and lie within kFarthest; a derivative stands
-/// for all three axes or none.
+/// Without a column z it is 0. Positions and auxiliary axes stand in every row and lie within
+/// kFarthest; a derivative stands for all three axes or none.
 /// @throws InputError: unknown, missing or doubled columns, ragged rows, what is not a number
 PointTable read_point_table(std::string_view text, const std::string& file_name);
 

@@ -14,8 +14,9 @@ using Kind = OWord::Kind;
 
 }  // namespace
 
-ProgramFlow::ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters)
-    : file_(file), lines_(text, file), parameters_(parameters), runs_(1) {
+ProgramFlow::ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters,
+                         std::optional<Dialect> dialect)
+    : file_(file), lines_(text, file, dialect), parameters_(parameters), runs_(1) {
     parameters_.compute("_value", [this] { return value_; });
     parameters_.compute("_value_returned", [this] { return value_returned_ ? 1 : 0; });
     parameters_.compute("_call_level", [this] { return parameters_.calls(); });
@@ -28,7 +29,7 @@ Place ProgramFlow::place() const {
             text_->file == file_ ? line_.number : runs_.back().called_in};
 }
 
-const std::string* ProgramFlow::next() {
+const ProgramLine* ProgramFlow::next() {
     while (true) {
         if (!fetch()) {
             const Run& run = runs_.back();
@@ -43,7 +44,7 @@ const std::string* ProgramFlow::next() {
         }
         count();
         const std::optional<OWord> found = word();
-        if (!found) return &line_.words;
+        if (!found) return &line_;
         obey(*found);
     }
 }
@@ -336,7 +337,8 @@ ProgramFlow::Run ProgramFlow::run_of(const OWord& begin) {
     const bool sub = begin.kind == Kind::kSub;
     std::map<std::string, KeptPart>& known = sub ? subs_ : numbers_;
     if (known.count(begin.label) == 0) {
-        const std::shared_ptr<const KeptText> file = file_of_sub(file_, begin.label);
+        const std::shared_ptr<const KeptText> file =
+            file_of_sub(file_, begin.label, lines_.dialect());
         if (!file) keep_rest();
         std::optional<KeptPart> part = find_sub(file ? file : runs_[0].text(), begin, parameters_);
         if (!part) {

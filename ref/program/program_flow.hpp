@@ -17,20 +17,23 @@ namespace curvecore::ref {
 
 /// Of loops and calls, as they run.
 constexpr int kMostBlocksWithoutMove = 1'000'000;
-constexpr int kMostBlocksAgain = 100'000'000;
+constexpr int kMostBlocksAgain = 10'000'000;
 
 class ProgramFlow {
   public:
     /// @param text, file, parameters outlive this object
-    ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters);
+    /// @param dialect none: recognised
+    ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters,
+                std::optional<Dialect> dialect);
     ProgramFlow(const ProgramFlow&) = delete;
     ProgramFlow& operator=(const ProgramFlow&) = delete;
 
     /// The next line that is no O-word; none: the program's text ends. It stays until the next one.
     /// @throws InputError
-    const std::string* next();
+    const ProgramLine* next();
     /// Of that line.
     Place place() const;
+    Dialect dialect() const { return lines_.dialect(); }
 
     /// M98 of that line: a program of that number, so many times. @throws InputError
     void call_number(int number, int times);

@@ -3,10 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
+constexpr int kLinesToRecognise = 200;  // that have words
+constexpr std::size_t kMostLinesAhead = 10000;
 
 }  // namespace
 
@@ -46,13 +50,47 @@ std::string words_of(std::string_view text, const Place& place) {
     return words;
 }
 
+ProgramLines::ProgramLines(std::istream& text, const std::string& file,
+                           std::optional<Dialect> dialect)
+    : lines_(text), file_(file) {
+    if (dialect) {
+        dialect_ = *dialect;
+    } else {
+        recognise();
+    }
+    reader_ = lines_in(dialect_);
+}
+
+void ProgramLines::recognise() {
+    DialectFinder finder;
+    while (finder.lines() < kLinesToRecognise && first_.size() < kMostLinesAhead) {
+        const std::optional<std::string_view> text = lines_.next();
+        if (!text) return;
+        first_.emplace_back(*text);
+        if (const std::optional<Dialect> found = finder.look_at(*text)) {
+            dialect_ = *found;
+            return;
+        }
+    }
+}
+
+std::optional<std::string_view> ProgramLines::next_text() {
+    ++number_;
+    if (first_.empty()) return lines_.next();
+    text_ = std::move(first_.front());
+    first_.pop_front();
+    return text_;
+}
+
 std::optional<ProgramLine> ProgramLines::next() {
     while (!ended_) {
-        const std::optional<std::string_view> text = lines_.next();
+        const std::optional<std::string_view> text = next_text();
         if (!text) break;
-        const Place place{file_, lines_.number()};
-        ProgramLine line{place.line, words_of(*text, place)};
-        if (line.words.empty()) continue;
+        ProgramLine line;
+        line.number = number_;
+        const Place place{file_, line.number};
+        reader_->read(*text, line, place);
+        if (line.words.empty() && line.note.empty()) continue;
         if (line.words != "%") {
             begun_ = true;
             return line;

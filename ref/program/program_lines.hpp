@@ -2,18 +2,16 @@
 // A program's text as lines of words, without comments, blanks and empty lines.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "ref/program/dialect_lines.hpp"
 #include "ref/program/place.hpp"
 #include "ref/program/text_file.hpp"
 
 namespace curvecore::ref {
-
-struct ProgramLine {
-    int number = 0;  // in its file, from 1
-    std::string words;
-};
 
 /// A line without comments and blanks, in upper case. @throws InputError: it is not text
 std::string words_of(std::string_view text, const Place& place);
@@ -21,15 +19,25 @@ std::string words_of(std::string_view text, const Place& place);
 class ProgramLines {
   public:
     /// @param text, file outlive this object
-    ProgramLines(std::istream& text, const std::string& file) : lines_(text), file_(file) {}
+    /// @param dialect none: recognised from the first lines
+    ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
 
-    /// The next line that has words, up to the '%' that ends a program which '%' began.
+    /// The next line that has words or a note, up to the '%' that ends a program which '%' began.
     /// @throws InputError
     std::optional<ProgramLine> next();
+    Dialect dialect() const { return dialect_; }
 
   private:
+    void recognise();
+    std::optional<std::string_view> next_text();
+
     TextLines lines_;
     const std::string& file_;
+    Dialect dialect_ = Dialect::kLinuxcnc;
+    std::unique_ptr<DialectLines> reader_;
+    std::deque<std::string> first_;  // lines that were looked at
+    std::string text_;
+    int number_ = 0;
     bool framed_ = false;
     bool begun_ = false;
     bool ended_ = false;

@@ -5,9 +5,9 @@
 
 namespace curvecore::ref {
 
-Program read_program(const std::string& file, const PointsOptions& points,
-                     const OpenProgram& open) {
-    ProgramStream stream(file, points, open);
+Program read_program(const std::string& file, const PointsOptions& points, const OpenProgram& open,
+                     std::optional<Dialect> dialect) {
+    ProgramStream stream(file, points, open, dialect);
     return read_all(stream, stream.file());
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/program/program_stream.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <iostream>
-#include <set>
 
 #include "ref/program/gcode_stream.hpp"
 #include "ref/program/input_error.hpp"
@@ -25,23 +26,28 @@ std::string kind_of(const std::string& file) {
 bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
 
 ProgramStream::ProgramStream(const std::string& file, const PointsOptions& points,
-                             const OpenProgram& open)
+                             const OpenProgram& open, std::optional<Dialect> dialect)
     : file_(file) {
+    const GcodeOptions options{points.fit_tolerance, dialect};
     if (file == kStandardInput) {
         file_ = "stdin";
-        gcode_ = std::make_unique<GcodeStream>(std::cin, file_, points.fit_tolerance);
+        gcode_ = std::make_unique<GcodeStream>(std::cin, file_, options);
         return;
     }
     if (is_points_file(file)) {
         whole_ = read_points(file, points);
         return;
     }
-    const std::set<std::string> known{".ngc", ".nc", ".gcode", ".tap"};
-    if (known.count(kind_of(file)) == 0) {
-        throw InputError(file, 0, "unknown kind of file: .ngc .nc .gcode .tap .csv are read");
+    const std::string kind = kind_of(file);
+    if (!kind.empty() &&
+        std::find(kProgramKinds.begin(), kProgramKinds.end(), kind) == kProgramKinds.end()) {
+        throw InputError(file, 0,
+                         fmt::format("unknown kind of file: {} are read as G-code, .csv as points; "
+                                     "- reads standard input",
+                                     fmt::join(kProgramKinds, " ")));
     }
     text_ = std::make_unique<std::ifstream>(open_text_file(file));
-    gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, points.fit_tolerance);
+    gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, options);
 }
 
 ProgramStream::ProgramStream(Program program) : file_(program.file), whole_(std::move(program)) {}
@@ -51,6 +57,10 @@ bool ProgramStream::next(Move& move) {
     if (next_ == whole_.moves.size()) return false;
     move = whole_.moves[next_++];
     return true;
+}
+
+std::optional<Dialect> ProgramStream::dialect() const {
+    return gcode_ ? gcode_->dialect() : std::nullopt;
 }
 
 int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : whole_.aux_axes; }

@@ -2,6 +2,7 @@
 // A part's file, whatever its kind, move by move: G-code in constant memory, points as a whole.
 #pragma once
 
+#include <array>
 #include <fstream>
 #include <functional>
 #include <memory>
@@ -14,6 +15,11 @@ namespace curvecore::ref {
 /// The name of the file that is read from standard input, as G-code.
 constexpr const char* kStandardInput = "-";
 
+/// Extensions of G-code.
+constexpr std::array<std::string_view, 14> kProgramKinds{".ngc", ".nc",  ".gcode", ".tap", ".ncf",
+                                                         ".cnc", ".eia", ".mpf",   ".txt", ".gco",
+                                                         ".gc",  ".g",   ".iso",   ".din"};
+
 /// Whether the extension is .csv, in upper or lower case.
 bool is_points_file(const std::string& file);
 
@@ -22,10 +28,11 @@ using OpenProgram = std::function<std::unique_ptr<MoveStream>(const std::string&
 
 class ProgramStream : public MoveStream {
   public:
-    /// By the extension, in upper or lower case: .ngc .nc .gcode .tap as G-code, .csv as points
-    /// with `points`; or kStandardInput. With `open`, G-code is read by that. @throws InputError
+    /// By the extension, in upper or lower case: .csv as points with `points`, kProgramKinds and
+    /// none as G-code, of `dialect` or of the one that it shows; or kStandardInput. With `open`,
+    /// G-code is read by that. @throws InputError
     ProgramStream(const std::string& file, const PointsOptions& points,
-                  const OpenProgram& open = {});
+                  const OpenProgram& open = {}, std::optional<Dialect> dialect = {});
     /// Of one that is there.
     explicit ProgramStream(Program program);
 
@@ -33,6 +40,7 @@ class ProgramStream : public MoveStream {
 
     /// As it is called in messages.
     const std::string& file() const { return file_; }
+    std::optional<Dialect> dialect() const override;
     int aux_axes() const override;
     const std::vector<std::string>& warnings() const override;
 

@@ -28,6 +28,9 @@ void add_interpreter(CLI::App& command, RawOptions& raw) {
     add_text(command, "--interpreter", raw.interpreter, "NAME",
              "of G-code: curvecore, or linuxcnc: LinuxCNC's own, which must be installed, with the "
              "tools and parameters that --machine names");
+    add_text(command, "--dialect", raw.dialect, "NAME",
+             fmt::format("of G-code: {}; recognised when left out",
+                         fmt::join(ref::kDialectNames, ", ")));
 }
 
 void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {
@@ -44,11 +47,12 @@ void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {
 CLI::Option* add_input(CLI::App& command, RawOptions& raw, Options& options, std::string& feed,
                        const char* feeds, const std::string& feed_help) {
     begin_group(command, group::kInput);
-    CLI::Option* file = command
-                            .add_option("FILE", options.file,
-                                        "G-code (.ngc .nc .gcode .tap) or points (.csv); - reads "
-                                        "G-code from standard input")
-                            ->type_name("");
+    CLI::Option* file =
+        command
+            .add_option("FILE", options.file,
+                        "G-code (.ngc .nc .gcode .tap ..) or points (.csv); - reads "
+                        "G-code from standard input")
+            ->type_name("");
     add_text(command, "--fit", raw.fit, "NAME",
              fmt::format("spline through points: {}; arcs: tangent arcs instead of splines, of "
                          "G-code too",

@@ -75,6 +75,7 @@ Job read_job(const Options& options) {
     }
     job.program.aux_axes = moves.program().aux_axes();
     job.program.warnings = moves.program().warnings();
+    job.dialect = moves.program().dialect();
     set_splines(job, spline);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
     return job;
@@ -85,7 +86,7 @@ Job plan_job(const Options& options) { return JobStream(options).all(); }
 void hold_input(Options& options) {
     if (options.file != ref::kStandardInput || options.program) return;
     options.program = std::make_shared<const ref::Program>(
-        ref::read_program(options.file, options.points, options.open_program));
+        ref::read_program(options.file, options.points, options.open_program, options.dialect));
 }
 
 void raise_feed(ref::Move& move, const Options& options) {

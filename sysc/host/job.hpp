@@ -12,7 +12,8 @@ namespace curvecore::sysc {
 
 struct Job {
     Options options;
-    ref::Program program;  // its moves: of read_job() alone
+    ref::Program program;                 // its moves: of read_job() alone
+    std::optional<ref::Dialect> dialect;  // of G-code that this program's own reader has read
     ref::Machine machine;
     DrawnPlan plan;
     ref::LimitReport limits;

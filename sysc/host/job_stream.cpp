@@ -239,6 +239,7 @@ void JobStream::end() {
     const std::vector<std::string>& read = moves_->program().warnings();
     std::vector<std::string>& warnings = job_.program.warnings;
     warnings.insert(warnings.begin(), read.begin(), read.end());
+    job_.dialect = moves_->program().dialect();
     if (moves_->refused()) warn_of_exact_path(job_);
     warn_of_plan(job_, bounded_, duration_s_);
     if (plan_->forced_stops() > 0) {

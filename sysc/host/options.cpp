@@ -173,6 +173,12 @@ void interpret(const RawOptions& raw, Options& options) {
     options.holds = static_cast<ref::Holds>(choice("--holds", raw.holds, ref::kHoldNames));
     options.exact_path = choice("--path", raw.path, kPathNames) == 1;
     options.open_program = open_program(raw.interpreter, options);
+    if (!raw.dialect.empty()) {
+        if (options.open_program)
+            throw UsageError("--dialect or --interpreter: LinuxCNC reads its own");
+        options.dialect =
+            static_cast<ref::Dialect>(choice("--dialect", raw.dialect, ref::kDialectNames));
+    }
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);
     if (!raw.core.empty() && !raw.board.empty()) {
         throw UsageError("--core or --board: a board has its core");

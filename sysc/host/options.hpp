@@ -26,6 +26,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
+    std::optional<ref::Dialect> dialect;          // of G-code; none: recognised
     ref::OpenProgram open_program;                // by another interpreter than this program's
     std::shared_ptr<const ref::Program> program;  // that was made, in the file's place
     ref::Effort effort = ref::Effort::kOptimum;
@@ -79,6 +80,7 @@ struct RawOptions {
     std::string holds = "branches";
     std::string path = "program";
     std::string interpreter = "curvecore";
+    std::string dialect;
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

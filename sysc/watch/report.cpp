@@ -308,6 +308,7 @@ nlohmann::ordered_json Report::json() const {
             {{"name", check.name}, {"held", check.held}, {"detail", check.detail}});
     }
     json["machine"] = machine_json(job);
+    if (job.dialect) json["dialect"] = ref::name_of(*job.dialect);
     json["warnings"] = job.program.warnings;
     return json;
 }
@@ -323,6 +324,10 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
                                job.plan.segments.size(), job.plan.words(),
                                std::ldexp(static_cast<double>(job.plan.path_length()), -16) *
                                    job.plan.unit_mm));
+    if (job.dialect) {
+        row("dialect", fmt::format("{}{}", ref::name_of(*job.dialect),
+                                   job.options.dialect ? "" : ", recognised"));
+    }
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.exact) row(job.exact->form, cost_text(*job.exact));
     if (job.as_arcs) {

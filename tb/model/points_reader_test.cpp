@@ -45,6 +45,23 @@ TEST(PointsReader, MovesLeadFromPointToPoint) {
     EXPECT_EQ(program.moves[1].line, 3);
 }
 
+TEST(PointsReader, NumbersStandBetweenCommasSemicolonsBlanksOrTabs) {
+    for (const char* text :
+         {"0,0,0\n10,5,1\n20,0,-2\n", "0;0;0\n10 ; 5;1\n20;0;-2\n",
+          "0 0 0\n 10  5\t1 # one\n20\t0\t-2\n", "x y z\n0 0 0\n10 5 1\n20 0 -2\n"}) {
+        const Program program = read(text);
+        ASSERT_EQ(program.moves.size(), 2U) << text;
+        EXPECT_EQ(program.moves[0].end, Vec3(10, 5, 1)) << text;
+        EXPECT_EQ(program.moves[1].end, Vec3(20, 0, -2)) << text;
+    }
+}
+
+TEST(PointsReader, WithoutAColumnZItIsZero) {
+    EXPECT_EQ(read("0,0\n10,4\n20,3\n").moves[0].end, Vec3(10, 4, 0));
+    EXPECT_EQ(read("y;x\n0;0\n10;4\n20;3\n").moves[0].end, Vec3(4, 10, 0));
+    EXPECT_EQ(read("x,y,a\n0,0,0\n10,4,90\n").moves[0].aux_end[0], 90);
+}
+
 TEST(PointsReader, HeaderNamesColumnsInAnyOrderAndCase) {
     const Program program = read(
         "\xEF\xBB\xBF# a curve\r\n\r\n  Z , y,X, C # turned\r\n1,2,3,+45\r\n\t4 ,5, 6,90\r\n"

@@ -97,8 +97,9 @@ TEST(ProgramFlow, SubsHaveArgumentsAndValues) {
 }
 
 TEST(ProgramFlow, SubsHaveNamesOfTheirOwn) {
-    EXPECT_EQ(path("o1 sub\n#<a>=5\n#<_b>=6\nX#<a>\no1 endsub\n#<a>=1\no1 call\nX#<a>\nX#<_b>\n"),
-              "5 1 6");
+    EXPECT_EQ(
+        path("o1 sub\n#<a>=5\n#<_all>=6\nX#<a>\no1 endsub\n#<a>=1\no1 call\nX#<a>\nX#<_all>\n"),
+        "5 1 6");
     EXPECT_EQ(path("o1 sub\nX[10+exists[#<a>]]\no1 endsub\n#<a>=1\no1 call\n"), "10");
 }
 
@@ -109,9 +110,10 @@ TEST(ProgramFlow, SubsCallThemselves) {
 }
 
 TEST(ProgramFlow, SubsMayStandBehindTheirCall) {
-    EXPECT_EQ(path("o1 repeat [2]\no200 call [4]\no1 endrepeat\nX9\no200 sub\nX#1\no200 endsub\n"
+    EXPECT_EQ(path("o1 repeat [2]\n#31=[#31+1]\no200 call [#31]\no1 endrepeat\nX9\no200 "
+                   "sub\nX#1\no200 endsub\n"
                    "X10\nM2\n"),
-              "4 4 9 10");
+              "1 2 9 10");
 }
 
 TEST(ProgramFlow, NumbersOfSubsMayBeComputed) {
@@ -140,6 +142,19 @@ TEST(ProgramFlow, MovesNameTheLineThatAskedForThem) {
     EXPECT_EQ(moves.back().end.x(), 6);
 }
 
+TEST(ProgramFlow, ModesAreKeptAndBroughtBack) {
+    EXPECT_EQ(path("M70\nG20 G91 X1\nM72\nX1\n"), "25.4 1");
+    EXPECT_EQ(path("o1 sub\nM73\nG91 G20 X1\no1 endsub\nX1\no1 call\nX3\no1 call\n"),
+              "1 26.4 3 28.4");
+    EXPECT_EQ(path("o1 sub\nM70\nG91 X1\no1 endsub\nX1\no1 call\nX3\n"), "1 2 5");
+    EXPECT_EQ(path("o1 sub\nM73\nG91 X1\nM71\no1 endsub\nX1\no1 call\nX3\n"), "1 2 5");
+    EXPECT_EQ(refusal("M72\n"),
+              "part.ngc:2: error: M72 without M70 or M73 in this sub, or in the program");
+    EXPECT_EQ(refusal("M70\no1 sub\nM72\no1 endsub\no1 call\n"),
+              "part.ngc:4: error: M72 without M70 or M73 in this sub, or in the program");
+    EXPECT_EQ(refusal("M70 M71\n"), "part.ngc:2: error: M71: one code of M70 to M73 in a block");
+}
+
 /// A program in a folder with these files beside it.
 struct Folder {
     Folder() { fs::create_directories(path); }
@@ -154,9 +169,9 @@ TEST(ProgramFlow, FilesBesideTheProgramAreSubs) {
     const Folder folder;
     folder.write("arc.ngc",
                  "%\n(an arc)\no<arc> sub\no1 if [#1 gt 0]\nX#1\no1 endif\no<arc> endsub\n%\n");
-    folder.write("O0300.nc", "O300\nX3\nM99\n");
+    folder.write("O0300.nc", "O300\n#31=[#31+1]\nX#31\nM99\n");
     const std::string program = folder.path / "part.nc";
-    EXPECT_EQ(path("o<arc> call [7]\no<arc> call [0]\nM98 P300 L2\nX9\n", program), "7 3 3 9");
+    EXPECT_EQ(path("o<arc> call [7]\no<arc> call [0]\nM98 P300 L2\nX9\n", program), "7 1 2 9");
     const auto moves =
         ref::read_gcode_text("G1 F600\n\n\no<arc> call [7]\no<arc> call [8]\n", program).moves;
     EXPECT_EQ(moves[0].line, 4);  // of the program, not of the file that it calls

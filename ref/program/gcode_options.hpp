@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// How G-code is read.
+#pragma once
+
+#include <optional>
+
+#include "ref/curve/fit/cubic_fit.hpp"
+#include "ref/program/dialect.hpp"
+
+namespace curvecore::ref {
+
+struct GcodeOptions {
+    double fit_tolerance = kFitTolerance;  // mm, of NURBS that are no cubics
+    std::optional<Dialect> dialect;        // none: recognised from the program
+};
+
+}  // namespace curvecore::ref
