@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/program/dialect_lines.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "ref/program/code_words.hpp"
 #include "ref/program/fanuc_lines.hpp"
 #include "ref/program/marlin_lines.hpp"
@@ -9,11 +13,16 @@
 namespace curvecore::ref {
 namespace {
 
+bool begins(std::string_view text, std::string_view with) {
+    return text.substr(0, with.size()) == with;
+}
+
 class NgcLines : public DialectLines {
   public:
     void read(std::string_view text, ProgramLine& line, const Place& place) override {
         line.words = words_of(text, place);
-        if (!line.words.empty() && line.words[0] == '$') {
+        refuse_macro(line.words, place);
+        if (begins(line.words, "$")) {
             place.refuse("a line of grbl's: --dialect grbl notes it");
         }
     }
@@ -35,6 +44,20 @@ class GrblLines : public DialectLines {
 };
 
 }  // namespace
+
+void refuse_macro(std::string_view words, const Place& place) {
+    if (begins(words, "/")) words.remove_prefix(1);
+    if (begins(words, "N")) {
+        words.remove_prefix(std::min(words.find_first_not_of("0123456789", 1), words.size()));
+    }
+    for (const std::string_view macro : {"IF[", "WHILE[", "GOTO", "G65P", "G66P"}) {
+        if (!begins(words, macro)) continue;
+        place.refuse(
+            fmt::format("{}.. is of Fanuc's macros: O-words say the same, as o100 if [..] "
+                        "and o100 call [..]",
+                        macro));
+    }
+}
 
 std::unique_ptr<DialectLines> lines_in(Dialect dialect) {
     switch (dialect) {

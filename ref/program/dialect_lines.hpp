@@ -27,6 +27,9 @@ class DialectLines {
     virtual void read(std::string_view text, ProgramLine& line, const Place& place) = 0;
 };
 
+/// @throws InputError for IF [..] GOTO, WHILE [..] DO and G65, which Fanuc's macros are made of
+void refuse_macro(std::string_view words, const Place& place);
+
 std::unique_ptr<DialectLines> lines_in(Dialect dialect);
 
 }  // namespace curvecore::ref

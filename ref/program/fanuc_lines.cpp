@@ -46,6 +46,7 @@ void part_call(std::vector<CodeWord>& words) {
 
 void FanucLines::read(std::string_view text, ProgramLine& line, const Place& place) {
     line.words = words_of(text, place);
+    refuse_macro(line.words, place);
     if (line.words.size() > 1 && line.words[0] == '/' && line.words[1] >= '1' &&
         line.words[1] <= '9') {
         line.words.erase(1, 1);

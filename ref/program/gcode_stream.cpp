@@ -39,6 +39,9 @@ bool GcodeStream::read() {
         number = whole_number('P', block.take('P'), 0, kMostTimes, place);
         if (block.has('L')) times = whole_number('L', block.take('L'), 0, kMostTimes, place);
     }
+    if (call == 99 && block.has('P')) {
+        place.refuse("M99 with P would go on at another block: a call returns to its own");
+    }
     if (!interpreter_.execute(block, place)) return false;
     if (call == 99) return flow_.return_from_number();
     flow_.call_number(number, times);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program may ask the interpreter for: positions and modes, as parameters.
 #include <string_view>
+#include <utility>
 
 #include "ref/program/interpreter.hpp"
 
@@ -56,6 +57,13 @@ void Interpreter::give_values() {
     give("_lathe_radius_mode", [this] { return coordinates_.modes().diameter ? 0 : 1; });
     give("_retract_r_plane", [this] { return modes_.retract_to_r ? 1 : 0; });
     give("_retract_old_z", [this] { return modes_.retract_to_r ? 0 : 1; });
+    const std::pair<const char*, double> constants[] = {
+        {"_vmajor", 2.9},       {"_vminor", 0},         {"_task", 0},
+        {"_remap_level", 0},    {"_metric_machine", 1}, {"_feed_override", 1},
+        {"_speed_override", 1}, {"_adaptive_feed", 0},  {"_feed_hold", 1}};
+    for (const auto& [name, value] : constants) {
+        give(name, [value = value] { return value; });
+    }
 }
 
 }  // namespace curvecore::ref

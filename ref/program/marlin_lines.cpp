@@ -32,6 +32,15 @@ double number_of(const CodeWord& word, const Place& place) {
     return number;
 }
 
+bool is_name(char c) { return (c >= 'A' && c <= 'Z') || c == '_'; }
+
+std::string first_name(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    constexpr std::size_t kLongest = 40;
+    return std::string(
+        text.substr(begin, std::min(text.find_first_of(" \t;", begin) - begin, kLongest)));
+}
+
 /// Without an exponent.
 std::string text_of(double number) { return fmt::format("{:.9f}", number); }
 
@@ -39,6 +48,11 @@ std::string text_of(double number) { return fmt::format("{:.9f}", number); }
 
 void MarlinLines::read(std::string_view text, ProgramLine& line, const Place& place) {
     const std::string code = bare_code(text);
+    if (code.size() > 1 && is_name(code[0]) && is_name(code[1])) {
+        line.note = first_name(text);  // a firmware's own command, as START_PRINT
+        line.waits = true;
+        return;
+    }
     std::vector<CodeWord> words = code_words(code);
     if (words.empty()) {
         if (!code.empty() && code[0] != '*' && code[0] != 'N' && code[0] != '/') {

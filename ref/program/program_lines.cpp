@@ -91,13 +91,16 @@ std::optional<ProgramLine> ProgramLines::next() {
         const Place place{file_, line.number};
         reader_->read(*text, line, place);
         if (line.words.empty() && line.note.empty()) continue;
+        if (!begun_ && line.words[0] == '%') {  // alone, or with the program's name
+            framed_ = begun_ = true;
+            continue;
+        }
         if (line.words != "%") {
             begun_ = true;
             return line;
         }
-        if (begun_ && !framed_) place.refuse("% ends a program that does not begin with %");
-        ended_ = begun_;
-        framed_ = begun_ = true;
+        if (!framed_) place.refuse("% ends a program that does not begin with %");
+        ended_ = true;
     }
     return std::nullopt;
 }

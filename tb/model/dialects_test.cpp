@@ -148,6 +148,13 @@ TEST(Dialects, MarlinsOtherCommandsAreNotedOrWaitedFor) {
     EXPECT_TRUE(warns(program, "M73 in line 10"));
 }
 
+TEST(Dialects, CommandsOfAFirmwareAreNoted) {
+    const Program program = read("START_PRINT BED=60 ; begin\nM83\nG1 X5 E1 F600\nend_print\n");
+    EXPECT_EQ(program.moves.size(), 1U);
+    EXPECT_TRUE(warns(program, "START_PRINT in line 1"));
+    EXPECT_TRUE(warns(program, "end_print in line 4"));
+}
+
 TEST(Dialects, MarlinHomesTheAxesThatItNames) {
     const Program program = read("M83\nG1 X5 Y6 Z7 E1 F600\nG28 X Y\nG28\n");
     EXPECT_EQ(program.moves[1].end, Vec3(0, 0, 7));

@@ -312,6 +312,7 @@ TEST(GcodeReader, NothingIsReadBehindTheEnd) {
     EXPECT_EQ(read("G0 X1\nM2\nrubbish").moves.size(), 1U);
     EXPECT_EQ(read("\n%\nG0 X1\n%\nrubbish").moves.size(), 1U);
     EXPECT_EQ(read("% (part)\nG0 X1\n").moves.size(), 1U);
+    EXPECT_EQ(read("%_N_PART_MPF\nG0 X1\n%\nrubbish").moves.size(), 1U);
 }
 
 TEST(GcodeReader, LinesEndAsOnAnySystem) {

@@ -241,6 +241,15 @@ TEST(ProgramFlow, WhatCannotRunIsRefused) {
          "5: error: o5 endsub where M98 has called o5: M99 ends it"},
         {"o1 sub\no1 call\no1 endsub\no1 call\n",
          "3: error: more than 9 calls in each other: o1 sub is called by itself?"},
+        {"M99 P30\n",
+         "2: error: M99 with P would go on at another block: a call returns to its own"},
+        {"N7 IF [#1 GT 5] GOTO 10\n",
+         "2: error: IF[.. is of Fanuc's macros: O-words say the same, as o100 if [..] and o100 "
+         "call "
+         "[..]"},
+        {"G65 P100 A1\n",
+         "2: error: G65P.. is of Fanuc's macros: O-words say the same, as o100 if [..] and o100 "
+         "call [..]"},
         {"o1 jump\n",
          "2: error: JUMP is no O-word: nothing, sub, call, if, while, do or repeat "
          "stand behind o1"},
