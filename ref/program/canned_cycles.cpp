@@ -110,9 +110,6 @@ void CannedCycles::keep_words(int g_code, bool again, Block& block, const Coordi
             place.refuse(fmt::format("{} without {} ({})", name, letter, what));
         }
     };
-    if (block.has_any("ABCUVW")) {
-        place.refuse(fmt::format("{} takes the axes X, Y and Z only", name));
-    }
     if (modes.feed_mode == FeedMode::kInverseTime) {
         place.refuse(fmt::format("{} and G93 exclude each other", name));
     }
@@ -144,15 +141,16 @@ void CannedCycles::carry_out(int g_code, bool again, Block& block, const Coordin
                              const Modes& modes, const Place& place, const CarryOut& carry_out) {
     keep_words(g_code, again, block, coordinates, modes, place);
     check_spindle(g_code, modes.turning, place);
-    const int repeats = block.has('L') ? whole_number('L', block.use('L'), 1, 9999, place) : 1;
+    const int repeats = block.has('L') ? whole_number('L', block.use('L'), 0, 9999, place) : 1;
     const int normal = modes.normal_axis;
     Point at = coordinates.program_position();
     double height = at[normal];
     if (!initial_) initial_ = height;
+    if (repeats == 0) return;  // the words are kept for blocks to come
     double initial = *initial_;
     Point step{};
-    for (const int axis : {(normal + 1) % 3, (normal + 2) % 3}) {
-        if (!block.has(kAxisLetters[axis])) continue;
+    for (int axis = 0; axis < kAxes; ++axis) {
+        if (axis == normal || !block.has(kAxisLetters[axis])) continue;
         const double number = coordinates.number(block, axis);
         (coordinates.absolute() ? at : step)[axis] = number;
     }
@@ -174,7 +172,7 @@ void CannedCycles::carry_out(int g_code, bool again, Block& block, const Coordin
     carry_out({Kind::kExactPath, {}, 0, ""});
     Drill drill{carry_out, normal, modes.turning, at, r, bottom, modes.retract_to_r ? r : initial};
     for (int n = 0; n < repeats; ++n) {
-        for (int axis = 0; axis < 3; ++axis) drill.at[axis] += step[axis];
+        for (int axis = 0; axis < kAxes; ++axis) drill.at[axis] += step[axis];
         const double over = n == 0 && height > r ? height : drill.clear;
         drill.rapid(over);
         if (over > r) drill.rapid(r);

@@ -166,6 +166,13 @@ std::string_view m_refusal(int code) {
     return "";
 }
 
+/// G70 and G71 are inches and mm to Mach3 and Siemens; LinuxCNC's turning cycles have a Q, others'
+/// these words.
+std::optional<int> units_of(int code, const Block& block) {
+    if ((code != 700 && code != 710) || block.has_any("PQRUWD")) return std::nullopt;
+    return code == 700 ? 200 : 210;
+}
+
 [[noreturn]] void refuse_code(const std::string& name, std::string_view why, const Place& place) {
     place.refuse(why.empty() ? fmt::format("unknown code {}", name)
                              : fmt::format("{}: {}", name, why));
@@ -174,7 +181,8 @@ std::string_view m_refusal(int code) {
 }  // namespace
 
 Codes::Codes(const Block& block, const Place& place) {
-    for (const int code : block.g) {
+    for (const int given : block.g) {
+        const int code = units_of(given, block).value_or(given);
         const std::optional<Group> group = g_group(code);
         if (!group) {
             refuse_code(g_name(code), g_refusal(code), place);

@@ -45,7 +45,10 @@ std::optional<Dialect> DialectFinder::look_at(std::string_view text) {
     if (code.empty()) return std::nullopt;
     ++lines_;
     if (code[0] == '$') return Dialect::kGrbl;
-    if (code.find('#') != std::string::npos) return Dialect::kLinuxcnc;
+    if (code.find('#') != std::string::npos) {
+        if (numbered_) return std::nullopt;  // or a Fanuc's variable
+        return Dialect::kLinuxcnc;
+    }
     const bool number = code[0] == 'O' || code[0] == ':';
     if (number) {
         if (code.find_first_not_of("0123456789", 1) != std::string::npos || code.size() < 2) {

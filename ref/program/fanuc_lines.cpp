@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "ref/program/code_words.hpp"
@@ -42,6 +43,29 @@ void part_call(std::vector<CodeWord>& words) {
     }
 }
 
+/// Haas' smoothing and limits of looking ahead.
+bool is_setting(const CodeWord& word) { return is_code(word, 'G', 187) || is_code(word, 'G', 103); }
+
+/// `#1 = #2 + 1` wants brackets in RS274/NGC.
+void put_brackets(std::string& words) {
+    const std::size_t equals = words.find('=');
+    if (words.empty() || words[0] != '#' || equals == std::string::npos) return;
+    words.insert(equals + 1, 1, '[');
+    words += ']';
+}
+
+/// The number of a radius that nobody asks for: `G43 H1 D1`. @return whether it was there
+bool drop_radius(std::vector<CodeWord>& words) {
+    const auto has = [&words](char letter) {
+        return std::any_of(words.begin(), words.end(),
+                           [letter](const CodeWord& word) { return word.letter == letter; });
+    };
+    if (!has('H') || !has('D')) return false;
+    const auto is_radius = [](const CodeWord& word) { return word.letter == 'D'; };
+    words.erase(std::remove_if(words.begin(), words.end(), is_radius), words.end());
+    return true;
+}
+
 }  // namespace
 
 void FanucLines::read(std::string_view text, ProgramLine& line, const Place& place) {
@@ -52,8 +76,15 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         line.words.erase(1, 1);
     }
     const std::size_t begin = line.words.rfind('/', 0) == 0 ? 1 : 0;
+    put_brackets(line.words);
     if (line.words.find_first_not_of(kPlain, begin) != std::string::npos) return;  // a macro's
     std::vector<CodeWord> words = code_words(line.words);
+    if (!words.empty() && is_setting(words[0])) {
+        line.note = "G" + words[0].number;
+        line.words.clear();
+        return;
+    }
+    const bool changed = end_cycle(words) | drop_radius(words);
     bool dwells = false;
     bool cycle = false;
     bool calls = false;
@@ -80,13 +111,29 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         }
     }
     if (calls) part_call(words);
-    if (!dwells && !calls && !cycle && !scaled) return;
+    if (!dwells && !calls && !cycle && !scaled && !changed) return;
     line.words = text_of(words);
     if (scaled) {
         line.warning =
             "an axis' number without a point counts in 0.001 mm or 0.0001 inch, as on a Fanuc; "
             "--dialect linuxcnc takes it as it stands";
     }
+}
+
+bool FanucLines::end_cycle(std::vector<CodeWord>& words) {
+    bool ends = false;
+    bool moves = false;
+    for (const CodeWord& word : words) {
+        ends = ends || is_code(word, 'G', 80);
+        for (int code = 0; code <= 3; ++code) {
+            if (!is_code(word, 'G', code)) continue;
+            moves = true;
+            motion_ = code == 0 ? "0" : "1";
+        }
+    }
+    if (!ends || moves || motion_.empty()) return false;
+    words.push_back({'G', motion_});
+    return true;
 }
 
 }  // namespace curvecore::ref

@@ -2,6 +2,7 @@
 // Fanuc's lines: numbers of axes without a point, G4, M98 and '/2'. Macros are not among them.
 #pragma once
 
+#include "ref/program/code_words.hpp"
 #include "ref/program/dialect_lines.hpp"
 
 namespace curvecore::ref {
@@ -11,7 +12,11 @@ class FanucLines : public DialectLines {
     void read(std::string_view text, ProgramLine& line, const Place& place) override;
 
   private:
+    /// Behind G80 the motion from before the cycle is in force again. @return whether words changed
+    bool end_cycle(std::vector<CodeWord>& words);
+
     bool inches_ = false;
+    std::string motion_;  // number of the G code; empty: none yet
 };
 
 }  // namespace curvecore::ref

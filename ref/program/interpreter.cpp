@@ -95,6 +95,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         modes_.speed = speed;
         moves_.leave_out("S", place, speed);
     }
+    if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its fastest
     if (block.has('T')) {
         whole_number('T', block.use('T'), 0, 99999, place);
         moves_.leave_out("T", place);

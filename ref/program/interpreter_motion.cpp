@@ -185,9 +185,9 @@ Eigen::Vector2d Interpreter::plane_centre(Block& block, const Eigen::Vector2d& s
     const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
     const std::array<char, 2> letters = {kOffsetLetters[axes[0]], kOffsetLetters[axes[1]]};
     const int given = int{block.has(letters[0])} + int{block.has(letters[1])};
-    if (block.has(kOffsetLetters[modes_.normal_axis])) {
-        place.refuse(fmt::format("{} with an arc in the {}{} plane",
-                                 kOffsetLetters[modes_.normal_axis], kAxisLetters[axes[0]],
+    const char beside = kOffsetLetters[modes_.normal_axis];  // 0 as some posts write it
+    if (block.has(beside) && block.use(beside) != 0) {
+        place.refuse(fmt::format("{} with an arc in the {}{} plane", beside, kAxisLetters[axes[0]],
                                  kAxisLetters[axes[1]]));
     }
     if (given == 0) {

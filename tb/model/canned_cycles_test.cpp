@@ -57,6 +57,18 @@ TEST(CannedCycles, DrillAndReturnToWhereTheRowBeganOrToR) {
     EXPECT_EQ(moves("G81 X3 Y4 Z-5 R1"), "R3,4,10 R3,4,1 F3,4,-5 R3,4,1") << "G99 at first";
 }
 
+TEST(CannedCycles, AreKeptForLaterPlacesByL0) {
+    EXPECT_EQ(moves("G99 G81 Z-5 R1 L0\nX3 Y4"), "R3,4,10 R3,4,1 F3,4,-5 R3,4,1");
+}
+
+TEST(CannedCycles, GoToThePlaceWithEveryAxis) {
+    const Program program = read("G99 G81 A30 Z-5 R1\nA60");
+    ASSERT_EQ(program.moves.size(), 8U);
+    EXPECT_TRUE(program.moves[1].rapid);
+    EXPECT_EQ(program.moves[1].aux_end[0], 30);
+    EXPECT_EQ(program.moves[7].aux_end[0], 60);
+}
+
 TEST(CannedCycles, RiseToRFirstWhereTheyBeginBelow) {
     EXPECT_EQ(moves("G0 Z0\nG98 G81 X3 Y4 Z-5 R1"), "R1,2,0 R1,2,1 R3,4,1 F3,4,-5 R3,4,1");
 }
@@ -127,9 +139,8 @@ TEST(CannedCycles, SayWhatIsWrong) {
               "part.ngc:4: error: G84 wants the spindle to turn: M3 before it");
     EXPECT_EQ(refusal("G82 X3 Z-5 R1"),
               "part.ngc:3: error: G82 without P (seconds of rest; 0 for none)");
-    EXPECT_EQ(refusal("G81 X3 Z-5 R1 L0"),
-              "part.ngc:3: error: L must be a whole number from 1 to 9999, not 0");
-    EXPECT_EQ(refusal("G81 A3 Z-5 R1"), "part.ngc:3: error: G81 takes the axes X, Y and Z only");
+    EXPECT_EQ(refusal("G81 X3 Z-5 R1 L-1"),
+              "part.ngc:3: error: L must be a whole number from 0 to 9999, not -1");
     EXPECT_EQ(refusal("G81"), "part.ngc:3: error: G81 without axis words");
 }
 

@@ -57,6 +57,8 @@ TEST(Dialects, AreRecognisedByWhatNoOtherHas) {
     EXPECT_EQ(recognised("M67 E0 Q5\nG1 X1\nM104 P1\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("O1 sub\nG0 X1.\nO1 endsub\nO7\nG1 X1.\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("(G1 E5 (G1 E6) E7)\n;M82\nG1 X1\n"), Dialect::kLinuxcnc);
+    EXPECT_EQ(recognised("O7\n#1=5.\nG1 X#1 Y2\n"), Dialect::kLinuxcnc);
+    EXPECT_EQ(recognised("O7\n#1=5.\nG1 Y2. F60\n"), Dialect::kFanuc);
     EXPECT_EQ(recognised("G1 X1e3\n"), Dialect::kLinuxcnc);  // a number of another language
 }
 
@@ -105,6 +107,21 @@ TEST(Dialects, FanucsCyclesHaveMillisecondsAndTimes) {
     EXPECT_EQ(lowest, -6);
     EXPECT_EQ(dwell, 1);
     EXPECT_EQ(program.moves.back().end.x(), 21);
+}
+
+TEST(Dialects, BehindFanucsG80TheMotionBeforeTheCycleIsInForce) {
+    const std::string cycle = "G99 G81 X10. Z-5. R1. F100\nG80\nX20.\n";
+    EXPECT_TRUE(read("O1\nG0 Z9.\n" + cycle).moves.back().rapid);
+    EXPECT_EQ(read("O1\nG0 Z9.\nG1 Z8. F600\n" + cycle).moves.back().feed, 100 / 60.0);
+    EXPECT_EQ(refusal("G0 Z9.\n" + cycle).substr(0, 10), "part.nc:4:");
+}
+
+TEST(Dialects, FanucsSumsRadiiAndSettings) {
+    const Program program =
+        read("O1\nG187 P2\nN5 G187\nG0 G43 H1 D1 Z5.\n#1=10.\n#1=#1+2.5\nG1 X#1 F600\nM30\n");
+    EXPECT_EQ(program.moves.back().end.x(), 12.5);
+    EXPECT_TRUE(warns(program, "G187 in lines 2 and 3"));
+    EXPECT_EQ(refusal("#1=10.\n#1=#1+2.5\n").substr(0, 10), "part.nc:2:");
 }
 
 TEST(Dialects, FanucCallsWithTimesAhead) {

@@ -47,6 +47,15 @@ TEST(GcodeCodes, AMotionCodeStandsBesideG80InAnyOrder) {
               "part.ngc:3: error: axis words, but no motion code (G0 G1 G2 G3) is in force");
 }
 
+TEST(GcodeCodes, PostsWriteUnitsAndCentresInTheirWay) {
+    EXPECT_EQ(last("G70\nG1 X1").end.x(), 25.4);
+    EXPECT_EQ(last("G20\nG71 G91.1\nG1 X1").end.x(), 1);
+    EXPECT_EQ(last("G2 X2 I1 K0").kind, Move::Kind::kArc);
+    EXPECT_EQ(refusal("G2 X2 I1 K1"), "part.ngc:2: error: K with an arc in the XY plane");
+    EXPECT_EQ(refusal("G71 Q100").substr(0, 18), "part.ngc:2: error:");
+    EXPECT_EQ(refusal("G71 U2 R1").substr(0, 18), "part.ngc:2: error:");
+}
+
 /// Ends of a program's moves behind its first.
 std::vector<Vec3> ends(const std::string& text) {
     std::vector<Vec3> points;

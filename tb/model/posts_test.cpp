@@ -105,5 +105,12 @@ TEST(PostsTables, HaveEveryProgram) {
     EXPECT_EQ(rows, files);
 }
 
+TEST(PostsTables, PointsWithoutZLieInItsPlane) {
+    const Program program = ref::read_program(std::string(DATA_DIR) + "/cases/xy_points.csv", {});
+    ASSERT_EQ(program.moves.size(), 3U);
+    for (const Move& move : program.moves) EXPECT_EQ(move.end.z(), 0);
+    EXPECT_EQ(program.moves.back().end, Vec3(30, 9, 0));
+}
+
 }  // namespace
 }  // namespace curvecore::tb

@@ -1,0 +1,23 @@
+; probe Z, then drill
+$X
+G21
+G90
+G91
+G38.2 Z-15 F40
+G90
+G10 L20 P1 Z12.5
+G91
+G0 Z5
+G90
+M0 (remove the plate)
+M3 S10000
+G0 X10 Y0
+G0 Z2
+G1 Z-4 F100
+G0 Z2
+G0 X30 Y0
+G1 Z-4
+G0 Z15
+M5
+G0 X0 Y0
+M30

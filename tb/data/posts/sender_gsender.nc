@@ -1,0 +1,29 @@
+; gSender surfacing
+; bit diameter 22 mm, stepover 40 %
+$H
+(Header)
+G54
+G21
+G90
+M3 S17000
+G04 P4
+G0 Z3
+G28.1
+G1 Z-0.25 F300
+G1 X0 Y0 F2000
+G1 X0 Y80
+G1 X60 Y80
+G1 X60 Y0
+G1 X0 Y0
+G1 X8.8 Y8.8
+G1 X8.8 Y71.2
+G1 X51.2 Y71.2
+G1 X51.2 Y8.8
+G1 X8.8 Y8.8
+G0 Z3
+(Footer)
+M5
+G28 G91 Z0
+G90
+G0 X0 Y0
+M30
