@@ -18,9 +18,6 @@ bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 /// What stands where a word should begin.
 [[noreturn]] void refuse_character(char c, const Place& place) {
     switch (c) {
-        case '@':
-        case '^':
-            place.refuse(fmt::format("polar coordinates ({}) are not supported", c));
         case '%':
             place.refuse("% must stand alone on its line");
         default:
@@ -47,6 +44,13 @@ Block::Block(const std::string& words, const Place& place, ProgramParameters& pa
         const char letter = reader.peek();
         if (letter == '#') {
             read_assignment(reader, parameters);
+            continue;
+        }
+        if (letter == '@' || letter == '^') {
+            std::optional<double>& polar = letter == '@' ? polar_radius : polar_angle;
+            if (polar) place.refuse(fmt::format("{} twice in one block", letter));
+            reader.skip();
+            polar = reader.value(std::string(1, letter));
             continue;
         }
         if (!is_letter(letter)) refuse_character(letter, place);
@@ -123,6 +127,11 @@ bool Block::has_any(std::string_view letters) const {
 double Block::use(char letter) {
     used_.set(letter - 'A');
     return value_[letter - 'A'];
+}
+
+void Block::give(char letter, double number) {
+    given_.set(letter - 'A');
+    value_[letter - 'A'] = number;
 }
 
 double Block::take(char letter) {

@@ -29,11 +29,15 @@ class Block {
     /// @throws InputError for anything that is not a word, and for a word that stands twice.
     Block(const std::string& words, const Place& place, ProgramParameters& parameters);
 
-    bool empty() const { return given_.none() && g.empty() && m.empty(); }
+    bool empty() const {
+        return given_.none() && g.empty() && m.empty() && !polar_radius && !polar_angle;
+    }
     bool has(char letter) const { return given_[letter - 'A']; }
     bool has_any(std::string_view letters) const;
     /// The number behind `letter`, which counts as used from here on.
     double use(char letter);
+    /// As if it stood there.
+    void give(char letter, double number);
     /// The number behind `letter`, which is in the block no more.
     double take(char letter);
     /// One of these M codes, which is in the block no more.
@@ -42,6 +46,8 @@ class Block {
     /// @throws InputError when a letter was given and not used
     void check_all_used(const Place& place) const;
 
+    std::optional<double> polar_radius;  // @
+    std::optional<double> polar_angle;   // ^, degrees
     std::vector<int> g;
     std::vector<int> m;
 

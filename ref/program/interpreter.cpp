@@ -43,6 +43,7 @@ bool Interpreter::execute(Block block, const Place& place) {
     if (action && action != 40 && action != 530) {
         set_offsets(*action, block, codes, place);
     }
+    resolve_polar(block, codes, place);
     move(block, codes, place);
     use_leftovers(block, place);
     const std::optional<int> end = codes.of(Group::kStop);

@@ -53,6 +53,7 @@ class Interpreter {
 
   private:
     void give_values();
+    void resolve_polar(Block& block, const Codes& codes, const Place& place) const;
     void set_feed(Block& block, const Codes& codes, const Place& place);
     void use_spindle_and_tool(Block& block, const Codes& codes, const Place& place);
     void set_modes(Block& block, const Codes& codes, const Place& place);

@@ -272,12 +272,14 @@ void ProgramFlow::define(const OWord& word) {
 
 void ProgramFlow::end_sub(const OWord& word) {
     Run* const sub = running_sub();
-    if (sub == nullptr || sub->word.label != word.label) {
-        place().refuse(fmt::format("{} outside of o{} sub", word.name(), word.label));
+    const bool returns = word.kind == Kind::kReturn;  // whatever its label
+    if (sub == nullptr || (!returns && sub->word.label != word.label)) {
+        place().refuse(returns ? fmt::format("{} outside of a sub", word.name())
+                               : fmt::format("{} outside of o{} sub", word.name(), word.label));
     }
     if (sub->kind == Run::Kind::kNumber) {
         place().refuse(
-            fmt::format("{} where M98 has called o{}: M99 ends it", word.name(), word.label));
+            fmt::format("{} where M98 has called {}: M99 ends it", word.name(), sub->word.name()));
     }
     if (word.kind == Kind::kEndsub && !sub->ifs.empty()) {
         place().refuse(

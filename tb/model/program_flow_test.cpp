@@ -96,6 +96,12 @@ TEST(ProgramFlow, SubsHaveArgumentsAndValues) {
               "12 1 3");
 }
 
+TEST(ProgramFlow, ReturnHasAnyLabel) {
+    EXPECT_EQ(path("o1 sub\no2 if [#1 gt 5]\no2 return [9]\no2 endif\nX1\no1 endsub\n"
+                   "o1 call [6]\nX#<_value>\no1 call [5]\n"),
+              "9 1");
+}
+
 TEST(ProgramFlow, SubsHaveNamesOfTheirOwn) {
     EXPECT_EQ(
         path("o1 sub\n#<a>=5\n#<_all>=6\nX#<a>\no1 endsub\n#<a>=1\no1 call\nX#<a>\nX#<_all>\n"),
@@ -225,7 +231,7 @@ TEST(ProgramFlow, WhatCannotRunIsRefused) {
         {"o1 repeat [1]\no2 sub\no2 endsub\no1 endrepeat\n",
          "3: error: o2 sub inside of o1 repeat: a sub is defined on its own"},
         {"o1 endsub\n", "2: error: o1 endsub outside of o1 sub"},
-        {"o1 return\n", "2: error: o1 return outside of o1 sub"},
+        {"o1 return\n", "2: error: o1 return outside of a sub"},
         {"o1 sub\no2 if [1]\no1 endsub\no1 call\n",
          "4: error: o1 endsub within o2 if, which began in the sub"},
         {"o1 call\n",

@@ -230,6 +230,20 @@ TEST(Parameters, HavePositionsAndModes) {
     EXPECT_EQ(last("F300\nG1 X#<_feed> Y#<_metric> Z#<_absolute>\n").end, ref::Vec3(300, 1, 1));
 }
 
+TEST(Polar, CoordinatesAreThoseOfTheProgramsZero) {
+    const auto near = [](const std::string& text, double x, double y) {
+        const ref::Move move = last(text);
+        EXPECT_NEAR(move.end.x(), x, 1e-12) << text;
+        EXPECT_NEAR(move.end.y(), y, 1e-12) << text;
+    };
+    near("G1 @10 ^30\n", 10 * std::sqrt(0.75), 5);
+    near("G1 X3 Y4\n@10\n", 6, 8);
+    near("G1 X3 Y4\n^90\n", 0, 5);
+    near("G1 X3 Y4\nG91 @5 ^90\n", -8, 6);
+    near("G92 X-10\nG20 G1 @1 ^[45+45] Z1\n", 10, 25.4);
+    near("G1 @10 ^0\nG3 @10 ^90 I-10 J0\n", 0, 10);
+}
+
 TEST(Parameters, AreRefusedWithTheirLine) {
     const std::pair<const char*, const char*> cases[] = {
         {"#5420=1", "#5420 can only be read"},
@@ -243,6 +257,12 @@ TEST(Parameters, AreRefusedWithTheirLine) {
         {"G#30.5 X1", "# wants a whole number, not 30.5"},
         {"G[1.05] X1", "G1.05 is not a code"},
         {"M[-3]", "M-3 is not a code"},
+        {"G1 @5", "polar coordinates want the angle (^) in G90: the program's zero has none"},
+        {"G91 G1 @5 ^3",
+         "polar coordinates want the angle (^) in G90: the program's zero has none"},
+        {"G1 @5 ^3 X2", "polar coordinates (@ ^) beside X or Y"},
+        {"G53 G1 @5 ^3", "polar coordinates (@ ^) are of motion, not of G53"},
+        {"G1 @5 @3", "@ twice in one block"},
         {"[1]", "'[' where a word should begin"},
     };
     for (const auto& [text, reason] : cases) {
