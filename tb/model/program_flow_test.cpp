@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "ref/program/gcode_reader.hpp"
+#include "ref/program/gcode_stream.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -197,11 +199,25 @@ TEST(ProgramFlow, FilesBesideTheProgramAreSubs) {
     EXPECT_THROW(path("o<empty> call\n", program), InputError);
 }
 
-TEST(ProgramFlow, LongTextsPassInConstantMemoryAndLoopsOnlyKeepTheirLines) {
-    std::string text = "#1=0\no1 repeat [1000]\nX[#1+1]\n#1=[#1+1]\no1 endrepeat\n";
-    const auto moves = ref::read_gcode_text("G90 G1 F600\n" + text, "part.ngc").moves;
-    ASSERT_EQ(moves.size(), 1000U);
-    EXPECT_EQ(moves.back().end.x(), 1000);
+/// How many lines were read when the first move came.
+int lines_read(const std::string& begin, std::optional<ref::Dialect> dialect) {
+    std::string all = begin;
+    for (int i = 0; i < 5000; ++i) all += "X" + std::to_string(i + 10) + "\n";
+    std::istringstream text(all);
+    ref::GcodeStream stream(text, "part.ngc", {ref::kFitTolerance, dialect});
+    ref::Move move;
+    EXPECT_TRUE(stream.next(move));
+    const auto read = all.begin() + text.tellg();
+    return static_cast<int>(std::count(all.begin(), read, '\n'));
+}
+
+TEST(ProgramFlow, TextIsReadWhileItIsCarriedOut) {
+    const ref::Dialect ngc = ref::Dialect::kLinuxcnc;
+    EXPECT_EQ(lines_read("G1 F600\n", ngc), 3);
+    EXPECT_EQ(lines_read("G1 F600\n", {}), 200);  // to recognise the dialect
+    EXPECT_EQ(lines_read("G1 F600\no1 repeat [9]\nX1\nX2\no1 endrepeat\n", ngc), 5);
+    EXPECT_EQ(lines_read("G1 F600\no1 sub\nX1\no1 endsub\nX5\no1 call\n", ngc), 6);
+    EXPECT_EQ(lines_read("G1 F600\nM98 P5\nM30\nO5\nX1\nX2\nM99\n", ngc), 5007);
 }
 
 TEST(ProgramFlow, WhatCannotRunIsRefused) {
