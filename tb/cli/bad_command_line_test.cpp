@@ -178,7 +178,8 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"MachineMissing", with({"--machine", "none.ini"}), "none.ini: error: no such file"},
     {"KindOfFileUnknown",
      {"plan", "part.step", "-o", "out"},
-     "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .csv are read"},
+     "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .ncf .cnc .eia .mpf .txt .gco "
+     ".gc .g .iso .din are read as G-code, .csv as points; - reads standard input"},
     {"FitUnknown", with({"--fit", "cubic"}),
      "curvecore: error: --fit 'cubic': must be one of bessel, akima, natural, clamped, hermite, "
      "moments, quintic, c2, arcs"},

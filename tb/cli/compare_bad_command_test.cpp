@@ -177,7 +177,8 @@ const std::vector<BadComparison> kBadComparisons{
     {"FileMissing", {"none.ngc"}, "none.ngc: error: no such file"},
     {"KindOfFileUnknown",
      {"part.step"},
-     "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .csv are read"},
+     "part.step: error: unknown kind of file: .ngc .nc .gcode .tap .ncf .cnc .eia .mpf .txt .gco "
+     ".gc .g .iso .din are read as G-code, .csv as points; - reads standard input"},
     {"UnknownDevice",
      {"--device", "ecp5-26"},
      "curvecore: error: --device 'ecp5-26': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
