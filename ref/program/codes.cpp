@@ -166,11 +166,13 @@ std::string_view m_refusal(int code) {
     return "";
 }
 
-/// G70 and G71 are inches and mm to Mach3 and Siemens; LinuxCNC's turning cycles have a Q, others'
-/// these words.
-std::optional<int> units_of(int code, const Block& block) {
-    if ((code != 700 && code != 710) || block.has_any("PQRUWD")) return std::nullopt;
-    return code == 700 ? 200 : 210;
+/// What LinuxCNC calls another controller's code. G70 and G71 are inches and mm to Mach3 and
+/// Siemens, and cycles of turning with these words; G31 is Fanuc's and Mach3's probing.
+int as_linuxcnc(int code, const Block& block) {
+    const bool cycle = block.has_any("PQRUWD");
+    if (code == 700 && !cycle) return 200;
+    if (code == 710 && !cycle) return 210;
+    return code == 310 ? 382 : code;
 }
 
 [[noreturn]] void refuse_code(const std::string& name, std::string_view why, const Place& place) {
@@ -182,7 +184,7 @@ std::optional<int> units_of(int code, const Block& block) {
 
 Codes::Codes(const Block& block, const Place& place) {
     for (const int given : block.g) {
-        const int code = units_of(given, block).value_or(given);
+        const int code = as_linuxcnc(given, block);
         const std::optional<Group> group = g_group(code);
         if (!group) {
             refuse_code(g_name(code), g_refusal(code), place);

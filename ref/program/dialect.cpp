@@ -34,6 +34,10 @@ bool for_extruders(const std::vector<CodeWord>& words, std::string_view text) {
         return std::any_of(words.begin(), words.end(),
                            [letter](const CodeWord& word) { return word.letter == letter; });
     };
+    const auto is_output = [](const CodeWord& word) {  // LinuxCNC's M67 E2 Q25 behind a motion
+        return word.letter == 'M' && one_of(word.number, {"67", "68"});
+    };
+    if (std::any_of(words.begin(), words.end(), is_output)) return false;
     return (moves && has('E') && has_extruder(text)) || (heats && has('S')) ||
            one_of(first, {"M82", "M83"});
 }

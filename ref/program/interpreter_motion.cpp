@@ -18,6 +18,9 @@ constexpr std::string_view kOffsetLetters = "IJK";
 bool is_arc(int motion) { return motion == 20 || motion == 30; }
 bool is_space_arc(int motion) { return motion == 24 || motion == 34; }
 bool is_spline(int motion) { return motion == 50 || motion == 51; }
+constexpr int kProbedX = 5061;  // .. 5069
+constexpr int kProbeTripped = 5070;
+
 bool is_probing(int motion) { return motion >= 382 && motion <= 385; }
 
 /// G5 P.., G5.1 Q.. of Fanuc.
@@ -102,6 +105,10 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
         if (is_probing(motion_)) {
             moves_.warn("a probing move is drawn to its end", place);
             moves_.stop();
+            for (int axis = 0; axis < kAxes; ++axis) {
+                parameters_.set(kProbedX + axis, coordinates_.programmed(axis));
+            }
+            parameters_.set(kProbeTripped, 0);
         }
     }
 }

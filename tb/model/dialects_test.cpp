@@ -59,6 +59,7 @@ TEST(Dialects, AreRecognisedByWhatNoOtherHas) {
     EXPECT_EQ(recognised("(G1 E5 (G1 E6) E7)\n;M82\nG1 X1\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("O7\n#1=5.\nG1 X#1 Y2\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("O7\n#1=5.\nG1 Y2. F60\n"), Dialect::kFanuc);
+    EXPECT_EQ(recognised("G1 X1 M67 E0 Q5\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("G1 X1e3\n"), Dialect::kLinuxcnc);  // a number of another language
 }
 
