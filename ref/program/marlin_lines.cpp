@@ -93,7 +93,10 @@ void MarlinLines::read_g(std::vector<CodeWord> words, ProgramLine& line, const P
     const std::string number = words[0].number;
     const int code = std::atoi(number.c_str());
     const bool tenths = number.find('.') != std::string::npos;
-    if (tenths || holds({17, 18, 19, 53, 54, 55, 56, 57, 58, 59, 93, 94}, code)) {
+    if (holds({10, 11, 12, 26, 27, 29, 30, 31, 32, 33, 34, 35, 42, 76, 80, 425}, code)) {
+        line.note = "G" + number;
+        line.waits = waits('G', code);
+    } else if (tenths || holds({17, 18, 19, 53, 54, 55, 56, 57, 58, 59, 93, 94}, code)) {
         line.words = text_of(words);
     } else if (holds({0, 1, 2, 3, 5}, code)) {
         if (code == 0) words[0].number = "1";
@@ -114,9 +117,6 @@ void MarlinLines::read_g(std::vector<CodeWord> words, ProgramLine& line, const P
         line.words = text_of(words);
     } else if (code == 92) {
         line.words = redefined(words, place);
-    } else if (holds({10, 11, 12, 26, 27, 29, 30, 31, 32, 33, 34, 35, 42, 76, 80, 425}, code)) {
-        line.note = "G" + number;
-        line.waits = waits('G', code);
     } else {
         place.refuse(
             fmt::format("G{} is not known of Marlin (--dialect linuxcnc, if the program "

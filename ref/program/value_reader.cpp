@@ -14,7 +14,6 @@ constexpr double kEqual = 1e-6;    // of EQ NE GE LE
 constexpr int kMostFigures = 100;  // no number so short leaves a double's range
 constexpr int kDeepest = 100;      // brackets and signs in each other
 constexpr double kDegree = M_PI / 180;
-constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }

@@ -156,14 +156,15 @@ TEST(Dialects, MarlinsRelativeModesAndInchesReachTheExtruder) {
 
 TEST(Dialects, MarlinsOtherCommandsAreNotedOrWaitedFor) {
     const Program program = read(
-        "M140 S60\nM117 It's (hot; \xC3\xA9\nG28 W\nG29\nT0\nG1 X5 F600 E1\nM106 S255\n"
+        "M140 S60\nM117 It's (hot; \xC3\xA9\nG28 W\nG29\nG29.1 S2\nT0\nG1 X5 F600 E1\nM106 S255\n"
         "G1 X6 E2\nM400\nM73 P5 R2\nN12 G1 X7 E3*55\nG4 S2\nG4 P500\nG1 X8\nM84\n");
     ASSERT_EQ(program.moves.size(), 4U);
     EXPECT_FALSE(program.moves[0].exact_stop);
     EXPECT_TRUE(program.moves[1].exact_stop);
     EXPECT_EQ(program.moves[2].dwell, 2.5);
-    EXPECT_TRUE(warns(program, "M106 in line 7"));
-    EXPECT_TRUE(warns(program, "M73 in line 10"));
+    EXPECT_TRUE(warns(program, "G29.1 in line 5"));
+    EXPECT_TRUE(warns(program, "M106 in line 8"));
+    EXPECT_TRUE(warns(program, "M73 in line 11"));
 }
 
 TEST(Dialects, CommandsOfAFirmwareAreNoted) {
