@@ -84,7 +84,8 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         line.words.clear();
         return;
     }
-    const bool changed = end_cycle(words) | drop_radius(words);
+    const bool ended = end_cycle(words);
+    const bool dropped = drop_radius(words);
     bool dwells = false;
     bool cycle = false;
     bool calls = false;
@@ -111,7 +112,7 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         }
     }
     if (calls) part_call(words);
-    if (!dwells && !calls && !cycle && !scaled && !changed) return;
+    if (!dwells && !calls && !cycle && !scaled && !ended && !dropped) return;
     line.words = text_of(words);
     if (scaled) {
         line.warning =
