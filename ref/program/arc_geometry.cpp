@@ -78,7 +78,7 @@ PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& en
     if (chord.norm() < kSamePoint) {
         throw ArcError("R with equal ends: a full circle needs a centre");
     }
-    if (half > std::abs(radius) + tolerance.always / 2) {
+    if (half > std::abs(radius) + tolerance.reach / 2) {
         throw ArcError(fmt::format("R is too small: the ends are {:.6g} mm apart", 2 * half));
     }
     // Half a circle where roundings of the numbers alone are between: the centre would move by the

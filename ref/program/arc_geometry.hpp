@@ -17,20 +17,25 @@ class ArcError : public std::runtime_error {
 constexpr int kMostTurns = 10000;
 constexpr double kSameDirection = 1e-9;  // mm along the circle: ends so near make a whole turn
 
-/// By how much an arc's radii at both ends may differ: `always` mm, or `most` mm and 0.1 %.
+/// By how much an arc's radii at both ends may differ: `always` mm, or `most` mm and 0.1 %. By how
+/// much ends may be farther apart than a given radius reaches: `reach` mm.
 struct ArcTolerance {
     double always;
     double most;
+    double reach;
 
     bool holds(double r_start, double r_end) const;
 };
 
-/// LinuxCNC's, as its documentation states them, of programs in mm and in inches.
-constexpr ArcTolerance kArcToleranceMm{0.005, 0.5};
-constexpr ArcTolerance kArcToleranceInch{0.0005 * 25.4, 0.05 * 25.4};
+constexpr ArcTolerance arc_tolerance(double always, double reach) {
+    return {always, 100 * always, reach};
+}
+/// Those of LinuxCNC's interpreter, of programs in mm and in inches.
+constexpr ArcTolerance kArcToleranceMm = arc_tolerance(0.02 * 1.41421356237309505, 0.005);
+constexpr ArcTolerance kArcToleranceInch =
+    arc_tolerance(0.002 * 25.4 * 1.41421356237309505, 0.0005 * 25.4);
 /// Of arcs that another controller's interpreter has accepted.
-constexpr ArcTolerance kAnyArc{std::numeric_limits<double>::infinity(),
-                               std::numeric_limits<double>::infinity()};
+constexpr ArcTolerance kAnyArc = arc_tolerance(std::numeric_limits<double>::infinity(), 0);
 
 /// In a plane seen from the tip of its normal, counter-clockwise positive:
 ///
@@ -50,7 +55,7 @@ PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& en
                          const ArcTolerance& tolerance);
 
 /// Arc with a given radius: up to half a turn for a positive one, above it for a negative one.
-/// Ends farther apart than 2 R by up to `tolerance.always` make a half circle about their middle.
+/// Ends farther apart than 2 R by up to `tolerance.reach` make a half circle about their middle.
 /// @throws ArcError
 PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& end, double radius,
                          bool clockwise, int turns, const ArcTolerance& tolerance);

@@ -62,6 +62,9 @@ std::string space_arc(const std::string& file, const Move& move, const std::stri
     return text;
 }
 
+/// What LinuxCNC's documentation promises.
+constexpr ArcTolerance kWrittenTolerance = arc_tolerance(0.005, 0);
+
 /// Parts of an arc whose radii at both ends differ by more than a program in mm may say. Of a part
 /// the reader makes the travel within the plane that is not along the end's radius a turning: off
 /// by an eighth of that travel times the part's angle.
@@ -69,9 +72,9 @@ std::vector<Move> readable(const Move& move) {
     constexpr double kOff = 1e-6;  // mm
     const double radius = (move.start - move.centre).norm();
     const double drift = (move.advance - move.normal * move.normal.dot(move.advance)).norm();
-    if (kArcToleranceMm.holds(radius, radius - drift)) return {move};
-    const double count = std::ceil(
-        std::max(drift / (0.9 * kArcToleranceMm.always), std::sqrt(drift * move.angle / 8 / kOff)));
+    if (kWrittenTolerance.holds(radius, radius - drift)) return {move};
+    const double count = std::ceil(std::max(drift / (0.9 * kWrittenTolerance.always),
+                                            std::sqrt(drift * move.angle / 8 / kOff)));
     const double length = move.length();
     std::vector<Move> parts;
     for (double i = 0; i < count; ++i) {

@@ -73,6 +73,8 @@ class Interpreter {
     void arc(Block& block, const Place& place);
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
+    void check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
+                     const Eigen::Vector2d& centre, const Place& place) const;
     const ArcTolerance& arc_tolerance() const {
         return coordinates_.inches() ? kArcToleranceInch : kArcToleranceMm;
     }

@@ -162,6 +162,7 @@ void Interpreter::arc(Block& block, const Place& place) {
             asked = AskedArc::of_radius(move.start, move.end, radius, asked.normal, turns);
         } else {
             const Eigen::Vector2d centre = plane_centre(block, start, place);
+            check_radii(start, end, centre, place);
             found = arc_with_centre(start, end, centre, clockwise, turns, arc_tolerance());
             asked.centre[first] = centre.x();
             asked.centre[second] = centre.y();
@@ -185,6 +186,36 @@ void Interpreter::arc(Block& block, const Place& place) {
         *vector = coordinates_.turned(*vector);
     }
     add(move, target, place);
+}
+
+/// Refuses a centre that does not fit both ends, with one that does.
+void Interpreter::check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
+                              const Eigen::Vector2d& centre, const Place& place) const {
+    const ArcTolerance& tolerance = arc_tolerance();
+    const auto fits = [&](const Eigen::Vector2d& point) {
+        return tolerance.holds((start - point).norm(), (end - point).norm());
+    };
+    if (fits(centre) || centre == start || centre == end) return;
+    const Eigen::Vector2d chord = (end - start).normalized();
+    const Eigen::Vector2d nearest = centre - chord * chord.dot(centre - (start + end) / 2);
+    const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
+    std::string words;
+    Eigen::Vector2d as_absolute;
+    for (int i = 0; i < 2; ++i) {
+        const double zero = coordinates_.absolute_centre(axes[i], 0);
+        const double from = modes_.absolute_centre ? zero : start[i];
+        words += fmt::format(" {}{:.6g}", kOffsetLetters[axes[i]],
+                             (nearest[i] - from) / coordinates_.unit());
+        as_absolute[i] = centre[i] - start[i] + zero;
+    }
+    const bool g90_1 = !modes_.absolute_centre && fits(as_absolute);
+    place.refuse(
+        fmt::format("the arc's radii differ: {:.6g} mm at the start, {:.6g} mm at the end; {}"
+                    "--arc-tolerance allows more than {:.3g} mm",
+                    (start - centre).norm(), (end - centre).norm(),
+                    g90_1 ? "as absolute ones (G90.1) these centre words fit; "
+                          : fmt::format("the centre{} would fit; ", words),
+                    tolerance.always));
 }
 
 Eigen::Vector2d Interpreter::plane_centre(Block& block, const Eigen::Vector2d& start,

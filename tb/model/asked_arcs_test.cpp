@@ -199,12 +199,12 @@ TEST(AskedArcs, ToleranceIsThatOfTheFilesUnit) {
             return false;
         }
     };
-    EXPECT_TRUE(taken("G21\nG0 X1\nG3 X2.0049 Y1 J1 F600\n"));
-    EXPECT_FALSE(taken("G21\nG0 X1\nG3 X2.0051 Y1 J1 F600\n"));
-    EXPECT_TRUE(taken("G20\nG0 X1\nG3 X1.1004 Y0.1 J0.1 F20\n"));
-    EXPECT_FALSE(taken("G20\nG0 X1\nG3 X1.1006 Y0.1 J0.1 F20\n"));
-    EXPECT_TRUE(taken("G20\nG0 X1\nG3 X101.049 Y100 J100 F20\n")) << "0.1 %, below 0.05 inch";
-    EXPECT_FALSE(taken("G20\nG0 X1\nG3 X101.051 Y100 J100 F20\n"));
+    EXPECT_TRUE(taken("G21\nG0 X1\nG3 X2.0282 Y1 J1 F600\n"));
+    EXPECT_FALSE(taken("G21\nG0 X1\nG3 X2.0284 Y1 J1 F600\n"));
+    EXPECT_TRUE(taken("G20\nG0 X1\nG3 X1.1028 Y0.1 J0.1 F20\n"));
+    EXPECT_FALSE(taken("G20\nG0 X1\nG3 X1.1029 Y0.1 J0.1 F20\n"));
+    EXPECT_TRUE(taken("G20\nG0 X1\nG3 X281.28 Y280 J280 F20\n")) << "0.1 %, below 0.28 inch";
+    EXPECT_FALSE(taken("G20\nG0 X1\nG3 X291.29 Y290 J290 F20\n"));
     EXPECT_TRUE(taken("G21\nG0 X1\nG2 X3.0049 R1 F600\n")) << "a half circle";
     EXPECT_FALSE(taken("G21\nG0 X1\nG2 X3.0051 R1 F600\n"));
 }

@@ -74,6 +74,32 @@ std::vector<Vec3> ends(const std::string& text) {
 
 using Points = std::vector<Vec3>;
 
+/// LinuxCNC's tolerances: 0.02 sqrt 2 mm or 0.002 sqrt 2 inch; 0.1 % up to 100 times that.
+TEST(GcodeCodes, RadiiAtAnArcsEndsMayDifferAsForLinuxcnc) {
+    const auto ends_at = [](double x) {
+        return refusal("G0 X0\nG3 Y1 J1 X" + std::to_string(1 + x)).substr(0, 42);
+    };
+    const std::string differ = "part.ngc:3: error: the arc's radii differ:";
+    EXPECT_EQ(ends_at(0.028), "nothing is wrong");
+    EXPECT_EQ(ends_at(0.029), differ);
+    EXPECT_EQ(refusal("G20 G0 X0\nG3 X1.00282 Y1 J1"), "nothing is wrong");
+    EXPECT_EQ(refusal("G20 G0 X0\nG3 X1.00283 Y1 J1").substr(0, 42), differ);
+    EXPECT_EQ(refusal("G0 X0\nG3 X1000.99 Y1000 J1000"), "nothing is wrong");
+    EXPECT_EQ(refusal("G0 X0\nG3 X1001.01 Y1000 J1000").substr(0, 42), differ);
+    EXPECT_EQ(refusal("G0 X0\nG3 X10002.9 Y10000 J10000").substr(0, 42), differ);
+}
+
+TEST(GcodeCodes, ACentreThatDoesNotFitIsRefusedWithOneThatDoes) {
+    EXPECT_EQ(refusal("G20 G0 X0\nG3 X1 Y1 I.2 J1"),
+              "part.ngc:3: error: the arc's radii differ: 25.903 mm at the start, 20.32 mm at the "
+              "end; the centre I0.1 J0.9 would fit; --arc-tolerance allows more than 0.0718 mm");
+    EXPECT_EQ(
+        refusal("G0 X10 Y4\nG2 X16 Y10 I10 J10"),
+        "part.ngc:3: error: the arc's radii differ: 14.1421 mm at the start, 5.65685 mm at the "
+        "end; as absolute ones (G90.1) these centre words fit; --arc-tolerance allows more "
+        "than 0.0283 mm");
+}
+
 TEST(GcodeCodes, G28LeadsByWayOfItsPointToTheStoredPositionOfTheNamedAxes) {
     EXPECT_EQ(ends("G91 G28 Z0"), (Points{{5, 6, 0}}));
     EXPECT_EQ(ends("G91 G0 G28 Z0\nX1"), (Points{{5, 6, 0}, {6, 6, 0}}));
