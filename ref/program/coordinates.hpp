@@ -72,6 +72,19 @@ class Coordinates {
     Vec3 turned(const Vec3& vector) const;
     Vec3 turned_back(const Vec3& vector) const;
 
+    /// Of G54 .. G59.3, 0 .. 8: where its zero is on the machine, turned by so many degrees about Z.
+    struct System {
+        Point offset{};
+        double rotation = 0;
+    };
+    const System& system(int number) const { return systems_[number]; }
+    void set_system(int number, const System& system) { systems_[number] = system; }
+    void use_system(int number) { modes_.system = number; }
+    /// Of G92 and G52, as G92.3 brings it back.
+    const Point& kept_shift() const { return saved_shift_; }
+    bool is_shifted() const { return shift_ != Point{}; }
+    void set_shift(const Point& shift) { shift_ = saved_shift_ = shift; }
+
     /// G10 L2 P.. with axis words and R; `system` 0 is the one in force.
     void set_offset(int system, Block& block, const Place& place);
     /// G10 L20 P..: the current point gets these coordinates.
@@ -84,11 +97,6 @@ class Coordinates {
     void restore_shift() { shift_ = saved_shift_; }
 
   private:
-    struct System {
-        Point offset{};
-        double rotation = 0;  // degrees
-    };
-
     double scale(int axis) const { return axis >= 3 && axis < 6 ? 1 : modes_.unit; }
     double rotation() const { return systems_[modes_.system].rotation; }
     /// A place on the machine, counted in a system without the shift.

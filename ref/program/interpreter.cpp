@@ -15,8 +15,14 @@ bool ends_program(int m_code) { return m_code == 2 || m_code == 30; }
 }  // namespace
 
 Interpreter::Interpreter(const std::string& file, double fit_tolerance,
-                         ProgramParameters& parameters)
-    : fit_tolerance_(fit_tolerance), parameters_(parameters), moves_(file) {
+                         ProgramParameters& parameters, const ProgramStart& start)
+    : fit_tolerance_(fit_tolerance),
+      parameters_(parameters),
+      moves_(file),
+      tools_(start.tools),
+      parameter_unit_(start.unit),
+      arc_tolerance_(start.arc_tolerance) {
+    begin(start);
     give_values();
 }
 
@@ -98,7 +104,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
     }
     if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its fastest
     if (block.has('T')) {
-        whole_number('T', block.use('T'), 0, 99999, place);
+        selected_tool_ = whole_number('T', block.use('T'), 0, kLargestTool, place);
         moves_.leave_out("T", place);
     }
     for (const int code : block.m) {
@@ -110,6 +116,12 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         modes_.turning = spindle == 3   ? Turning::kClockwise
                          : spindle == 4 ? Turning::kCounterClockwise
                                         : Turning::kNo;
+    }
+    if (codes.of(Group::kToolChange) == 6) {
+        tool_ = selected_tool_;
+    } else if (codes.of(Group::kToolChange)) {
+        if (!block.has('Q')) place.refuse("M61 without Q (the tool)");
+        tool_ = whole_number('Q', block.use('Q'), 0, kLargestTool, place);
     }
     if (codes.of(Group::kToolChange) || codes.of(Group::kSpindle)) {
         moves_.stop();
@@ -156,7 +168,7 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
         set_tool_length(*length, block, place);
     }
     if (const std::optional<int> system = codes.of(Group::kSystem)) {
-        coordinates_.select_system(*system);
+        select_system(*system);
     }
     if (const std::optional<int> control = codes.of(Group::kPathControl)) {
         set_path_control(*control, block, place);

@@ -4,7 +4,8 @@
 // A block is carried out in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets,
 // motion, stop. One difference: an F word is read in the units of its own block (G20 F10 is
 // 10 inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90
-// G91.1 G94 G99 and no motion mode; stored positions (G28, G30) are 0.
+// G91.1 G94 G99 and no motion mode; stored positions (G28, G30), offsets
+// and lengths of tools are those of its ProgramStart.
 #pragma once
 
 #include <array>
@@ -18,13 +19,15 @@
 #include "ref/program/coordinates.hpp"
 #include "ref/program/modes.hpp"
 #include "ref/program/move_list.hpp"
+#include "ref/program/program_start.hpp"
 
 namespace curvecore::ref {
 
 class Interpreter {
   public:
     /// @param parameters outlives this object, whose values it can ask for afterwards
-    Interpreter(const std::string& file, double fit_tolerance, ProgramParameters& parameters);
+    Interpreter(const std::string& file, double fit_tolerance, ProgramParameters& parameters,
+                const ProgramStart& start = {});
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
@@ -64,6 +67,16 @@ class Interpreter {
     static bool takes_axes(int action);
     void set_offsets(int action, Block& block, const Codes& codes, const Place& place);
     void set_system(Block& block, const Place& place);
+    void set_tool_table(int kind, Block& block, const Place& place);
+    Point tool_offset(int tool, const Place& place);
+    /// Offsets and stored positions are parameters, too: those of nine axes from a number on.
+    Point parameters_from(int number) const;
+    void set_parameters_from(int number, const Point& point);
+    void take_system(int number);
+    void select_system(int g_code);
+    void give_system(int number);
+    void give_shift();
+    void begin(const ProgramStart& start);
     void go_home(const Point& stored, Block& block, const Place& place);
     void use_leftovers(Block& block, const Place& place);
     void move(Block& block, const Codes& codes, const Place& place);
@@ -75,9 +88,7 @@ class Interpreter {
                                  const Place& place) const;
     void check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                      const Eigen::Vector2d& centre, const Place& place) const;
-    const ArcTolerance& arc_tolerance() const {
-        return coordinates_.inches() ? kArcToleranceInch : kArcToleranceMm;
-    }
+    ArcTolerance arc_tolerance() const;
     void space_arc(Block& block, const Codes& codes, const Place& place);
     void check_nothing_waits(const Place& place) const;
     void check_spline(Block& block, const Place& place);
@@ -118,8 +129,12 @@ class Interpreter {
     MoveList moves_;
     Coordinates coordinates_;
     Modes modes_;
-    int motion_ = kNoMotion;         // G code in tenths
-    std::array<Point, 2> stored_{};  // of G28 and G30, on the machine
+    int motion_ = kNoMotion;  // G code in tenths
+    ToolTable tools_;
+    int selected_tool_ = 0;
+    int tool_ = 0;                         // in the spindle
+    double parameter_unit_;                // mm: that of the machine
+    std::optional<double> arc_tolerance_;  // mm
     CannedCycles canned_cycles_;
     std::optional<Middle> middle_;
     std::optional<OpenNurbs> nurbs_;

@@ -188,10 +188,16 @@ void Interpreter::arc(Block& block, const Place& place) {
     add(move, target, place);
 }
 
+ArcTolerance Interpreter::arc_tolerance() const {
+    ArcTolerance tolerance = coordinates_.inches() ? kArcToleranceInch : kArcToleranceMm;
+    if (arc_tolerance_) tolerance.always = tolerance.most = *arc_tolerance_;
+    return tolerance;
+}
+
 /// Refuses a centre that does not fit both ends, with one that does.
 void Interpreter::check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                               const Eigen::Vector2d& centre, const Place& place) const {
-    const ArcTolerance& tolerance = arc_tolerance();
+    const ArcTolerance tolerance = arc_tolerance();
     const auto fits = [&](const Eigen::Vector2d& point) {
         return tolerance.holds((start - point).norm(), (end - point).norm());
     };

@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kProgrammedX = 5420;  // .. 5428
 constexpr int kMachineX = 5021;     // .. 5029
+constexpr int kToolInSpindle = 5400;
 constexpr std::string_view kNames = "xyzabcuvw";
 
 }  // namespace
@@ -50,6 +51,9 @@ void Interpreter::give_values() {
     });
     give("_feed",
          [this] { return modes_.feed.value_or(0) * modes_.feed_unit / coordinates_.unit(); });
+    parameters_.compute(kToolInSpindle, [this] { return tool_; });
+    give("_current_tool", [this] { return tool_; });
+    give("_selected_tool", [this] { return selected_tool_; });
     give("_rpm", [this] { return modes_.speed; });
     give("_spindle_on", [this] { return modes_.turning == Turning::kNo ? 0 : 1; });
     give("_spindle_cw", [this] { return modes_.turning == Turning::kClockwise ? 1 : 0; });

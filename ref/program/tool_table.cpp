@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "ref/program/text_file.hpp"
@@ -12,7 +13,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kLargestTool = 99999;
 constexpr std::string_view kWords = "TPXYZABCUVWDIJQ";
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -26,8 +26,8 @@ double read_number(std::string_view line, std::size_t& at, const Place& place) {
     const char* const end = line.data() + at;
     const auto read = std::from_chars(line.data() + begin, end, number);
     if (read.ec != std::errc() || read.ptr != end) {
-        place.refuse(fmt::format("{}{} is no word of a tool table", letter,
-                                 line.substr(begin, at - begin)));
+        place.refuse(
+            fmt::format("{}{} is no word of a tool table", letter, line.substr(begin, at - begin)));
     }
     return number;
 }

@@ -9,6 +9,8 @@
 
 namespace curvecore::ref {
 
+constexpr int kLargestTool = 99999;
+
 class ToolTable {
   public:
     /// One that says nothing of any tool.
