@@ -147,7 +147,7 @@ void CanonicalMoves::dwell(double seconds) {
 void CanonicalMoves::warn(const std::string& text, int line) { moves_.warn(text, place(line)); }
 
 void CanonicalMoves::leave_out(const std::string& code, int line, double value) {
-    moves_.leave_out(code, place(line), value);
+    moves_.leave_out(code, place(line), value, true);
 }
 
 void CanonicalMoves::refuse(const std::string& reason, int line) const {

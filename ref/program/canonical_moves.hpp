@@ -43,6 +43,7 @@ class CanonicalMoves {
     /// The program is wrong. @throws InputError
     [[noreturn]] void refuse(const std::string& reason, int line) const;
 
+    const Events& events() const { return moves_.events(); }
     std::vector<Move> take(bool last) { return moves_.take(last); }
     Program finish() { return moves_.finish(); }
 

@@ -72,7 +72,7 @@ class Coordinates {
     Vec3 turned(const Vec3& vector) const;
     Vec3 turned_back(const Vec3& vector) const;
 
-    /// Of G54 .. G59.3, 0 .. 8: where its zero is on the machine, turned by so many degrees about Z.
+    /// Of G54 .. G59.3, 0 .. 8: where its zero is on the machine, turned by degrees about Z.
     struct System {
         Point offset{};
         double rotation = 0;

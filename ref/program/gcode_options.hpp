@@ -6,12 +6,14 @@
 
 #include "ref/curve/fit/cubic_fit.hpp"
 #include "ref/program/dialect.hpp"
+#include "ref/program/program_start.hpp"
 
 namespace curvecore::ref {
 
 struct GcodeOptions {
     double fit_tolerance = kFitTolerance;  // mm, of NURBS that are no cubics
     std::optional<Dialect> dialect;        // none: recognised from the program
+    ProgramStart start;
 };
 
 }  // namespace curvecore::ref

@@ -13,7 +13,7 @@ constexpr int kMostTimes = 1'000'000'000;
 GcodeStream::GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options)
     : file_(file),
       recognised_(!options.dialect),
-      interpreter_(file_, options.fit_tolerance, parameters_),
+      interpreter_(file_, options.fit_tolerance, parameters_, options.start),
       flow_(text, file_, parameters_, options.dialect) {
     flow_.on_call = [this] { kept_.emplace_back(); };
     flow_.on_return = [this] { end_call(); };

@@ -15,6 +15,7 @@ class GcodeStream : public BlockStream {
     GcodeStream(std::istream& text, const std::string& file, const GcodeOptions& options);
 
     std::optional<Dialect> dialect() const override { return flow_.dialect(); }
+    Events events() const override { return interpreter_.events(); }
 
   private:
     /// What a call, or the program itself, has kept of the modes.

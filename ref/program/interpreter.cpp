@@ -100,16 +100,21 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         const double speed = block.use('S');
         if (speed < 0) place.refuse("S must not be negative");
         modes_.speed = speed;
-        moves_.leave_out("S", place, speed);
+        moves_.leave_out("S", place, speed, true);
     }
     if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its fastest
     if (block.has('T')) {
         selected_tool_ = whole_number('T', block.use('T'), 0, kLargestTool, place);
-        moves_.leave_out("T", place);
+        moves_.leave_out("T", place, selected_tool_);
     }
     for (const int code : block.m) {
         if (ends_program(code)) continue;
-        moves_.leave_out(fmt::format("M{}", code), place);
+        const bool analog = code == 67 || code == 68;
+        const bool digital = code >= 62 && code <= 66;
+        double value = 0;
+        if (analog && block.has('Q')) value = block.use('Q');
+        if (digital && block.has('P')) value = use_p(block, place);
+        moves_.leave_out(fmt::format("M{}", code), place, value, analog);
         if (!Codes::known(code)) moves_.warn(fmt::format("unknown code M{}", code), place);
     }
     if (const std::optional<int> spindle = codes.of(Group::kSpindle)) {

@@ -47,6 +47,7 @@ class Interpreter {
     /// A code of another dialect that asks for more than motion; the machine may stand still at it.
     void note(const std::string& code, bool waits, const Place& place);
     void warn(const std::string& text, const Place& place) { moves_.warn(text, place); }
+    const Events& events() const { return moves_.events(); }
     /// Moves in order, which leave the program: the `last` one as well, for which a stop or a dwell
     /// may still come.
     std::vector<Move> take(bool last) { return moves_.take(last); }

@@ -49,6 +49,7 @@ void MoveList::append(const Move& move) {
         }
     }
     program_.moves.push_back(move);
+    length_ += move.length();
 }
 
 std::vector<Move> MoveList::pieces_of(const std::vector<Cubic>& cubics, const Move& whole,
@@ -90,9 +91,11 @@ void MoveList::warn(const std::string& text, const Place& place) {
     ++warnings_.try_emplace(text, Warning{place.program_line, 0}).first->second.count;
 }
 
-void MoveList::leave_out(const std::string& code, const Place& place, double value) {
+void MoveList::leave_out(const std::string& code, const Place& place, double value,
+                         bool along_path) {
+    events_.add(code, place.line, value, length_);
     LeftOut& all = left_out_[code];
-    all.changed = all.changed || value != all.value;
+    all.changed = all.changed || (along_path && value != all.value);
     value_changed_ = value_changed_ || all.changed;
     all.value = value;
     ++all.count;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/program/block.hpp"
+#include "ref/program/events.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
@@ -34,9 +35,13 @@ class MoveList {
     /// Rest behind the last move; before the first one it is left out, with a warning.
     void dwell(double seconds, const Place& place);
     void warn(const std::string& text, const Place& place);
-    /// A code that asks for more than motion, such as M3: one warning names all of them. It also
-    /// says of which a `value`, as that of S, changes where the path goes on.
-    void leave_out(const std::string& code, const Place& place, double value = 0);
+    /// A code that asks for more than motion, such as M3, is an event; one warning names all of
+    /// them. It also says of which a value that holds `along_path`, as that of S, changes where the
+    /// path goes on.
+    void leave_out(const std::string& code, const Place& place, double value = 0,
+                   bool along_path = false);
+
+    const Events& events() const { return events_; }
 
     /// Moves in order, which leave the list: the `last` one as well, for which a stop or a dwell
     /// may still come.
@@ -63,8 +68,10 @@ class MoveList {
     void warn_of_left_out();
 
     Program program_;
+    Events events_;
     std::map<std::string, Warning> warnings_;
     std::map<std::string, LeftOut> left_out_;
+    double length_ = 0;           // mm, of all moves
     bool value_changed_ = false;  // of one of them, since the last move
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/program/dialect.hpp"
+#include "ref/program/events.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
@@ -33,6 +34,7 @@ class MoveStream {
     /// At the end.
     virtual int aux_axes() const = 0;
     virtual const std::vector<std::string>& warnings() const = 0;
+    virtual Events events() const { return {}; }
 };
 
 /// Those of a program, which must outlive the source.

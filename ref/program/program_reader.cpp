@@ -6,8 +6,8 @@
 namespace curvecore::ref {
 
 Program read_program(const std::string& file, const PointsOptions& points, const OpenProgram& open,
-                     std::optional<Dialect> dialect) {
-    ProgramStream stream(file, points, open, dialect);
+                     const GcodeOptions& gcode) {
+    ProgramStream stream(file, points, open, gcode);
     return read_all(stream, stream.file());
 }
 

@@ -8,6 +8,6 @@ namespace curvecore::ref {
 
 /// As ProgramStream reads it. @throws InputError
 Program read_program(const std::string& file, const PointsOptions& points,
-                     const OpenProgram& open = {}, std::optional<Dialect> dialect = {});
+                     const OpenProgram& open = {}, const GcodeOptions& gcode = {});
 
 }  // namespace curvecore::ref

@@ -10,12 +10,12 @@
 
 namespace curvecore::ref {
 
-/// | field         | unit   | remark                                                              |
-/// |---------------|--------|---------------------------------------------------------------------|
-/// | tools         |        |                                                                     |
-/// | parameters    | `unit` | G28 5161.., G30 5181.., G92 5210.., system in force 5220, G54 5221.. |
-/// | unit          | mm     | of the machine                                                      |
-/// | arc_tolerance | mm     | by how much an arc's radii may differ; none: as ArcTolerance says    |
+/// | field         | unit   | remark                                                      |
+/// |---------------|--------|-------------------------------------------------------------|
+/// | tools         |        |                                                             |
+/// | parameters    | `unit` | G28 5161.., G30 5181.., G92 5210.., system 5220, G54 5221.. |
+/// | unit          | mm     | of the machine                                              |
+/// | arc_tolerance | mm     | by how much radii may differ; none: as ArcTolerance says    |
 struct ProgramStart {
     ToolTable tools;
     std::map<int, double> parameters;

@@ -26,9 +26,10 @@ std::string kind_of(const std::string& file) {
 bool is_points_file(const std::string& file) { return kind_of(file) == ".csv"; }
 
 ProgramStream::ProgramStream(const std::string& file, const PointsOptions& points,
-                             const OpenProgram& open, std::optional<Dialect> dialect)
+                             const OpenProgram& open, const GcodeOptions& gcode)
     : file_(file) {
-    const GcodeOptions options{points.fit_tolerance, dialect};
+    GcodeOptions options = gcode;
+    options.fit_tolerance = points.fit_tolerance;
     if (file == kStandardInput) {
         file_ = "stdin";
         gcode_ = std::make_unique<GcodeStream>(std::cin, file_, options);
@@ -68,5 +69,7 @@ int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : whole
 const std::vector<std::string>& ProgramStream::warnings() const {
     return gcode_ ? gcode_->warnings() : whole_.warnings;
 }
+
+Events ProgramStream::events() const { return gcode_ ? gcode_->events() : Events(); }
 
 }  // namespace curvecore::ref

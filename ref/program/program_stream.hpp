@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "ref/program/gcode_options.hpp"
 #include "ref/program/move_source.hpp"
 #include "ref/program/points_reader.hpp"
 
@@ -29,10 +30,10 @@ using OpenProgram = std::function<std::unique_ptr<MoveStream>(const std::string&
 class ProgramStream : public MoveStream {
   public:
     /// By the extension, in upper or lower case: .csv as points with `points`, kProgramKinds and
-    /// none as G-code, of `dialect` or of the one that it shows; or kStandardInput. With `open`,
+    /// none as G-code, as `gcode` says; or kStandardInput. With `open`,
     /// G-code is read by that. @throws InputError
     ProgramStream(const std::string& file, const PointsOptions& points,
-                  const OpenProgram& open = {}, std::optional<Dialect> dialect = {});
+                  const OpenProgram& open = {}, const GcodeOptions& gcode = {});
     /// Of one that is there.
     explicit ProgramStream(Program program);
 
@@ -43,6 +44,7 @@ class ProgramStream : public MoveStream {
     std::optional<Dialect> dialect() const override;
     int aux_axes() const override;
     const std::vector<std::string>& warnings() const override;
+    Events events() const override;
 
   private:
     std::string file_;

@@ -31,6 +31,11 @@ void add_interpreter(CLI::App& command, RawOptions& raw) {
     add_text(command, "--dialect", raw.dialect, "NAME",
              fmt::format("of G-code: {}; recognised when left out",
                          fmt::join(ref::kDialectNames, ", ")));
+    add_text(command, "--tools", raw.tools, "FILE.tbl",
+             "lengths of tools, LinuxCNC's table; that of --machine's .ini when left out");
+    add_text(command, "--arc-tolerance", raw.radii_tolerance, "LENGTH",
+             "by how much an arc's radii may differ; LinuxCNC's tolerance when left out")
+        ->group(group::kRare);
 }
 
 void add_surroundings(CLI::App& command, RawOptions& raw, Options& options) {

@@ -25,7 +25,7 @@ constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
 
 Program working_path(const std::string& name, bool before, const Options& options,
                      const ref::Machine& machine) {
-    Program program = ref::read_program(name, {}, options.open_program, options.dialect);
+    Program program = ref::read_program(name, {}, options.open_program, options.gcode);
     program = before ? ref::until_last_working_move(std::move(program))
                      : ref::from_first_working_move(std::move(program));
     for (const ref::Move& move : program.moves) {
@@ -170,8 +170,8 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
 
     const JoinProgram program = join_program(a, b);
     const std::string text = program.with(blocks_of(file));
-    Program joined = ref::read_gcode_text(text, "join.ngc",
-                                          {options.points.fit_tolerance, ref::Dialect::kLinuxcnc});
+    Program joined = ref::read_gcode_text(
+        text, "join.ngc", {options.points.fit_tolerance, ref::Dialect::kLinuxcnc, {}});
     joined.warnings.insert(joined.warnings.begin(), b.warnings.begin(), b.warnings.end());
     joined.warnings.insert(joined.warnings.begin(), a.warnings.begin(), a.warnings.end());
     Options drawn = options;

@@ -31,7 +31,7 @@ ref::SplineForm form_of(const Options& options, std::optional<ref::SplineForm> f
 ref::ProgramStream open_program(const Options& options) {
     if (options.program) return ref::ProgramStream(*options.program);
     return ref::ProgramStream(options.file, options.points, options.open_program,
-                              options.dialect);
+                              options.gcode);
 }
 
 ref::PlanOptions segment_options(const Options& options) {

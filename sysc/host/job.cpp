@@ -75,6 +75,7 @@ Job read_job(const Options& options) {
     }
     job.program.aux_axes = moves.program().aux_axes();
     job.program.warnings = moves.program().warnings();
+    job.events = moves.program().events();
     job.dialect = moves.program().dialect();
     set_splines(job, spline);
     if (!options.aux_axes_set) job.options.core.aux_axes = job.program.aux_axes;
@@ -86,7 +87,7 @@ Job plan_job(const Options& options) { return JobStream(options).all(); }
 void hold_input(Options& options) {
     if (options.file != ref::kStandardInput || options.program) return;
     options.program = std::make_shared<const ref::Program>(
-        ref::read_program(options.file, options.points, options.open_program, options.dialect));
+        ref::read_program(options.file, options.points, options.open_program, options.gcode));
 }
 
 void raise_feed(ref::Move& move, const Options& options) {

@@ -236,6 +236,7 @@ void JobStream::draw_as_programmed() {
 }
 
 void JobStream::end() {
+    job_.events = moves_->program().events();
     const std::vector<std::string>& read = moves_->program().warnings();
     std::vector<std::string>& warnings = job_.program.warnings;
     warnings.insert(warnings.begin(), read.begin(), read.end());

@@ -126,12 +126,14 @@ void LinuxcncProgram::refuse_end() {
                   0);
 }
 
-std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file, const std::string& ini,
+std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file,
+                                               const LinuxcncMachine& machine,
                                                double fit_tolerance) {
     const char* const other = std::getenv("CURVECORE_LINUXCNC");
     const fs::path own = shipped_files().folder / "sysc/linuxcnc/interpret.py";
     std::vector<std::string> command{other != nullptr && *other != 0 ? other : own.string()};
-    if (!ini.empty()) command.insert(command.end(), {"--ini", ini});
+    if (!machine.ini.empty()) command.insert(command.end(), {"--ini", machine.ini});
+    if (!machine.tools.empty()) command.insert(command.end(), {"--tools", machine.tools});
     return std::make_unique<LinuxcncProgram>(std::move(command), file, fit_tolerance);
 }
 

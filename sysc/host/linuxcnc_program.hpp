@@ -32,6 +32,8 @@ class LinuxcncProgram : public ref::BlockStream {
     LinuxcncProgram(std::vector<std::string> command, const std::string& file,
                     double fit_tolerance);
 
+    ref::Events events() const override { return moves_.events(); }
+
   private:
     bool read() override;
     std::vector<ref::Move> take(bool last) override { return moves_.take(last); }
@@ -48,9 +50,15 @@ class LinuxcncProgram : public ref::BlockStream {
     int lines_ = 0;
 };
 
-/// By the interpreter that this program is shipped with, or by the command CURVECORE_LINUXCNC, on
-/// the machine of `ini`, if that is not empty.
-std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file, const std::string& ini,
+/// A machine's files; empty: there is none.
+struct LinuxcncMachine {
+    std::string ini;
+    std::string tools;  // instead of the .ini's
+};
+
+/// By the interpreter that this program is shipped with, or by the command CURVECORE_LINUXCNC.
+std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file,
+                                               const LinuxcncMachine& machine,
                                                double fit_tolerance);
 
 }  // namespace curvecore::sysc

@@ -101,14 +101,33 @@ std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
 }
 
 /// What reads the program, if it is not this program's own reader.
-ref::OpenProgram open_program(const std::string& interpreter, const Options& options) {
-    if (choice("--interpreter", interpreter, kInterpreterNames) == 0) return {};
+ref::OpenProgram open_program(const RawOptions& raw, const Options& options) {
+    if (choice("--interpreter", raw.interpreter, kInterpreterNames) == 0) return {};
     if (ref::is_points_file(options.file) || options.file == ref::kStandardInput) {
         throw UsageError("--interpreter linuxcnc is for files of G-code");
     }
-    return [ini = options.machine, within = options.points.fit_tolerance](const std::string& file) {
-        return open_linuxcnc(file, ini, within);
+    return [ini = options.machine, tools = raw.tools,
+            within = options.points.fit_tolerance](const std::string& file) {
+        return open_linuxcnc(file, {ini, tools}, within);
     };
+}
+
+/// What the machine has before the program begins: LinuxCNC's interpreter asks for it by itself.
+void set_start(const RawOptions& raw, Options& options) {
+    const bool points = ref::is_points_file(options.file);
+    const bool tolerance = !raw.radii_tolerance.empty();
+    if (points && (!raw.tools.empty() || tolerance)) {
+        throw UsageError("--tools and --arc-tolerance are for G-code");
+    }
+    if (options.open_program && tolerance) {
+        throw UsageError("--arc-tolerance or --interpreter: LinuxCNC has its own tolerance");
+    }
+    if (points || options.open_program) return;
+    ref::ProgramStart& start = options.gcode.start;
+    start = ref::read_program_start(options.machine, raw.tools);
+    if (tolerance) {
+        start.arc_tolerance = length("--arc-tolerance", raw.radii_tolerance, 1e-6, 1000);
+    }
 }
 
 }  // namespace
@@ -172,11 +191,12 @@ void interpret(const RawOptions& raw, Options& options) {
     options.effort = static_cast<ref::Effort>(choice("--effort", raw.effort, ref::kEffortNames));
     options.holds = static_cast<ref::Holds>(choice("--holds", raw.holds, ref::kHoldNames));
     options.exact_path = choice("--path", raw.path, kPathNames) == 1;
-    options.open_program = open_program(raw.interpreter, options);
+    options.open_program = open_program(raw, options);
+    set_start(raw, options);
     if (!raw.dialect.empty()) {
         if (options.open_program)
             throw UsageError("--dialect or --interpreter: LinuxCNC reads its own");
-        options.dialect =
+        options.gcode.dialect =
             static_cast<ref::Dialect>(choice("--dialect", raw.dialect, ref::kDialectNames));
     }
     options.arc_tolerance = arc_tolerance(raw, options.points.fit);

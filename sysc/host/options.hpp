@@ -26,7 +26,7 @@ struct Options {
     std::string folder;
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
-    std::optional<ref::Dialect> dialect;          // of G-code; none: recognised
+    ref::GcodeOptions gcode;
     ref::OpenProgram open_program;                // by another interpreter than this program's
     std::shared_ptr<const ref::Program> program;  // that was made, in the file's place
     ref::Effort effort = ref::Effort::kOptimum;
@@ -81,6 +81,8 @@ struct RawOptions {
     std::string path = "program";
     std::string interpreter = "curvecore";
     std::string dialect;
+    std::string tools;
+    std::string radii_tolerance;
     std::string parametrisation = "chord";
     std::string feed = "1m/min";
     std::string unit;

@@ -46,6 +46,21 @@ nlohmann::ordered_json hold_json(const DrawnPlan& plan) {
             {"stop_ticks", plan.stop_ticks}};
 }
 
+/// At most so many, in a report that is read as a whole.
+constexpr std::size_t kMostEvents = 10000;
+
+nlohmann::ordered_json events_json(const ref::Events& events) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const ref::Events::Event& event : events.list()) {
+        if (list.size() == kMostEvents) break;
+        list.push_back({{"line", event.line},
+                        {"code", events.code_of(event)},
+                        {"value", event.value},
+                        {"path_mm", event.length}});
+    }
+    return list;
+}
+
 nlohmann::ordered_json machine_json(const Job& job) {
     nlohmann::ordered_json json;
     const ref::Machine& machine = job.machine;
@@ -310,6 +325,8 @@ nlohmann::ordered_json Report::json() const {
     json["machine"] = machine_json(job);
     if (job.dialect) json["dialect"] = ref::name_of(*job.dialect);
     json["warnings"] = job.program.warnings;
+    json["events"] = events_json(job.events);
+    json["event_count"] = job.events.list().size();
     return json;
 }
 
@@ -326,7 +343,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
                                    job.plan.unit_mm));
     if (job.dialect) {
         row("dialect", fmt::format("{}{}", ref::name_of(*job.dialect),
-                                   job.options.dialect ? "" : ", recognised"));
+                                   job.options.gcode.dialect ? "" : ", recognised"));
     }
     row("path", job.smoothed ? deviation_text(*job.smoothed) : "as programmed (--path exact)");
     if (job.exact) row(job.exact->form, cost_text(*job.exact));

@@ -7,10 +7,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
+#include "ref/program/gcode_reader.hpp"
 #include "ref/program/input_error.hpp"
-#include "ref/program/interpreter.hpp"
 
 namespace curvecore::tb {
 namespace {
@@ -34,17 +33,12 @@ class Start : public testing::Test {
 
     /// Ends of a program's moves.
     static std::vector<Vec3> ends(const std::string& text, const ProgramStart& start) {
-        const std::string file = "part.ngc";
-        ref::ProgramParameters parameters;
-        ref::Interpreter interpreter(file, 1e-4, parameters, start);
-        std::istringstream lines("F600 G1 G90\n" + text);
-        int number = 0;
-        for (std::string line; std::getline(lines, line);) {
-            const ref::Place place{file, ++number};
-            interpreter.execute(ref::Block(ref::words_of(line, place), place, parameters), place);
-        }
+        const ref::GcodeOptions options{1e-4, ref::Dialect::kLinuxcnc, start};
         std::vector<Vec3> points;
-        for (const ref::Move& move : interpreter.take(true)) points.push_back(move.end);
+        for (const ref::Move& move :
+             ref::read_gcode_text("F600 G1 G90\n" + text, "part.ngc", options).moves) {
+            points.push_back(move.end);
+        }
         return points;
     }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a program asks for besides motion, such as M3: nothing is switched, it is kept with its
+// place.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace curvecore::ref {
+
+class Events {
+  public:
+    /// | field  | unit | remark                                                              |
+    /// |--------|------|---------------------------------------------------------------------|
+    /// | line   |      | in the program's file                                               |
+    /// | code   |      | an index of codes()                                                 |
+    /// | value  |      | of S and T their number, of outputs P or Q; else 0                  |
+    /// | length | mm   | of all moves before it, as Move::length()                           |
+    struct Event {
+        int line;
+        int code;
+        double value;
+        double length;
+    };
+
+    void add(const std::string& code, int line, double value, double length) {
+        auto known = std::find(codes_.begin(), codes_.end(), code);
+        if (known == codes_.end()) known = codes_.insert(known, code);
+        list_.push_back({line, static_cast<int>(known - codes_.begin()), value, length});
+    }
+
+    const std::vector<Event>& list() const { return list_; }
+    const std::vector<std::string>& codes() const { return codes_; }
+    const std::string& code_of(const Event& event) const { return codes_.at(event.code); }
+
+  private:
+    std::vector<std::string> codes_;
+    std::vector<Event> list_;
+};
+
+}  // namespace curvecore::ref
