@@ -4,6 +4,7 @@
 
 #include "ref/feed/limit_report.hpp"
 #include "ref/path/smooth_path.hpp"
+#include "ref/program/events.hpp"
 #include "sysc/host/as_arcs.hpp"
 #include "sysc/host/drawn_plan.hpp"
 #include "sysc/host/options.hpp"

@@ -6,8 +6,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <sstream>
 
 #include "ref/program/gcode_reader.hpp"
+#include "ref/program/gcode_stream.hpp"
 #include "ref/program/input_error.hpp"
 
 namespace curvecore::tb {
@@ -221,6 +223,22 @@ TEST(GcodeCodes, LookingAheadIsDoneAnyway) {
     EXPECT_EQ(program.moves.size(), 2U);
     EXPECT_EQ(program.warnings.back(),
               "part.ngc:1: warning: G5.1 asks for looking ahead, which is done anyway (2 times)");
+}
+
+TEST(GcodeCodes, WhatAsksForMoreThanMotionIsAnEventWithItsPlace) {
+    std::istringstream text(
+        "S500 M3 T7\nF600 G1 X3 Y4\nM62 P2\nG1 X6 Y8 S600\nM67 E0 Q2.5\nG81 Z-1 R0\nM8 M30");
+    ref::GcodeStream stream(text, "part.ngc", {});
+    ref::read_all(stream, "part.ngc");
+    std::ostringstream said;
+    const ref::Events events = stream.events();
+    for (const ref::Events::Event& event : events.list()) {
+        said << event.line << ' ' << events.code_of(event) << ' ' << event.value << " at "
+             << event.length << ", ";
+    }
+    EXPECT_EQ(said.str(),
+              "1 S 500 at 0, 1 T 7 at 0, 1 M3 0 at 0, 3 M62 2 at 5, 4 S 600 at 5, "
+              "5 M67 2.5 at 10, 7 M8 0 at 12, ");
 }
 
 TEST(GcodeCodes, MCodesTakeTheirWordsAndUnknownOnesWarn) {
