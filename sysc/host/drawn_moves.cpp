@@ -30,8 +30,7 @@ ref::SplineForm form_of(const Options& options, std::optional<ref::SplineForm> f
 
 ref::ProgramStream open_program(const Options& options) {
     if (options.program) return ref::ProgramStream(*options.program);
-    return ref::ProgramStream(options.file, options.points, options.open_program,
-                              options.gcode);
+    return ref::ProgramStream(options.file, options.points, options.open_program, options.gcode);
 }
 
 ref::PlanOptions segment_options(const Options& options) {

@@ -15,7 +15,7 @@ struct Job {
     Options options;
     ref::Program program;                 // its moves: of read_job() alone
     std::optional<ref::Dialect> dialect;  // of G-code that this program's own reader has read
-    ref::Events events;    // what it asks for besides motion
+    ref::Events events;                   // what it asks for besides motion
     ref::Machine machine;
     DrawnPlan plan;
     ref::LimitReport limits;
