@@ -62,7 +62,7 @@ class OptimalRun {
             const bool whole = first + window + window / 2 >= end_;
             const std::size_t last = whole ? end_ : first + window;
             optimum_.improve(first, last, kFirstGap, kFirstGap);
-            std::vector<double> roomy = optimum_.controls(first, last);
+            TimeOptimum::State roomy = optimum_.state(first, last);
             optimum_.improve(first, last, kNextGap, kGap);
             const std::size_t led = whole ? end_ : optimum_.led_by_end(first, last, kGap);
             if (led < first + window / 2 && window < kLongestWindow && !whole) {
@@ -142,19 +142,14 @@ class OptimalRun {
 
     /// Where the true path asks for more than its interval's limits did, they are eased, and the
     /// window is solved again from where it had room.
-    void settle(std::size_t first, std::size_t last, std::size_t kept, std::vector<double> roomy) {
+    void settle(std::size_t first, std::size_t last, std::size_t kept, TimeOptimum::State roomy) {
         for (int round = 0;; ++round) {
             const Eased eased = missed(first, kept, round);
             if (eased.empty()) return;
-            const std::vector<double> found = optimum_.controls(first, last);
-            optimum_.set_controls(first, roomy);
-            if (ease(first, last, eased)) {
-                roomy = optimum_.controls(first, last);
-                optimum_.improve(first, last, kNextGap, kGap);
-            } else {
-                optimum_.set_controls(first, found);
-                draw_back(first, last, eased, back_gap(round));
-            }
+            optimum_.restore(roomy);
+            if (!ease(first, last, eased)) ease_by_and_by(eased);
+            roomy = optimum_.state(first, last);
+            optimum_.improve(first, last, kNextGap, kGap);
         }
     }
 

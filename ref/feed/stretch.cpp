@@ -18,7 +18,8 @@ constexpr double kJointShare = 0.99;  // the same at joints
 // of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr double kCarried = 1.045;       // of a share: what rounding to ticks may add to an optimum
+constexpr double kCarried = 1.045;  // of a share: what rounding to ticks may add to an optimum
+constexpr double kUnseen = 0.005;   // of it, as a mean over the joint time: of less than a tick
 constexpr double kSpeedCarried = 1.001;  // the same of velocities
 constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
 constexpr double kRampTime = 0.05;       // s, to full acceleration: that of kKnots
@@ -237,7 +238,11 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
         if (part.ends_move && part.move_index + 1 < moves.size()) {
             speed = std::max(speed, motion(part, 1, run).v / on.end_velocity);
         }
-        if (load > kCarried || speed > kSpeedCarried) {
+        // Rounding leaves less than a tick of a piece beside a joint. No sample sees that alone.
+        const double ticks = part.to - part.from;
+        const double unseen = kUnseen * machine_.joint_time / (ticks * grid_.tick);
+        const double carried = ticks < 1 ? std::max(kCarried, 1 + unseen) : kCarried;
+        if (load > carried || speed > kSpeedCarried) {
             loads.push_back(
                 {begin + part.s * grid_.quantum, std::max(1.0, load), std::max(1.0, speed)});
         }

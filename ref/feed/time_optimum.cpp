@@ -90,15 +90,24 @@ class Descent {
 TimeOptimum::TimeOptimum(std::vector<PathInterval> path, const std::vector<KnotMotion>& start)
     : path_(std::move(path)), spline_(lengths(path_), start) {}
 
-std::vector<double> TimeOptimum::controls(std::size_t first, std::size_t last) const {
-    std::vector<double> controls;
-    controls.reserve(last - first);
-    for (std::size_t k = first; k < last; ++k) controls.push_back(spline_.control(k));
-    return controls;
+TimeOptimum::State TimeOptimum::state(std::size_t first, std::size_t last) const {
+    State state{first, {}, {}};
+    for (std::size_t k = first; k < last; ++k) state.controls.push_back(spline_.control(k));
+    for (std::size_t k = first - 1; k <= last; ++k) {
+        for (const LimitedPlace& place : path_[k].places) state.means.push_back(place.mean);
+    }
+    return state;
 }
 
-void TimeOptimum::set_controls(std::size_t first, const std::vector<double>& controls) {
-    for (std::size_t i = 0; i < controls.size(); ++i) spline_.control(first + i) = controls[i];
+void TimeOptimum::restore(const State& state) {
+    const std::size_t last = state.first + state.controls.size();
+    for (std::size_t k = state.first; k < last; ++k) {
+        spline_.control(k) = state.controls[k - state.first];
+    }
+    auto mean = state.means.begin();
+    for (std::size_t k = state.first - 1; k <= last; ++k) {
+        for (LimitedPlace& place : path_[k].places) place.mean = *mean++;
+    }
 }
 
 void TimeOptimum::ease(std::size_t k, double share, double speed) {
@@ -108,7 +117,7 @@ void TimeOptimum::ease(std::size_t k, double share, double speed) {
 
 bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
     const std::size_t count = last - first;
-    const std::vector<double> before = controls(first, last);
+    const State before = state(first, last);
     for (std::size_t width = kNearby;; width *= 2) {
         std::vector<double> factor(count, 1);
         bool kept = true;
@@ -122,7 +131,7 @@ bool TimeOptimum::slow_down(std::size_t first, std::size_t last) {
         }
         if (kept) return true;
         if (width > 2 * count) {
-            set_controls(first, before);
+            restore(before);
             return false;
         }
         const std::vector<double> smooth =

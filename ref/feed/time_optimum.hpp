@@ -24,9 +24,14 @@ class TimeOptimum {
     const PathInterval& interval(std::size_t k) const { return path_[k]; }
     const SpeedSpline& spline() const { return spline_; }
 
-    /// Control points from `first` up to `last` (not included).
-    std::vector<double> controls(std::size_t first, std::size_t last) const;
-    void set_controls(std::size_t first, const std::vector<double>& controls);
+    /// Control points from `first` on, and what the limits beside them take for their speeds.
+    struct State {
+        std::size_t first;
+        std::vector<double> controls;
+        std::vector<double> means;
+    };
+    State state(std::size_t first, std::size_t last) const;
+    void restore(const State& state);
 
     /// What interval k takes of its limits of acceleration and jerk.
     double load(std::size_t k) const { return ref::load(path_, spline_, k); }
