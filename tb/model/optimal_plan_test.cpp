@@ -92,6 +92,15 @@ TEST(OptimalPlan, BrakesForNoWindow) {
     EXPECT_LT(cost(dull_corners(), machine).seconds, tight);
 }
 
+/// Newton's method had 30 steps for a stage of the barrier, and stopped on the way.
+TEST(OptimalPlan, TakesTheStepsThatItNeeds) {
+    Machine machine = machine_of(66, 3849, 600276, {70, 5778, 61457});
+    machine.axis[1] = {23, 2669, 341282};
+    const double tight = cost(dull_corners(), machine).seconds;
+    machine.acceleration *= 2;
+    EXPECT_LT(cost(dull_corners(), machine).seconds, 1.01 * tight);
+}
+
 /// Where the path bends evenly the jerk changes with the acceleration. Looked at in the middle of
 /// intervals alone it was too much at their ends, and easing it did not help.
 TEST(OptimalPlan, CostsNoMoreWhereThePathBends) {
