@@ -46,7 +46,7 @@ def main():
                      color=LIMIT, baseline=None)
         speed.set(xlabel="t, ms", ylabel="y velocity, mm/s",
                   title=f"chords {ERROR * 1000:g} um off a circle of {RADIUS:g} mm,"
-                  f" at {FEED:g} mm/s:\nthe velocity jumps by {FEED * turn:.1f} mm/s at each corner")
+                  f" at {FEED:g} mm/s:\nthe velocity jumps by {FEED * turn:.1f} mm/s a corner")
         figure.tight_layout()
         figure.savefig(ROOT / "scripts/figures/chords.svg", metadata={"Date": None})
 
