@@ -20,11 +20,11 @@ using ref::Vec3;
 
 Dialect recognised(const std::string& text) {
     std::istringstream lines(text);
-    return *ref::GcodeStream(lines, "part.nc", {}).dialect();
+    return *ref::GcodeStream(lines, "part.nc", ref::GcodeOptions()).dialect();
 }
 
 Program read(const std::string& text, std::optional<Dialect> dialect = {}) {
-    return ref::read_gcode_text(text, "part.nc", {ref::kFitTolerance, dialect});
+    return ref::read_gcode_text(text, "part.nc", {ref::kFitTolerance, dialect, {}});
 }
 
 std::string refusal(const std::string& text, std::optional<Dialect> dialect = {}) {

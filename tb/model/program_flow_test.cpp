@@ -204,7 +204,7 @@ int lines_read(const std::string& begin, std::optional<ref::Dialect> dialect) {
     std::string all = begin;
     for (int i = 0; i < 5000; ++i) all += "X" + std::to_string(i + 10) + "\n";
     std::istringstream text(all);
-    ref::GcodeStream stream(text, "part.ngc", {ref::kFitTolerance, dialect});
+    ref::GcodeStream stream(text, "part.ngc", {ref::kFitTolerance, dialect, {}});
     ref::Move move;
     EXPECT_TRUE(stream.next(move));
     const auto read = all.begin() + text.tellg();
