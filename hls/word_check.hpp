@@ -2,7 +2,8 @@
 // The check that words carry of themselves and of all before them, since their program began: a
 // CRC of 16 bits, its bytes' sum in each word that has room for it. A word that is lost, doubled,
 // swapped, changed or of other frames leaves another one, and so do whole frames whose numbers fit.
-// Twin: rtl/queue/frame_entry.sv.
+// It begins with the digest of the configuration that the words are made for: those of another one
+// fail the first check or the second, in their first frame. Twin: rtl/queue/frame_entry.sv.
 //
 //   check' = 2^8 check + [15:0] + [31:16] + [43:32]    of the word, modulo x^16 + x^3 + 1
 //
@@ -20,6 +21,8 @@ namespace hls {
 
 class WordCheck {
   public:
+    explicit WordCheck(std::uint16_t digest = 0) : digest_(digest), check_(digest) {}
+
     /// Words [43:36]: the number of their frame, their check, or neither.
     enum class Above { kNumber, kCheck, kNeither };
 
@@ -29,7 +32,7 @@ class WordCheck {
         return (check >> 8 ^ check) & mask(kCheckField);
     }
     void pass(std::uint64_t word, Above above) { check_ = after(word, above); }
-    void begin_program() { check_ = 0; }
+    void begin_program() { check_ = digest_; }
 
     /// Puts checks into a whole frame: a segment, or a piece with its stop branch.
     void seal(std::uint64_t* words, std::size_t count) {
@@ -66,7 +69,8 @@ class WordCheck {
         return (shifted ^ word ^ word >> 16 ^ word >> 32) & 0xffff;
     }
 
-    std::uint64_t check_ = 0;
+    std::uint64_t digest_;
+    std::uint64_t check_;
 };
 
 }  // namespace hls

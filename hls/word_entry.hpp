@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which words may enter a core's queues: whole frames, each word one that can be, frame after
-// frame, each segment from where the one before ended. The first word that is not cuts the stream.
+// frame, each segment from where the one before ended, made for the digest that is asked for. The
+// first word that is not cuts the stream.
 // Twins: rtl/queue/segment_entry.sv, rtl/path/piece_entry.sv.
 #pragma once
 
@@ -64,7 +65,7 @@ class FrameEntry {
     Tag tag_;            // that the next word must have
     bool last_ = false;  // the frame under way ends its program
 
-    explicit FrameEntry(Tag first) : tag_(first) {}
+    FrameEntry(Tag first, std::uint16_t digest) : tag_(first), check_(digest) {}
 
   private:
     std::uint64_t sequence_ = 0;
@@ -78,8 +79,8 @@ class FrameEntry {
 template <class C>
 class SegmentEntry : public detail::FrameEntry, private C {
   public:
-    SegmentEntry(const C& format, bool splines)
-        : FrameEntry(Tag::kLength), C(format), splines_(splines) {}
+    SegmentEntry(const C& format, bool splines, std::uint16_t digest = 0)
+        : FrameEntry(Tag::kLength, digest), C(format), splines_(splines) {}
 
     Entry take(std::uint64_t word) {
         const bool completes = tag_ == Tag::kAdvance && axis_ == C::kAxes - 1;
@@ -163,7 +164,7 @@ class SegmentEntry : public detail::FrameEntry, private C {
 
 class PieceEntry : public detail::FrameEntry {
   public:
-    PieceEntry() : FrameEntry(Tag::kPiece) {}
+    explicit PieceEntry(std::uint16_t digest = 0) : FrameEntry(Tag::kPiece, digest) {}
 
     Entry take(std::uint64_t word) {
         if (tag_ == Tag::kPiece && !stop_ && get(kTagField, word) == kStopTag) tag_ = Tag::kStop;

@@ -21,7 +21,9 @@
 //
 // A reset empties the queues.
 //
-// Word formats: hls/words.hpp.  A stream that starves is no fault: time stops while queued words
+// Word formats: hls/words.hpp.  Words are made for a digest, that of their configuration: what
+// words.json says, and what digest_i has to be when a program's words begin to come; those of
+// another one do not enter.  A stream that starves is no fault: time stops while queued words
 // still cover the stop, underrun_o tells, and goes on when they cover two, or a queue is full.  A
 // program begins when its words cover as much.  So a program whose full queues do not cover a stop
 // (stop_ticks_i + 10 ticks) cannot be drawn: fault.
@@ -30,7 +32,7 @@
 // dropped, what is queued is drawn to a stop.
 //
 //   fault_o[0]  a segment word that cannot be, or is not as it was made: lost, doubled, swapped,
-//               changed, foreign, out of range
+//               changed, foreign, out of range, made for another configuration
 //   fault_o[1]  a segment is missing or came twice, or does not start where the one before ended
 //   fault_o[2]  a profile word that cannot be, or is not as it was made
 //   fault_o[3]  a piece is missing or came twice
@@ -60,6 +62,7 @@ module motion_interpolator #(
     input wire logic rst_ni,
 
     // Words
+    input  wire logic [15:0] digest_i,          // of what they have to be made for
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
     input  wire logic [47:0] segment_data_i,
@@ -151,6 +154,7 @@ module motion_interpolator #(
   ) u_words (
       .clk_i,
       .rst_ni(rst_n),
+      .digest_i,
       .segment_valid_i,
       .segment_ready_o(segment_ready),
       .segment_data_i,

@@ -95,8 +95,8 @@ module motion_system #(
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
   localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, SamplesAhead);
-  logic [16:0] override_rate;
-  logic [15:0] watchdog;
+  logic [16:0] override_rate, rate;
+  logic [15:0] watchdog, digest;
   logic [ 3:0] samples_per_tick_log2;
   logic [31:0] hold_acceleration;
   logic [32:0] hold_slope;
@@ -113,7 +113,6 @@ module motion_system #(
   logic probe_write, homed_write;
   logic [31:0] command, state, axes, room, samples;
   logic [63:0] path;
-  logic [16:0] rate;
   logic [3:0] steps_axis;
   logic [31:0] steps;
   logic note_ready;
@@ -146,6 +145,7 @@ module motion_system #(
       .hold_acceleration_o(hold_acceleration),
       .hold_slope_o(hold_slope),
       .stop_ticks_o(stop_ticks),
+      .digest_o(digest),
       .steplen_o(steplen),
       .stepspace_o(stepspace),
       .dirsetup_o(dirsetup),
@@ -305,6 +305,7 @@ module motion_system #(
   ) u_sources (
       .clk_i,
       .rst_ni,
+      .digest_i(digest ^ system_pkg::digest(Capability, Core, ClockHertz)),
       .words_i(words),
       .segment_valid_i(segment_valid),
       .segment_ready_o(segment_ready),

@@ -194,6 +194,11 @@
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_LOW 11
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_MASK 0x00007800u
 
+/* What the words of the next program have to be made for, besides what the board is (CORE, CLOCK, and of CAPABILITY axes, period, build and splines): unit, samples per tick and machine. Words that are made for another configuration are the faults motion 0 and 2, and nothing of them is drawn. */
+#define CURVECORE_DIGEST 0x04c
+#define CURVECORE_DIGEST_DIGEST_LOW 0
+#define CURVECORE_DIGEST_DIGEST_MASK 0x0000ffffu
+
 /* Low 32 bits of the next word; both addresses write the same. */
 #define CURVECORE_SEGMENT_LO 0x050
 #define CURVECORE_SEGMENT_LO_WORD_LOW 0

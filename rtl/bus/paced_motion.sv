@@ -26,6 +26,7 @@ module paced_motion #(
     input wire logic rst_ni,
 
     // Words, and how many of them the queues still take
+    input  wire logic [15:0] digest_i,         // rtl/motion_interpolator.sv
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
     input  wire logic        profile_valid_i,
@@ -136,6 +137,7 @@ module paced_motion #(
   ) u_motion (
       .clk_i,
       .rst_ni(rst_n),
+      .digest_i,
       .segment_valid_i(segment_valid),
       .segment_ready_o(segment_ready),
       .segment_data_i(word_i),

@@ -41,6 +41,7 @@ module register_file #(
     output logic [        31:0] hold_acceleration_o,
     output logic [        32:0] hold_slope_o,
     output logic [        31:0] stop_ticks_o,
+    output logic [        15:0] digest_o,
     output logic [TimeBits-1:0] steplen_o,
     output logic [TimeBits-1:0] stepspace_o,
     output logic [TimeBits-1:0] dirsetup_o,
@@ -191,6 +192,7 @@ module register_file #(
       hold_acceleration_o                                     <= '0;
       slope_q                                                 <= '0;
       stop_ticks_q                                            <= '0;
+      digest_o                                                <= '0;
       {stepspace_o, steplen_o}                                <= '0;
       {dirhold_o, dirsetup_o}                                 <= '0;
       {limit_masked_o, direction_inverted_o, step_inverted_o} <= '0;
@@ -202,6 +204,7 @@ module register_file #(
         registers_pkg::HoldAcceleration: hold_acceleration_o <= data_i;
         registers_pkg::HoldSlope:        slope_q <= data_i;
         registers_pkg::StopTicks:        stop_ticks_q <= data_i[28:0];
+        registers_pkg::Digest:           digest_o <= data_i[15:0];
         registers_pkg::Pulse: begin
           steplen_o   <= data_i[registers_pkg::PulseSteplenLow+:TimeBits];
           stepspace_o <= data_i[registers_pkg::PulseStepspaceLow+:TimeBits];

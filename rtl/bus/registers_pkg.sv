@@ -23,6 +23,7 @@ package registers_pkg;
   localparam logic [6:0] Direction = 7'd16;
   localparam logic [6:0] Pins = 7'd17;
   localparam logic [6:0] Widths = 7'd18;
+  localparam logic [6:0] Digest = 7'd19;
   localparam logic [6:0] SegmentLo = 7'd20;
   localparam logic [6:0] SegmentHi = 7'd21;
   localparam logic [6:0] ProfileLo = 7'd22;
@@ -119,6 +120,7 @@ package registers_pkg;
   localparam int WidthsTimeBitsLow = 0;
   localparam int WidthsScaleBitsLow = 5;
   localparam int WidthsSamplesAheadLow = 11;
+  localparam int DigestDigestLow = 0;
   localparam int SegmentLoWordLow = 0;
   localparam int SegmentHiWordLow = 0;
   localparam int ProfileLoWordLow = 0;
@@ -173,6 +175,7 @@ package registers_pkg;
       Direction,
       Pins,
       Widths,
+      Digest,
       PathLo,
       PathHi,
       Rate,
@@ -256,6 +259,7 @@ package registers_pkg;
       Pulse,
       Direction,
       Pins,
+      Digest,
       SegmentLo,
       SegmentHi,
       ProfileLo,

@@ -27,6 +27,7 @@ module sample_sources #(
     input wire logic rst_ni,
 
     // Words of registers, and of streams: rtl/bus/word_sources.sv
+    input  wire logic [15:0] digest_i,                // rtl/motion_interpolator.sv
     input  wire logic        words_i,
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
@@ -121,6 +122,7 @@ module sample_sources #(
   ) u_motion (
       .clk_i,
       .rst_ni,
+      .digest_i,
       .segment_valid_i(segment_valid),
       .segment_ready_o(segment_ready),
       .profile_valid_i(profile_valid),

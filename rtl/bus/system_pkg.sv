@@ -31,5 +31,31 @@ package system_pkg;
         (guard_bits << registers_pkg::CoreGuardBitsLow);
   endfunction
 
+  // With the bytes of a word behind it
+  function automatic logic [15:0] digest_word(input logic [15:0] digest_before,
+                                              input logic [31:0] word);
+    logic [15:0] sum;
+    sum = digest_before;
+    for (int n = 0; n < 4; n = n + 1)
+    sum = {sum[7:0], sum[15:8]} ^ {5'd0, sum[15:8], 3'd0} ^ {8'd0, word[8*n+:8]};
+    digest_word = sum;
+  endfunction
+
+  // Of words that are made for the board: hls/registers/board_link.h
+  function automatic logic [15:0] digest(input int capability_word, input int core_word,
+                                         input int clock_hertz);
+    int fields;
+    int period;
+    logic [15:0] sum;
+    fields = capability_word & ((15 << registers_pkg::CapabilityAxesLow) |
+                                (1 << registers_pkg::CapabilityBuildLow) |
+                                (1 << registers_pkg::CapabilitySplinesLow));
+    period = 1 << ((capability_word >> registers_pkg::CapabilityPeriodLog2Low) & 31);
+    sum = digest_word(16'd0, 32'(fields));
+    sum = digest_word(sum, 32'(core_word));
+    sum = digest_word(sum, 32'(period));
+    digest = digest_word(sum, 32'(clock_hertz));
+  endfunction
+
 endpackage
 `default_nettype wire

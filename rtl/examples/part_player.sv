@@ -16,7 +16,8 @@ module part_player #(
     parameter int SamplesPerTickLog2 = 0,               // words.json: samples_per_tick_log2
     parameter int HoldAcceleration   = 1,               // words.json: hold_acceleration
     parameter int HoldSlope          = 1,               // words.json: hold_slope
-    parameter int StopTicks          = 1                // words.json: stop_ticks
+    parameter int StopTicks          = 1,               // words.json: stop_ticks
+    parameter int Digest             = 0                // words.json: digest
 ) (
     input  wire logic        clk_i,
     input  wire logic        rst_ni,
@@ -70,6 +71,7 @@ module part_player #(
   ) u_motion (
       .clk_i,
       .rst_ni,
+      .digest_i(16'(Digest)),
       .segment_valid_i(segment_valid),
       .segment_ready_o(segment_ready),
       .segment_data_i(segments[segment_q]),

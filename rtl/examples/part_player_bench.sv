@@ -10,7 +10,8 @@ module part_player_bench #(
     parameter int SamplesPerTickLog2 = 0,
     parameter int HoldAcceleration   = 2548784,
     parameter int HoldSlope          = 28036624,
-    parameter int StopTicks          = 267
+    parameter int StopTicks          = 267,
+    parameter int Digest             = 6031
 );
 
   logic clk = 1'b0;
@@ -28,7 +29,8 @@ module part_player_bench #(
       .SamplesPerTickLog2(SamplesPerTickLog2),
       .HoldAcceleration(HoldAcceleration),
       .HoldSlope(HoldSlope),
-      .StopTicks(StopTicks)
+      .StopTicks(StopTicks),
+      .Digest(Digest)
   ) u_player (
       .clk_i(clk),
       .rst_ni(rst_n),

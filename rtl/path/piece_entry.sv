@@ -13,6 +13,7 @@ module piece_entry (
     output logic             ready_o,
     input  wire logic [47:0] data_i,
 
+    input  wire logic [15:0] digest_i,
     input  wire logic        cut_i,
     input  wire logic        wait_i,
     input  wire logic        turn_i,
@@ -67,6 +68,7 @@ module piece_entry (
       .valid_i,
       .ready_o,
       .data_i,
+      .digest_i,
       .cut_i,
       .wait_i(wait_i || (ds && !turn_i)),
       .valid_o,

@@ -20,6 +20,8 @@ module word_streams #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
+    input wire logic [15:0] digest_i,  // of what words have to be made for
+
     // From the bus
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
@@ -82,6 +84,7 @@ module word_streams #(
       .valid_i(segment_valid_i),
       .ready_o(segment_ready_o),
       .data_i(segment_data_i),
+      .digest_i,
       .cut_i(cut),
       .wait_i(wait_segments || segment_enters || segment_waits_q),
       .turn_i(!ds_turn_q),
@@ -134,6 +137,7 @@ module word_streams #(
       .valid_i(profile_valid_i),
       .ready_o(profile_ready_o),
       .data_i(profile_data_i),
+      .digest_i,
       .cut_i(cut),
       .wait_i(wait_pieces || piece_enters || piece_waits_q),
       .turn_i(ds_turn_q),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The word at the entry of a queue: it passes if it is the one that has to come, can be, and has
-// the check of itself and of those before, since their program began (hls/word_check.hpp).  The
-// first that is not cuts the stream: it and all that follow are taken and dropped, until reset.
+// the check of itself and of those before, since their program began, on the digest of what it is
+// made for (hls/word_check.hpp).  The first that is not cuts the stream: it and all that follow are
+// taken and dropped, until reset.
 // Which word has to come, and what it may be, the stream says: rtl/queue/segment_entry.sv,
 // rtl/path/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
 //
@@ -14,7 +15,8 @@
 //   frame_o                    1      it was a frame's last
 //   fault_o                    1      or it could not be: stays
 //
-// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.
+// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.  digest_i is looked
+// at with a program's first word.
 `default_nettype none
 module frame_entry (
     input wire logic clk_i,
@@ -24,6 +26,7 @@ module frame_entry (
     output logic             ready_o,
     input  wire logic [47:0] data_i,
 
+    input  wire logic [15:0] digest_i,
     input  wire logic        cut_i,
     input  wire logic        wait_i,
     output logic             valid_o,
@@ -74,12 +77,15 @@ module frame_entry (
   end
 
   // The check: 2^8 times what it was, modulo x^16 + x^3 + 1, and the word
+  logic begins_q;  // the next word is its program's first
   logic [15:0] check_q;
+  logic [15:0] so_far;
   logic [15:0] check;
-  logic [ 7:0] top;
+  logic [7:0] top;
   logic [43:0] counted;  // without its number, or its check
-  assign top = check_q[15:8];
-  assign check = {check_q[7:0], top} ^ {5'd0, top, 3'd0} ^ {4'd0, counted[43:32]} ^
+  assign so_far = begins_q ? digest_i : check_q;
+  assign top = so_far[15:8];
+  assign check = {so_far[7:0], top} ^ {5'd0, top, 3'd0} ^ {4'd0, counted[43:32]} ^
       counted[31:16] ^ counted[15:0];
   assign holds = !checked_i || above == (check[15:8] ^ check[7:0]);
   always_comb begin
@@ -87,8 +93,13 @@ module frame_entry (
     if (numbered_i || checked_i) counted[words_pkg::CheckLow+:words_pkg::CheckBits] = '0;
   end
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) check_q <= '0;
-    else if (pass_o) check_q <= complete_i && last_i ? '0 : check;
+    if (!rst_ni) begin
+      begins_q <= 1'b1;
+      check_q  <= '0;
+    end else if (pass_o) begin
+      begins_q <= complete_i && last_i;
+      check_q  <= check;
+    end
   end
 
 endmodule

@@ -19,6 +19,7 @@ module segment_entry #(
     output logic             ready_o,
     input  wire logic [47:0] data_i,
 
+    input  wire logic [15:0] digest_i,
     input  wire logic        cut_i,
     input  wire logic        wait_i,
     input  wire logic        turn_i,
@@ -78,6 +79,7 @@ module segment_entry #(
       .valid_i,
       .ready_o,
       .data_i,
+      .digest_i,
       .cut_i,
       .wait_i(wait_i || (length && !turn_i)),
       .valid_o,

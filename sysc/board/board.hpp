@@ -41,6 +41,8 @@ struct BoardSettings {
     std::uint32_t hold_acceleration = 0;  // second difference of time, 2^-32 per tick^2
     std::uint64_t hold_slope = 0;         // first difference, at least as much
     std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs
+    std::uint16_t digest = 0;             // of what its words have to be made for
+    std::uint16_t host_digest = 0;        // of that what the register DIGEST has
 };
 
 /// An axis behind the board's step pins.

@@ -106,6 +106,7 @@ class RtlBoard : public Board {
         dut_->samples_per_tick_log2_i = to_port(settings.samples_per_tick_log2, 4);
         dut_->hold_acceleration_i = settings.hold_acceleration;
         dut_->hold_slope_i = settings.hold_slope;
+        dut_->digest_i = settings.digest;
         dut_->stop_ticks_i = settings.stop_ticks;
     }
 

@@ -15,6 +15,7 @@
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/job_stream.hpp"
+#include "sysc/host/made_for.hpp"
 #include "sysc/watch/report.hpp"
 #include "sysc/widths/word_check.hpp"
 
@@ -73,7 +74,8 @@ class WordFiles {
 
     void add(const Job& job, const ref::Plan& part) {
         if (!writer_) {
-            writer_.emplace(job.options.core);
+            writer_.emplace(job.options.core, job.digest());
+            pieces_.emplace(job.digest());
             segments_.write(segments_head(job));
             profile_.write(profile_head(job));
         }
@@ -85,7 +87,7 @@ class WordFiles {
         }
         for (std::size_t i = 0; i < part.pieces.size(); ++i) {
             std::string text;
-            append(text, pieces_.write(part, i));
+            append(text, pieces_->write(part, i));
             profile_.write(text);
         }
         branches_ += part.branches.size();
@@ -117,13 +119,16 @@ class WordFiles {
                             {"words", segment_words(job)},
                             {"words_each", ref::segment_bus_words(job.options.core.aux_axes)}};
         json["profile"] = {{"file", "profile.hex"},
-                           {"count", pieces_.count()},
+                           {"count", pieces_->count()},
                            {"words_each", hls::kProfileBusWords},
                            {"branches", branches_},
                            {"words", profile_words_}};
         json["queue_words"] = {{"segments", job.options.segment_queue_words},
                                {"profile", job.options.profile_queue_words}};
-        // Ports of motion_interpolator
+        // Ports of motion_interpolator, and of DIGEST of motion_system
+        const MadeFor words = made_for(job.options, job.machine);
+        json["digest"] = words.digest();
+        json["digest_register"] = words.host;
         json["samples_per_tick_log2"] = job.options.samples_per_tick_log2();
         json["hold_acceleration"] = job.plan.hold_acceleration;
         json["hold_slope"] = std::uint64_t(job.plan.hold_acceleration) * job.plan.hold_slope_steps;
@@ -136,10 +141,10 @@ class WordFiles {
 
     std::string summary(const Job& job) const {
         const std::size_t segments = segment_words(job);
-        const std::size_t plain = pieces_.count() * hls::kProfileBusWords;  // without branches
+        const std::size_t plain = pieces_->count() * hls::kProfileBusWords;  // without branches
         std::string text =
             fmt::format("segments  {} in {} words of {} bits\nprofile   {} pieces in {} words",
-                        writer_->count(), segments, kBusBits, pieces_.count(), plain);
+                        writer_->count(), segments, kBusBits, pieces_->count(), plain);
         if (branches_ > 0) {
             text += fmt::format(
                 ", and {} stop branches in {}: --holds bounds sends none, a hold takes longer then",
@@ -176,7 +181,7 @@ class WordFiles {
     OutputFile segments_;
     OutputFile profile_;
     std::optional<SegmentWriter> writer_;
-    ProfileWriter pieces_;
+    std::optional<ProfileWriter> pieces_;
     std::size_t branches_ = 0;
     std::size_t profile_words_ = 0;
     std::uint64_t ticks_ = 0;

@@ -35,8 +35,9 @@ class JoinedSegments {
 /// A program's segments as words (hls/words.hpp), one after the other.
 class SegmentWriter {
   public:
-    explicit SegmentWriter(const CoreParameters& parameters)
-        : segments_(RunTimeFormat(parameters, parameters.axes())) {}
+    /// @param digest of what they are made for: sysc/host/made_for.hpp
+    explicit SegmentWriter(const CoreParameters& parameters, std::uint16_t digest = 0)
+        : segments_(RunTimeFormat(parameters, parameters.axes())), check_(digest) {}
 
     /// The next one's.
     /// @throws std::logic_error as JoinedSegments
@@ -52,6 +53,8 @@ class SegmentWriter {
 /// Its pieces.
 class ProfileWriter {
   public:
+    explicit ProfileWriter(std::uint16_t digest = 0) : check_(digest) {}
+
     /// The next one's, number `index` of this part of its plan: of the branch before it, if there
     /// is one, and five.
     std::vector<std::uint64_t> write(const ref::Plan& plan, std::size_t index);

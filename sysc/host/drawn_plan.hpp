@@ -29,6 +29,8 @@ class DrawnPlan : public ref::PlanFrame {
     std::uint64_t longest_stop = 0;  // ticks from a hold at the rate 1 to rest, with branches
     std::size_t stops = 0;           // that the profile plans
 
+    /// Its words, all of them, are made for this.
+    void made_for(std::uint16_t digest) { writer_ = ProfileWriter(digest); }
     /// The next part, whose moves there are.
     void append(const ref::Plan& part);
 

@@ -9,22 +9,27 @@
 
 #include "hls/words.hpp"
 #include "sysc/board/faults.hpp"
+#include "sysc/host/made_for.hpp"
 #include "sysc/host/path_source.hpp"
 
 namespace curvecore::sysc {
 
-BoardSettings board_settings(const Options& options, const ref::PlanFrame& plan) {
+BoardSettings board_settings(const Job& job) {
+    const ref::PlanFrame& plan = job.plan;
+    const MadeFor words = made_for(job.options, job.machine);
     BoardSettings settings;
-    settings.samples_per_tick_log2 = options.samples_per_tick_log2();
-    settings.override_word = options.override_word();
+    settings.samples_per_tick_log2 = job.options.samples_per_tick_log2();
+    settings.override_word = job.options.override_word();
     settings.hold_acceleration = plan.hold_acceleration;
     settings.hold_slope = std::uint64_t(plan.hold_acceleration) * plan.hold_slope_steps;
     settings.stop_ticks = plan.stop_ticks;
+    settings.digest = words.digest();
+    settings.host_digest = words.host;
     return settings;
 }
 
 Feeder::Feeder(const Job& job, std::uint64_t samples, Board& board)
-    : job_(job), board_(board), samples_(samples), segment_words_(job.options.core) {}
+    : job_(job), board_(board), samples_(samples), segment_words_(job.options.core, job.digest()) {}
 
 void Feeder::turn(std::vector<Sample>& samples) {
     write_segments();

@@ -8,11 +8,8 @@
 
 namespace curvecore::sysc {
 
-/// The settings of a board that draws a plan.
-BoardSettings board_settings(const Options& options, const ref::PlanFrame& plan);
-inline BoardSettings board_settings(const Job& job) {
-    return board_settings(job.options, job.plan);
-}
+/// The settings of a board that draws a job's plan, of which the first part is there.
+BoardSettings board_settings(const Job& job);
 
 class Feeder {
   public:

@@ -9,6 +9,7 @@
 #include "ref/program/program_reader.hpp"
 #include "ref/segment/geometry.hpp"
 #include "sysc/host/job_stream.hpp"
+#include "sysc/host/made_for.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -33,6 +34,8 @@ std::size_t fewest_segments(const Job& job) {
 }
 
 }  // namespace
+
+std::uint16_t Job::digest() const { return made_for(options, machine).digest(); }
 
 const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
 

@@ -24,6 +24,8 @@ struct Job {
     std::optional<FormCost> exact;          // what that would cost, where it is another
     std::optional<AsArcs> as_arcs;          // where arcs took the splines' place
 
+    /// Of what its words are made for.
+    std::uint16_t digest() const;
     /// "spherical", or "curve": the one that draws splines as well.
     const char* core_name() const;
     /// Whether a bound is derived for segments of this kind: none of splines with Anchor 0, which

@@ -221,6 +221,7 @@ void JobStream::begin() {
     }
     ref::PlanOptions options = job_.options.plan_options();
     options.cuts = moves_->cuts();
+    job_.plan.made_for(job_.digest());
     plan_.emplace([this](ref::Move& move) { return take(move); },
                   ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
                   job_.machine, options);

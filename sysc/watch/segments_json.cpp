@@ -65,7 +65,7 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
     write(fmt::format(
         "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n\"segments\": [",
         job.plan.unit_mm, std::ldexp(1.0, -16)));
-    SegmentWriter writer(job.options.core);
+    SegmentWriter writer(job.options.core, job.digest());
     job.plan.each_segment([&](const ref::Segment& segment, std::size_t i) {
         Text text;
         const auto out = std::back_inserter(text);

@@ -176,6 +176,7 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
     write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
     write(CURVECORE_HOLD_SLOPE, static_cast<std::uint32_t>(settings.hold_slope));
     write(CURVECORE_STOP_TICKS, settings.stop_ticks);
+    write(CURVECORE_DIGEST, settings.host_digest);
     write(CURVECORE_REFERENCE, (1U << build_.axes) - 1);
     control(CURVECORE_CONTROL_ENABLE_MASK);
     frames_.finish();

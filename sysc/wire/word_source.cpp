@@ -70,7 +70,11 @@ void WordSource::plan() {
 void WordSource::add(const ref::Plan& part) {
     const Options& options = stream_->job().options;
     PlannedWords words;
-    if (!segment_words_) segment_words_.emplace(options.core);
+    if (!segment_words_) {
+        const std::uint16_t digest = stream_->job().digest();
+        segment_words_.emplace(options.core, digest);
+        piece_words_.emplace(digest);
+    }
     const double tick_s = options.sample_period_s * options.samples_per_tick;
     std::size_t next = 0;  // segment to be counted
     double segment_s = 0;  // its begin, from the part's
@@ -80,7 +84,7 @@ void WordSource::add(const ref::Plan& part) {
     }
     const std::size_t each = words.segments.size() / std::max<std::size_t>(part.segments.size(), 1);
     for (std::size_t i = 0; i < part.pieces.size(); ++i) {
-        const std::vector<std::uint64_t> piece = piece_words_.write(part, i);
+        const std::vector<std::uint64_t> piece = piece_words_->write(part, i);
         append(words.pieces, piece);
         for (; next < part.segments.size() && segment_s <= piece_s; ++next) {
             segment_s += part.segments[next].ticks * tick_s;
@@ -99,7 +103,7 @@ void WordSource::add(const ref::Plan& part) {
     move_to(planned_.segments, words.segments);
     move_to(planned_.pieces, words.pieces);
     if (!settings_) {
-        settings_ = board_settings(options, part);
+        settings_ = board_settings(stream_->job());
         start_ = start_of(part.segments.front(), options.unit_mm);
     }
     changed_.notify_all();

@@ -60,7 +60,7 @@ class WordSource {
     std::condition_variable changed_;
     PlannedWords planned_;
     std::optional<SegmentWriter> segment_words_;
-    ProfileWriter piece_words_;
+    std::optional<ProfileWriter> piece_words_;
     double time_s_ = 0;  // of the program, as far as it is planned
     std::uint64_t words_of_second_ = 0;
     std::uint64_t busiest_ = 0;

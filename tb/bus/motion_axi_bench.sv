@@ -36,7 +36,8 @@ module motion_axi_bench (
   motion_axi #(
       .ProfileQueueWords(512),
       .PeriodLog2       (8),
-      .SamplesAhead     (15)
+      .SamplesAhead     (15),
+      .ClockHertz       (2560000)
   ) u_motion (
       .clk_i           (clk),
       .rst_ni          (rst_n),

@@ -69,6 +69,7 @@ class Host:
         await self.write("HOLD_ACCELERATION", PLAN["hold_acceleration"])
         await self.write("HOLD_SLOPE", PLAN["hold_slope"] % 2**32)
         await self.write("STOP_TICKS", PLAN["stop_ticks"])
+        await self.write("DIGEST", PLAN["digest_register"])
         await self.write("REFERENCE", (1 << axes) - 1)
         await self.write("CONTROL", 1)
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/frame_entry.sv, whatever words come: those that pass are the words that came, none lost
 // or doubled, each with its tag, one that can be, with the check of all before it in its program,
-// in a frame of the next number that follows on the one before; and every such word passes. The
-// first other one is told, with its cause, and nothing passes after it; nor while another stream is
-// cut, or it has to wait. Words are numbered; a reset makes all as new.
+// begun with the digest that there was at the program's first word, in a frame of the next number
+// that follows on the one before; and every such word passes. The first other one is told, with its
+// cause, and nothing passes after it; nor while another stream is cut, or it has to wait. Words are
+// numbered; a reset makes all as new.
 // control: LETS_TAG s/can_be_i && data_o.*;/can_be_i;/
 // control: ANY_ORDER s/!numbered_i ||/1'b1 ||/
 // control: ANY_FOLLOWS s/follows_i \&\&/1'b1 \&\&/
 // control: ANY_CHECK s/ \&\& holds;/;/
 // control: SHORT_CHECK s/{5.d0, top, 3.d0}/16'd0/
-// control: ENDLESS_CHECK s/complete_i \&\& last_i ? '0 : check/check/
+// control: ENDLESS_CHECK s/begins_q <= complete_i \&\& last_i/begins_q <= 1'b0/
+// control: ANY_DIGEST s/begins_q ? digest_i : check_q/begins_q ? 16'd0 : check_q/
+// control: DIGEST_OF_FRAMES s/begins_q <= complete_i \&\& last_i/begins_q <= complete_i/
+// control: DIGEST_ONCE s/begins_q <= 1'b1;/begins_q <= begins_q;/
 // control: CHECKS_NUMBER s/if (numbered_i || checked_i)/if (checked_i)/
 // control: FAULT_GOES s/if (held_q \&\& !cut) fault_o/if (held_q) fault_o/
 // control: LOSES_WORD s/assign ready_o  = !held_q || pass_o/assign ready_o  = !held_q || valid_o/
@@ -18,21 +22,22 @@
 // control: NO_RESET s/sequence_q <= '0;/sequence_q <= sequence_q;/
 `default_nettype none
 module frame_entry_formal (
-    input wire logic       clk_i,
-    input wire logic       rst_ni,
-    input wire logic       valid_i,
-    input wire logic [1:0] tag_i,
-    input wire logic [7:0] above_i,     // the number, or a check
-    input wire logic       can_be_i,
-    input wire logic       numbered_i,
-    input wire logic       checked_i,
-    input wire logic       follows_i,
-    input wire logic       complete_i,
-    input wire logic       last_i,
-    input wire logic       cut_i,
-    input wire logic       wait_i,
-    input wire logic       ready_i,
-    input wire logic [1:0] next_tag_i
+    input wire logic        clk_i,
+    input wire logic        rst_ni,
+    input wire logic        valid_i,
+    input wire logic [ 1:0] tag_i,
+    input wire logic [ 7:0] above_i,     // the number, or a check
+    input wire logic        can_be_i,
+    input wire logic        numbered_i,
+    input wire logic        checked_i,
+    input wire logic        follows_i,
+    input wire logic        complete_i,
+    input wire logic        last_i,
+    input wire logic [15:0] digest_i,
+    input wire logic        cut_i,
+    input wire logic        wait_i,
+    input wire logic        ready_i,
+    input wire logic [ 1:0] next_tag_i
 );
 
   logic [3:0] taken_q;  // words that came
@@ -65,6 +70,7 @@ module frame_entry_formal (
         complete_i,
         taken_q
       }),
+      .digest_i,
       .cut_i,
       .wait_i,
       .valid_o(valid),
@@ -93,6 +99,7 @@ module frame_entry_formal (
 
   // The check of the word, bit by bit
   logic checked;
+  logic first_q;  // a program's first word has to come
   logic [15:0] crc_q;
   logic [15:0] crc;
   logic [47:0] counted;
@@ -100,7 +107,7 @@ module frame_entry_formal (
   always_comb begin
     counted = data;
     if (checked || data[5]) counted[43:36] = '0;
-    crc = crc_q;
+    crc = first_q ? digest_i : crc_q;
     for (int n = 0; n < 8; n = n + 1) crc = {crc[14:0], 1'b0} ^ (crc[15] ? 16'h9 : 16'h0);
     crc = crc ^ {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
   end
@@ -125,12 +132,14 @@ module frame_entry_formal (
       passed_q <= '0;
       frames_q <= '0;
       held_q   <= 1'b0;
+      first_q  <= 1'b1;
       crc_q    <= '0;
     end else begin
       if (valid && ready_i) begin
         held_q   <= 1'b0;
         passed_q <= passed_q + 4'd1;
-        crc_q    <= data[4] && data[9] ? '0 : crc;
+        first_q  <= data[4] && data[9];
+        crc_q    <= crc;
         tag_q    <= next_tag_i;
         if (data[4]) frames_q <= frames_q + 8'd1;
       end

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
 // numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
-// hls/words.hpp says it, and has the check of those before it in its program; whole
-// pieces alone are counted, each with the ticks and final of its own words; a path length is told
-// as it passes.
+// hls/words.hpp says it, and has the check of those before it in its program, begun with the
+// digest; whole pieces alone are counted, each with the ticks and final of its own words; a path
+// length is told as it passes.
 // control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//
@@ -20,6 +20,7 @@ module piece_entry_formal (
     input wire logic        rst_ni,
     input wire logic        valid_i,
     input wire logic [47:0] data_i,
+    input wire logic [15:0] digest_i,
     input wire logic        cut_i,
     input wire logic        wait_i,
     input wire logic        turn_i,
@@ -40,6 +41,7 @@ module piece_entry_formal (
       .valid_i,
       .ready_o(ready),
       .data_i,
+      .digest_i,
       .cut_i,
       .wait_i,
       .turn_i,
@@ -93,19 +95,27 @@ module piece_entry_formal (
 
   // hls/word_check.hpp
   logic checked;
+  logic first_q;  // a program's first word has to come
   logic [15:0] crc_q;
+  logic [15:0] so_far;
   logic [15:0] crc;
+  assign so_far = first_q ? digest_i : crc_q;
   logic [47:0] counted;
   assign checked = place_q >= 3'd2 && !steps;
   always_comb begin
     counted = data;
     if (checked || (place_q == 3'd0 && !steps && !stop)) counted[43:36] = '0;
-    crc = {crc_q[7:0], 8'b0} ^ {5'b0, crc_q[15:8], 3'b0} ^ {8'b0, crc_q[15:8]} ^
+    crc = {so_far[7:0], 8'b0} ^ {5'b0, so_far[15:8], 3'b0} ^ {8'b0, so_far[15:8]} ^
         {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
   end
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) crc_q <= '0;
-    else if (pass) crc_q <= place_q == 3'd4 && final_q ? '0 : crc;
+    if (!rst_ni) begin
+      first_q <= 1'b1;
+      crc_q   <= '0;
+    end else if (pass) begin
+      first_q <= place_q == 3'd4 && final_q;
+      crc_q   <= crc;
+    end
   end
 
   // hls/words.hpp: ticks 1 .. 2^m, m 0 .. 19, e 0 .. 46, 4 spare bits

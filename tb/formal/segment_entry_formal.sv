@@ -2,8 +2,8 @@
 // rtl/queue/segment_entry.sv, whatever words come: they pass as segments, word by word, of
 // consecutive numbers, each from where the one before ended, the first from anywhere; a word passes
 // exactly if it can be, as hls/words.hpp says it, and has the check of those before it in its
-// program; whole segments alone are counted, each with the ticks and last of its own words; a
-// length is told as it passes.
+// program, begun with the digest; whole segments alone are counted, each with the ticks and last of
+// its own words; a length is told as it passes.
 // control: AUX_AS_XYZ s/ \&\& !xyz//
 // control: ANY_LAMBDA s/ \&\& {1'b0, k_q} <= lambda//
 // control: WIDE_POINT s/PointField-1:FineBits-1\]/PointField-1:FineBits]/g
@@ -31,6 +31,7 @@ module segment_entry_formal #(
     input wire logic        rst_ni,
     input wire logic        valid_i,
     input wire logic [47:0] data_i,
+    input wire logic [15:0] digest_i,
     input wire logic        cut_i,
     input wire logic        wait_i,
     input wire logic        turn_i,
@@ -61,6 +62,7 @@ module segment_entry_formal #(
       .valid_i,
       .ready_o(ready),
       .data_i,
+      .digest_i,
       .cut_i,
       .wait_i,
       .turn_i,
@@ -141,18 +143,26 @@ module segment_entry_formal #(
   end
 
   // hls/word_check.hpp
+  logic first_q;  // a program's first word has to come
   logic [15:0] crc_q;
+  logic [15:0] so_far;
   logic [15:0] crc;
+  assign so_far = first_q ? digest_i : crc_q;
   logic [47:0] counted;
   always_comb begin
     counted = data;
     if (tag == 4'd7 || place_q == 5'd4) counted[43:36] = '0;
-    crc = {crc_q[7:0], 8'b0} ^ {5'b0, crc_q[15:8], 3'b0} ^ {8'b0, crc_q[15:8]} ^
+    crc = {so_far[7:0], 8'b0} ^ {5'b0, so_far[15:8], 3'b0} ^ {8'b0, so_far[15:8]} ^
         {4'b0, counted[43:32]} ^ counted[31:16] ^ counted[15:0];
   end
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) crc_q <= '0;
-    else if (pass) crc_q <= place_q == 5'(Last) && last_q ? '0 : crc;
+    if (!rst_ni) begin
+      first_q <= 1'b1;
+      crc_q   <= '0;
+    end else if (pass) begin
+      first_q <= place_q == 5'(Last) && last_q;
+      crc_q   <= crc;
+    end
   end
 
   always_comb begin

@@ -9,7 +9,8 @@ namespace {
 TEST(Faults, AreNamedBitByBit) {
     EXPECT_EQ(sysc::fault_text(0), "none");
     EXPECT_EQ(sysc::fault_text(0x81),
-              "a segment word that cannot be, or is not as it was made, no sample for too long");
+              "a segment word that cannot be, is not as it was made or for another configuration, "
+              "no sample for too long");
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ def parameters(folder, samples):
             "ProfileWords": settings["profile"]["words"],
             "SamplesPerTickLog2": settings["samples_per_tick_log2"],
             "HoldAcceleration": settings["hold_acceleration"],
-            "HoldSlope": settings["hold_slope"], "StopTicks": settings["stop_ticks"]}
+            "HoldSlope": settings["hold_slope"], "StopTicks": settings["stop_ticks"],
+            "Digest": settings["digest"]}
 
 
 def bench_defaults():

@@ -7,6 +7,7 @@ namespace curvecore::tb {
 
 static void drive(const MotionPorts& ports, MODEL& model) {
     model.rst_ni = ports.rst_ni;
+    model.digest_i = static_cast<SData>(ports.digest_i);
     model.segment_valid_i = ports.segment_valid_i;
     model.segment_data_i = ports.segment_data_i;
     model.profile_valid_i = ports.profile_valid_i;

@@ -8,6 +8,7 @@ namespace curvecore::tb {
 
 struct MotionPorts {
     bool rst_ni = true;
+    uint32_t digest_i = 0;
     bool segment_valid_i = false;
     uint64_t segment_data_i = 0;
     bool profile_valid_i = false;

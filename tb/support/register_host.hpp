@@ -39,7 +39,10 @@ constexpr uint32_t kMotionFaults = CURVECORE_STATE_MOTION_MASK;
 
 /// A plan for the board under test, and its words.
 struct Part {
-    Part(const std::string& file, ref::Holds holds) {
+    /// @param change of the options, for another board or host
+    Part(
+        const std::string& file, ref::Holds holds,
+        const std::function<void(sysc::Options&)>& change = [](sysc::Options&) {}) {
         sysc::Options options;
         options.holds = holds;
         options.file = std::string(DATA_DIR) + "/" + file;
@@ -48,9 +51,10 @@ struct Part {
         options.core.mode = 1;
         options.splines_set = true;
         options.clock_hz = static_cast<double>(kSystemPeriod) / options.sample_period_s;
+        change(options);
         job = sysc::plan_job(options);
         settings = sysc::board_settings(job);
-        sysc::SegmentWriter writer(job.options.core);
+        sysc::SegmentWriter writer(job.options.core, job.digest());
         for (std::size_t n = 0; n < job.plan.segments.size(); ++n) {
             add(segments, writer.write(job.plan.segments[n]));
         }
@@ -146,6 +150,7 @@ class RegisterHost {
         write(CURVECORE_HOLD_ACCELERATION, part.settings.hold_acceleration);
         write(CURVECORE_HOLD_SLOPE, static_cast<uint32_t>(part.settings.hold_slope));
         write(CURVECORE_STOP_TICKS, part.settings.stop_ticks);
+        write(CURVECORE_DIGEST, part.settings.host_digest);
         EXPECT_TRUE(write(CURVECORE_REFERENCE, kEveryAxis));
         EXPECT_TRUE(write(CURVECORE_CONTROL, control));
     }

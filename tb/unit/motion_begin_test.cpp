@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
+#include "sysc/board/faults.hpp"
 #include "tb/support/motion_system_bench.hpp"
 
 namespace curvecore::tb {
@@ -13,7 +15,7 @@ using MotionBegin = MotionSystem;
 
 /// Each of the part's points is so many steps away.
 void move(Part& part, const std::vector<double>& steps) {
-    hls::WordCheck check;
+    hls::WordCheck check(part.settings.digest);
     constexpr std::size_t kFrame = ref::segment_bus_words(0);
     for (std::size_t n = 0; n < part.segments.size(); ++n) {
         const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, part.segments[n]));
@@ -103,6 +105,72 @@ TEST_F(MotionBegin, BeginsAProgramWhereAFlushInMotionStopped) {
         host_.write(CURVECORE_CONTROL, 0);
         while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
     }
+}
+
+/// Another board, and another host, than those that draw.
+struct Other {
+    const char* what;
+    std::function<void(sysc::Options&)> change;
+};
+
+const std::vector<Other> kOthers{
+    {"order", [](sysc::Options& o) { o.core.order = 5; }},
+    {"mode",  // and an order for which its clocks suffice
+     [](sysc::Options& o) {
+         o.core.mode = 0;
+         o.core.order = 4;
+     }},
+    {"coefficients", [](sysc::Options& o) { o.core.coef_bits = 34; }},
+    {"positions", [](sysc::Options& o) { o.core.position_bits = 30; }},
+    {"guard", [](sysc::Options& o) { o.core.guard_bits = 6; }},
+    {"build",
+     [](sysc::Options& o) {
+         const bool serial = o.core.build == sysc::Build::kSerial;
+         o.core.build = serial ? sysc::Build::kParallel : sysc::Build::kSerial;
+     }},
+    {"splines",
+     [](sysc::Options& o) {
+         o.core.splines = 0;
+         o.file = DATA_DIR "/lines.ngc";
+         o.exact_path = true;
+     }},
+    {"period",
+     [](sysc::Options& o) {
+         o.sample_period_s *= 2;
+         o.clock_hz /= 2;
+     }},
+    {"clocks of a period", [](sysc::Options& o) { o.sample_period_s *= 2; }},
+    {"clock", [](sysc::Options& o) { o.clock_hz *= 2; }},
+    {"unit", [](sysc::Options& o) { o.unit_mm = 2e-6; }},
+    {"samples per tick", [](sysc::Options& o) { o.samples_per_tick = 2; }},
+    {"machine", [](sysc::Options& o) { o.machine = DATA_DIR "/example_machine.ini"; }},
+};
+
+TEST_F(MotionBegin, LetsNoWordsInThatAreMadeForAnotherConfiguration) {
+    std::vector<int64_t> stand(kSystemAxes, 0);
+    for (const Other& other : kOthers) {
+        const Part part("pulses.ngc", ref::Holds::kBounds, other.change);
+        host_.prepare(part_);
+        for (std::size_t n = 0; n < 500; ++n) {  // the queues have room for them
+            if (n < part.segments.size()) host_.push(CURVECORE_SEGMENT_LO, part.segments[n]);
+            if (n < part.pieces.size()) host_.push(CURVECORE_PROFILE_LO, part.pieces[n]);
+        }
+        host_.samples(200);
+        const uint32_t word = (1U << sysc::kSegmentWord | 1U << sysc::kPieceWord)
+                              << CURVECORE_STATE_MOTION_LOW;
+        EXPECT_NE(host_.state() & word, 0U) << other.what;
+        EXPECT_EQ(host_.state() & kFaults & ~word, 0U) << other.what;
+        EXPECT_EQ(host_.path(), 0U) << other.what;
+        EXPECT_EQ(counts(), stand) << other.what;
+        EXPECT_TRUE(host_.write(CURVECORE_CONTROL, 0));
+        host_.samples(20);
+        clear_faults();
+        EXPECT_TRUE(host_.is(CURVECORE_STATE_CLEAN_MASK)) << other.what;
+    }
+    // As new
+    host_.prepare(part_);
+    host_.draw(part_);
+    expect_drawn();
 }
 
 }  // namespace

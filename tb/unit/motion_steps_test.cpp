@@ -35,6 +35,7 @@ class StepMachine : public Board {
         core_->samples_per_tick_log2_i = to_port(settings.samples_per_tick_log2, 4);
         core_->hold_acceleration_i = settings.hold_acceleration;
         core_->hold_slope_i = settings.hold_slope;
+        core_->digest_i = settings.digest;
         core_->stop_ticks_i = settings.stop_ticks;
         core_.reset();
         core_.tick();

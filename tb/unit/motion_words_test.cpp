@@ -147,7 +147,7 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
         segments[n].ticks = 0;
     }
     segments[0].ticks += stolen;
-    hls::WordCheck check;
+    hls::WordCheck check(static_cast<uint16_t>(dut_->digest_i));
     for (std::size_t n = 0; n < cut; ++n) {
         std::vector<uint64_t> bus = bus_words(segments[n], static_cast<unsigned>(n));
         check.seal(bus.data(), bus.size());
@@ -245,8 +245,9 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
         damage(stream, random);
 
         // What the twin of the entry says of it
-        hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0);
-        hls::PieceEntry piece_entry;
+        const auto digest = static_cast<uint16_t>(dut_->digest_i);
+        hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0, digest);
+        hls::PieceEntry piece_entry(digest);
         int expected = 0;
         for (const uint64_t word : stream.words) {
             const hls::Entry entry =
@@ -266,6 +267,32 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
         if (HasFailure()) FAIL() << "round " << round;
     }
     EXPECT_GT(found, rounds / 2);
+}
+
+// Each program has its own digest, which counts when its first word comes.
+TEST_F(MotionWords, AreOfTheDigestThatTheyAreMadeFor) {
+    const uint16_t first = 0x1234;
+    for (const int other : {0, 1, 0x100, 0x101, 0x8000, 0x5555}) {
+        for (const bool told : {true, false}) {
+            make_for(first);
+            program(pieces(31, 30, 10, 20, 3 << 16));
+            run();
+            const int64_t length = length_;
+            make_for(static_cast<uint16_t>(first ^ other));
+            if (!told) dut_->digest_i = first;
+            program(pieces(32, 30, 10, 20, 3 << 16));
+            run_out();
+            if (told || other == 0) {
+                EXPECT_EQ(fault(), 0);
+                EXPECT_EQ(path_, length_);
+            } else {
+                EXPECT_TRUE(fault() == 1 << kSegmentWord || fault() == 1 << kPieceWord) << fault();
+                EXPECT_EQ(path_, length);
+            }
+            start_afresh();
+            if (HasFailure()) FAIL() << other << " " << told;
+        }
+    }
 }
 
 // A program that begins elsewhere than the one before ended, behind it in the queue. Its pieces are

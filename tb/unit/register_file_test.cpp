@@ -193,6 +193,7 @@ class RegisterFile : public testing::Test {
         EXPECT_EQ(dut_->hold_acceleration_o, value["HOLD_ACCELERATION"]);
         const uint32_t slope = value["HOLD_SLOPE"];
         EXPECT_EQ(dut_->hold_slope_o, slope == 0 ? uint64_t{1} << 32 : slope);
+        EXPECT_EQ(dut_->digest_o, field(value["DIGEST"], 0, 16));
         EXPECT_EQ(dut_->stop_ticks_o, field(value["STOP_TICKS"], 0, 29));
         EXPECT_EQ(dut_->steplen_o, field(value["PULSE"], 0, CFG_TimeBits));
         EXPECT_EQ(dut_->stepspace_o, field(value["PULSE"], 16, CFG_TimeBits));

@@ -250,6 +250,14 @@ class WireTest(unittest.TestCase):
         self.assertEqual((words["clock_hz"], words["sample_period_s"]), (2.56e6, 1e-4))
         self.assertEqual(words["parameters"]["Mode"], 1)
         self.assertEqual(read(board.port, SEQUENCE), 0, "it was only asked")
+        capability, core, clock = (read(board.port, address) for address in (0x08, 0x0C, 0x10))
+        period = 1 << (capability >> 4 & 31)
+        digest = 0
+        for word in (capability & 0x60f, core, period, clock):
+            for byte in word.to_bytes(4, "little"):
+                top = digest >> 8
+                digest = (digest << 8 ^ top << 3 ^ top ^ byte) & 0xffff
+        self.assertEqual(words["digest"], digest ^ words["digest_register"])
 
     def test_examples_of_the_page(self):
         page = pathlib.Path(__file__).resolve().parents[2] / "sysc/wire/README.md"
