@@ -2,7 +2,6 @@
 #include "sysc/wire/frame_stream.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "hls/registers/registers.h"
 
@@ -15,16 +14,19 @@ using std::chrono::milliseconds;
 /// No answer for so long: there is no board. A computer that is busy may be silent for seconds, and
 /// its board holds meanwhile.
 constexpr auto kSilence = std::chrono::seconds(10);
-/// After so long without an answer another question goes.
+/// After so long without an answer another question goes, while no round trip is known.
 constexpr WireClock::duration kUnanswered = milliseconds(25);
 /// Questions without a number between two with one: a fast board's clock goes on by frames.
 constexpr int kMostPolls = 20;
+/// Frames that go again at once: where many are lost few are taken before the next that is missing.
+constexpr std::size_t kMostRepeated = 16;
 /// Numbers that an answer may be late by; one that is further off is of another session.
 constexpr std::int32_t kLate = 1 << 20;
 
-/// What every frame reads at its end, in the order of take().
-Frame& add_reads(Frame& frame) {
-    return frame.read(CURVECORE_STATE, 2).read(CURVECORE_PATH_LO, 4).read(CURVECORE_SEQUENCE, 1);
+/// What every frame reads at its end, in the order of take(); its answer's length says the epoch.
+Frame with_reads(Frame frame, std::size_t epoch) {
+    frame.read(CURVECORE_STATE, 2).read(CURVECORE_PATH_LO, 4).read(CURVECORE_SEQUENCE, 1);
+    return frame.read(CURVECORE_ID, static_cast<int>(epoch) + 1);
 }
 constexpr std::size_t kWordsRead = 7;
 constexpr std::size_t kQuestions = 16;
@@ -48,15 +50,13 @@ FrameStream::FrameStream(Link& link)
     if (id != CURVECORE_ID_ID_VALUE) throw BoardLost("what answers is not a motion_board");
 }
 
-void FrameStream::open() {
-    // A number that no frame under way has: of another host, or of this one before a restart.
-    std::random_device chance;
-    const std::uint32_t session = chance();
-    while (next_ != session) {
+void FrameStream::open(std::uint32_t first) {
+    while (next_ != first) {
         const std::uint32_t number = read(CURVECORE_SEQUENCE, 1)[0];
-        transmit(numbered(number, session).bytes());
+        transmit(numbered(number, first).bytes());
         next_ = read(CURVECORE_SEQUENCE, 1)[0];
     }
+    reach_.fill(next_);
     work();
 }
 
@@ -64,15 +64,15 @@ std::vector<std::uint32_t> FrameStream::read(std::uint32_t address, int words) {
     // Answers say nothing of their question; its length, with so many words ID, tells it from the
     // ones before.
     question_ = (question_ + 1) % kQuestions;
-    const std::size_t marks = kWordsRead + 1 + question_;
+    const std::size_t marks = kWordsRead + kEpochs + 1 + question_;
     Frame frame;
     frame.read(address, words);
     for (std::size_t n = 0; n < marks; ++n) frame.read(CURVECORE_ID, 1);
     for (;;) {
         transmit(frame.bytes());
-        const WireClock::time_point end = WireClock::now() + patience();
-        while (WireClock::now() < end) {
-            const std::optional<Bytes> answer = link_.receive(end - WireClock::now());
+        const WireClock::time_point end = link_.now() + patience();
+        while (link_.now() < end) {
+            const std::optional<Bytes> answer = link_.receive(end - link_.now());
             if (!answer) continue;
             waits_ = false;
             std::vector<std::uint32_t> read = words_of(*answer);
@@ -89,37 +89,32 @@ Frame FrameStream::begin() const { return numbered(next_, next_ + 1); }
 void FrameStream::transmit(const Bytes& frame) {
     link_.send(frame);
     ++figures_.frames;
-    transmitted_ = WireClock::now();
+    transmitted_ = link_.now();
     if (!waits_) waits_since_ = transmitted_;
     waits_ = true;
 }
 
 void FrameStream::check_silence() const {
-    if (waits_ && WireClock::now() > waits_since_ + kSilence) {
+    if (waits_ && link_.now() > waits_since_ + kSilence) {
         throw BoardLost("the board does not answer");
     }
 }
 
 void FrameStream::send(const Frame& frame, int segment_words, int profile_words) {
-    Frame whole = frame;
-    add_reads(whole);
-    transmit(whole.bytes());
+    transmit(with_reads(frame, epoch_).bytes());
     numbered_ = transmitted_;
     polls_ = 0;
-    under_way_.push_back(
-        {next_++, whole.bytes(), segment_words, profile_words, transmitted_, false});
+    under_way_.push_back({next_++, frame, segment_words, profile_words, transmitted_, false});
     telemetry_.segment_room -= segment_words;
     telemetry_.profile_room -= profile_words;
 }
 
 void FrameStream::work() {
-    // Questions wait for answers, so that a slow board does not drown in them, but not for long: a
-    // board whose host is silent stops.
-    if (all_taken() && (polls_ >= kMostPolls || WireClock::now() >= numbered_ + live_period_)) {
+    // Questions wait for answers, but not for long: a board whose host is silent stops.
+    if (all_taken() && (polls_ >= kMostPolls || link_.now() >= numbered_ + live_period_)) {
         send(begin());
-    } else if (WireClock::now() >= transmitted_ + (waits_ ? kUnanswered : link_.poll_period())) {
-        Frame poll;
-        transmit(add_reads(poll).bytes());
+    } else if (link_.now() >= transmitted_ + (waits_ ? unanswered() : link_.poll_period())) {
+        transmit(with_reads({}, epoch_).bytes());
         ++polls_;
     }
     WireClock::duration wait = link_.poll_period();
@@ -137,7 +132,8 @@ void FrameStream::finish() {
 
 void FrameStream::take(const Bytes& answer) {
     const std::vector<std::uint32_t> words = words_of(answer);
-    if (words.size() != kWordsRead) return;  // of a question before
+    if (words.size() <= kWordsRead || words.size() > kWordsRead + kEpochs) return;  // of read()
+    const std::size_t epoch = words.size() - kWordsRead - 1;
     waits_ = false;
     const std::uint32_t first = next_ - static_cast<std::uint32_t>(under_way_.size());
     const auto taken = static_cast<std::int32_t>(words[6] - first);
@@ -146,7 +142,7 @@ void FrameStream::take(const Bytes& answer) {
         throw BoardLost("the board was restarted, or has another master");
     }
     for (std::int32_t n = 0; n < taken; ++n) {
-        if (!under_way_.front().repeated) measure(WireClock::now() - under_way_.front().sent);
+        if (!under_way_.front().repeated) measure(link_.now() - under_way_.front().sent);
         under_way_.pop_front();
         backoff_ = 1;
     }
@@ -160,6 +156,17 @@ void FrameStream::take(const Bytes& answer) {
     }
     telemetry_.path = std::uint64_t{words[3]} << 32 | words[2];
     telemetry_.rate = words[4] / 65536.0;
+    // This one was asked when the first of those was on its way, and did not meet it.
+    if (!all_taken() && static_cast<std::int32_t>(reach_[epoch] - under_way_.front().number) > 0) {
+        repeat();
+    } else if (epoch == epoch_) {
+        begin_epoch();
+    }
+}
+
+void FrameStream::begin_epoch() {
+    epoch_ = (epoch_ + 1) % kEpochs;
+    reach_[epoch_] = next_;
 }
 
 /// Jacobson's and Karels' estimate.
@@ -171,21 +178,37 @@ void FrameStream::measure(WireClock::duration round_trip) {
     mean += (seen - mean) / 8;
 }
 
+/// Two round trips, so that a slow board does not drown in questions.
+WireClock::duration FrameStream::unanswered() const {
+    const double mean = figures_.round_trip_s;
+    return mean == 0 ? kUnanswered : std::max(2 * link_.poll_period(), seconds(2 * mean));
+}
+
 WireClock::duration FrameStream::patience() const {
     const double mean = figures_.round_trip_s;
-    return std::max<WireClock::duration>(2 * link_.poll_period(),
-                                         seconds(backoff_ * (mean + 2 * deviation_s_)));
+    return std::max<WireClock::duration>(
+        {2 * link_.poll_period(), kUnanswered, seconds(backoff_ * (mean + 4 * deviation_s_))});
 }
 
 void FrameStream::repeat_overdue() {
-    if (under_way_.empty() || WireClock::now() < under_way_.front().sent + patience()) return;
+    if (under_way_.empty() || link_.now() < under_way_.front().sent + patience()) return;
+    repeat();
+    backoff_ = std::min(2 * backoff_, 4);
+}
+
+void FrameStream::repeat() {
+    std::size_t left = kMostRepeated;
     for (UnderWay& frame : under_way_) {
-        transmit(frame.bytes);
-        frame.sent = transmitted_;
         frame.repeated = true;
+        if (left == 0) continue;
+        --left;
+        transmit(with_reads(frame.frame, epoch_).bytes());
+        frame.sent = transmitted_;
         ++figures_.repeated;
     }
-    backoff_ = std::min(2 * backoff_, 4);
+    // What was asked before says nothing of these.
+    reach_.fill(under_way_.front().number);
+    begin_epoch();
 }
 
 }  // namespace curvecore::sysc

@@ -39,8 +39,9 @@ class FrameStream {
     /// @throws BoardLost: nobody answers, or not a board of this kind
     explicit FrameStream(Link& link);
 
-    /// Opens a session: of all hosts the board obeys this one. Until then it is only read.
-    void open();
+    /// Opens a session: of all hosts the board obeys this one. Until then it is only read. Its first
+    /// number is one that no frame under way has: of another host, or of this one before a restart.
+    void open(std::uint32_t first);
 
     /// A frame to fill; it has its number.
     Frame begin() const;
@@ -66,16 +67,21 @@ class FrameStream {
     std::vector<std::uint32_t> read(std::uint32_t address, int words);
 
     /// Bytes of a frame that are not the caller's.
-    static constexpr std::size_t kOwnBytes = 2 * (kCommandBytes + 4) + 3 * kCommandBytes;
+    static constexpr std::size_t kOwnBytes = 2 * (kCommandBytes + 4) + 4 * kCommandBytes;
 
   private:
     /// Frames under way: a line as slow as its bytes has few, or what is urgent waits behind them.
     static constexpr std::size_t kLineWindow = 16;
     static constexpr std::size_t kNetWindow = 64;
 
+    /// A question is of an epoch. What was sent before the epoch began is taken when it is answered,
+    /// or was lost or overtaken: then it goes again at once, and so do those behind it. An epoch
+    /// lasts until one of its questions is answered.
+    static constexpr std::size_t kEpochs = 5;
+
     struct UnderWay {
         std::uint32_t number;
-        Bytes bytes;
+        Frame frame;  // without its reads
         int segment_words;
         int profile_words;
         WireClock::time_point sent;
@@ -86,6 +92,9 @@ class FrameStream {
     void take(const Bytes& answer);
     void measure(WireClock::duration round_trip);
     void repeat_overdue();
+    void repeat();
+    void begin_epoch();
+    WireClock::duration unanswered() const;
     WireClock::duration patience() const;
     void check_silence() const;
 
@@ -96,13 +105,15 @@ class FrameStream {
     Telemetry telemetry_;
     LinkFigures figures_;
     WireClock::time_point transmitted_;
-    WireClock::time_point numbered_ = WireClock::now();
+    WireClock::time_point numbered_ = link_.now();
     int polls_ = 0;  // since then
     WireClock::duration live_period_ = std::chrono::hours(1);
     WireClock::time_point waits_since_;
     bool waits_ = false;  // nothing was answered since then
     std::size_t question_ = 0;
-    double deviation_s_ = 0.05;  // of the round trip
+    std::size_t epoch_ = 0;
+    std::array<std::uint32_t, kEpochs> reach_{};  // numbers below this were sent before
+    double deviation_s_ = 0.05;                   // of the round trip
     int backoff_ = 1;
 };
 

@@ -24,6 +24,8 @@ class Link {
     virtual WireClock::duration poll_period() const = 0;
     /// Bytes a second that it carries, 0: not known.
     virtual double bytes_per_s() const { return 0; }
+    /// The time that waits, patience and signs of life are counted in.
+    virtual WireClock::time_point now() const { return WireClock::now(); }
 };
 
 /// Where boards listen, if nothing else is said.

@@ -90,8 +90,9 @@ std::string fault_names(std::uint32_t state) {
     return text;
 }
 
-RemoteMachine::RemoteMachine(Link& link) : link_(link), frames_(link), build_(read_build(frames_)) {
-    frames_.open();
+RemoteMachine::RemoteMachine(Link& link, std::uint32_t session)
+    : link_(link), frames_(link), build_(read_build(frames_)) {
+    frames_.open(session);
 }
 
 RemoteBuild ask_build(Link& link) {
@@ -118,11 +119,11 @@ void RemoteMachine::control(std::uint32_t bits) {
 void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     // Whatever another host left.
     control(0);
-    const WireClock::time_point settled = WireClock::now() + kSettles;
+    const WireClock::time_point settled = now() + kSettles;
     do {
         frames_.finish();
         frames_.work();
-        if (WireClock::now() > settled) throw UsageError("the board does not stop what it draws");
+        if (now() > settled) throw UsageError("the board does not stop what it draws");
     } while (!is(CURVECORE_STATE_CLEAN_MASK));
     write(CURVECORE_STATE, kFaultBits);
 
@@ -196,24 +197,29 @@ std::uint32_t RemoteMachine::why_off() const {
 
 bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces) {
     if (!frames_.may_send()) return false;
+    const auto fits = [](const std::deque<std::uint64_t>& words, int room) {
+        return std::min(words.size(), static_cast<std::size_t>(std::max(room, 0)));
+    };
+    const std::size_t segment_words = fits(segments, telemetry().segment_room);
+    const std::size_t profile_words = fits(pieces, telemetry().profile_room);
+    const std::size_t count = std::min(segment_words + profile_words, kWordsOfFrame);
+    // What waits for room waits for that of a whole frame: fewer are under way and repeated.
+    const bool waits = count < std::min(segments.size() + pieces.size(), kWordsOfFrame);
+    if (count == 0 || (waits && !frames_.all_taken())) return false;
+    // Half of each, where there are so many.
+    const std::size_t rest = count - std::min(count, profile_words);
+    const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));
     Frame frame = frames_.begin();
-    std::size_t left = kWordsOfFrame;
-    const auto fill = [&](std::uint32_t address, std::deque<std::uint64_t>& words, int room,
-                          std::size_t most) {
-        const std::size_t count =
-            std::min({words.size(), static_cast<std::size_t>(std::max(room, 0)), most});
-        if (count == 0) return 0;
-        const auto end = words.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto fill = [&frame](std::uint32_t address, std::deque<std::uint64_t>& words,
+                               std::size_t number) {
+        if (number == 0) return;
+        const auto end = words.begin() + static_cast<std::ptrdiff_t>(number);
         frame.push(address, {words.begin(), end});
         words.erase(words.begin(), end);
-        left -= count;
-        return static_cast<int>(count);
     };
-    const int some = fill(CURVECORE_SEGMENT_LO, segments, telemetry().segment_room, left / 2);
-    const int profile = fill(CURVECORE_PROFILE_LO, pieces, telemetry().profile_room, left);
-    const int more = fill(CURVECORE_SEGMENT_LO, segments, telemetry().segment_room - some, left);
-    if (some + profile + more == 0) return false;
-    frames_.send(frame, some + more, profile);
+    fill(CURVECORE_SEGMENT_LO, segments, of_segments);
+    fill(CURVECORE_PROFILE_LO, pieces, count - of_segments);
+    frames_.send(frame, static_cast<int>(of_segments), static_cast<int>(count - of_segments));
     return true;
 }
 

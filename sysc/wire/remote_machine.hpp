@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <random>
 #include <utility>
 
 #include "hls/registers/board_link.h"
@@ -45,8 +46,9 @@ RemoteBuild ask_build(Link& link);
 
 class RemoteMachine {
   public:
+    /// `session`: of its frames the first number. By chance, no frame of another host has it.
     /// @throws BoardLost, UsageError: its registers or words are of another version
-    explicit RemoteMachine(Link& link);
+    explicit RemoteMachine(Link& link, std::uint32_t session = std::random_device()());
 
     const RemoteBuild& build() const { return build_; }
 
@@ -72,6 +74,7 @@ class RemoteMachine {
     /// Answers, repetitions, state: for one wait of the link.
     void work() { frames_.work(); }
     void finish() { frames_.finish(); }
+    WireClock::time_point now() const { return link_.now(); }
 
     const Telemetry& telemetry() const { return frames_.telemetry(); }
     /// Words a second that the link carries, 0: not known.

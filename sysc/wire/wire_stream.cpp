@@ -106,10 +106,10 @@ bool WireStream::meet_wishes() {
 void WireStream::stop() {
     const auto until = [this](auto done) {
         machine_.finish();
-        const WireClock::time_point end = WireClock::now() + kStops;
+        const WireClock::time_point end = machine_.now() + kStops;
         do {
             look();
-        } while (!done() && WireClock::now() < end);
+        } while (!done() && machine_.now() < end);
     };
     machine_.hold(true);
     until([this] {

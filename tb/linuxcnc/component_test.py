@@ -174,7 +174,7 @@ class ComponentTest(unittest.TestCase):
         wires = []
 
         def bad(board):
-            wires.append(Wire(board.port, 0.02, 0.002))
+            wires.append(Wire(board.port, 0.02, 2))
             return wires[0]
         self.draw(bad)
         self.assertGreater(wires[0].lost, 10)

@@ -140,7 +140,7 @@ class EncoderTest(unittest.TestCase):
         board = self.board("--slip", "x=1000..1100")
         kind = read(board.port, CAPABILITY)
         said, bare = (word.to_bytes(4, "little") for word in (kind, kind & ~ENCODERS))
-        wire = Wire(board.port, 0, 0, lambda answer: answer.replace(said, bare))
+        wire = Wire(board.port, change=lambda answer: answer.replace(said, bare))
         line = 1 + machine().split("\n").index(f"ENCODER_SCALE = {STEPS_PER_MM}")
         self.assertIsNone(self.stream(
             wire, text=f"{self.machine}:{line}: warning: [JOINT_0] ENCODER_SCALE: the board has "))

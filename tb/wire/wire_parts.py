@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Boards, wires and what came of them: for wire_test.py and home_test.py."""
 
+import contextlib
 import csv
-import heapq
+import math
 import os
 import pathlib
 import random
@@ -13,13 +14,13 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 import zlib
 
 CURVECORE = sys.argv[1]
 STEPS_PER_MM = 400
 STATE, EXPECT, SEQUENCE, CONTROL, SWITCHES, AXES = 0x18, 0x70, 0x74, 0x14, 0x84, 0x100
 ENABLED = 1 << 16  # of STATE
+QUANTA_PER_MM = 65536e6
 
 
 def until(reached):
@@ -112,45 +113,80 @@ def system_steps(part, folder):
 
 
 class Wire(threading.Thread):
-    """Between a host and a board: delays datagrams, loses some, doubles some, and some overtake;
-    changes what the board says."""
+    """Between a host and a board: loses some datagrams, doubles some, and lets some wait until
+    others have overtaken them.  What happens to one follows from its number, and nothing from time.
 
-    def __init__(self, port, chance, delay, change=lambda answer: answer):
+    `change` sees each answer, and says what becomes of it.  Once it has shown a path of `gate_mm`
+    the wire carries nothing to the board, until `open_gate` is called."""
+
+    def __init__(self, port, chance=0, overtaken=0, change=lambda answer: answer, gate_mm=math.inf):
         super().__init__(daemon=True)
-        self.board = ("127.0.0.1", port)
-        self.chance, self.delay, self.change = chance, delay, change
-        self.random = random.Random(7)
+        self.chance, self.overtaken, self.change = chance, overtaken, change
+        self.gate_quanta = gate_mm * QUANTA_PER_MM
         self.near = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.near.bind(("127.0.0.1", 0))
         self.far = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.far.connect(("127.0.0.1", port))
         self.port = self.near.getsockname()[1]
-        self.lost = self.doubled = 0
+        self.lost = self.doubled = self.late = 0
+        self.reached, self.opened = threading.Event(), threading.Event()
         self.start()
 
+    def wait_for_gate(self):
+        self.reached.wait()  # ctest ends what never is
+
+    def open_gate(self):
+        self.opened.set()
+
+    def fates(self, data, chance, waiting):
+        """What is sent now: of this datagram, and of those that waited for it to pass."""
+        copies = [data]
+        if chance.random() < self.chance:
+            copies, self.lost = [], self.lost + 1
+        elif chance.random() < self.chance:
+            copies, self.doubled = [data, data], self.doubled + 1
+        now = []
+        for copy in copies:
+            if chance.random() < 2 * self.chance and self.overtaken:
+                waiting.append([chance.randint(1, self.overtaken) + 1, copy])
+                self.late += 1
+            else:
+                now.append(copy)
+        for late in waiting:
+            late[0] -= 1
+        now += [copy for left, copy in waiting if left == 0]
+        waiting[:] = [late for late in waiting if late[0] > 0]
+        return now
+
     def run(self):
-        late, host, number = [], None, 0
+        chances = {self.near: random.Random(7), self.far: random.Random(8)}
+        waiting = {self.near: [], self.far: []}
+        host = None
         while True:
-            wait = max(0, late[0][0] - time.monotonic()) if late else 1
-            for end in select.select([self.near, self.far], [], [], wait)[0]:
-                data, sender = end.recvfrom(65536)
+            for end in select.select([self.near, self.far], [], [])[0]:
+                try:
+                    data, sender = end.recvfrom(65536)
+                except ConnectionRefusedError:  # the board is gone
+                    continue
                 if end is self.near:
                     host = sender
-                copies = 1
-                if self.random.random() < self.chance:
-                    copies, self.lost = 0, self.lost + 1
-                elif self.random.random() < self.chance:
-                    copies, self.doubled = 2, self.doubled + 1
-                for _ in range(copies):
-                    number += 1
-                    quick = self.random.random() < self.chance
-                    due = time.monotonic() + self.delay * (0.5 if quick else 1)
-                    heapq.heappush(late, (due, number, end is self.near, data))
-            while late and late[0][0] <= time.monotonic():
-                _, _, to_board, data = heapq.heappop(late)
-                if to_board:
-                    self.far.sendto(data, self.board)
-                elif host:
-                    self.near.sendto(self.change(data), host)
+                    if self.reached.is_set() and not self.opened.is_set():
+                        continue
+                else:
+                    self.look(data)
+                for copy in self.fates(data, chances[end], waiting[end]):
+                    if end is self.near:
+                        with contextlib.suppress(ConnectionRefusedError):
+                            self.far.send(copy)
+                    elif host:
+                        self.near.sendto(self.change(copy), host)
+
+    def look(self, answer):
+        """STATE, AXES, PATH and more: what `stream` reads with each frame."""
+        if 32 <= len(answer) <= 48:
+            quanta = int.from_bytes(answer[8:16], "little")
+            if quanta >= self.gate_quanta:
+                self.reached.set()
 
 
 def bridge(line, port):

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program over a network that loses, doubles and delays: every step at the same clock as over a
+// good one. All of it goes by the board's clocks.
+#include "tb/wire/lossy_link.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "sysc/wire/wire_options.hpp"
+#include "sysc/wire/wire_stream.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Twice as many words as the board's queue of profile words holds, in 1.2 s.
+constexpr const char* kPart =
+    "G21 G90 G61 F6000\n"
+    "G1 X8 Y1 Z1\nG3 X12 Y5 I0 J4\nG5 X15 Y12 I0 J3 P-2 Q-2\nG3 X9 Y12 Z3 I-3 J0\n"
+    "G2 X3 Y12 I-3 J0\nG5 X0 Y5 I0 J-3 P1 Q2\nG3 X4 Y1 I4 J0\nG1 X12\nG3 X12 Y9 I0 J4\n"
+    "G2 X12 Y17 Z0 I0 J4\nG1 X20\nM2\n";
+
+/// Clock from the first step, axis, direction.
+using Steps = std::vector<std::array<std::int64_t, 3>>;
+
+struct Drawn {
+    Steps steps;
+    bool held = false;
+    std::size_t waits = 0;
+    LinkFigures figures;
+};
+
+Drawn draw(LossyLink& link, Steps& steps) {
+    const std::string part = testing::TempDir() + "lossy_part.ngc";
+    std::ofstream(part) << kPart;
+    Options options;
+    options.file = part;
+    RemoteMachine machine(link, 1);
+    plan_for(machine.build(), options);
+    WordSource words(options);
+    machine.prepare(drives_of(RawWireOptions(), machine.build().axes), options.unit_mm);
+    machine.begin(words.settings(), 0);
+    Console console("", 100);
+    WireStream stream(machine, words, console, 1);
+    EXPECT_EQ(stream.run([] {}), StreamEnd::kDone);
+    EXPECT_GT(stream.planned().words, 2000U);
+    machine.steps();  // until the last step is out
+    const std::int64_t first = steps.empty() ? 0 : steps[0][0];
+    for (auto& step : steps) step[0] -= first;
+    return {steps, stream.held(), stream.waits().size(), machine.figures()};
+}
+
+class LossyLinks : public testing::Test {
+  protected:
+    static Drawn over(const Network& network) {
+        Steps steps;
+        LossyLink link(network, [&](const VirtualStep& step) {
+            const auto clock = static_cast<std::int64_t>(step.clock);
+            steps.push_back({clock, step.axis, step.back ? -1 : 1});
+        });
+        Drawn drawn = draw(link, steps);
+        if (network.lost > 0) {
+            EXPECT_GE(static_cast<double>(link.lost()),
+                      network.lost * static_cast<double>(drawn.figures.frames));
+            EXPECT_GT(link.doubled(), 50U);
+            EXPECT_GT(link.late(), 100U);
+        }
+        return drawn;
+    }
+
+    static void SetUpTestSuite() { good_ = over({}); }
+
+    /// 10 % lost, 10 % doubled, 20 % late by up to 50 ms.
+    static Network bad(unsigned seed) { return {seed, 0.1, 0.1, 0.2}; }
+
+    static void expect_the_same_clocks(unsigned first_seed, unsigned last_seed) {
+        for (unsigned seed = first_seed; seed <= last_seed; ++seed) {
+            const Drawn drawn = over(bad(seed));
+            std::printf("seed %u: %lu frames, %lu repeated, %zu waits\n", seed,
+                        drawn.figures.frames, drawn.figures.repeated, drawn.waits);
+            std::fflush(stdout);
+            EXPECT_FALSE(drawn.held) << "seed " << seed;
+            EXPECT_TRUE(drawn.steps == good_.steps) << "seed " << seed;
+        }
+    }
+
+    static Drawn good_;
+};
+Drawn LossyLinks::good_;
+
+TEST_F(LossyLinks, BadOneChangesNoClock) {
+    EXPECT_FALSE(good_.held);
+    EXPECT_GT(good_.steps.size(), 40'000U);
+    EXPECT_EQ(good_.figures.repeated, 0U);
+    expect_the_same_clocks(1, 2);
+}
+
+class LongLossyLinks : public LossyLinks {};
+
+TEST_F(LongLossyLinks, TenBadOnesChangeNoClock) { expect_the_same_clocks(1, 10); }
+
+/// Control: what is too bad is told.
+TEST_F(LongLossyLinks, WorseOneIsTold) {
+    const Drawn drawn = over({1, 0.5, 0.1, 0.5, 0.2});
+    EXPECT_TRUE(drawn.held);
+    EXPECT_GT(drawn.waits, 0U);
+    EXPECT_EQ(drawn.steps.size(), good_.steps.size());
+    EXPECT_FALSE(drawn.steps == good_.steps);
+}
+
+}  // namespace
+}  // namespace curvecore::sysc
