@@ -118,20 +118,34 @@ ProfilePiece cubic(const Knot& from, const Knot& to) {
     return piece;
 }
 
-void append_cubic(const Run& run, const Knot& from, const Knot& to, const Reach& longest,
+/// Whether the cubic through both knots runs backwards, by more than the rounding of its ends. So
+/// it does behind a long and slow phase: its last tick is partly of a faster one.
+bool goes_back(const Knot& from, const Knot& to) {
+    const long double n = to.tick - from.tick;
+    const long double mean = (to.s - from.s) / n;
+    const long double slope = 3 * mean - 2 * from.v - to.v;  // n / 2 times the first acceleration
+    const long double bend = from.v + to.v - 2 * mean;       // n^2 / 6 times the jerk
+    if (bend <= 0 || slope >= 0 || -slope >= 3 * bend) return false;
+    return from.v - slope * slope / (3 * bend) < -0.01L * mean - 2 / n;
+}
+
+void append_cubic(const Run& run, const Knot& from, const Knot& to, const PieceGrid& grid,
                   std::vector<ProfilePiece>& pieces) {
     const std::uint64_t ticks = to.tick - from.tick;
-    if (longest.holds(ticks, to.s - from.s)) {
+    std::uint64_t first = ticks / 2;  // of two pieces
+    if (ticks >= 2 * grid.shortest && goes_back(from, to)) {
+        first = to.v > from.v ? ticks - grid.shortest : grid.shortest;
+    } else if (grid.longest.holds(ticks, to.s - from.s)) {
         const ProfilePiece piece = cubic(from, to);
         if (piece.exponent <= kMaxPlannedExponent || ticks == 1) {
             pieces.push_back(piece);
             return;
         }
     }
-    Knot middle = run.at(from.tick + ticks / 2);
+    Knot middle = run.at(from.tick + first);
     middle.s = std::clamp(middle.s, from.s, to.s);
-    append_cubic(run, from, middle, longest, pieces);
-    append_cubic(run, middle, to, longest, pieces);
+    append_cubic(run, from, middle, grid, pieces);
+    append_cubic(run, middle, to, grid, pieces);
 }
 
 }  // namespace
@@ -150,7 +164,7 @@ void append_run(const std::vector<Phase>& phases, std::uint64_t length, const Pi
     const Run run(phases, length, grid);
     const std::vector<Knot> knots = run.knots();
     for (std::size_t i = 1; i < knots.size(); ++i) {
-        append_cubic(run, knots[i - 1], knots[i], grid.longest, pieces);
+        append_cubic(run, knots[i - 1], knots[i], grid, pieces);
     }
 }
 

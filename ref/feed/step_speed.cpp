@@ -114,10 +114,10 @@ std::vector<double> step_speeds(const std::vector<Segment>& segments,
 
 double two_changes_time(const PlanOptions& options) {
     const CoreTime& core = options.core;
-    if (core.ahead) return 0;
     double change = std::max(core.arc.step, core.arc.segment);
     if (options.format.splines) change = std::max({change, core.spline.step, core.spline.segment});
-    return kSeveral * change <= budget_of(options) ? 0 : window_of(options);
+    if (kSeveral * change <= budget_of(options)) return 0;
+    return core.ahead ? change : window_of(options);
 }
 
 }  // namespace curvecore::ref

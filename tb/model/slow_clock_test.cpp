@@ -16,6 +16,8 @@
 #include "ref/segment/geometry.hpp"
 #include "ref/segment/last_step.hpp"
 #include "sysc/host/core_clocks.hpp"
+#include "sysc/host/path_source.hpp"
+#include "sysc/watch/predicted_pace.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {
@@ -30,11 +32,16 @@ int cubics() {
     return asked == nullptr ? 150 : std::atoi(asked);
 }
 
-ref::PlanOptions options(double clock_hz) {
+sysc::CoreParameters core_of(sysc::Build build) {
     sysc::CoreParameters core;
-    core.build = sysc::Build::kSerial;
+    core.build = build;
     core.mode = 1;
     core.splines = 1;
+    return core;
+}
+
+ref::PlanOptions options(double clock_hz, sysc::Build build = sysc::Build::kSerial) {
+    const sysc::CoreParameters core = core_of(build);
     ref::PlanOptions options;
     options.format = core;
     options.core = sysc::core_time(core, clock_hz);
@@ -120,6 +127,51 @@ TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
     std::printf(
         "%d curves: %.3f times as long at most, %d slower and named, %d without an optimum\n",
         cubics(), worst, slower, without_optimum);
+}
+
+/// The least sample period that a core keeps along a plan, of the planned one: its steps one by one.
+double share_used(const ref::Plan& plan, const sysc::CoreParameters& core, double clocks) {
+    sysc::PathSource source(plan, 0, 1 << 16);
+    sysc::PredictedPace pace(plan, core);
+    std::uint64_t s = 0;
+    do {
+        source.next();
+        s += static_cast<std::uint64_t>(source.ds());
+        pace.sample(s);
+    } while (source.active());
+    return pace.period() / clocks;
+}
+
+/// A core that makes a step beside the samples of the one before. Its last steps, too, have half of
+/// one or what the feed needs. Every sample is there in time.
+TEST(SlowClock, CoresThatStepAheadKeepTimeAndDoNotCrawl) {
+    ref::Machine machine;
+    machine.acceleration = 3000;
+    const sysc::CoreParameters core = core_of(sysc::Build::kParallel);
+    double worst = 0;
+    double most_used = 0;
+    int slower = 0;
+    const int number = std::max(1, cubics() / 3);
+    for (int n = 0; n < number; ++n) {
+        const ref::Program program = n == 0 ? crawler() : curve(static_cast<unsigned>(n));
+        const double clock_hz = std::array{2.56e6, 2e6, 3e6, 4e6, 5e6}[n % 5];
+        const ref::PlanOptions how = options(clock_hz, sysc::Build::kParallel);
+        const ref::Plan slow = ref::make_plan(program, machine, how);
+        const ref::Plan fast =
+            ref::make_plan(program, machine, options(100e6, sysc::Build::kParallel));
+        const double ratio = slow.duration_s / fast.duration_s;
+        const double used = share_used(slow, core, clock_hz * how.sample_period_s);
+        EXPECT_LE(ratio, kFactor) << n << " at " << clock_hz;
+        EXPECT_LE(used, 1) << n << " at " << clock_hz;
+        if (ratio > kAsFast) {
+            ++slower;
+            EXPECT_GT(slow.core_slowed.lost_s / slow.duration_s, 0.01) << n << " at " << clock_hz;
+        }
+        worst = std::max(worst, ratio);
+        most_used = std::max(most_used, used);
+    }
+    std::printf("%d curves: %.3f times as long at most, %d slower, %.3f of the period used\n",
+                number, worst, slower, most_used);
 }
 
 /// Neither a cut at a short last step nor one that rounding makes leaves a short one.
