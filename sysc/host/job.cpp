@@ -61,7 +61,12 @@ bool Job::is_smooth() const {
 }
 
 ref::Machine machine_of(const Options& options) {
-    return options.machine.empty() ? ref::Machine() : ref::read_machine(options.machine);
+    ref::Machine machine =
+        options.machine.empty() ? ref::Machine() : ref::read_machine(options.machine);
+    if (options.for_steps || options.in_system()) {
+        for (ref::AxisLimits& axis : machine.axis) axis.rotary = false;
+    }
+    return machine;
 }
 
 Job read_job(const Options& options) {

@@ -46,6 +46,7 @@ struct Options {
     bool splines_set = false;   // by --set or --core; otherwise if the program has splines
     bool aux_axes_set = false;  // the same; otherwise as many as the program needs
     bool quiet = false;
+    bool for_steps = false;  // of a board that counts steps: words leave out no turn of an axis
 
     // `run` alone
     BoardKind board = BoardKind::kRtl;

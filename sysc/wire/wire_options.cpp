@@ -17,6 +17,7 @@ double duration_of(const std::string& option, const std::string& text) {
 }
 
 void plan_for(const RemoteBuild& build, Options& options) {
+    options.for_steps = true;
     options.core = build.core;
     options.splines_set = options.aux_axes_set = true;
     options.sample_period_s = build.sample_period_s;
