@@ -39,7 +39,7 @@ class FrameStream {
     /// @throws BoardLost: nobody answers, or not a board of this kind
     explicit FrameStream(Link& link);
 
-    /// Opens a session: of all hosts the board obeys this one. Until then it is only read. Its first
+    /// Opens a session: of all hosts the board obeys this one. Before, it is only read. Its first
     /// number is one that no frame under way has: of another host, or of this one before a restart.
     void open(std::uint32_t first);
 
@@ -74,7 +74,7 @@ class FrameStream {
     static constexpr std::size_t kLineWindow = 16;
     static constexpr std::size_t kNetWindow = 64;
 
-    /// A question is of an epoch. What was sent before the epoch began is taken when it is answered,
+    /// A question is of an epoch. What was sent before that began is taken when it is answered,
     /// or was lost or overtaken: then it goes again at once, and so do those behind it. An epoch
     /// lasts until one of its questions is answered.
     static constexpr std::size_t kEpochs = 5;

@@ -129,7 +129,7 @@ TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
         cubics(), worst, slower, without_optimum);
 }
 
-/// The least sample period that a core keeps along a plan, of the planned one: its steps one by one.
+/// The least sample period that a core keeps along a plan, of the planned one: its steps in turn.
 double share_used(const ref::Plan& plan, const sysc::CoreParameters& core, double clocks) {
     sysc::PathSource source(plan, 0, 1 << 16);
     sysc::PredictedPace pace(plan, core);
