@@ -21,7 +21,7 @@ PieceGrid grid() {
     return PieceGrid(machine, kUnitMm, kTick);
 }
 
-/// The slowest of all pieces, of their mean speeds; negative: backwards.
+/// The least way from a tick to the next, of the mean of its piece; negative: backwards.
 double slowest(const std::vector<Phase>& phases, const PieceGrid& grid) {
     const Phase& last = phases.back();
     const auto length = static_cast<std::uint64_t>(last.place(last.duration) / grid.quantum);
@@ -30,8 +30,9 @@ double slowest(const std::vector<Phase>& phases, const PieceGrid& grid) {
     double least = 1;
     for (const ProfilePiece& piece : pieces) {
         const double mean = static_cast<double>(piece.ds) / piece.ticks;  // quanta a tick
-        for (double t = 0; t <= piece.ticks; t += piece.ticks / 64.0) {
-            least = std::min(least, (piece_state(piece, t).v + 4) / mean);
+        for (std::uint32_t t = 0; t < piece.ticks; ++t) {
+            const double way = piece_state(piece, t + 1).s - piece_state(piece, t).s;
+            least = std::min(least, (way + 4) / mean);
         }
     }
     return least;
