@@ -202,10 +202,7 @@ void FrameStream::repeat() {
         frame.repeated = true;
         if (left == 0) continue;
         --left;
-        // A network that lost one may lose the next, and those behind it are then in vain.
-        const Bytes again = with_reads(frame.frame, epoch_).bytes();
-        if (link_.bytes_per_s() == 0) transmit(again);
-        transmit(again);
+        transmit(with_reads(frame.frame, epoch_).bytes());
         frame.sent = transmitted_;
         ++figures_.repeated;
     }

@@ -203,9 +203,8 @@ bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::ui
     const std::size_t segment_words = fits(segments, telemetry().segment_room);
     const std::size_t profile_words = fits(pieces, telemetry().profile_room);
     const std::size_t count = std::min(segment_words + profile_words, kWordsOfFrame);
-    // What waits for room waits for that of a whole frame: fewer are under way and repeated.
-    const bool waits = count < std::min(segments.size() + pieces.size(), kWordsOfFrame);
-    if (count == 0 || (waits && !frames_.all_taken())) return false;
+    // Short frames wait for the ones before: fewer are under way, and fewer are repeated.
+    if (count == 0 || (count < kWordsOfFrame && !frames_.all_taken())) return false;
     // Half of each, where there are so many.
     const std::size_t rest = count - std::min(count, profile_words);
     const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));
