@@ -17,6 +17,7 @@ constexpr double kDegree = M_PI / 180;
 void Interpreter::resolve_polar(Block& block, const Codes& codes, const Place& place) const {
     if (!block.polar_radius && !block.polar_angle) return;
     if (block.has_any("XY")) place.refuse("polar coordinates (@ ^) beside X or Y");
+    if (block.has('L')) place.refuse("polar coordinates (@ ^) do not repeat (L): give each place");
     if (const std::optional<int> action = codes.of(Group::kAction)) {
         place.refuse(
             fmt::format("polar coordinates (@ ^) are of motion, not of {}", g_name(*action)));

@@ -58,6 +58,11 @@ TEST(GcodeCodes, PostsWriteUnitsAndCentresInTheirWay) {
     EXPECT_EQ(refusal("G71 U2 R1").substr(0, 18), "part.ngc:2: error:");
 }
 
+TEST(GcodeCodes, PolarPlacesDoNotRepeat) {
+    EXPECT_EQ(refusal("G91 G81 R1 Z-1 ^60 L6"),
+              "part.ngc:2: error: polar coordinates (@ ^) do not repeat (L): give each place");
+}
+
 TEST(GcodeCodes, ProbesLeaveTheirEndInParameters) {
     EXPECT_EQ(last("#5070=1\nG38.2 X3 Z-2\nG1 X[10+#5061] Y#5063 Z#5070").end, Vec3(13, -2, 0));
     EXPECT_DOUBLE_EQ(last("G20 G31 Z-1 F10\nG10 L20 P0 Z0\nG38.3 Z-.5\nG1 Y#5063").end.y(),
