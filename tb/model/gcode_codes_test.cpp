@@ -65,8 +65,7 @@ TEST(GcodeCodes, PolarPlacesDoNotRepeat) {
 
 TEST(GcodeCodes, ProbesLeaveTheirEndInParameters) {
     EXPECT_EQ(last("#5070=1\nG38.2 X3 Z-2\nG1 X[10+#5061] Y#5063 Z#5070").end, Vec3(13, -2, 0));
-    EXPECT_DOUBLE_EQ(last("G20 G31 Z-1 F10\nG10 L20 P0 Z0\nG38.3 Z-.5\nG1 Y#5063").end.y(),
-                     -12.7);
+    EXPECT_DOUBLE_EQ(last("G20 G31 Z-1 F10\nG10 L20 P0 Z0\nG38.3 Z-.5\nG1 Y#5063").end.y(), -12.7);
 }
 
 /// Ends of a program's moves behind its first.
