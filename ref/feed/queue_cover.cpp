@@ -2,6 +2,7 @@
 #include "ref/feed/queue_cover.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ref/feed/planned_branches.hpp"
 #include "ref/format/path_words.hpp"
@@ -9,7 +10,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::uint64_t kOnTheWay = 128;  // ticks between what the guard counts and what is so
+constexpr std::uint64_t kOnTheWay = 64;  // ticks between what the guard counts and what is so
 constexpr double kSlower = 0.9;           // of the speed that would just do: pieces are whole ticks
 
 /// Path, ticks and words at the ends of frames of one stream.
@@ -25,9 +26,12 @@ struct Ends {
     }
 };
 
-std::uint64_t needed_ticks(const Plan& plan) { return plan.stop_ticks + kOnTheWay; }
+std::uint64_t needed_ticks(const Plan& plan) {
+    const auto late = static_cast<std::uint64_t>(std::ceil(kHostLate / plan.tick_s));
+    return plan.stop_ticks + kOnTheWay + late;
+}
 
-/// Words of a queue that count.
+/// Words of a queue that count: while the host is in time the rest is what it refills.
 std::size_t room(int queue) { return static_cast<std::size_t>(queue) * 3 / 4; }
 
 /// Calls slow(path from, path to, quanta, ticks) for every run of frames, one after the other on
@@ -56,7 +60,7 @@ double covered_words(const PlanOptions& options, const Plan& plan) {
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
                           bool evens, std::vector<double>& speeds) {
     Ends segments;
-    const auto segment_words = static_cast<std::size_t>(segment_bus_words(plan.aux_axes));
+    const auto segment_words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
     for (const Segment& segment : plan.segments) {
         segments.add(segment.length, segment.ticks, segment_words);
     }

@@ -9,8 +9,11 @@
 
 namespace curvecore::ref {
 
+/// So long a host may be late, s: it finds a queue less than full, and the core has not held.
+constexpr double kHostLate = 10e-3;
+
 /// Where three quarters of a queue, the rest is the host's to refill, do not last for a stop of
-/// the plan: lowers `speeds` (mm/s, one per planned move) so that they would; or first, if `evens`,
+/// the plan and kHostLate: lowers `speeds` (mm/s, one per planned move) so that they would; or first, if `evens`,
 /// to the mean speed there, since ramps cost words.
 /// @returns the number of planned moves that it slowed
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,

@@ -15,7 +15,8 @@ FormCost cost_of(const char* form, JobStream& stream) {
     cost.form = form;
     while (const ref::Plan* part = stream.next()) {
         cost.segments += part->segments.size();
-        cost.words += ref::segment_bus_words(part->aux_axes) * part->segments.size() +
+        cost.words += ref::segment_bus_words(stream.job().options.core.aux_axes) *
+                          part->segments.size() +
                       ref::profile_words(*part);
         cost.duration_s += part->duration_s;
     }
@@ -44,7 +45,7 @@ void plan_others(Job& job) {
     }
     if (!job.as_arcs) return;
     std::vector<FormCost>& costs = job.as_arcs->costs;
-    costs.push_back({"arcs", job.plan.moves.size(), job.plan.segments.size(), job.plan.words(),
+    costs.push_back({"arcs", job.plan.moves.size(), job.plan.segments.size(), job.words(),
                      job.plan.duration_s});
     Options with_splines = job.options;
     with_splines.core.splines = 1;

@@ -36,8 +36,8 @@ class DrawnPlan : public ref::PlanFrame {
 
     /// Of the whole path, quanta.
     std::uint64_t path_length() const { return segments.back().s_start + segments.back().length; }
-    /// Of both streams, in all.
-    std::size_t words() const;
+    /// Of both streams, in all, for a core with so many auxiliary axes.
+    std::size_t words(int core_axes) const;
     /// Words of a piece, and how many; those of a stop branch come first.
     std::pair<const std::uint64_t*, std::size_t> words_of(std::size_t piece) const;
     /// Of the segments of a kind.

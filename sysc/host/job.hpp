@@ -35,6 +35,8 @@ struct Job {
     bool bounded() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
+    /// Of both streams, in all.
+    std::size_t words() const { return plan.words(options.core.aux_axes); }
     /// Whether the path that is drawn is not the programmed one.
     bool is_smooth() const;
 };

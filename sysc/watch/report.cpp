@@ -256,7 +256,7 @@ nlohmann::ordered_json Report::json() const {
     json["moves"] = job.plan.moves.size();
     json["segments"] = job.plan.segments.size();
     json["profile_pieces"] = job.plan.pieces.size();
-    json["words"] = job.plan.words();
+    json["words"] = job.words();
     json["hold"] = hold_json(job.plan);
     json["deviation"] = deviation_json(job);
     if (job.as_arcs) json["as_arcs"] = as_arcs_json(job);
@@ -338,7 +338,7 @@ std::vector<std::pair<std::string, std::string>> Report::table() const {
     row("core", fmt::format("{} {}, {}", job.core_name(), build_name(job.options.core.build),
                             ref::parameters_text(job.options.core)));
     row("program", fmt::format("{} moves, {} segments, {} words, {:.3f} mm", job.plan.moves.size(),
-                               job.plan.segments.size(), job.plan.words(),
+                               job.plan.segments.size(), job.words(),
                                std::ldexp(static_cast<double>(job.plan.path_length()), -16) *
                                    job.plan.unit_mm));
     if (job.dialect) {

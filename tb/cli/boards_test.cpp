@@ -101,9 +101,7 @@ TEST_F(Boards, DrawARandomProgramAlike) {
     }
     text << "M2\n";
     program_.write("random.ngc", text.str());
-    Arguments options = kSerial;  // a queue that outlasts a stop, and what the host is late
-    options.insert(options.end(), {"--segment-queue", "65536"});
-    compare("random.ngc", options);
+    compare("random.ngc", kSerial);
 }
 
 /// Negative control of the comparison: another rate of time is seen.
