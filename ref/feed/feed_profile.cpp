@@ -16,8 +16,8 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kCoverRounds = 12;
-constexpr double kAnySpeed = 1e9;  // mm/s
-constexpr double kCutFrom = 0.6;   // of the time that is planned: the rest is looked at again
+constexpr double kAnyTime = 1e300;  // s
+constexpr double kCutFrom = 0.6;    // of the time that is planned: the rest is looked at again
 // Of the rules' speeds where an optimum joins them at a cut: it begins and ends within its limits.
 constexpr double kPace = 0.95;
 constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
@@ -27,11 +27,6 @@ constexpr double kMostKnots = 8000;
 constexpr double kSteady = 0.99;  // of its feed: so fast a move has few knots, as lines have
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
-// What crawls so far below its feed for so long, as short queues make it, has few knots.
-constexpr double kCrawls = 0.2;
-constexpr double kLong = 0.2;  // s
-// Shorter ones cover no stop at the bounds that windows have for holds: planned at once.
-constexpr int kShortQueue = 1024;
 
 /// What is planned.
 struct Subject {
@@ -48,10 +43,6 @@ struct Subject {
 
 /// The moves for which there is memory, by a motion that is found by rules.
 std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
-    const PlanOptions& options = subject.options;
-    if (std::min(options.segment_queue_words, options.profile_queue_words) < kShortQueue) {
-        return subject.geometry.moves.size();
-    }
     const std::vector<double>& times = motion.times();
     double knots = 0;
     for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
@@ -61,7 +52,6 @@ std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
         const double time = times[i + 1] - times[i];
         const double step = knot_step(planned.shape, subject.machine);
         const double feed = move.rapid || move.feed <= 0 ? 1e9 : move.feed;
-        if (time > kLong && planned.shape.length < kCrawls * feed * time) continue;
         const bool steady = planned.shape.length >= kSteady * feed * time;
         const bool few = steady || move.kind == Move::Kind::kLine;
         knots += std::min(time / step, few ? kFew : 1e300) + time / kSlow;
@@ -94,13 +84,15 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
     return best;
 }
 
-/// Slower motion stops sooner, and the queues last longer: a few rounds do.
-std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cut, Plan& plan) {
+/// Slower motion stops sooner, and the queues last longer: a few rounds do. Nothing where it takes
+/// longer than `most` seconds.
+std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cut, double most,
+                                          Plan& plan) {
     const std::size_t count = subject.geometry.moves.size();
-    std::vector<double> most(count, kAnySpeed);
-    const FeedTask task{subject.program,  subject.machine, subject.options,
-                        subject.geometry, plan.segments,   most,
-                        subject.pace};
+    const std::size_t given = given_moves(subject.given);
+    std::vector<Slowed> slowed(count);
+    const FeedTask task{subject.program, subject.machine, subject.options, subject.geometry,
+                        plan.segments,   slowed,          subject.pace};
     plan.slowed_moves = 0;
     plan.slowed_line = 0;
     for (int round = 0;; ++round) {
@@ -108,38 +100,42 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
         if (!window.plan()) return {};
         WindowMotion found = window.motion();
         if (subject.more && cut == 0) {
-            cut = best_cut(found, given_moves(subject.given), subject.machine);
+            cut = best_cut(found, given, subject.machine);
             if (cut > 0 && window.cut_before(cut)) {
                 found = window.motion();
             } else {
                 cut = 0;
             }
         }
+        if (round == 0) {  // as if the queues were endless: slowed motion has as many knots
+            const std::size_t enough = enough_moves(subject, found);
+            if (enough < count) return PlannedWindow{std::move(found), cut, enough};
+        }
         plan.pieces.clear();
         found.append(0, count, plan.pieces);
         found.append_last_dwell(plan.pieces);
         plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
+        if (plan.duration_s > most) return {};
         if (!subject.window) {
             set_hold_bounds(subject.machine, subject.options, subject.geometry, plan);
         }
         set_segment_feeds(subject.program, subject.options, plan);
         plan.branches.clear();
         const auto slow = [&] {
-            return slow_to_cover(subject.geometry, subject.options, plan, round == 0, most);
+            return slow_to_cover(subject.geometry, subject.options, plan, given, round, slowed);
         };
-        std::size_t slowed = slow();
-        if (slowed == 0 && !subject.window && subject.options.has_branches()) {
+        std::size_t more = slow();
+        if (more == 0 && !subject.window && subject.options.has_branches()) {
             set_branches(subject.program, subject.machine, subject.geometry, subject.options, plan);
-            slowed = slow();
+            more = slow();
         }
-        if (slowed == 0) return PlannedWindow{std::move(found), cut, count};
-        plan.slowed_moves = std::max(plan.slowed_moves, slowed);
-        const auto first =
-            std::find_if(most.begin(), most.end(), [](double v) { return v < kAnySpeed; });
-        plan.slowed_line =
-            subject.program
-                .moves[subject.geometry.moves[static_cast<std::size_t>(first - most.begin())].move]
-                .line;
+        if (more == 0) return PlannedWindow{std::move(found), cut, count};
+        plan.slowed_moves = std::max(plan.slowed_moves, more);
+        const auto first = std::find_if(slowed.begin(), slowed.end(), [](const Slowed& move) {
+            return move.speed < Slowed().speed || move.ramp > 0;
+        });
+        const auto at = static_cast<std::size_t>(first - slowed.begin());
+        plan.slowed_line = subject.program.moves[subject.geometry.moves[at].move].line;
         if (round == kCoverRounds) {
             throw InputError(subject.program.file, 0,
                              "the moves are so short that what fits into the core's queues does "
@@ -153,26 +149,30 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     const Effort effort = subject.options.effort;
     if (subject.window && effort == Effort::kOptimum) subject.pace = kPace;
     subject.options.effort = Effort::kRules;
-    std::optional<PlannedWindow> rules = plan_covered(subject, 0, plan);
-    if (effort == Effort::kRules || !rules) return rules;
-    rules->enough = enough_moves(subject, rules->motion);
-    if (rules->enough < subject.geometry.moves.size()) return rules;
+    const std::size_t count = subject.geometry.moves.size();
+    if (effort == Effort::kRules) subject.least = count;
+    std::optional<PlannedWindow> rules = plan_covered(subject, 0, kAnyTime, plan);
+    if (effort == Effort::kRules || !rules || rules->enough < count) return rules;
+    subject.least = count;
     // More pieces want more queue, and so do stop branches: where that costs time, the optimum does
     // without them, and where it costs more than the optimum gains the rules stay.
     const std::size_t cut = rules->cut;
     std::optional<PlannedWindow> best = std::move(rules);
     subject.options.effort = effort;
+    if (!carries_branches(subject.machine, subject.options, plan)) {
+        subject.options.holds = Holds::kBounds;
+    }
     // False: it was slowed for the queues, or could not be had.
     const auto improve = [&](double worth) {
         Plan found = plan;
         std::optional<PlannedWindow> optimum;
         try {
-            optimum = plan_covered(subject, cut, found);
+            optimum = plan_covered(subject, cut, worth * plan.duration_s, found);
         } catch (const InputError&) {
             return false;
         }
         const bool fits = found.slowed_moves == 0;
-        if (optimum && found.duration_s <= worth * plan.duration_s) {
+        if (optimum) {
             plan = std::move(found);
             best = std::move(optimum);
         }
@@ -192,6 +192,7 @@ std::size_t plan_feed(const Program& program, const Machine& machine, const Plan
     const std::optional<PlannedWindow> planned =
         plan_best({program, machine, options, geometry, {}, false, false, least}, plan);
     const std::size_t count = geometry.moves.size();
+    if (planned->enough < count) return planned->enough;
     plan.core_slowed = core_slowed({program, machine, options, geometry, plan.segments, {}},
                                    planned->motion, 0, count);
     plan.pieces.back().final = true;

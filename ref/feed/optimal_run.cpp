@@ -36,9 +36,6 @@ constexpr std::size_t kAround = 60;  // and as many more for each time before
 constexpr int kMends = 10;
 constexpr int kMostMends = 40;  // in a long run some places are always left
 constexpr double kMendMore = 0.05;
-// What crawls for minutes without a stop, since a short queue covers no more, is left to the rules.
-constexpr double kLongest = 600;           // s
-constexpr std::size_t kMostKnots = 24000;  // some 2 kB each
 // Of a share and of a velocity, what a few words may take after so many mends.
 constexpr double kCarried = 1.05;
 static_assert(kCarried * kAccelerationShare < 1 && kCarried * kJerkShare < 1, "within limits");
@@ -236,9 +233,7 @@ class OptimalRun {
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                const Geometry& geometry, const Machine& machine, PathPlaces& places,
                                const WordLoads& word_loads) {
-    if (duration(phases) > kLongest) return phases;
     const std::vector<RunKnot> knots = run_knots(phases, moves);
-    if (knots.size() > kMostKnots) return phases;
     const RunPath path(moves, geometry, machine, places, knots);
     OptimalRun run(knots, path);
     if (!run.solve()) return phases;

@@ -21,9 +21,8 @@ struct RunLoad {
 using WordLoads = std::function<std::vector<RunLoad>(const std::vector<Phase>&)>;
 
 /// Knots on the motion that `phases` describe, TimeOptimum on them in windows, and the motion found
-/// as phases of constant jerk; `phases` where these are not slower, where there are too many knots,
-/// or where the words of the other cannot be mended. It takes the shares of the machine's limits
-/// that ref/feed/limits.hpp names.
+/// as phases of constant jerk; `phases` where these are not slower, or where the words of the other
+/// cannot be mended. It takes the shares of the machine's limits that ref/feed/limits.hpp names.
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                const Geometry& geometry, const Machine& machine, PathPlaces& places,
                                const WordLoads& word_loads);

@@ -142,6 +142,12 @@ Reach longest_piece(const PieceGrid& grid) {
     return {distance.ticks / kParts, distance.slow_ticks / kParts, distance.path / kParts};
 }
 
+bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan) {
+    const Reach longest = longest_piece({machine, plan.unit_mm, plan.tick_s});
+    return covered_words(options, plan) * static_cast<double>(longest.slow_ticks) >=
+           kProfileBusWords;
+}
+
 void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
                   const PlanOptions& options, Plan& plan) {
     BranchPlanner planner(program, machine, geometry, options, plan);

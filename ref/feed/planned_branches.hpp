@@ -9,6 +9,8 @@ namespace curvecore::ref {
 
 /// A piece, at most, in a plan that has some: branches stand between pieces.
 Reach longest_piece(const PieceGrid& grid);
+/// Whether the queue lasts for a stop where pieces are so short.
+bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan);
 
 /// Sets plan.branches where the limits leave them and the queue still lasts for a stop; none if one
 /// would need more than plan.stop_ticks. Memory for the course of one stop.

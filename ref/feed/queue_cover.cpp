@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ref/feed/planned_branches.hpp"
 #include "ref/format/path_words.hpp"
@@ -11,7 +12,8 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::uint64_t kOnTheWay = 64;  // ticks between what the guard counts and what is so
-constexpr double kSlower = 0.9;           // of the speed that would just do: pieces are whole ticks
+constexpr double kRampPieces = 6;        // three of a ramp, and as many that take no time
+constexpr double kSlower = 0.9;          // of the speed that would just do: pieces are whole ticks
 
 /// Path, ticks and words at the ends of frames of one stream.
 struct Ends {
@@ -58,7 +60,7 @@ double covered_words(const PlanOptions& options, const Plan& plan) {
 }
 
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
-                          bool evens, std::vector<double>& speeds) {
+                          std::size_t given, int round, std::vector<Slowed>& moves) {
     Ends segments;
     const auto segment_words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
     for (const Segment& segment : plan.segments) {
@@ -76,23 +78,35 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
     for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
 
     const std::uint64_t needed = needed_ticks(plan);
-    std::vector<bool> slowed(speeds.size(), false);
-    const auto slow = [&](std::uint64_t from, std::uint64_t to, std::uint64_t ticks) {
-        const double length = static_cast<double>(to - from) / 65536 * plan.unit_mm;
-        const double mean = length / (static_cast<double>(ticks) * plan.tick_s);
-        const double covered = kSlower * length / (static_cast<double>(needed) * plan.tick_s);
-        const double speed = evens ? mean : covered;
+    std::vector<bool> slowed(moves.size(), false);
+    const auto each_move = [&](std::uint64_t from, std::uint64_t to, auto slow) {
         const auto first = std::upper_bound(ends.begin(), ends.end(), from) - ends.begin();
-        for (auto i = static_cast<std::size_t>(first); i < ends.size(); ++i) {
-            if (speed < speeds[i]) {
-                speeds[i] = speed;
-                slowed[i] = true;
-            }
+        for (auto i = std::max(given, static_cast<std::size_t>(first)); i < ends.size(); ++i) {
+            if (slow(moves[i])) slowed[i] = true;
             if (ends[i] >= to) break;
         }
     };
-    each_short_run(segments, options.segment_queue_words, needed, slow);
-    each_short_run(pieces, options.profile_queue_words, needed, slow);
+    const double covered = static_cast<double>(needed) / kSlower;
+    const auto lower = [&](std::uint64_t from, std::uint64_t to, std::uint64_t ticks) {
+        const double length = static_cast<double>(to - from) / 65536 * plan.unit_mm;
+        const double time = (round == 0 ? static_cast<double>(ticks) : covered) * plan.tick_s;
+        each_move(from, to, [speed = length / time](Slowed& move) {
+            return std::exchange(move.speed, std::min(speed, move.speed)) > speed;
+        });
+    };
+    const double fit = static_cast<double>(room(options.profile_queue_words)) / kProfileBusWords;
+    const double ramp = std::ldexp(kRampPieces / fit * covered * plan.tick_s, round / 2);
+    const auto lengthen = [&](std::uint64_t from, std::uint64_t to, std::uint64_t /*ticks*/) {
+        each_move(from, to, [ramp](Slowed& move) {
+            return std::exchange(move.ramp, std::max(ramp, move.ramp)) < ramp;
+        });
+    };
+    each_short_run(segments, options.segment_queue_words, needed, lower);
+    if (round % 2 == 0) {
+        each_short_run(pieces, options.profile_queue_words, needed, lower);
+    } else {
+        each_short_run(pieces, options.profile_queue_words, needed, lengthen);
+    }
     return static_cast<std::size_t>(std::count(slowed.begin(), slowed.end(), true));
 }
 

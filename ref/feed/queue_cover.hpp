@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "ref/segment/geometry.hpp"
+#include "ref/feed/stretch.hpp"
 
 namespace curvecore::ref {
 
@@ -13,11 +13,15 @@ namespace curvecore::ref {
 constexpr double kHostLate = 10e-3;
 
 /// Where three quarters of a queue, the rest is the host's to refill, do not last for a stop of
-/// the plan and kHostLate: lowers `speeds` (mm/s, one per planned move) so that they would; or first, if `evens`,
-/// to the mean speed there, since ramps cost words.
+/// the plan and kHostLate: slows the planned moves but the first `given` so that they would.
+///
+/// A ramp's pieces are the shorter the lower the speed is that it leads to, so a lower speed alone
+/// may never do: in the even rounds of planning moves get a lower speed, in the odd ones, if it is
+/// pieces that do not last, longer ramps, from as long as pieces have to be, twice as long each
+/// time. In round 0 the speed is the mean that the motion has there, since ramps cost words.
 /// @returns the number of planned moves that it slowed
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
-                          bool evens, std::vector<double>& speeds);
+                          std::size_t given, int round, std::vector<Slowed>& moves);
 
 /// Words of the profile that the queue carries in a tick for as long as a stop of the plan takes.
 double covered_words(const PlanOptions& options, const Plan& plan);

@@ -68,7 +68,7 @@ StretchPlanner::StretchPlanner(const FeedTask& task)
       places_(task.program, task.geometry, task.options.unit_mm),
       grid_(task.machine, task.options.unit_mm, task.options.tick_s()),
       step_speed_(step_speeds(task.segments, task.geometry.moves, task.options)),
-      most_(task.most),
+      slowed_(task.slowed),
       pace_(task.pace) {
     if (task.options.has_branches()) grid_.longest = longest_piece(grid_);
 }
@@ -173,12 +173,15 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
         RunMove move;
         move.planned = i;
         move.length = length_of(geometry_.moves[i], grid_);
-        move.velocity = std::min(asked_speed(i, fastest), stretch.caps[zone]);
+        const double asked = asked_speed(i, fastest);
+        move.velocity = std::min({asked, slowed_[i].speed, stretch.caps[zone]});
         move.slow_axes = kVelocityShare * highest < move.velocity;
-        move.step = knot_step(geometry_.moves[i].shape, machine_);
+        // Motion that the queues slow has no more knots than it had without.
+        move.step = std::max(knot_step(shape, machine_) * std::max(1.0, asked / slowed_[i].speed),
+                             slowed_[i].ramp / kKnots);
         move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
         if (move.slow_axes) move.widest = std::min(move.widest, kSlowApart);
-        move.jerk = carried_jerk(move.velocity, kAccelerationShare * machine_.acceleration);
+        move.jerk = carried_jerk(i, move.velocity, kAccelerationShare * machine_.acceleration);
         if (i < stretch.last) {
             move.end_velocity = std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
         }
@@ -255,22 +258,24 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
 double StretchPlanner::asked_speed(std::size_t i, double machine) const {
     const PlannedMove& planned = geometry_.moves[i];
     const Move& move = program_.moves[planned.move];
-    const double v = std::min(
-        {machine * kVelocityShare, step_speed_[i] * kVelocityShare, most_[i], fastest_word(grid_)});
+    const double v =
+        std::min({machine * kVelocityShare, step_speed_[i] * kVelocityShare, fastest_word(grid_)});
     return !move.rapid && move.feed > 0 ? std::min(v, move.feed / planned.shape.rate) : v;
 }
 
-double StretchPlanner::carried_jerk(double v, double acceleration) const {
+double StretchPlanner::carried_jerk(std::size_t i, double v, double acceleration) const {
     const double time = static_cast<double>(grid_.shortest) * grid_.tick;
-    return std::min(acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time));
+    const double least = slowed_[i].ramp / 2;  // to and from full acceleration
+    return std::min({acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time),
+                     least > 0 ? v / (least * least) : kAny});
 }
 
 Zone StretchPlanner::zone(std::size_t i) const {
     const PlannedMove& planned = geometry_.moves[i];
-    const double v = asked_speed(i, top_speed(planned.shape, machine_));
+    const double v = std::min(asked_speed(i, top_speed(planned.shape, machine_)), slowed_[i].speed);
     const PathLimits limits = along_path(planned.shape, machine_, v);
     const double acceleration = kAccelerationShare * limits.acceleration;
-    const double jerk = std::min(kJerkShare * limits.jerk, carried_jerk(v, acceleration));
+    const double jerk = std::min(kJerkShare * limits.jerk, carried_jerk(i, v, acceleration));
     return {length_of(planned, grid_), limits.velocity, acceleration, jerk};
 }
 

@@ -55,6 +55,13 @@ struct Stretch {
     }
 };
 
+/// What the core's queues leave a planned move: a speed, mm/s; and how long a ramp to it lasts at
+/// least, s.
+struct Slowed {
+    double speed = 1e9;
+    double ramp = 0;
+};
+
 /// From knot to knot of a move, s, where the speed changes.
 double knot_step(const PathShape& shape, const Machine& machine);
 
@@ -70,7 +77,7 @@ long double place_of(const Geometry& geometry, const Stretch& stretch, std::size
 /// | field    | remark                                    |
 /// |----------|-------------------------------------------|
 /// | segments | of all planned moves; their path is from 0 |
-/// | most     | mm/s, of each planned move                |
+/// | slowed   | each planned move, for the core's queues  |
 /// | pace     | of the speeds that the rules take          |
 struct FeedTask {
     const Program& program;
@@ -78,7 +85,7 @@ struct FeedTask {
     const PlanOptions& options;
     const Geometry& geometry;
     const std::vector<Segment>& segments;
-    const std::vector<double>& most;
+    const std::vector<Slowed>& slowed;
     double pace = 1;
 };
 
@@ -112,7 +119,7 @@ class StretchPlanner {
     void set_zones(Stretch& stretch) const;
     bool one_line(const Stretch& stretch) const;
     double asked_speed(std::size_t i, double machine) const;
-    double carried_jerk(double v, double acceleration) const;
+    double carried_jerk(std::size_t i, double v, double acceleration) const;
     Zone zone(std::size_t i) const;
     std::vector<RunMove> run_moves(const Stretch& stretch, std::size_t first,
                                    std::size_t end) const;
@@ -126,7 +133,7 @@ class StretchPlanner {
     PathPlaces places_;
     PieceGrid grid_;
     std::vector<double> step_speed_;
-    const std::vector<double>& most_;
+    const std::vector<Slowed>& slowed_;
     double pace_;
     std::vector<double> joint_speed_;  // before each planned move; 0: stop
     double last_dwell_ = 0;

@@ -28,6 +28,7 @@ using ref::source_of;
 PlanOptions options(Effort effort) {
     PlanOptions options;
     options.format.splines = 1;
+    options.aux_axes = 0;
     options.effort = effort;
     return options;
 }
