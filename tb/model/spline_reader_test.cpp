@@ -168,9 +168,12 @@ TEST(SplineReader, WeightsDrawACircleWithinTheTolerance) {
 
 TEST(SplineReader, ToleranceIsTheCallers) {
     const std::string text = "G21 F600\nG5.2 X5 Y5 P0.2\nX10 Y0\nG5.3";
-    const std::size_t coarse = ref::read_gcode_text(text, "part.ngc", 1e-3).moves.size();
-    const std::size_t fine = ref::read_gcode_text(text, "part.ngc", 1e-9).moves.size();
-    EXPECT_LT(3 * coarse, fine);
+    const auto moves_within = [&](double tolerance) {
+        ref::GcodeOptions options;
+        options.fit_tolerance = tolerance;
+        return ref::read_gcode_text(text, "part.ngc", options).moves.size();
+    };
+    EXPECT_LT(3 * moves_within(1e-3), moves_within(1e-9));
 }
 
 TEST(SplineReader, InverseTimeIsThatOfTheWholeCurve) {
