@@ -4,13 +4,13 @@
 `timescale 1ns / 1ns
 `default_nettype none
 module part_player_bench #(
-    parameter int Samples            = 263,
+    parameter int Samples            = 264,
     parameter int SegmentWords       = 102,
     parameter int ProfileWords       = 100,
     parameter int SamplesPerTickLog2 = 0,
-    parameter int HoldAcceleration   = 2548784,
-    parameter int HoldSlope          = 28036624,
-    parameter int StopTicks          = 267,
+    parameter int HoldAcceleration   = 2584072,
+    parameter int HoldSlope          = 28424792,
+    parameter int StopTicks          = 264,
     parameter int Digest             = 6031
 );
 

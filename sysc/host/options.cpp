@@ -122,7 +122,7 @@ void set_start(const RawOptions& raw, Options& options) {
     if (options.open_program && tolerance) {
         throw UsageError("--arc-tolerance or --interpreter: LinuxCNC has its own tolerance");
     }
-    if (points || options.open_program) return;
+    if (points || options.open_program || options.file.empty()) return;
     ref::ProgramStart& start = options.gcode.start;
     start = ref::read_program_start(options.machine, raw.tools);
     if (tolerance) {

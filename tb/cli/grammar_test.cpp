@@ -135,7 +135,7 @@ TEST_F(Grammar, APipeIsReadAsGCode) {
     EXPECT_EQ(result.status, 0) << result.err;
     const Json report = plan({});
     EXPECT_EQ(Json::parse(shell.read("stdin.out/report.json"))["segments"], report["segments"]);
-    const ProgramResult bad = piped("printf 'G21\\nG7\\n'");
+    const ProgramResult bad = piped("printf 'G21\\nG999\\n'");
     EXPECT_EQ(bad.status, 2);
     EXPECT_EQ(bad.err.rfind("stdin:2: error: ", 0), 0U) << bad.err;
 }

@@ -35,10 +35,10 @@ TEST(SynthBoard, EveryTableBecomesABitstream) {
         const std::string folder = "out/boards/" + board + "/";
         const Json facts = Json::parse(synth.read(folder + "board.json"));
         EXPECT_EQ(synth.read(folder + facts["bitstream"].get<std::string>()), "bits");
-        EXPECT_PRED_FORMAT2(IsSubstring,
-                            "to load it: openFPGALoader -b " +
-                                table_of(board)["loader"].get<std::string>() + " ",
-                            result.out);
+        EXPECT_PRED_FORMAT2(
+            IsSubstring,
+            "to load it: openFPGALoader -b " + table_of(board)["loader"].get<std::string>() + " ",
+            result.out);
         EXPECT_EQ(facts["samples_s"].get<double>(),
                   std::round(table_of(board)["clock_hz"].get<double>() /
                              (1 << table_of(board)["parameters"]["PeriodLog2"].get<int>())));

@@ -288,8 +288,9 @@ std::vector<std::uint64_t> joined(const Frames& frames) {
 
 struct Tally {
     int damages = 0;
-    int near_end = 0;  // guarded by one byte, others by more
+    int near_end = 0;  // guarded by one byte, others by two or more
     int entered = 0;   // with a frame that is not as it was
+    int past_two = 0;  // of these, others than near the end
 };
 
 using EnterAll = std::function<Entered(const Frames&)>;
@@ -312,15 +313,19 @@ void campaign(const Frames& ours, const Frames& theirs, const EnterAll& enter_al
         all.near_end += damage.near_end ? 1 : 0;
         all.entered += wrong > 0 ? 1 : 0;
         if (wrong > 0) {
-            ASSERT_TRUE(damage.near_end) << Damage::kNames[static_cast<std::size_t>(kind)];
-            ASSERT_EQ(wrong, 1U) << "it is not found in the next frame";
+            all.past_two += damage.near_end ? 0 : 1;
+            // Two words swapped may stand in two frames, and then change both checks alike.
+            ASSERT_LE(wrong, kind == 2 || kind == 3 ? 2U : 1U)
+                << "it is not found in the next frame: "
+                << Damage::kNames[static_cast<std::size_t>(kind)];
         }
         const bool ends = entered.frames.size() + 1 >= ours.size();
         ASSERT_TRUE(entered.cut || ends) << Damage::kNames[static_cast<std::size_t>(kind)];
     }
-    printf("%d damages; %d behind a frame's last check but one, %d of them entered\n", all.damages,
-           all.near_end, all.entered);
+    printf("%d damages; %d behind a frame's last check but one; %d entered, %d of others\n",
+           all.damages, all.near_end, all.entered, all.past_two);
     EXPECT_GT(all.damages, damages / 2);
+    EXPECT_LE(all.past_two, 2 + all.damages / 16384) << "two bytes let one in 65,536 pass";
     EXPECT_LE(all.entered, 3 + all.near_end / 128) << "a byte lets one in 256 pass";
 }
 

@@ -98,10 +98,13 @@ TEST_F(MotionWords, OfTheNextProgramStandUntilTheyCoverAStop) {
     program(pieces(4, 60, 10, 20, 3 << 16));
     const std::deque<uint64_t> later(segment_words_.begin() + words, segment_words_.end());
     segment_words_.erase(segment_words_.begin() + words, segment_words_.end());
+    fill();
     run_out();
     EXPECT_EQ(path_, first);
     EXPECT_FALSE(dut_->active_o);
     segment_words_ = later;
+    requesting_ = false;
+    fill();
     run();
     EXPECT_FALSE(dut_->underrun_o);
 }
