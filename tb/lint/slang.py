@@ -18,8 +18,14 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RTL = ROOT / "rtl"
 
 
-def clean(top, parameters, sources, cells=()):
-    """Whether `top` elaborates without an error or a warning; slang says what it finds."""
+def sources():
+    """All of rtl/, packages first."""
+    return [RTL / line for line in (RTL / "curvecore.f").read_text().split()
+            if line.endswith(".sv")]
+
+
+def parsed(top, parameters, files, cells=()):
+    """slang's driver with `files` read, and whether all of them could be."""
     slang = driver.Driver()
     slang.addStandardArgs()
     words = ["slang", "-Werror", "--timescale", "1ns/1ps", "--top", top]
@@ -27,14 +33,19 @@ def clean(top, parameters, sources, cells=()):
     words += [word for cell in cells for word in ("-v", cell)]
     # Of a DSP cell many ports stay open; of our own modules Verilator tells.
     words += ["-Wno-unconnected-input-port", "-Wno-unconnected-output-port"]
-    words += ["-DNO_ICE40_DEFAULT_ASSIGNMENTS", *map(str, sources)]
+    words += ["-DNO_ICE40_DEFAULT_ASSIGNMENTS", *map(str, files)]
     if not (slang.parseCommandLine(" ".join(words)) and slang.processOptions()):
         sys.exit("slang: these options are not taken: " + " ".join(words))
-    parsed = slang.parseAllSources()
+    return slang, slang.parseAllSources()
+
+
+def clean(top, parameters, files, cells=()):
+    """Whether `top` elaborates without an error or a warning; slang says what it finds."""
+    slang, whole = parsed(top, parameters, files, cells)
     compilation = slang.createCompilation()
     slang.reportCompilation(compilation, True)
     slang.runAnalysis(compilation)
-    return slang.reportDiagnostics(True) and parsed
+    return slang.reportDiagnostics(True) and whole
 
 
 def configurations(modules):
@@ -63,11 +74,10 @@ def sees_faults():
 
 
 def main(cells):
-    sources = [RTL / line for line in (RTL / "curvecore.f").read_text().split()
-               if line.endswith(".sv")]
-    modules = [source.stem for source in sources if not source.stem.endswith("_pkg")]
+    files = sources()
+    modules = [source.stem for source in files if not source.stem.endswith("_pkg")]
     red = [f"{top} {parameters or ''}" for top, parameters in configurations(modules)
-           if not clean(top, parameters, sources, cells)]
+           if not clean(top, parameters, files, cells)]
     for one in red:
         print("slang refuses", one)
     return bool(red) or not sees_faults()

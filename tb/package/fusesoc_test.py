@@ -39,10 +39,11 @@ class FuseSoC(unittest.TestCase):
         self.assertEqual(lines[-1], "80000,20000,10000")  # part.ngc's end, nm
         self.assertGreater(len(set(lines)), 100)
 
-    def test_a_parameter_out_of_range_ends_it(self):
+    def test_a_warning_ends_the_lint(self):
         done = subprocess.run([PROGRAM, "run", "--target=lint", NAME, "--CoefBits", "37"],
                               cwd=self.folder, text=True, capture_output=True)
         self.assertNotEqual(done.returncode, 0)
+        self.assertIn("%Warning-SELRANGE", done.stdout + done.stderr)
 
     def test_vivado(self):
         self.ask("run", "--target=synth", "--setup", NAME, "--Build", "1", "--Order", "5")

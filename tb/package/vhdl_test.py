@@ -8,9 +8,10 @@ import subprocess
 import sys
 import tempfile
 
-from pyslang import driver
-
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tb/lint"))
+from slang import parsed, sources  # noqa: E402
+
 CORES = {"spherical_interpolator": {"Order": 2, "CoefBits": 18, "AuxAxes": 1},
          "spline_interpolator": {"Order": 2, "CoefBits": 18},
          "curve_interpolator": {"Order": 2, "CoefBits": 18},
@@ -21,13 +22,7 @@ CORES = {"spherical_interpolator": {"Order": 2, "CoefBits": 18, "AuxAxes": 1},
 
 def widths(top, parameters):
     """Port to bits, of the sources."""
-    slang = driver.Driver()
-    slang.addStandardArgs()
-    given = [f"-G{name}={value}" for name, value in parameters.items()]
-    files = [f"{ROOT}/rtl/{line}" for line in (ROOT / "rtl/curvecore.f").read_text().split()]
-    slang.parseCommandLine(" ".join(["slang", "--top", top, *given, *files]))
-    slang.processOptions()
-    slang.parseAllSources()
+    slang, _ = parsed(top, parameters, sources())
     body = slang.createCompilation().getRoot().topInstances[0].body
     return {port.name: port.type.bitWidth for port in body.portList}
 
