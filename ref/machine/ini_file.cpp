@@ -112,4 +112,12 @@ std::optional<double> IniFile::number(const std::string& section, const std::str
     return number;
 }
 
+double mm_per_unit(const IniFile& ini) {
+    const std::optional<IniEntry> units = ini.find("TRAJ", "LINEAR_UNITS");
+    if (!units || units->value == "mm" || units->value == "metric") return 1;
+    if (units->value == "inch" || units->value == "in" || units->value == "imperial") return 25.4;
+    throw InputError(ini.file(), units->line,
+                     fmt::format("LINEAR_UNITS = {}: mm or inch", units->value));
+}
+
 }  // namespace curvecore::ref

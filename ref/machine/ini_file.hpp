@@ -40,4 +40,8 @@ class IniFile {
     std::map<std::pair<std::string, std::string>, std::vector<IniEntry>> entries_;
 };
 
+/// mm of a unit of [TRAJ]'s LINEAR_UNITS; 1 when it names none. @throws InputError for others than
+/// mm and inches
+double mm_per_unit(const IniFile& ini);
+
 }  // namespace curvecore::ref

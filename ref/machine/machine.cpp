@@ -39,16 +39,8 @@ class MachineReader {
     void note(const std::string& text) { machine_.notes.push_back(text); }
 
     void read_units() {
-        if (const std::optional<IniEntry> units = ini_.find("TRAJ", "LINEAR_UNITS")) {
-            if (units->value == "inch" || units->value == "in" || units->value == "imperial") {
-                unit_ = 25.4;
-            } else if (units->value != "mm" && units->value != "metric") {
-                throw InputError(ini_.file(), units->line,
-                                 fmt::format("LINEAR_UNITS = {}: mm or inch", units->value));
-            }
-        } else {
-            note("LINEAR_UNITS: mm");
-        }
+        unit_ = mm_per_unit(ini_);
+        if (!ini_.find("TRAJ", "LINEAR_UNITS")) note("LINEAR_UNITS: mm");
         const std::optional<IniEntry> angles = ini_.find("TRAJ", "ANGULAR_UNITS");
         if (angles && angles->value != "degree" && angles->value != "deg") {
             throw InputError(ini_.file(), angles->line,

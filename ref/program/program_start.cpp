@@ -48,9 +48,7 @@ ProgramStart read_program_start(const std::string& ini, const std::string& tools
     if (!tools.empty()) table = tools;
     if (!ini.empty()) {
         const IniFile machine(read_text_file(ini), ini);
-        const std::optional<IniEntry> units = machine.find("TRAJ", "LINEAR_UNITS");
-        const bool inches = units && units->value.substr(0, 2) != "mm" && units->value != "metric";
-        start.unit = inches ? 25.4 : 1;
+        start.unit = mm_per_unit(machine);
         if (!table) table = file_of(machine, "EMCIO", "TOOL_TABLE");
         if (const auto file = file_of(machine, "RS274NGC", "PARAMETER_FILE")) {
             start.parameters = read_parameters(*file);

@@ -10,8 +10,7 @@
 namespace curvecore::sysc {
 
 std::vector<Joint> joints_of(const ref::IniFile& ini) {
-    const auto units = ini.find("TRAJ", "LINEAR_UNITS");
-    const bool inches = units && units->value[0] == 'i';
+    const double unit = ref::mm_per_unit(ini);
     const auto entry = ini.find("TRAJ", "COORDINATES");
     const std::string letters = entry ? entry->value : std::string(ref::kAxisLetters);
     std::vector<Joint> joints;
@@ -19,8 +18,8 @@ std::vector<Joint> joints_of(const ref::IniFile& ini) {
         const auto axis = ref::kAxisLetters.find(static_cast<char>(std::toupper(c)));
         if (axis == std::string_view::npos) continue;
         const bool angle = axis >= 3 && axis < 6;
-        joints.push_back({static_cast<int>(axis), fmt::format("JOINT_{}", joints.size()),
-                          inches && !angle ? 25.4 : 1});
+        joints.push_back(
+            {static_cast<int>(axis), fmt::format("JOINT_{}", joints.size()), angle ? 1 : unit});
     }
     return joints;
 }
