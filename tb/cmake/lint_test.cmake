@@ -62,6 +62,8 @@ function(add_lint_tests)
   cmake_path(GET ICE40_CELLS PARENT_PATH cells)
   lint_test(slang ${PROJECT_SOURCE_DIR}/.venv/bin/python3 ${PROJECT_SOURCE_DIR}/tb/lint/slang.py
             ${ICE40_CELLS} ${cells}/../ecp5/cells_bb.v)
+  lint_test(packages ${PROJECT_SOURCE_DIR}/.venv/bin/python3
+            ${PROJECT_SOURCE_DIR}/tb/lint/packages.py)
   lint_test(configurations ${PROJECT_SOURCE_DIR}/tb/lint/configurations.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
