@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "ref/machine/machine.hpp"
-#include "ref/program/move.hpp"
+#include "ref/curve/axes.hpp"
+#include "ref/curve/vec3.hpp"
 
 namespace curvecore::ref {
 

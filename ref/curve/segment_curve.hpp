@@ -8,9 +8,16 @@
 
 #include "ref/curve/arc_length.hpp"
 #include "ref/curve/segment.hpp"
-#include "ref/segment/spline_segment.hpp"
 
 namespace curvecore::ref {
+
+/// The cubic of a spline segment, in length units, 0 <= u <= 1; v = beta u.
+inline Cubic to_cubic(const Segment& segment) {
+    const double beta = segment.beta;
+    const double unit = std::ldexp(1.0, segment.lambda);
+    return {segment.a * (unit * beta * beta * beta), segment.b * (unit * beta * beta),
+            segment.c * (unit * beta), segment.start};
+}
 
 /// Closed form in length units, from the segment's real numbers as they stand.
 ///

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ref/feed/limits.hpp"
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
 

@@ -9,8 +9,6 @@
 
 namespace curvecore::ref {
 
-using AxisVector = std::array<double, kMachineAxes>;
-
 /// With speed v, acceleration a and jerk j along the path,
 ///
 ///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m

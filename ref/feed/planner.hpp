@@ -2,89 +2,12 @@
 // From moves to what a core is loaded with: the only place where geometry meets feed.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string_view>
-
-#include "ref/bound/error_bound.hpp"
 #include "ref/curve/segment.hpp"
-#include "ref/format/queues.hpp"
+#include "ref/machine/machine.hpp"
+#include "ref/program/move.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
-
-class KnownCuts;  // ref/segment/spline_cut.hpp
-
-/// Seconds that a core takes for the start of a step within its segment, and of a segment.
-struct CurveTime {
-    double step = 0;
-    double segment = 0;
-};
-
-/// | field         | unit | remark                                                              |
-/// |---------------|------|---------------------------------------------------------------------|
-/// | arc, spline   | s    | beyond the time of a sample                                         |
-/// | ahead         |      | true: while samples of the step before are taken; false: in turn    |
-/// | sample        | s    | that a sample keeps the core from making steps; 0 with ahead        |
-/// | samples_ahead | 1    | that the core makes ahead of the one that is due                    |
-struct CoreTime {
-    CurveTime arc{2e-6, 2e-6};
-    CurveTime spline{4e-6, 4e-6};
-    bool ahead = true;
-    double sample = 0;
-    int samples_ahead = 2;
-
-    const CurveTime& of(const Segment& segment) const {
-        return segment.kind == Segment::Kind::kSpline ? spline : arc;
-    }
-};
-
-/// How the feed is planned: by rules, one bound for each move and ramps between; or as the fastest
-/// motion under the same limits on the true path (ref/feed/time_optimum.hpp).
-enum class Effort { kRules, kOptimum };
-constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
-
-/// How a hold from the rate 1 stops: on a branch that was planned for the place, which costs the
-/// host words; or by the bounds of the whole program.
-enum class Holds { kBranches, kBounds };
-constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
-
-/// | field                  | unit   | remark                                                     |
-/// |------------------------|--------|------------------------------------------------------------|
-/// | unit_mm                | mm     | the length unit                                            |
-/// | sample_period_s        | s      |                                                            |
-/// | samples_per_tick       | 1      | 2^n; a tick, the profile's clock, is so many samples       |
-/// | format                 |        | word widths and order of the core                          |
-/// | aux_axes               | 1      | auxiliary axes of the core; more in a program are refused  |
-/// | error_limit            | units  | every segment's derived bound stays below it               |
-/// | core                   |        | seconds that the core takes, ref/feed/step_speed.hpp       |
-/// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
-/// | profile_queue_words    | 1      |                                                            |
-/// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
-/// | effort                 |        | how the feed is planned                                    |
-/// | holds                  |        | by stop branches, with an optimum; or by bounds alone      |
-/// | window                 | 1      | moves that are planned at once, 2 at least                 |
-/// | advise                 |        | a refusal says which width would do: takes many plans      |
-/// | cuts                   |        | of cubics that were cut before; none: they are not kept    |
-struct PlanOptions {
-    double unit_mm = 1e-6;
-    double sample_period_s = 100e-6;
-    int samples_per_tick = 1;
-    CoreParameters format;
-    int aux_axes = kAuxAxes;
-    double error_limit = 0.1;
-    CoreTime core;
-    int segment_queue_words = kSegmentQueueWords;
-    int profile_queue_words = kProfileQueueWords;
-    int max_pieces = 1 << 16;
-    bool advise = true;
-    Effort effort = Effort::kOptimum;
-    Holds holds = Holds::kBranches;
-    std::size_t window = 3000;
-    std::shared_ptr<KnownCuts> cuts;
-
-    bool has_branches() const { return effort == Effort::kOptimum && holds == Holds::kBranches; }
-    double tick_s() const { return sample_period_s * samples_per_tick; }
-};
 
 /// Segments and feed profile of a whole program, planned in windows (ref/feed/plan_stream.hpp).
 ///

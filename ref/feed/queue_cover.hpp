@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "ref/feed/stretch.hpp"
+#include "ref/feed/slowed.hpp"
+#include "ref/segment/geometry.hpp"
 
 namespace curvecore::ref {
 

@@ -5,23 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ref/segment/core_budget.hpp"
+
 namespace curvecore::ref {
 namespace {
 
-constexpr double kUnlimited = 1e9;      // mm/s
-constexpr double kRounding = 1 + 1e-9;  // of sums of many costs
-constexpr double kSeveral = 4;          // changes: moves that follow may be short themselves
-
-/// In which so many samples are ahead, s.
-double window_of(const PlanOptions& options) {
-    const CoreTime& core = options.core;
-    return (core.ahead ? 1 : 1 + core.samples_ahead) * options.sample_period_s;
-}
-
-/// What the samples of a window leave of it for changes, s.
-double budget_of(const PlanOptions& options) {
-    return window_of(options) * (1 - options.core.sample / options.sample_period_s) * kRounding;
-}
+constexpr double kUnlimited = 1e9;  // mm/s
 
 /// The starts of all steps along the path.
 class Changes {
@@ -110,14 +99,6 @@ std::vector<double> step_speeds(const std::vector<Segment>& segments,
         work -= first.cost();
     }
     return speeds.take();
-}
-
-double two_changes_time(const PlanOptions& options) {
-    const CoreTime& core = options.core;
-    double change = std::max(core.arc.step, core.arc.segment);
-    if (options.format.splines) change = std::max({change, core.spline.step, core.spline.segment});
-    if (kSeveral * change <= budget_of(options)) return 0;
-    return core.ahead ? change : window_of(options);
 }
 
 }  // namespace curvecore::ref

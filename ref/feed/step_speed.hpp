@@ -19,9 +19,4 @@ namespace curvecore::ref {
 std::vector<double> step_speeds(const std::vector<Segment>& segments,
                                 const std::vector<PlannedMove>& moves, const PlanOptions& options);
 
-/// Seconds that step_speeds() may want from one change to the next, so that a change between which
-/// there is little path slows all of its move; 0: the core makes several in the time of the samples
-/// that it is ahead.
-double two_changes_time(const PlanOptions& options);
-
 }  // namespace curvecore::ref

@@ -6,6 +6,7 @@
 
 #include "ref/feed/optimal_run.hpp"
 #include "ref/feed/profile_words.hpp"
+#include "ref/feed/slowed.hpp"
 
 namespace curvecore::ref {
 
@@ -53,13 +54,6 @@ struct Stretch {
         caps[zone] = std::min(caps[zone], velocity);
         zones[zone].velocity = std::min(zones[zone].velocity, velocity);
     }
-};
-
-/// What the core's queues leave a planned move: a speed, mm/s; and how long a ramp to it lasts at
-/// least, s.
-struct Slowed {
-    double speed = 1e9;
-    double ramp = 0;
 };
 
 /// From knot to knot of a move, s, where the speed changes.

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace curvecore::ref {
+#include "ref/curve/axes.hpp"
 
-constexpr int kMachineAxes = 9;  // X Y Z A B C U V W
+namespace curvecore::ref {
 
 struct AxisLimits {
     double velocity = 500;       // mm/s

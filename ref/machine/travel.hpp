@@ -11,7 +11,6 @@
 #include <string>
 
 #include "ref/feed/path_shape.hpp"
-#include "ref/program/coordinates.hpp"
 
 namespace curvecore::ref {
 

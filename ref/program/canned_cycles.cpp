@@ -149,7 +149,7 @@ void CannedCycles::carry_out(int g_code, bool again, Block& block, const Coordin
     if (repeats == 0) return;  // the words are kept for blocks to come
     double initial = *initial_;
     Point step{};
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         if (axis == normal || !block.has(kAxisLetters[axis])) continue;
         const double number = coordinates.number(block, axis);
         (coordinates.absolute() ? at : step)[axis] = number;
@@ -172,7 +172,7 @@ void CannedCycles::carry_out(int g_code, bool again, Block& block, const Coordin
     carry_out({Kind::kExactPath, {}, 0, ""});
     Drill drill{carry_out, normal, modes.turning, at, r, bottom, modes.retract_to_r ? r : initial};
     for (int n = 0; n < repeats; ++n) {
-        for (int axis = 0; axis < kAxes; ++axis) drill.at[axis] += step[axis];
+        for (int axis = 0; axis < kMachineAxes; ++axis) drill.at[axis] += step[axis];
         const double over = n == 0 && height > r ? height : drill.clear;
         drill.rapid(over);
         if (over > r) drill.rapid(r);

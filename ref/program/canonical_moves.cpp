@@ -20,7 +20,7 @@ Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], po
 
 /// Groups of axes (X Y Z, A B C, U V W) that all but stand keep their place exactly.
 Point without_trembling(Point to, const Point& at) {
-    for (int group = 0; group < kAxes; group += 3) {
+    for (int group = 0; group < kMachineAxes; group += 3) {
         bool still = true;
         for (int i = group; i < group + 3; ++i) still &= std::abs(to[i] - at[i]) < kStill;
         if (still) std::copy_n(at.begin() + group, 3, to.begin() + group);

@@ -34,12 +34,12 @@ Vec3 turn(const Vec3& vector, double degrees) {
 }
 
 Point operator+(Point a, const Point& b) {
-    for (int axis = 0; axis < kAxes; ++axis) a[axis] += b[axis];
+    for (int axis = 0; axis < kMachineAxes; ++axis) a[axis] += b[axis];
     return a;
 }
 
 Point operator-(Point a, const Point& b) {
-    for (int axis = 0; axis < kAxes; ++axis) a[axis] -= b[axis];
+    for (int axis = 0; axis < kMachineAxes; ++axis) a[axis] -= b[axis];
     return a;
 }
 
@@ -62,7 +62,7 @@ Point Coordinates::target(Block& block, bool machine, const Place& place) const 
     const double angle = machine ? 0 : rotation();
     const Point zero = machine ? Point{} : origin();
     Point point = turn(position_, -angle);
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         if (!block.has(kAxisLetters[axis])) continue;
         const bool absolute = machine || modes_.absolute;
         point[axis] = number(block, axis) + (absolute ? zero[axis] : point[axis]);
@@ -75,7 +75,7 @@ Point Coordinates::target(Block& block, bool machine, const Place& place) const 
 
 /// Groups of axes that all but stand keep their place.
 void Coordinates::keep_still(Point& point) const {
-    for (int first = 0; first < kAxes; first += 3) {
+    for (int first = 0; first < kMachineAxes; first += 3) {
         const double travel =
             std::hypot(point[first] - position_[first], point[first + 1] - position_[first + 1],
                        point[first + 2] - position_[first + 2]);
@@ -89,7 +89,7 @@ Point Coordinates::home(const Block& block, const Point& from, const Point& stor
     if (!block.has_any(kAxisLetters)) return stored;
     Point point = turn(from, -rotation());
     const Point end = turn(stored, -rotation());
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         if (block.has(kAxisLetters[axis])) point[axis] = end[axis];
     }
     return turn(point, rotation());
@@ -110,7 +110,7 @@ Point Coordinates::in_program(const Point& on_machine) const {
 Point Coordinates::on_machine(const Point& program, const Place& place) const {
     Point point = turn(program + origin(), rotation());
     keep_still(point);
-    for (int axis = 0; axis < kAxes; ++axis) check_range(kAxisLetters[axis], point[axis], place);
+    for (int axis = 0; axis < kMachineAxes; ++axis) check_range(kAxisLetters[axis], point[axis], place);
     return point;
 }
 
@@ -120,7 +120,7 @@ Vec3 Coordinates::turned_back(const Vec3& vector) const { return turn(vector, -r
 
 void Coordinates::set_offset(int system, Block& block, const Place& place) {
     System& set = systems_[system == 0 ? modes_.system : system - 1];
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         const char letter = kAxisLetters[axis];
         if (!block.has(letter)) continue;
         set.offset[axis] = number(block, axis);
@@ -133,18 +133,18 @@ void Coordinates::set_offset_here(int system, Block& block, const Place& place) 
     System& set = systems_[system == 0 ? modes_.system : system - 1];
     const Point now = counted_in(set, position_);
     Point wanted = now;
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         if (block.has(kAxisLetters[axis])) wanted[axis] = number(block, axis) + shift_[axis];
     }
     set.offset = set.offset + turn(now - wanted, set.rotation);
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         check_range(kAxisLetters[axis], set.offset[axis], place);
     }
 }
 
 void Coordinates::set_shift(Block& block, const Place& place) {
     const Point now = counted_in(systems_[modes_.system], position_);
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         const char letter = kAxisLetters[axis];
         if (!block.has(letter)) continue;
         shift_[axis] = now[axis] - number(block, axis);
@@ -154,7 +154,7 @@ void Coordinates::set_shift(Block& block, const Place& place) {
 }
 
 void Coordinates::set_local_shift(Block& block, const Place& place) {
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         const char letter = kAxisLetters[axis];
         if (!block.has(letter)) continue;
         shift_[axis] = number(block, axis);

@@ -9,14 +9,13 @@
 #include <array>
 #include <string_view>
 
+#include "ref/curve/axes.hpp"
 #include "ref/curve/vec3.hpp"
 #include "ref/program/block.hpp"
 
 namespace curvecore::ref {
 
-constexpr std::string_view kAxisLetters = "XYZABCUVW";
-constexpr int kAxes = 9;
-using Point = std::array<double, kAxes>;
+using Point = AxisVector;
 
 constexpr double kStill = 1e-9;    // mm: what moves less stands
 constexpr double kFarthest = 1e6;  // mm

@@ -105,7 +105,7 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
         if (is_probing(motion_)) {
             moves_.warn("a probing move is drawn to its end", place);
             moves_.stop();
-            for (int axis = 0; axis < kAxes; ++axis) {
+            for (int axis = 0; axis < kMachineAxes; ++axis) {
                 parameters_.set(kProbedX + axis, coordinates_.programmed(axis));
             }
             parameters_.set(kProbeTripped, 0);

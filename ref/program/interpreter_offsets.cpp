@@ -25,28 +25,28 @@ bool is_angle(int axis) { return axis >= 3 && axis < 6; }
 
 Point Interpreter::parameters_from(int number) const {
     Point point{};
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         point[axis] = parameters_.number(number + axis) * (is_angle(axis) ? 1 : parameter_unit_);
     }
     return point;
 }
 
 void Interpreter::set_parameters_from(int number, const Point& point) {
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         parameters_.set(number + axis, point[axis] / (is_angle(axis) ? 1 : parameter_unit_));
     }
 }
 
 void Interpreter::take_system(int number) {
     const int first = kSystems + kNextSystem * number;
-    coordinates_.set_system(number, {parameters_from(first), parameters_.number(first + kAxes)});
+    coordinates_.set_system(number, {parameters_from(first), parameters_.number(first + kMachineAxes)});
 }
 
 void Interpreter::give_system(int number) {
     const Coordinates::System& system = coordinates_.system(number);
     const int first = kSystems + kNextSystem * number;
     set_parameters_from(first, system.offset);
-    parameters_.set(first + kAxes, system.rotation);
+    parameters_.set(first + kMachineAxes, system.rotation);
 }
 
 void Interpreter::give_shift() {
@@ -164,7 +164,7 @@ void Interpreter::set_tool_table(int kind, Block& block, const Place& place) {
     without.set_tool({});
     if (kind == 11) without.use_system(kSystemCount - 1);
     const Point now = without.program_position();
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         if (!block.has(kAxisLetters[axis])) continue;
         const double number = coordinates_.number(block, axis);
         offset[axis] = kind == 1 ? number : now[axis] - number;
@@ -202,7 +202,7 @@ void Interpreter::set_tool_length(int code, Block& block, const Place& place) {
     }
     Point tool = coordinates_.modes().tool;
     const Point more = numbered ? tool_offset(number, place) : Point{};
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         tool[axis] += more[axis];
         if (!block.has(kAxisLetters[axis])) continue;
         tool[axis] = coordinates_.number(block, axis) + (code == 432 ? tool[axis] : 0);

@@ -16,7 +16,7 @@ constexpr std::string_view kNames = "xyzabcuvw";
 }  // namespace
 
 void Interpreter::give_values() {
-    for (int axis = 0; axis < kAxes; ++axis) {
+    for (int axis = 0; axis < kMachineAxes; ++axis) {
         const auto programmed = [this, axis] { return coordinates_.programmed(axis); };
         const auto on_machine = [this, axis] { return coordinates_.on_machine(axis); };
         const std::string letter(1, kNames[axis]);

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "ref/curve/axes.hpp"
 #include "ref/curve/cubic.hpp"
 
 namespace curvecore::ref {
-
-constexpr int kAuxAxes = 6;  // A B C U V W
-using Aux = std::array<double, kAuxAxes>;
 
 /// How far a G-code program may be drawn from what it says where it does not say it: in G64
 /// without P, and before any mode.

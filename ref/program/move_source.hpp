@@ -7,11 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "ref/program/dialect.hpp"
 #include "ref/program/events.hpp"
 #include "ref/program/move.hpp"
 
 namespace curvecore::ref {
+
+enum class Dialect;  // ref/program/dialect.hpp
 
 /// Gives the next move; false: there is none, and none will come. @throws InputError
 using MoveSource = std::function<bool(Move& move)>;

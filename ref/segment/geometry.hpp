@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "ref/feed/path_shape.hpp"
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
 

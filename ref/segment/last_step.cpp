@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/step_speed.hpp"
+#include "ref/segment/core_budget.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -4,7 +4,7 @@
 // segments are cut elsewhere.
 #pragma once
 
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
 

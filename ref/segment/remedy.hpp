@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
 

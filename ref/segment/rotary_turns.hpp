@@ -4,7 +4,9 @@
 
 #include <string>
 
-#include "ref/feed/planner.hpp"
+#include "ref/machine/machine.hpp"
+#include "ref/program/move.hpp"
+#include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {
 

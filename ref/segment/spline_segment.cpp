@@ -128,13 +128,6 @@ Segment spline_segment(const Cubic& piece, const CoreParameters& format) {
     return segment_of(piece, format, speed_range(piece).max, ArcLength(piece).length());
 }
 
-Cubic to_cubic(const Segment& segment) {
-    const double beta = segment.beta;
-    const double unit = std::ldexp(1.0, segment.lambda);
-    return {segment.a * (unit * beta * beta * beta), segment.b * (unit * beta * beta),
-            segment.c * (unit * beta), segment.start};
-}
-
 bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
     int exponent = 0;  // 2^exponent covers the length
     std::frexp(static_cast<double>(segment.length) / kQuanta, &exponent);

@@ -28,9 +28,6 @@ namespace curvecore::ref {
 /// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
 Segment spline_segment(const Cubic& piece, const CoreParameters& format);
 
-/// Back: the segment's curve of 0 <= u <= 1 in length units, v = beta u.
-Cubic to_cubic(const Segment& segment);
-
 /// Longest step exponent with which every word keeps its range, the derived bound stays within the
 /// limit, and within half of it
 /// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The axes of a machine, and which of them are auxiliary: X Y Z A B C U V W.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace curvecore::ref {
+
+constexpr std::string_view kAxisLetters = "XYZABCUVW";
+constexpr int kMachineAxes = 9;
+using AxisVector = std::array<double, kMachineAxes>;
+
+constexpr int kAuxAxes = 6;  // A B C U V W
+using Aux = std::array<double, kAuxAxes>;
+
+}  // namespace curvecore::ref
