@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plan -> words: where a real number becomes a word, but for the pieces of a profile and the steps
-// of stops, which the planner rounds (ref/feed/profile_words.hpp says why).
+// of stops, which the planner rounds (ref/feed/pieces/profile_words.hpp says why).
 #pragma once
 
 #include <cmath>
 #include <stdexcept>
 
 #include "hls/words.hpp"
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore {
 namespace hls {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words of the spherical interpolator: six Riemann integrators, [Chikurov] Fig. 8, equation (19).
 // Twins: rtl/network/spherical_network.sv and rtl/sampler/, ref/series/,
-// ref/curve/segment_curve.hpp.
+// ref/plan/segment_curve.hpp.
 //
 // The network integrates the unit vectors n = r/R (the paper's x y z) and t = B x r/R (F G H):
 //

@@ -233,7 +233,7 @@ def main():
     held = sum(r["holdout"] for r in runs)
     fitted = len(runs) - held
     checks = []
-    for one in runs:  # predictions that tb/model/cost_model_test.cpp must repeat
+    for one in runs:  # predictions that tb/model/program/cost_model_test.cpp must repeat
         predictions = {}
         for m in models:
             if m["build"] == one["build"]:

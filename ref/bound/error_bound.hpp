@@ -2,9 +2,9 @@
 // How far the words of a configuration may leave the exact curve: derived, not tuned.
 #pragma once
 
-#include "ref/curve/segment.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "ref/bound/error_bound.hpp"
-#include "ref/curve/segment.hpp"
-#include "ref/series/spline_words.hpp"
+#include "ref/bound/spline_words.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
 

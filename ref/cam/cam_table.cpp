@@ -7,10 +7,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ref/program/block.hpp"
-#include "ref/program/coordinates.hpp"
-#include "ref/program/csv_cells.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/gcode/blocks/block.hpp"
+#include "ref/gcode/state/coordinates.hpp"
+#include "ref/text/csv_cells.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

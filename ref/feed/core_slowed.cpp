@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/limits.hpp"
-#include "ref/feed/step_speed.hpp"
+#include "ref/feed/places/step_speed.hpp"
+#include "ref/limits/limits.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -5,12 +5,12 @@
 
 #include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_window.hpp"
-#include "ref/feed/hold_bounds.hpp"
-#include "ref/feed/limits.hpp"
-#include "ref/feed/planned_branches.hpp"
-#include "ref/feed/queue_cover.hpp"
-#include "ref/feed/window_rule.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/feed/stops/hold_bounds.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/feed/stops/queue_cover.hpp"
+#include "ref/feed/windows/window_rule.hpp"
+#include "ref/limits/limits.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/limits.hpp"
-#include "ref/feed/window_rule.hpp"
+#include "ref/feed/windows/window_rule.hpp"
+#include "ref/limits/limits.hpp"
 
 namespace curvecore::ref {
 namespace {

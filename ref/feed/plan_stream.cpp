@@ -6,12 +6,12 @@
 
 #include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_profile.hpp"
-#include "ref/feed/hold_bounds.hpp"
-#include "ref/feed/planned_branches.hpp"
-#include "ref/feed/stop_branch.hpp"
+#include "ref/feed/stops/hold_bounds.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
-#include "ref/program/input_error.hpp"
 #include "ref/segment/spline_cut.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

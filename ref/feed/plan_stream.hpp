@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "ref/feed/stretch.hpp"
-#include "ref/program/move_source.hpp"
+#include "ref/moves/move_source.hpp"
 
 namespace curvecore::ref {
 

@@ -2,9 +2,9 @@
 // From moves to what a core is loaded with: the only place where geometry meets feed.
 #pragma once
 
-#include "ref/curve/segment.hpp"
 #include "ref/machine/machine.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
+#include "ref/plan/segment.hpp"
 #include "ref/segment/plan_options.hpp"
 
 namespace curvecore::ref {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/limits.hpp"
-#include "ref/feed/piece_loads.hpp"
-#include "ref/feed/planned_branches.hpp"
-#include "ref/feed/ramp.hpp"
-#include "ref/feed/step_speed.hpp"
+#include "ref/feed/pieces/piece_loads.hpp"
+#include "ref/feed/places/step_speed.hpp"
+#include "ref/feed/ramps/ramp.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/limits/limits.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "ref/feed/optimal_run.hpp"
-#include "ref/feed/profile_words.hpp"
-#include "ref/feed/slowed.hpp"
+#include "ref/feed/optimum/optimal_run.hpp"
+#include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/stops/slowed.hpp"
 
 namespace curvecore::ref {
 

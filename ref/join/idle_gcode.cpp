@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "ref/program/gcode_writer.hpp"
 
 namespace curvecore::ref {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

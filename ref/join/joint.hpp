@@ -2,7 +2,7 @@
 // What an idle move must meet where it leaves one working path and enters the next.
 #pragma once
 
-#include "ref/program/move_part.hpp"
+#include "ref/moves/move_part.hpp"
 
 namespace curvecore::ref {
 

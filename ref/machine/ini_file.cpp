@@ -8,8 +8,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 
 namespace curvecore::ref {
 namespace {

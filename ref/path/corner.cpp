@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ref/curve/angle_between.hpp"
-#include "ref/program/move_part.hpp"
+#include "ref/moves/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "ref/curve/cubic.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::ref {
 

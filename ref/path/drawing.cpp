@@ -4,8 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "ref/moves/move_part.hpp"
 #include "ref/path/corner.hpp"
-#include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "ref/path/path_joints.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "ref/path/tube_run.hpp"
+#include "ref/path/tube/tube_run.hpp"
 
 namespace curvecore::ref {
 

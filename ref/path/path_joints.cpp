@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ref/curve/angle_between.hpp"
+#include "ref/moves/move_part.hpp"
 #include "ref/path/corner.hpp"
-#include "ref/program/move_part.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -89,7 +89,7 @@ bool PathJoints::is_long(std::size_t joint) const {
 }
 
 /// Whether a joint may be passed as fast as the feed asks: over the joint time
-/// (ref/feed/limits.hpp) the change of velocity asks for no more than the jerk that is allowed, nor
+/// (ref/limits/limits.hpp) the change of velocity asks for no more than the jerk that is allowed, nor
 /// that of v^2 r''.
 bool PathJoints::passed(std::size_t joint, const Change& change) const {
     const double v = std::max(speed(joint - 1), speed(joint));

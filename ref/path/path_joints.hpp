@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ref/path/programmed_path.hpp"
-#include "ref/path/tube_knots.hpp"
+#include "ref/path/tube/programmed_path.hpp"
+#include "ref/path/tube/tube_knots.hpp"
 
 namespace curvecore::ref {
 

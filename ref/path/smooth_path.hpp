@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "ref/machine/machine.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::ref {
 

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "ref/curve/angle_between.hpp"
-#include "ref/feed/limits.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/move_part.hpp"
+#include "ref/limits/limits.hpp"
+#include "ref/moves/move_part.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "ref/machine/machine.hpp"
+#include "ref/moves/move_source.hpp"
 #include "ref/path/drawing.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "ref/program/move_source.hpp"
 
 namespace curvecore::ref {
 

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "ref/curve/fit/cubic_fit.hpp"
-#include "ref/program/dialect.hpp"
-#include "ref/program/program_start.hpp"
+#include "ref/gcode/lines/dialect.hpp"
+#include "ref/gcode/state/program_start.hpp"
 
 namespace curvecore::ref {
 

@@ -3,8 +3,8 @@
 
 #include <sstream>
 
+#include "ref/moves/move_source.hpp"
 #include "ref/program/gcode_stream.hpp"
-#include "ref/program/move_source.hpp"
 
 namespace curvecore::ref {
 

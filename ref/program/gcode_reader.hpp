@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
+#include "ref/moves/move.hpp"
 #include "ref/program/gcode_options.hpp"
-#include "ref/program/move.hpp"
 
 namespace curvecore::ref {
 

@@ -2,10 +2,10 @@
 // G-code to moves while it is read: in constant memory but for loops and calls.
 #pragma once
 
-#include "ref/program/block_stream.hpp"
+#include "ref/gcode/blocks/program_flow.hpp"
+#include "ref/gcode/interpreter/interpreter.hpp"
+#include "ref/moves/block_stream.hpp"
 #include "ref/program/gcode_options.hpp"
-#include "ref/program/interpreter.hpp"
-#include "ref/program/program_flow.hpp"
 
 namespace curvecore::ref {
 

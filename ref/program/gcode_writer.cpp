@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "ref/program/arc_geometry.hpp"
-#include "ref/program/coordinates.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/move_part.hpp"
+#include "ref/gcode/state/coordinates.hpp"
+#include "ref/moves/arc_geometry.hpp"
+#include "ref/moves/move_part.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::ref {
 

@@ -9,9 +9,9 @@
 
 #include "ref/curve/angle_between.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "ref/program/points_table.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/text_file.hpp"
 
 namespace curvecore::ref {
 namespace {

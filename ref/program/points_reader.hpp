@@ -16,7 +16,7 @@
 #include <string_view>
 
 #include "ref/curve/fit/point_fit.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::ref {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "ref/program/coordinates.hpp"
-#include "ref/program/csv_cells.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/gcode/state/coordinates.hpp"
+#include "ref/text/csv_cells.hpp"
+#include "ref/text/text_file.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ref/program/block.hpp"
+#include "ref/gcode/blocks/block.hpp"
 
 namespace curvecore::ref {
 

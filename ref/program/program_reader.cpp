@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/program/program_reader.hpp"
 
-#include "ref/program/move_source.hpp"
+#include "ref/moves/move_source.hpp"
 
 namespace curvecore::ref {
 

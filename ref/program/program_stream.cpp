@@ -9,7 +9,7 @@
 #include <iostream>
 
 #include "ref/program/gcode_stream.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {

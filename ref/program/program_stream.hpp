@@ -7,8 +7,8 @@
 #include <functional>
 #include <memory>
 
+#include "ref/moves/move_source.hpp"
 #include "ref/program/gcode_options.hpp"
-#include "ref/program/move_source.hpp"
 #include "ref/program/points_reader.hpp"
 
 namespace curvecore::ref {

@@ -7,9 +7,9 @@
 #include <memory>
 #include <string_view>
 
-#include "ref/curve/segment.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/queues.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
 
@@ -40,7 +40,7 @@ struct CoreTime {
 };
 
 /// How the feed is planned: by rules, one bound for each move and ramps between; or as the fastest
-/// motion under the same limits on the true path (ref/feed/time_optimum.hpp).
+/// motion under the same limits on the true path (ref/feed/optimum/time_optimum.hpp).
 enum class Effort { kRules, kOptimum };
 constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
 
@@ -57,7 +57,7 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// | format                 |        | word widths and order of the core                          |
 /// | aux_axes               | 1      | auxiliary axes of the core; more in a program are refused  |
 /// | error_limit            | units  | every segment's derived bound stays below it               |
-/// | core                   |        | seconds that the core takes, ref/feed/step_speed.hpp       |
+/// | core                   |        | seconds that the core takes, ref/feed/places/step_speed.hpp       |
 /// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |

@@ -10,7 +10,7 @@
 
 #include "ref/bound/error_bound.hpp"
 #include "ref/curve/cubic.hpp"
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
 

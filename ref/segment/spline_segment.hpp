@@ -6,7 +6,7 @@
 
 #include "ref/bound/error_bound.hpp"
 #include "ref/curve/cubic.hpp"
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 #include "ref/segment/spline_cut.hpp"
 
 namespace curvecore::ref {

@@ -2,7 +2,7 @@
 // [Obukhov]'s claims, measured: Simpson with Runge's rule, the search per tick.
 #pragma once
 
-#include "ref/curve/tick_search.hpp"
+#include "ref/numeric/tick_search.hpp"
 
 namespace curvecore::ref {
 

@@ -9,8 +9,8 @@
 
 #include "ref/cam/cam_program.hpp"
 #include "ref/program/gcode_reader.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 #include "sysc/cam/cam_report.hpp"
 #include "sysc/curvecore/run_job.hpp"
 #include "sysc/host/usage_error.hpp"

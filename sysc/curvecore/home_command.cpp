@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "sysc/curvecore/stream_command.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/usage_error.hpp"

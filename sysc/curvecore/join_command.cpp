@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "ref/join/least.hpp"
-#include "ref/machine/travel.hpp"
+#include "ref/limits/travel.hpp"
 #include "ref/program/gcode_reader.hpp"
-#include "ref/program/input_error.hpp"
 #include "ref/program/program_reader.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/curvecore/run_job.hpp"
 #include "sysc/host/choice.hpp"
 #include "sysc/host/quantity.hpp"

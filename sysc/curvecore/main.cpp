@@ -13,7 +13,7 @@
 
 #include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/curvecore/board_command.hpp"
 #include "sysc/curvecore/cam_command.hpp"
 #include "sysc/curvecore/choose_command.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::sysc {
 namespace fs = std::filesystem;

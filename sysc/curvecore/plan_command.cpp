@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore plan`: segments, feed profile, predicted error and time, without a board.
-#include "ref/curve/curve_follower.hpp"
+#include "ref/plan/curve_follower.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/curvecore/planned_job.hpp"

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hls/registers/registers.h"
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "hls/words.hpp"
-#include "ref/feed/planned_branches.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"

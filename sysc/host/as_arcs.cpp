@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/host/as_arcs.hpp"
 
-#include "ref/feed/planned_branches.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
 #include "ref/format/path_words.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/host/job_stream.hpp"
 #include "sysc/host/usage_error.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ref/program/spline_form.hpp"
+#include "ref/moves/spline_form.hpp"
 
 namespace curvecore::sysc {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <regex>
 
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 #include "sysc/host/shipped_files.hpp"
 #include "sysc/host/usage_error.hpp"
 

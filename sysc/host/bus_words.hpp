@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hls/word_check.hpp"
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 #include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 
 namespace curvecore::sysc {
 namespace {

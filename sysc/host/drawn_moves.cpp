@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "ref/program/input_error.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "ref/segment/spline_cut.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -6,9 +6,9 @@
 #include <deque>
 #include <memory>
 
+#include "ref/moves/spline_form.hpp"
 #include "ref/path/smooth_stream.hpp"
 #include "ref/program/program_stream.hpp"
-#include "ref/program/spline_form.hpp"
 #include "sysc/host/options.hpp"
 
 namespace curvecore::sysc {

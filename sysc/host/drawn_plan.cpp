@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ref/feed/stop_branch.hpp"
+#include "ref/feed/stops/stop_branch.hpp"
 
 namespace curvecore::sysc {
 

@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "ref/curve/segment.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/plan/segment.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/file_list.hpp"
 

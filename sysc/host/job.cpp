@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "ref/program/input_error.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "ref/program/program_reader.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/host/job_stream.hpp"
 #include "sysc/host/made_for.hpp"
 

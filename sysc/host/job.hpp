@@ -2,9 +2,9 @@
 // A program read and planned: what every command starts from.
 #pragma once
 
-#include "ref/feed/limit_report.hpp"
+#include "ref/feed/pieces/limit_report.hpp"
+#include "ref/moves/events.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "ref/program/events.hpp"
 #include "sysc/host/as_arcs.hpp"
 #include "sysc/host/drawn_plan.hpp"
 #include "sysc/host/options.hpp"

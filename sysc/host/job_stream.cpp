@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <exception>
 
-#include "ref/program/input_error.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/host/core_clocks.hpp"
 #include "sysc/host/usage_error.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
-#include "ref/feed/move_parts.hpp"
 #include "ref/feed/plan_stream.hpp"
+#include "ref/limits/move_parts.hpp"
 #include "sysc/host/drawn_moves.hpp"
 #include "sysc/host/job.hpp"
 

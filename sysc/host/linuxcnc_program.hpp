@@ -5,8 +5,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "ref/program/block_stream.hpp"
-#include "ref/program/canonical_moves.hpp"
+#include "ref/gcode/interpreter/canonical_moves.hpp"
+#include "ref/moves/block_stream.hpp"
 #include "sysc/host/child_process.hpp"
 
 namespace curvecore::sysc {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::sysc {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "hls/curve_kernel.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 #include "sysc/host/core_parameters.hpp"
 #include "sysc/host/value_ranges.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ref/curve/segment.hpp"
+#include "ref/plan/segment.hpp"
 
 namespace curvecore::sysc {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/program/coordinates.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/gcode/state/coordinates.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "ref/pulse/step_crossings.hpp"
+#include "ref/numeric/step_crossings.hpp"
 #include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {

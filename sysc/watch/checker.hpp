@@ -3,7 +3,7 @@
 // at the same path length.
 #pragma once
 
-#include "ref/curve/curve_follower.hpp"
+#include "ref/plan/curve_follower.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/host/bus_words.hpp"
 #include "sysc/host/job.hpp"

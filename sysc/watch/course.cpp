@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/curve/curve_follower.hpp"
+#include "ref/plan/curve_follower.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "ref/curve/segment_curve.hpp"
+#include "ref/plan/segment_curve.hpp"
 
 namespace curvecore::sysc {
 

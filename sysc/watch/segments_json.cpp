@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "ref/curve/segment_shape.hpp"
+#include "ref/plan/segment_shape.hpp"
 #include "sysc/host/bus_words.hpp"
 
 namespace curvecore::sysc {

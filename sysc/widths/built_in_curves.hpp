@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "ref/machine/machine.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::sysc {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/host/choice.hpp"
 #include "sysc/host/number_list.hpp"
 #include "sysc/host/quantity.hpp"

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/feed/limits.hpp"
-#include "ref/feed/spline_shape.hpp"
-#include "ref/segment/arc_cover.hpp"
+#include "ref/geometry/arc_cover.hpp"
+#include "ref/limits/limits.hpp"
+#include "ref/limits/spline_shape.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/widths/spline_families.hpp"
 

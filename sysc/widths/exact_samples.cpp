@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/feed/path_shape.hpp"
+#include "ref/limits/path_shape.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::sysc {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

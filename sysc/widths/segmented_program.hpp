@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "ref/segment/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "sysc/host/core_parameters.hpp"
 
 namespace curvecore::sysc {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "hls/quantise.hpp"
-#include "ref/program/input_error.hpp"
+#include "ref/text/input_error.hpp"
 #include "sysc/host/run_time_format.hpp"
 
 namespace curvecore::sysc {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "hls/registers/registers.h"
-#include "ref/program/coordinates.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/gcode/state/coordinates.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 #include "sysc/host/usage_error.hpp"
 #include "sysc/wire/joints.hpp"
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <tuple>
 
+#include "ref/gcode/state/coordinates.hpp"
 #include "ref/machine/ini_file.hpp"
 #include "ref/machine/machine.hpp"
-#include "ref/program/coordinates.hpp"
-#include "ref/program/input_error.hpp"
-#include "ref/program/text_file.hpp"
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
 #include "sysc/wire/joints.hpp"
 
 namespace curvecore::sysc {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hls/registers/registers.h"
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 
 namespace curvecore::sysc {
 namespace {

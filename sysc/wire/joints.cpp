@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 
 namespace curvecore::sysc {
 

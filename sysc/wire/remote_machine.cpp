@@ -8,7 +8,7 @@
 
 #include "hls/registers/registers.h"
 #include "hls/words.hpp"
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/host/usage_error.hpp"
 

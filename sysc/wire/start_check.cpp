@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ref/program/coordinates.hpp"
+#include "ref/gcode/state/coordinates.hpp"
 #include "sysc/host/usage_error.hpp"
 #include "sysc/wire/home_settings.hpp"
 

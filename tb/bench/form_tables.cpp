@@ -9,7 +9,7 @@
 #include "ref/curve/fit/hermite.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/format/path_words.hpp"
-#include "ref/program/spline_form.hpp"
+#include "ref/moves/spline_form.hpp"
 #include "tb/bench/claim_table.hpp"
 
 namespace {

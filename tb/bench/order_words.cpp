@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "ref/segment/arc_cover.hpp"
+#include "ref/geometry/arc_cover.hpp"
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Requirement {
 };
 
 /// Every radius from 10 um up, each as fast as 5 m/s^2 and 100 m/s^3 let it go
-/// (ref/feed/limits.cpp).
+/// (ref/limits/limits.cpp).
 bool keeps(const Requirement& requirement, const ref::CoreParameters& format) {
     const double ratio = std::sqrt(2.0);
     for (double high = requirement.radius_mm; high > 0.01; high /= ratio) {

@@ -10,9 +10,9 @@
 
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
-#include "ref/feed/planned_branches.hpp"
 #include "ref/feed/planner.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "ref/series/spline_tables.hpp"
 #include "sysc/widths/built_in_curves.hpp"
 #include "tb/bench/others/interpolators.hpp"

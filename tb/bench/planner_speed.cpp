@@ -6,8 +6,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "ref/curve/newton_work.hpp"
 #include "ref/feed/plan_stream.hpp"
+#include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_stream.hpp"
 
 namespace {

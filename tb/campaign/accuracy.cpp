@@ -18,7 +18,7 @@
 #include "hls/interpolator_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/helix.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
 #include "sysc/widths/arc_families.hpp"
 
 namespace {

@@ -14,8 +14,8 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
-#include "ref/curve/segment_curve.hpp"
-#include "ref/segment/geometry.hpp"
+#include "ref/geometry/geometry.hpp"
+#include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "ref/curve/newton_work.hpp"
 #include "ref/feed/plan_stream.hpp"
+#include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_stream.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/random_lines.hpp"

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "ref/program/input_error.hpp"
-#include "ref/program/move_part.hpp"
+#include "ref/moves/move_part.hpp"
 #include "ref/program/program_reader.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace {
 

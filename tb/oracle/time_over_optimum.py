@@ -43,7 +43,7 @@ UNEQUAL_SLOWER = 1.03  # than the oracle under the whole limits
 
 def shares():
     """As the planner has them."""
-    text = (ROOT / "ref/feed/limits.hpp").read_text()
+    text = (ROOT / "ref/limits/limits.hpp").read_text()
     return [float(re.search(rf"{name} = ([\d.]+);", text)[1])
             for name in ("kAccelerationShare", "kJerkShare")]
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "ref/curve/curve_follower.hpp"
 #include "ref/feed/planner.hpp"
+#include "ref/plan/curve_follower.hpp"
 #include "sysc/host/path_cursor.hpp"
 #include "sysc/host/path_source.hpp"
 #include "sysc/watch/limit_meter.hpp"

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "ref/program/move_part.hpp"
+#include "ref/moves/move_part.hpp"
 
 namespace curvecore::tb {
 

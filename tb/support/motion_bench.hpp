@@ -14,7 +14,7 @@
 #include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
 #include "hls/word_check.hpp"
-#include "ref/feed/hold_bounds.hpp"
+#include "ref/feed/stops/hold_bounds.hpp"
 #include "tb/support/bench_format.hpp"
 #include "tb/support/mixed_segments.hpp"
 #include "tb/support/motion_ports.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "ref/machine/machine.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::tb {
 

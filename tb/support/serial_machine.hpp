@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ref/curve/segment.hpp"  // its kSpline before that of the figures: -Wshadow
+#include "ref/plan/segment.hpp"  // its kSpline before that of the figures: -Wshadow
 #include "rtl/serial/spline_program.hpp"
 #include "sysc/host/run_time_format.hpp"
 

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/feed/limits.hpp"
-#include "ref/feed/profile_words.hpp"
+#include "ref/feed/pieces/profile_words.hpp"
+#include "ref/limits/limits.hpp"
 
 namespace curvecore::tb {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include "ref/pulse/step_crossings.hpp"
+#include "ref/numeric/step_crossings.hpp"
 
 namespace curvecore::tb {
 

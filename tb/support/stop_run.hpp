@@ -2,7 +2,7 @@
 // A stop branch carried out: as the hardware's words draw it, and in real numbers.
 #pragma once
 
-#include "ref/feed/stop_branch.hpp"
+#include "ref/feed/stops/stop_branch.hpp"
 #include "tb/support/tick_run.hpp"
 
 namespace curvecore::tb {

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <deque>
 
-#include "ref/pulse/step_crossings.hpp"
+#include "ref/numeric/step_crossings.hpp"
 #include "tb/support/pulse_monitor.hpp"
 #include "tb/support/step_motion.hpp"
 

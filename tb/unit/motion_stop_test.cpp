@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/motion_interpolator.sv with stop branches between its pieces: every rate is the kernel's.
 #include "hls/quantise.hpp"
-#include "ref/feed/planned_branches.hpp"
 #include "ref/feed/planner.hpp"
+#include "ref/feed/stops/planned_branches.hpp"
 #include "sysc/host/core_clocks.hpp"
 #include "tb/support/motion_bench.hpp"
 #include "tb/support/program_builder.hpp"

@@ -7,7 +7,7 @@
 #include <deque>
 #include <random>
 
-#include "ref/pulse/step_crossings.hpp"
+#include "ref/numeric/step_crossings.hpp"
 #include "tb/support/step_bench.hpp"
 
 namespace curvecore::tb {

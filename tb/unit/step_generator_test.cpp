@@ -10,7 +10,7 @@
 #include <deque>
 #include <random>
 
-#include "ref/pulse/step_crossings.hpp"
+#include "ref/numeric/step_crossings.hpp"
 #include "tb/support/step_bench.hpp"
 #include "tb/support/step_motion.hpp"
 

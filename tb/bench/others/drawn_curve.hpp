@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ref/curve/arc_length.hpp"
-#include "ref/program/move.hpp"
+#include "ref/moves/move.hpp"
 
 namespace curvecore::tb {
 

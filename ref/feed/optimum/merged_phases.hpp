@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// A motion in fewer phases.
+#pragma once
+
+#include <vector>
+
+#include "ref/feed/optimum/run_path.hpp"
+
+namespace curvecore::ref {
+
+/// The cubic s(t) with path and speed of both ends.
+Phase phase_between(long double s, double length, double v0, double v1, double duration);
+
+/// As few phases as keep the limits, and the acceleration at their ends to within what no window of
+/// the machine's joint time sees. Ends of phases are places, speeds and times of the run.
+///
+/// @param mends of each phase; those that have any stay as they are
+std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<int>& mends,
+                                 const RunPath& path, const Machine& machine);
+
+}  // namespace curvecore::ref

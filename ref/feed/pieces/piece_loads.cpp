@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/pieces/piece_loads.hpp"
+
+#include <algorithm>
+
+#include "ref/limits/spline_shape.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr int kParts = 4;         // within a stretch all loads are smooth
+constexpr double kWithin = 1e-6;  // at its ends a curve may stand still
+
+}  // namespace
+
+bool near_standstill(const PlannedMove& move, double s, double quantum) {
+    const double left = static_cast<double>(move.length) * quantum - s;
+    return (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
+}
+
+void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
+                const PieceGrid& grid, const Machine& machine, PathPlaces& places,
+                LimitRatios& worst) {
+    for (int i = 0; i <= kParts; ++i) {
+        const double part = std::clamp(static_cast<double>(i) / kParts, kWithin, 1 - kWithin);
+        const double t = stretch.from + (stretch.to - stretch.from) * part;
+        const double s = place_of(stretch, t) * grid.quantum;
+        if (near_standstill(*stretch.move, s, grid.quantum)) continue;
+        const PathPlace at = places.at(planned, s);
+        const PieceMotion m = motion(stretch, part, plan);
+        const double fastest = highest_speed(at.d1, stretch.move->shape, machine);
+        worst.velocity = std::max(worst.velocity, m.v / fastest);
+        if (stretch.overhang) continue;
+        for (const PlaceLimit& limit : place_limits(at, stretch.move->shape, machine)) {
+            worst.acceleration =
+                std::max(worst.acceleration, acceleration_of(limit, m.v, m.a) / limit.acceleration);
+            worst.jerk = std::max(worst.jerk, jerk_of(limit, m.v, m.a, m.j) / limit.jerk);
+        }
+    }
+    worst.velocity =
+        std::max(worst.velocity, top_of(stretch, plan) / path_speed(stretch.move->shape, machine));
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// A motion in real numbers becomes pieces of whole ticks that end exactly.
+//
+// This is the one place of ref/ that rounds to the hardware's integers (with the steps of a stop in
+// stop_branch): a piece has to end on its length to a quantum, so its last coefficient takes what
+// the others have rounded, and limits, joints and windows are judged by the motion that the
+// integers give. The fields' widths and places on the bus are those of hls/words.hpp.
+#pragma once
+
+#include <vector>
+
+#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/machine/machine.hpp"
+#include "ref/plan/segment.hpp"
+
+namespace curvecore::ref {
+
+constexpr std::uint32_t kMaxTicks = 1u << 19;  // of one piece
+/// Largest planned exponent: its rounding, 2^(e-35) quanta, stays below 2^-11 unit.
+constexpr int kMaxPlannedExponent = 40;
+
+/// So many ticks; or more while so little path is gone.
+struct Reach {
+    std::uint64_t ticks = kMaxTicks;
+    std::uint64_t slow_ticks = 0;
+    std::uint64_t path = 0;  // quanta
+
+    bool holds(std::uint64_t time, std::uint64_t gone) const {
+        return time <= ticks || (time <= slow_ticks && gone <= path);
+    }
+};
+
+/// | field    | unit  | remark                                                           |
+/// |----------|-------|------------------------------------------------------------------|
+/// | tick     | s     |                                                                  |
+/// | quantum  | mm    | of path                                                          |
+/// | shortest | ticks | no piece inside a run is shorter: the rounding of its ends would |
+/// |          |       | show in the jerk                                                 |
+/// | longest  |       | pieces of motion are no longer                                   |
+struct PieceGrid {
+    double tick;
+    double quantum;
+    std::uint64_t shortest;
+    Reach longest;
+
+    PieceGrid(const Machine& machine, double unit_mm, double tick_s);
+};
+
+/// Appends the pieces of one run of `length` quanta.
+///
+/// The run is stretched in time to whole ticks; speed, acceleration and jerk only shrink. At its
+/// ends it keeps its speeds, so that what joins it there goes on. The
+/// boundaries of the phases move to the nearest tick, and a cubic joins path and speed of the
+/// motion at both ends of each piece. Its jerk is a mean of the motion's jerk over the piece (with
+/// the weight 6 tau (1 - tau)), so the limit holds; path is exact and speed continuous.
+void append_run(const std::vector<Phase>& phases, std::uint64_t length, const PieceGrid& grid,
+                std::vector<ProfilePiece>& pieces);
+
+/// Appends at least `seconds` of rest.
+void append_rest(double seconds, const PieceGrid& grid, std::vector<ProfilePiece>& pieces);
+
+double ticks_of(const std::vector<ProfilePiece>& pieces);
+
+/// Highest speed whose pieces fit their words, mm/s.
+double fastest_word(const PieceGrid& grid);
+
+/// Path, speed, acceleration, jerk of a piece after `ticks`, from its words in real numbers; quanta
+/// and ticks.
+struct PieceState {
+    double s, v, a, j;
+};
+PieceState piece_state(const ProfilePiece& piece, double ticks);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path's derivatives by path length at any place: what the limits see of it.
+#pragma once
+
+#include <boost/container/static_vector.hpp>
+#include <memory>
+#include <vector>
+
+#include "ref/curve/arc_length.hpp"
+#include "ref/feed/places/place_limit.hpp"
+#include "ref/geometry/geometry.hpp"
+
+namespace curvecore::ref {
+
+/// r', r'', r''' of all axes, mm and degrees per mm of path.
+struct PathPlace {
+    AxisVector d1{};
+    AxisVector d2{};
+    AxisVector d3{};
+};
+
+/// Of the path and of every axis, at most.
+using PlaceLimits = boost::container::static_vector<PlaceLimit, 1 + kMachineAxes>;
+
+/// The machine's limits there: of the path and of those axes that it does not imply.
+PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Machine& machine);
+
+/// Exact: lines and arcs in closed form, splines by Frenet's formulas at the place's parameter.
+/// Places may be asked in any order; in that of the path each spline's length is tabled once.
+class PathPlaces {
+  public:
+    PathPlaces(const Program& program, const Geometry& geometry, double unit_mm);
+
+    /// At s mm from the start of geometry.moves[planned], within it.
+    PathPlace at(std::size_t planned, double s);
+
+  private:
+    PathPlace on_arc(const Move& move, const PathShape& shape, double s) const;
+    PathPlace on_spline(const Move& move, double s);
+
+    const Program& program_;
+    const Geometry& geometry_;
+    std::vector<double> begin_;  // of planned moves, mm from their move's start
+    const Move* tabled_ = nullptr;
+    std::unique_ptr<ArcLength> length_;
+};
+
+}  // namespace curvecore::ref

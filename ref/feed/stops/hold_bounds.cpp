@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/stops/hold_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/feed/pieces/piece_walk.hpp"
+#include "ref/format/path_words.hpp"
+#include "ref/limits/limits.hpp"
+#include "ref/text/input_error.hpp"
+
+namespace curvecore::ref {
+
+namespace {
+
+constexpr double kFineFrom = kFineRate / 65536.0;
+constexpr double kFiner = 1 << kFineShift;
+
+/// Of a motion, as a limit sees it.
+struct Load {
+    double v = 0;
+    double a = 0;
+    double j = 0;
+};
+
+struct Slopes {
+    double slope = 1e9;   // r', 1/s
+    double change = 1e9;  // r'', 1/s^2
+
+    /// What the load leaves of the limits up to the rate `top`, for `finer` of the bounds.
+    void keep(const Load& load, double acceleration, double jerk, double top, double finer) {
+        constexpr double kOfSlope = 0.8;  // of the jerk's rest: stops are quickest about here
+        if (load.v == 0) return;
+        const double rest = finer * (acceleration - top * top * load.a);
+        const double room = finer * (jerk - top * top * top * load.j);
+        slope = std::min(slope, rest / load.v);
+        slope = std::min(slope, kOfSlope * room / (3 * top * load.a));
+        change = std::min(change, (1 - kOfSlope) * room / load.v);
+    }
+
+    void keep(const Load& load, double acceleration, double jerk) {
+        keep(load, acceleration, jerk, kFineFrom, 1);
+        keep(load, acceleration, jerk, 1, kFiner);
+    }
+
+    void set(const PlanOptions& options, Plan& plan) const;
+};
+
+void Slopes::set(const PlanOptions& options, Plan& plan) const {
+    const double tick = options.tick_s();
+    const double second = std::ldexp(change * tick * tick, 32);
+    plan.hold_acceleration = static_cast<std::uint32_t>(
+        std::clamp(std::floor(second / kFiner) * kFiner, kFiner, 0x1p31));
+    const double steps = std::ldexp(slope * tick, 32) / plan.hold_acceleration;
+    const double most = std::floor(0x1p32 / plan.hold_acceleration);  // a slope of one per tick
+    plan.hold_slope_steps = static_cast<std::uint32_t>(
+        std::clamp(std::floor(steps), 1.0, std::min(most, 4294967295.0)));
+    plan.stop_ticks = stop_ticks(plan.hold_acceleration, plan.hold_slope_steps);
+}
+
+}  // namespace
+
+void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
+                     Plan& plan) {
+    Slopes of;
+    const PieceGrid grid(machine, options.unit_mm, options.tick_s());
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
+        const PieceMotion from = motion(stretch, 0, plan);
+        const PieceMotion to = motion(stretch, 1, plan);
+        const double v = top_of(stretch, plan);
+        const double a = std::max(std::abs(from.a), std::abs(to.a));
+        if (options.effort == Effort::kOptimum) {
+            const PathShape& shape = stretch.move->shape;
+            const double across = v * v * shape.curvature;
+            each_limit(
+                shape, machine, [&](double rate, double bend, double acceleration, double jerk) {
+                    const double most =
+                        std::min(rate * a + bend * across, kAccelerationShare * acceleration);
+                    of.keep({rate * v, most, kJerkShare * jerk}, acceleration, jerk);
+                });
+            return;
+        }
+        // Pieces end on the grid, so a ramp may reach a little into the next move: there it has the
+        // other move's limits, and half of the share left for holds is granted.
+        const PathLimits limits = along_path(stretch.move->shape, machine, v);
+        const Load load{v, std::min(a, (1 + kAccelerationShare) / 2 * limits.acceleration),
+                        std::min(std::abs(from.j), (1 + kJerkShare) / 2 * limits.jerk)};
+        of.keep(load, limits.acceleration, limits.jerk);
+    });
+    of.set(options, plan);
+}
+
+void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
+                     Plan& plan) {
+    Slopes of;
+    const auto keep = [&](double velocity, double acceleration, double jerk) {
+        of.keep({std::min(fastest, velocity), kAccelerationShare * acceleration, kJerkShare * jerk},
+                acceleration, jerk);
+    };
+    keep(machine.velocity, machine.acceleration, machine.jerk);
+    for (const AxisLimits& axis : machine.axis) keep(axis.velocity, axis.acceleration, axis.jerk);
+    of.set(options, plan);
+}
+
+std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) {
+    struct Bounds {
+        double a, n;
+        double time(double d) const {
+            return n * n * a < d ? d / (n * a) + n : 2 * std::sqrt(d / a);
+        }
+    };
+    const std::uint32_t eighth = acceleration >> kFineShift;
+    const std::uint64_t fine_steps =
+        (std::uint64_t{acceleration} * slope_steps >> kFineShift) / eighth;
+    const Bounds whole{std::ldexp(acceleration, -32), static_cast<double>(slope_steps)};
+    const Bounds fine{std::ldexp(eighth, -32), static_cast<double>(fine_steps)};
+    const double border = 1 - kFineFrom;
+    const double ticks = std::min(fine.n, fine.time(2 * border) / 2) +
+                         fine.time(border) * (1 + kFineFrom) / 2 +
+                         whole.time(kFineFrom) * kFineFrom / 2;
+    return static_cast<std::uint32_t>(std::min(std::ceil(ticks) + 6 + kStopLead, 0x1p31));
+}
+
+void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {
+    const double mm_per_s = options.unit_mm / 65536 / options.tick_s();
+    const auto as_ticks = [&](std::uint64_t count, const Segment& segment) {
+        if (count < (std::uint64_t{1} << 31)) return static_cast<std::uint32_t>(count);
+        throw InputError(program.file, segment.line,
+                         "a dwell of 2^31 ticks or more: take longer ticks or several dwells");
+    };
+    std::size_t piece = 0;
+    std::uint64_t begin = 0;  // path and ticks at the start of the piece
+    std::uint64_t ticks = 0;
+    std::uint64_t drawn = 0;  // ticks of the segments so far
+    double feed = piece_state(plan.pieces.front(), 0).v * mm_per_s;
+    for (Segment& segment : plan.segments) {
+        const std::uint64_t end = segment.s_start + segment.length;
+        while (piece + 1 < plan.pieces.size() && begin + plan.pieces[piece].ds < end) {
+            begin += plan.pieces[piece].ds;
+            ticks += plan.pieces[piece++].ticks;
+        }
+        const ProfilePiece& p = plan.pieces[piece];
+        const double time = ticks_at(p, static_cast<double>(end - begin));
+        const std::uint64_t reached = ticks + static_cast<std::uint64_t>(time);
+        segment.ticks = as_ticks(reached - drawn, segment);
+        drawn = reached;
+        segment.feed_start = feed;
+        feed = std::max(0.0, piece_state(p, time).v * mm_per_s);
+        segment.feed_end = feed;
+    }
+    // Whatever follows the last segment's end, rests and all, is its own.
+    for (; piece < plan.pieces.size(); ++piece) ticks += plan.pieces[piece].ticks;
+    Segment& last = plan.segments.back();
+    last.ticks = as_ticks(last.ticks + ticks - drawn, last);
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/stops/planned_branches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/feed/stops/queue_cover.hpp"
+#include "ref/feed/stops/stop_branch.hpp"
+#include "ref/format/path_words.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+// From one to the next: some tenth of a stop from full speed; or as little path, while a stop, a
+// short one then, is not long with it.
+constexpr double kDistance = 30e-3;     // s
+constexpr double kSlowDistance = 0.15;  // s
+constexpr double kPath = 0.5;           // mm
+constexpr std::uint64_t kParts = 2;     // of it, at least, that pieces leave
+constexpr double kOfWords = 0.95;       // of those that a queue carries: branches differ
+
+Reach branch_distance(const PieceGrid& grid) {
+    const auto ticks = [&](double time) {
+        return std::max<std::uint64_t>(kStopLead + 1,
+                                       static_cast<std::uint64_t>(std::floor(time / grid.tick)));
+    };
+    return {ticks(kDistance), ticks(kSlowDistance),
+            static_cast<std::uint64_t>(kPath / grid.quantum)};
+}
+
+/// Ticks of the profile that pass in a stop.
+double passed(const StopSteps& steps) {
+    double sum = 0;
+    double rate = 1;
+    double slope = 0;
+    for (const StopStep& step : steps) {
+        const double n = step.ticks;
+        const double change = std::ldexp(step.change, -32);
+        sum += n * rate + n * (n + 1) / 2 * (slope + change * (n + 2) / 3);
+        rate += n * slope + n * (n + 1) / 2 * change;
+        slope += n * change;
+    }
+    return sum;
+}
+
+class BranchPlanner {
+  public:
+    BranchPlanner(const Program& program, const Machine& machine, const Geometry& geometry,
+                  const PlanOptions& options, const Plan& plan)
+        : course_(program, machine, geometry, plan, kStopShare),
+          reach_(static_cast<double>(stop_reach(machine, plan.tick_s))),
+          distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})),
+          words_per_tick_(kOfWords * covered_words(options, plan)) {
+        std::uint64_t start = 0;
+        std::uint64_t s = 0;
+        for (const ProfilePiece& piece : plan.pieces) {
+            // A piece begins in the tick that ends there, the first one in its own first tick.
+            due_.push_back(start + kStopLead - (start > 0 ? 1 : 0));
+            path_.push_back(s);
+            start += piece.ticks;
+            s += piece.ds;
+        }
+        end_ = start;
+    }
+
+    void add(const PieceStretch& stretch) {
+        course_.add(stretch);
+        find_until(course_.cells().back().from - reach_);
+    }
+    std::vector<PlannedBranch> finish() {
+        find_until(1e300);
+        for (std::size_t i = 0; i < branches_.size(); ++i) {
+            const std::uint64_t next =
+                i + 1 < branches_.size() ? due_[branches_[i + 1].piece] : end_;
+            // Not through a rest, to move again. A branch that passes at another rate is told as
+            // late as kStopLead ticks after its place.
+            const std::uint64_t wait =
+                std::min(next - due_[branches_[i].piece], distance_.slow_ticks) + kStopLead;
+            branches_[i].wait = static_cast<std::uint32_t>(wait);
+        }
+        return std::move(branches_);
+    }
+
+  private:
+    /// As far as the course is known up to this tick: before the last piece that is near enough,
+    /// else before the next one.
+    void find_until(double tick) {
+        while (next_ < due_.size() && due_[next_] < end_) {
+            std::size_t piece = next_;
+            while (piece + 1 < due_.size() && near(piece + 1)) ++piece;
+            if (static_cast<double>(due_[piece]) > tick) return;
+            next_ = piece + 1;
+            if (!carried(piece)) continue;
+            StopSteps steps = steps_before(piece);
+            if (steps.empty()) continue;
+            branches_.push_back({piece, 1, std::move(steps)});
+            while (next_ < due_.size() && due_[next_] <= due_[piece] + kStopLead) ++next_;
+        }
+    }
+
+    bool near(std::size_t piece) const {
+        if (branches_.empty() || due_[piece] >= end_) return false;
+        const std::size_t last = branches_.back().piece;
+        return distance_.holds(due_[piece] - due_[last], path_[piece] - path_[last]);
+    }
+
+    /// With one more branch like the last one the queue carries the words since then.
+    bool carried(std::size_t piece) const {
+        if (branches_.empty()) return true;
+        const PlannedBranch& last = branches_.back();
+        const double words = static_cast<double>(branch_words(last)) +
+                             kProfileBusWords * static_cast<double>(piece - last.piece);
+        return words <= words_per_tick_ * static_cast<double>(due_[piece] - due_[last.piece]);
+    }
+
+    StopSteps steps_before(std::size_t piece) {
+        const auto due = static_cast<double>(due_[piece]);
+        if (!branches_.empty()) {
+            const PlannedBranch& last = branches_.back();
+            const auto before = static_cast<double>(due_[last.piece]);
+            course_.forget_before(before);
+            if (course_.even(before, due + passed(last.steps) + 1)) return last.steps;
+        }
+        return stop_steps(course_, due_[piece]);
+    }
+
+    ProfileCourse course_;
+    double reach_;
+    Reach distance_;
+    double words_per_tick_;
+    std::vector<std::uint64_t> due_;   // of the pieces, ticks
+    std::vector<std::uint64_t> path_;  // before them, quanta
+    std::uint64_t end_ = 0;
+    std::size_t next_ = 0;  // piece that may have a branch
+    std::vector<PlannedBranch> branches_;
+};
+
+}  // namespace
+
+Reach longest_piece(const PieceGrid& grid) {
+    const Reach distance = branch_distance(grid);
+    return {distance.ticks / kParts, distance.slow_ticks / kParts, distance.path / kParts};
+}
+
+bool carries_branches(const Machine& machine, const PlanOptions& options, const Plan& plan) {
+    const Reach longest = longest_piece({machine, plan.unit_mm, plan.tick_s});
+    return covered_words(options, plan) * static_cast<double>(longest.slow_ticks) >=
+           kProfileBusWords;
+}
+
+void set_branches(const Program& program, const Machine& machine, const Geometry& geometry,
+                  const PlanOptions& options, Plan& plan) {
+    BranchPlanner planner(program, machine, geometry, options, plan);
+    const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
+    plan.branches = planner.finish();
+    // Of machines that stop at once a wait for a branch would be the longer stop.
+    double most = 0;
+    std::uint32_t wait = kStopLead;
+    for (const PlannedBranch& branch : plan.branches) {
+        most = std::max(most, std::ceil(wait + passed(branch.steps)));
+        wait = branch.wait;
+    }
+    if (most > plan.stop_ticks) plan.branches.clear();
+}
+
+std::size_t profile_words(const Plan& plan) {
+    std::size_t words = kProfileBusWords * plan.pieces.size();
+    for (const PlannedBranch& branch : plan.branches) words += branch_words(branch);
+    return words;
+}
+
+std::uint64_t longest_stop(const Plan& plan) {
+    std::uint64_t most = 0;
+    std::uint64_t wait = plan.branches.empty() ? 0 : kStopLead;
+    for (const PlannedBranch& branch : plan.branches) {
+        most = std::max(most, wait + ticks_of(branch.steps));
+        wait = branch.wait;
+    }
+    return std::max(most, wait);
+}
+
+}  // namespace curvecore::ref

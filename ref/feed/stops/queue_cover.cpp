@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/feed/stops/queue_cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ref/feed/stops/planned_branches.hpp"
+#include "ref/format/path_words.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr std::uint64_t kOnTheWay = 64;  // ticks between what the guard counts and what is so
+constexpr double kRampPieces = 6;        // three of a ramp, and as many that take no time
+constexpr double kSlower = 0.9;          // of the speed that would just do: pieces are whole ticks
+
+/// Path, ticks and words at the ends of frames of one stream.
+struct Ends {
+    std::vector<std::uint64_t> path{0};
+    std::vector<std::uint64_t> ticks{0};
+    std::vector<std::size_t> words{0};
+
+    void add(std::uint64_t length, std::uint32_t time, std::size_t count) {
+        path.push_back(path.back() + length);
+        ticks.push_back(ticks.back() + time);
+        words.push_back(words.back() + count);
+    }
+};
+
+std::uint64_t needed_ticks(const Plan& plan) {
+    const auto late = static_cast<std::uint64_t>(std::ceil(kHostLate / plan.tick_s));
+    return plan.stop_ticks + kOnTheWay + late;
+}
+
+/// Words of a queue that count: while the host is in time the rest is what it refills.
+std::size_t room(int queue) { return static_cast<std::size_t>(queue) * 3 / 4; }
+
+/// Calls slow(path from, path to, quanta, ticks) for every run of frames, one after the other on
+/// the path, that three quarters of a queue of `queue` words hold and that is over in fewer ticks
+/// than `needed`.
+template <class Slow>
+void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow) {
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < ends.words.size(); ++i) {
+        while (end + 1 < ends.words.size() && ends.words[end + 1] - ends.words[i] <= room(queue)) {
+            ++end;
+        }
+        if (end + 1 == ends.words.size()) return;
+        const std::uint64_t ticks = ends.ticks[end] - ends.ticks[i];
+        if (ticks < needed) slow(ends.path[i], ends.path[end], ticks);
+    }
+}
+
+}  // namespace
+
+double covered_words(const PlanOptions& options, const Plan& plan) {
+    return static_cast<double>(room(options.profile_queue_words)) /
+           static_cast<double>(needed_ticks(plan));
+}
+
+std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
+                          std::size_t given, int round, std::vector<Slowed>& moves) {
+    Ends segments;
+    const auto segment_words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
+    for (const Segment& segment : plan.segments) {
+        segments.add(segment.length, segment.ticks, segment_words);
+    }
+    Ends pieces;
+    auto branch = plan.branches.begin();
+    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+        std::size_t words = kProfileBusWords;
+        if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
+        pieces.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
+    }
+    std::vector<std::uint64_t> ends;  // of planned moves
+    std::uint64_t path = 0;
+    for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
+
+    const std::uint64_t needed = needed_ticks(plan);
+    std::vector<bool> slowed(moves.size(), false);
+    const auto each_move = [&](std::uint64_t from, std::uint64_t to, auto slow) {
+        const auto first = std::upper_bound(ends.begin(), ends.end(), from) - ends.begin();
+        for (auto i = std::max(given, static_cast<std::size_t>(first)); i < ends.size(); ++i) {
+            if (slow(moves[i])) slowed[i] = true;
+            if (ends[i] >= to) break;
+        }
+    };
+    const double covered = static_cast<double>(needed) / kSlower;
+    const auto lower = [&](std::uint64_t from, std::uint64_t to, std::uint64_t ticks) {
+        const double length = static_cast<double>(to - from) / 65536 * plan.unit_mm;
+        const double time = (round == 0 ? static_cast<double>(ticks) : covered) * plan.tick_s;
+        each_move(from, to, [speed = length / time](Slowed& move) {
+            return std::exchange(move.speed, std::min(speed, move.speed)) > speed;
+        });
+    };
+    const double fit = static_cast<double>(room(options.profile_queue_words)) / kProfileBusWords;
+    const double ramp = std::ldexp(kRampPieces / fit * covered * plan.tick_s, round / 2);
+    const auto lengthen = [&](std::uint64_t from, std::uint64_t to, std::uint64_t /*ticks*/) {
+        each_move(from, to, [ramp](Slowed& move) {
+            return std::exchange(move.ramp, std::max(ramp, move.ramp)) < ramp;
+        });
+    };
+    each_short_run(segments, options.segment_queue_words, needed, lower);
+    if (round % 2 == 0) {
+        each_short_run(pieces, options.profile_queue_words, needed, lower);
+    } else {
+        each_short_run(pieces, options.profile_queue_words, needed, lengthen);
+    }
+    return static_cast<std::size_t>(std::count(slowed.begin(), slowed.end(), true));
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of a program that may run again, and where loops and subs end in them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ref/gcode/blocks/o_word.hpp"
+
+namespace curvecore::ref {
+
+struct KeptText {
+    std::string file;
+    std::vector<ProgramLine> lines;
+
+    Place place(std::size_t at) const { return {file, lines[at].number}; }
+    /// @throws InputError
+    std::optional<OWord> word(std::size_t at, const ProgramParameters& parameters) const {
+        return read_o_word(lines[at].words, parameters, place(at));
+    }
+};
+
+/// Lines `begin` to `end` of it, from the O-word on.
+struct KeptPart {
+    std::shared_ptr<const KeptText> text;
+    std::size_t begin = 0;
+    std::size_t end = 0;
+
+    int line() const { return text->lines[begin].number; }
+};
+
+/// Of subs, whose labels are other ones than those of loops and ifs.
+bool of_subs(OWord::Kind kind);
+/// What ends a loop or a sub.
+OWord last_of(const OWord& begin);
+/// Whether a later line is the last one. @throws InputError when it cannot stand there
+bool ends(const OWord& begin, const OWord& word, const Place& place);
+[[noreturn]] void refuse_unended(const OWord& begin, const Place& place);
+
+/// The sub, or the program of that number; nothing: there is none. @throws InputError
+std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, const OWord& begin,
+                                 const ProgramParameters& parameters);
+
+/// The file that a call means: NAME.ngc, or NAME with the program's own extension, in the
+/// program's folder; a number may be written as O100 and O0100, too. None: there is no such file.
+/// @throws InputError
+std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
+                                            Dialect dialect);
+
+}  // namespace curvecore::ref

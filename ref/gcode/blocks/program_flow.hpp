@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines of a program in the order in which they are carried out: O-words, M98 and M99.
+//
+// Text that runs once is read while it is carried out and then forgotten. What may run again is
+// kept: a loop while it runs, a sub from its definition on, and the rest of the text once a call
+// names what stands further on. A sub that the program does not have is a file beside it. As in
+// LinuxCNC conditions are evaluated when they are reached, calls go nine deep, M99 in the program
+// itself ends it, and break and continue name their loop; if, loops and subs must be nested whole.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "ref/gcode/blocks/kept_text.hpp"
+
+namespace curvecore::ref {
+
+/// Of loops and calls, as they run.
+constexpr int kMostBlocksWithoutMove = 1'000'000;
+constexpr int kMostBlocksAgain = 10'000'000;
+
+class ProgramFlow {
+  public:
+    /// @param text, file, parameters outlive this object
+    /// @param dialect none: recognised
+    ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters,
+                std::optional<Dialect> dialect);
+    ProgramFlow(const ProgramFlow&) = delete;
+    ProgramFlow& operator=(const ProgramFlow&) = delete;
+
+    /// The next line that is no O-word; none: the program's text ends. It stays until the next one.
+    /// @throws InputError
+    const ProgramLine* next();
+    /// Of that line.
+    Place place() const;
+    Dialect dialect() const { return lines_.dialect(); }
+
+    /// M98 of that line: a program of that number, so many times. @throws InputError
+    void call_number(int number, int times);
+    /// M99 of that line; false: the program ends with it. @throws InputError
+    bool return_from_number();
+    /// Moves were made: loops may go on.
+    void moved() { blocks_without_move_ = 0; }
+
+    /// Called when a sub begins and when it ends.
+    std::function<void()> on_call = [] {};
+    std::function<void()> on_return = [] {};
+
+  private:
+    /// Lines that run: the program, a sub, a loop.
+    struct Run {
+        enum class Kind { kProgram, kSub, kNumber, kLoop };
+        Kind kind = Kind::kProgram;
+        KeptPart part;                 // no text: lines_
+        std::size_t at = 0;            // of the next line in it
+        OWord word;                    // what begins it
+        int called_in = 0;             // line of the program, where this is another file's
+        int left = 1;                  // times
+        std::vector<std::string> ifs;  // labels of those that are open
+
+        const std::shared_ptr<const KeptText>& text() const { return part.text; }
+    };
+
+    bool fetch();
+    std::optional<OWord> word() const;
+    std::vector<double> arguments(const OWord& word) const;
+    bool is_true(const OWord& word) const { return arguments(word).front() != 0; }
+
+    void obey(const OWord& word);
+    void end_branch(const OWord& word);
+    void skip_branches(const OWord& begin, bool done);
+    bool in_loop(const OWord& word) const;
+    void begin_loop(const OWord& word);
+    void repeat_loop(const OWord& word);
+    void leave_loop(const OWord& word);
+    KeptPart keep(const OWord& begin);
+    void define(const OWord& word);
+    void end_sub(const OWord& word);
+    void enter(Run run, const std::vector<double>* arguments);
+    void leave_sub();
+    Run* running_sub();
+    Run run_of(const OWord& begin);
+    void keep_rest();
+    void count();
+
+    const std::string& file_;
+    ProgramLines lines_;
+    ProgramParameters& parameters_;
+    std::vector<Run> runs_;
+    std::map<std::string, KeptPart> subs_;
+    std::map<std::string, KeptPart> numbers_;
+    std::shared_ptr<const KeptText> text_;  // of the current line; none: the program's
+    ProgramLine line_;
+    double value_ = 0;  // of the last sub
+    bool value_returned_ = false;
+    int blocks_without_move_ = 0;
+    int blocks_again_ = 0;
+};
+
+}  // namespace curvecore::ref

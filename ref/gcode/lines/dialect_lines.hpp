@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of another dialect made RS274/NGC.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "ref/gcode/lines/dialect.hpp"
+#include "ref/text/place.hpp"
+
+namespace curvecore::ref {
+
+struct ProgramLine {
+    int number = 0;  // in its file, from 1
+    std::string words;
+    std::string note;     // a code that asks for more than motion, in the words' place
+    bool waits = false;   // the machine stands still at the note
+    std::string warning;  // what the user should know of it
+};
+
+/// Remembers what earlier lines have set.
+class DialectLines {
+  public:
+    virtual ~DialectLines() = default;
+    /// Fills all of the line but its number. @throws InputError
+    virtual void read(std::string_view text, ProgramLine& line, const Place& place) = 0;
+};
+
+/// @throws InputError for IF [..] GOTO, WHILE [..] DO and G65, which Fanuc's macros are made of
+void refuse_macro(std::string_view words, const Place& place);
+
+std::unique_ptr<DialectLines> lines_in(Dialect dialect);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/gcode/lines/fanuc_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "ref/gcode/lines/code_words.hpp"
+#include "ref/gcode/lines/program_lines.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr std::string_view kLengths = "XYZUVWIJKRQ";
+constexpr std::string_view kAngles = "ABC";
+constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZ+-.0123456789";
+
+bool is_integer(const std::string& number) {
+    const std::size_t begin = number.find_first_of("+-") == 0 ? 1 : 0;
+    return number.size() > begin && number.size() < begin + 10 &&
+           number.find_first_not_of(kDigits, begin) == std::string::npos;
+}
+
+bool is_code(const CodeWord& word, char letter, int code) {
+    return word.letter == letter && is_integer(word.number) &&
+           std::atoi(word.number.c_str()) == code;
+}
+
+void scale(CodeWord& word, double unit) {
+    word.number = fmt::format("{:.7f}", std::atoi(word.number.c_str()) * unit);
+}
+
+/// P of 5 to 8 figures: how many times, and the program's number.
+void part_call(std::vector<CodeWord>& words) {
+    for (CodeWord& word : words) {
+        if (word.letter != 'P' || !is_integer(word.number) || word.number.size() < 5) continue;
+        const std::string times = word.number.substr(0, word.number.size() - 4);
+        word.number.erase(0, times.size());
+        words.push_back({'L', times});
+        return;
+    }
+}
+
+/// Haas' smoothing and limits of looking ahead.
+bool is_setting(const CodeWord& word) { return is_code(word, 'G', 187) || is_code(word, 'G', 103); }
+
+/// `#1 = #2 + 1` wants brackets in RS274/NGC.
+void put_brackets(std::string& words) {
+    const std::size_t equals = words.find('=');
+    if (words.empty() || words[0] != '#' || equals == std::string::npos) return;
+    words.insert(equals + 1, 1, '[');
+    words += ']';
+}
+
+/// The number of a radius that nobody asks for: `G43 H1 D1`. @return whether it was there
+bool drop_radius(std::vector<CodeWord>& words) {
+    const auto has = [&words](char letter) {
+        return std::any_of(words.begin(), words.end(),
+                           [letter](const CodeWord& word) { return word.letter == letter; });
+    };
+    if (!has('H') || !has('D')) return false;
+    const auto is_radius = [](const CodeWord& word) { return word.letter == 'D'; };
+    words.erase(std::remove_if(words.begin(), words.end(), is_radius), words.end());
+    return true;
+}
+
+}  // namespace
+
+void FanucLines::read(std::string_view text, ProgramLine& line, const Place& place) {
+    line.words = words_of(text, place);
+    refuse_macro(line.words, place);
+    if (line.words.size() > 1 && line.words[0] == '/' && line.words[1] >= '1' &&
+        line.words[1] <= '9') {
+        line.words.erase(1, 1);
+    }
+    const std::size_t begin = line.words.rfind('/', 0) == 0 ? 1 : 0;
+    put_brackets(line.words);
+    if (line.words.find_first_not_of(kPlain, begin) != std::string::npos) return;  // a macro's
+    std::vector<CodeWord> words = code_words(line.words);
+    if (!words.empty() && is_setting(words[0])) {
+        line.note = "G" + words[0].number;
+        line.words.clear();
+        return;
+    }
+    const bool ended = end_cycle(words);
+    const bool dropped = drop_radius(words);
+    bool dwells = false;
+    bool cycle = false;
+    bool calls = false;
+    for (const CodeWord& word : words) {
+        if (is_code(word, 'G', 20) || is_code(word, 'G', 21)) inches_ = is_code(word, 'G', 20);
+        dwells = dwells || is_code(word, 'G', 4);
+        for (int code = 73; code <= 89; ++code) cycle = cycle || is_code(word, 'G', code);
+        calls = calls || is_code(word, 'M', 98);
+    }
+    bool scaled = false;
+    for (CodeWord& word : words) {
+        if (dwells && (word.letter == 'X' || word.letter == 'U' || word.letter == 'P')) {
+            word.letter = 'P';
+            if (is_integer(word.number)) scale(word, 1e-3);
+        } else if (cycle && word.letter == 'P') {
+            if (is_integer(word.number)) scale(word, 1e-3);
+        } else if (cycle && word.letter == 'K') {
+            word.letter = 'L';  // how often
+        } else if (is_integer(word.number) && std::atoi(word.number.c_str()) != 0) {
+            const bool length = kLengths.find(word.letter) != std::string_view::npos;
+            const bool angle = kAngles.find(word.letter) != std::string_view::npos;
+            if (length || angle) scale(word, length && inches_ ? 1e-4 : 1e-3);
+            scaled = scaled || length || angle;
+        }
+    }
+    if (calls) part_call(words);
+    if (!dwells && !calls && !cycle && !scaled && !ended && !dropped) return;
+    line.words = text_of(words);
+    if (scaled) {
+        line.warning =
+            "an axis' number without a point counts in 0.001 mm or 0.0001 inch, as on a Fanuc; "
+            "--dialect linuxcnc takes it as it stands";
+    }
+}
+
+bool FanucLines::end_cycle(std::vector<CodeWord>& words) {
+    bool ends = false;
+    bool moves = false;
+    for (const CodeWord& word : words) {
+        ends = ends || is_code(word, 'G', 80);
+        for (int code = 0; code <= 3; ++code) {
+            if (!is_code(word, 'G', code)) continue;
+            moves = true;
+            motion_ = code == 0 ? "0" : "1";
+        }
+    }
+    if (!ends || moves || motion_.empty()) return false;
+    words.push_back({'G', motion_});
+    return true;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fanuc's lines: numbers of axes without a point, G4, M98 and '/2'. Macros are not among them.
+#pragma once
+
+#include "ref/gcode/lines/code_words.hpp"
+#include "ref/gcode/lines/dialect_lines.hpp"
+
+namespace curvecore::ref {
+
+class FanucLines : public DialectLines {
+  public:
+    void read(std::string_view text, ProgramLine& line, const Place& place) override;
+
+  private:
+    /// Behind G80 the motion from before the cycle is in force again. @return whether words changed
+    bool end_cycle(std::vector<CodeWord>& words);
+
+    bool inches_ = false;
+    std::string motion_;  // number of the G code; empty: none yet
+};
+
+}  // namespace curvecore::ref

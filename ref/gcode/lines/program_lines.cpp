@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/gcode/lines/program_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace curvecore::ref {
+namespace {
+
+constexpr std::size_t kLongestLine = 4096;
+constexpr int kLinesToRecognise = 200;  // that have words
+constexpr std::size_t kMostLinesAhead = 10000;
+
+}  // namespace
+
+std::string words_of(std::string_view text, const Place& place) {
+    if (text.size() > kLongestLine) {
+        place.refuse(fmt::format("the line is longer than {} characters", kLongestLine));
+    }
+    std::string words;
+    bool comment = false;
+    bool rest = false;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x20 && c != '\t') || byte == 0x7f) {
+            place.refuse(fmt::format("byte 0x{:02x} is not text", byte));
+        }
+        if (rest) {
+            continue;
+        }
+        if (comment) {
+            if (c == '(') {
+                place.refuse("a comment inside a comment");
+            }
+            comment = c != ')';
+        } else if (c == '(') {
+            comment = true;
+        } else if (c == ';') {
+            rest = true;
+        } else if (byte >= 0x80) {
+            place.refuse(fmt::format("byte 0x{:02x} outside a comment", byte));
+        } else if (c != ' ' && c != '\t') {
+            words += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+        }
+    }
+    if (comment) {
+        place.refuse("a comment without its closing parenthesis");
+    }
+    return words;
+}
+
+ProgramLines::ProgramLines(std::istream& text, const std::string& file,
+                           std::optional<Dialect> dialect)
+    : lines_(text), file_(file) {
+    if (dialect) {
+        dialect_ = *dialect;
+    } else {
+        recognise();
+    }
+    reader_ = lines_in(dialect_);
+}
+
+void ProgramLines::recognise() {
+    DialectFinder finder;
+    while (finder.lines() < kLinesToRecognise && first_.size() < kMostLinesAhead) {
+        const std::optional<std::string_view> text = lines_.next();
+        if (!text) return;
+        first_.emplace_back(*text);
+        if (const std::optional<Dialect> found = finder.look_at(*text)) {
+            dialect_ = *found;
+            return;
+        }
+    }
+}
+
+std::optional<std::string_view> ProgramLines::next_text() {
+    ++number_;
+    if (first_.empty()) return lines_.next();
+    text_ = std::move(first_.front());
+    first_.pop_front();
+    return text_;
+}
+
+std::optional<ProgramLine> ProgramLines::next() {
+    while (!ended_) {
+        const std::optional<std::string_view> text = next_text();
+        if (!text) break;
+        ProgramLine line;
+        line.number = number_;
+        const Place place{file_, line.number};
+        reader_->read(*text, line, place);
+        if (line.words.empty() && line.note.empty()) continue;
+        if (!begun_ && line.words[0] == '%') {  // alone, or with the program's name
+            framed_ = begun_ = true;
+            continue;
+        }
+        if (line.words != "%") {
+            begun_ = true;
+            return line;
+        }
+        if (!framed_) place.refuse("% ends a program that does not begin with %");
+        ended_ = true;
+    }
+    return std::nullopt;
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program's text as lines of words, without comments, blanks and empty lines.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ref/gcode/lines/dialect_lines.hpp"
+#include "ref/text/place.hpp"
+#include "ref/text/text_file.hpp"
+
+namespace curvecore::ref {
+
+/// A line without comments and blanks, in upper case. @throws InputError: it is not text
+std::string words_of(std::string_view text, const Place& place);
+
+class ProgramLines {
+  public:
+    /// @param text, file outlive this object
+    /// @param dialect none: recognised from the first lines
+    ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
+
+    /// The next line that has words or a note, up to the '%' that ends a program which '%' began.
+    /// @throws InputError
+    std::optional<ProgramLine> next();
+    Dialect dialect() const { return dialect_; }
+
+  private:
+    void recognise();
+    std::optional<std::string_view> next_text();
+
+    TextLines lines_;
+    const std::string& file_;
+    Dialect dialect_ = Dialect::kLinuxcnc;
+    std::unique_ptr<DialectLines> reader_;
+    std::deque<std::string> first_;  // lines that were looked at
+    std::string text_;
+    int number_ = 0;
+    bool framed_ = false;
+    bool begun_ = false;
+    bool ended_ = false;
+};
+
+}  // namespace curvecore::ref

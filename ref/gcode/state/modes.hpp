@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What holds in a program until it says otherwise, besides the motion code and the coordinates.
+#pragma once
+
+#include <optional>
+
+#include "ref/moves/move.hpp"
+
+namespace curvecore::ref {
+
+enum class FeedMode { kPerMinute, kInverseTime, kPerTurn };
+enum class Turning { kNo, kClockwise, kCounterClockwise };
+
+/// | field          | unit  | remark                                                 |
+/// |----------------|-------|--------------------------------------------------------|
+/// | normal_axis    |       | of the plane: 2 of G17, 1 of G18, 0 of G19             |
+/// | path_tolerance | mm    | of G64                                                 |
+/// | feed           |       | F as written: per minute, of degrees or of `feed_unit` |
+/// | feed_unit      | mm    |                                                        |
+/// | speed          | 1/min | of the spindle, without its sign                       |
+/// | retract_to_r   |       | G99: canned cycles end at R, not where the first began |
+struct Modes {
+    int normal_axis = 2;
+    bool absolute_centre = false;
+    bool exact_stop = false;
+    double path_tolerance = kPathTolerance;
+    FeedMode feed_mode = FeedMode::kPerMinute;
+    std::optional<double> feed;
+    double feed_unit = 1;
+    double speed = 0;
+    Turning turning = Turning::kNo;
+    bool retract_to_r = true;
+};
+
+}  // namespace curvecore::ref

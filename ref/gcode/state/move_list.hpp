@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program's moves while they are made, whichever reader makes them: the stops and dwells behind
+// them, curves in pieces, warnings that are counted.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ref/gcode/blocks/block.hpp"
+#include "ref/moves/events.hpp"
+#include "ref/moves/move.hpp"
+
+namespace curvecore::ref {
+
+constexpr double kSmallestTolerance = 1e-5;  // mm, of G64
+constexpr double kLargestTolerance = 10;     // mm
+constexpr double kLongestDwell = 86400;      // s
+
+class MoveList {
+  public:
+    explicit MoveList(const std::string& file) { program_.file = file; }
+
+    const std::string& file() const { return program_.file; }
+
+    /// Whether the move has a length; if not, a warning says that it is left out.
+    bool moves(const Move& move, const Place& place);
+    void append(const Move& move);
+    /// A curve in pieces; `whole` has all that is the same for each.
+    /// @throws InputError when nothing is left of it
+    std::vector<Move> pieces_of(const std::vector<Cubic>& cubics, const Move& whole,
+                                const Place& place);
+    /// Behind the last move.
+    void stop();
+    /// Rest behind the last move; before the first one it is left out, with a warning.
+    void dwell(double seconds, const Place& place);
+    void warn(const std::string& text, const Place& place);
+    /// A code that asks for more than motion, such as M3, is an event; one warning names all of
+    /// them. It also says of which a value that holds `along_path`, as that of S, changes where the
+    /// path goes on.
+    void leave_out(const std::string& code, const Place& place, double value = 0,
+                   bool along_path = false);
+
+    const Events& events() const { return events_; }
+
+    /// Moves in order, which leave the list: the `last` one as well, for which a stop or a dwell
+    /// may still come.
+    std::vector<Move> take(bool last);
+    /// What is left of the program, with all of its warnings. @throws InputError when it has no
+    /// moves.
+    Program finish();
+
+  private:
+    struct Warning {
+        int line;
+        int count;
+    };
+
+    struct LeftOut {
+        std::vector<int> lines;  // the first ones
+        int count = 0;
+        double value = 0;
+        bool changed = false;  // since the last move
+        bool changes = false;  // between two moves without a stop
+    };
+
+    void note_values(bool stopped);
+    void warn_of_left_out();
+
+    Program program_;
+    Events events_;
+    std::map<std::string, Warning> warnings_;
+    std::map<std::string, LeftOut> left_out_;
+    double length_ = 0;           // mm, of all moves
+    bool value_changed_ = false;  // of one of them, since the last move
+};
+
+/// A feed in mm/s of one in mm/min. @throws InputError out of range
+double feed_of(double per_minute, const Place& place);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/gcode/state/program_start.hpp"
+
+#include <filesystem>
+#include <sstream>
+
+#include "ref/gcode/blocks/program_parameters.hpp"
+#include "ref/machine/ini_file.hpp"
+#include "ref/text/text_file.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "5161 0.5" a line.
+std::map<int, double> read_parameters(const std::string& file) {
+    std::map<int, double> parameters;
+    std::ifstream text = open_text_file(file);
+    TextLines lines(text);
+    while (const std::optional<std::string_view> line = lines.next()) {
+        std::istringstream words{std::string(*line)};
+        int number = 0;
+        double value = 0;
+        if ((words >> std::ws).eof()) continue;
+        if (!(words >> number >> value) || !ProgramParameters::exists(number)) {
+            Place{file, lines.number()}.refuse("a parameter is its number and its value");
+        }
+        parameters[number] = value;
+    }
+    return parameters;
+}
+
+/// A file that the .ini names, if it is there.
+std::optional<std::string> file_of(const IniFile& ini, const char* section, const char* name) {
+    const std::optional<IniEntry> entry = ini.find(section, name);
+    if (!entry) return std::nullopt;
+    const fs::path file = fs::path(ini.file()).parent_path() / entry->value;
+    std::error_code error;
+    return fs::is_regular_file(file, error) ? std::optional(file.string()) : std::nullopt;
+}
+
+}  // namespace
+
+ProgramStart read_program_start(const std::string& ini, const std::string& tools) {
+    ProgramStart start;
+    std::optional<std::string> table;
+    if (!tools.empty()) table = tools;
+    if (!ini.empty()) {
+        const IniFile machine(read_text_file(ini), ini);
+        start.unit = mm_per_unit(machine);
+        if (!table) table = file_of(machine, "EMCIO", "TOOL_TABLE");
+        if (const auto file = file_of(machine, "RS274NGC", "PARAMETER_FILE")) {
+            start.parameters = read_parameters(*file);
+        }
+    }
+    if (table) start.tools = ToolTable(*table, start.unit);
+    return start;
+}
+
+}  // namespace curvecore::ref

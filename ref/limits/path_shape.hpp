@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// A move as a function of path length: how its derivatives load the axes.
+#pragma once
+
+#include <array>
+
+#include "ref/machine/machine.hpp"
+#include "ref/moves/move.hpp"
+
+namespace curvecore::ref {
+
+/// With speed v, acceleration a and jerk j along the path,
+///
+///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
+///
+/// with unit vectors t, n and m, the latter two at right angles to t; |r'| <= 1. Lines and arcs are
+/// exactly so; for a stretch of a spline (ref/limits/spline_shape.hpp) the figures are bounds.
+///
+/// | field     | unit    | remark                                                            |
+/// |-----------|---------|-------------------------------------------------------------------|
+/// | length    | mm      | of the path; stretched where an auxiliary axis is the fastest      |
+/// | rate      | 1       | programmed length / length, <= 1                                  |
+/// | turn      | 1       | |circular part of r'|; 0 for lines                                |
+/// | twist     | rad/mm  | turn / radius                                                     |
+/// | curvature | 1/mm    | turn twist                                                        |
+/// | swerve    | 1/mm^2  | of r''' across the path: 0 for lines and arcs                     |
+/// | swing     | 1       | per axis: largest component of t, n and m along the move          |
+/// | advance   | 1       | per axis: constant part of r'                                     |
+/// | drift     | 1       | |its part in the plane of t and n|: of arcs whose radii at both   |
+/// |           |         | ends differ; the rest is at right angles to that plane            |
+/// | along     | 1       | per axis: largest |r'|                                            |
+struct PathShape {
+    double length = 0;
+    double rate = 1;
+    double turn = 0;
+    double twist = 0;
+    double curvature = 0;
+    double swerve = 0;
+    bool linear = true;  // X Y Z or U V W move: the machine's own limits hold along the path
+    AxisVector swing{};
+    AxisVector advance{};
+    double drift = 0;
+    AxisVector along{};
+    AxisVector tangent_start{};  // r'
+    AxisVector tangent_end{};
+    Vec3 bend_start = Vec3::Zero();  // r''
+    Vec3 bend_end = Vec3::Zero();
+};
+
+/// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
+constexpr double kMaxAuxRate = 1.9;
+
+/// Of a line or an arc, or of what lies between two parts of its length.
+PathShape path_shape(const Move& move, double from = 0, double to = 1);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// The box that a move needs, and whether the machine has it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <string>
+
+#include "ref/limits/path_shape.hpp"
+
+namespace curvecore::ref {
+
+struct AxisRange {
+    AxisVector low, high;  // mm
+};
+
+/// Where a component of dr/du = 3 a u^2 + 2 b u + c is zero.
+inline void include_turns(const Cubic& cubic, AxisRange& range) {
+    for (int i = 0; i < 3; ++i) {
+        const auto [low, high] =
+            boost::math::tools::quadratic_roots(3 * cubic.a[i], 2 * cubic.b[i], cubic.c[i]);
+        for (const double u : {low, high}) {
+            if (!(u > 0 && u < 1)) continue;  // also without a real zero, which is NaN
+            const auto axis = static_cast<std::size_t>(i);
+            range.low[axis] = std::min(range.low[axis], cubic.position(u)[i]);
+            range.high[axis] = std::max(range.high[axis], cubic.position(u)[i]);
+        }
+    }
+}
+
+/// Smallest and largest position of every axis. A cubic turns back at most twice per axis. An arc
+/// turns back where its tangent has no component along the axis: once or twice per turn.
+inline AxisRange travel(const Move& move) {
+    AxisRange range;
+    for (int i = 0; i < kMachineAxes; ++i) {
+        const double from = i < 3 ? move.start[i] : move.aux_start[i - 3];
+        const double to = i < 3 ? move.end[i] : move.aux_end[i - 3];
+        range.low[i] = std::min(from, to);
+        range.high[i] = std::max(from, to);
+    }
+    if (move.kind == Move::Kind::kCubic) include_turns(move.cubic, range);
+    if (move.kind != Move::Kind::kArc) return range;
+    const Vec3 n = move.start - move.centre;
+    const Vec3 t = move.normal.cross(n);
+    for (int i = 0; i < 3; ++i) {
+        const double swing = std::hypot(n[i], t[i]);
+        if (swing == 0) continue;
+        // d/dangle: t cos - n sin + rise = swing cos(angle + shift) + rise = 0
+        const double rise = move.advance[i] / move.angle;
+        if (std::abs(rise) >= swing) continue;
+        const double shift = std::atan2(n[i], t[i]);
+        const double bend = std::acos(-rise / swing);
+        for (const double sign : {1.0, -1.0}) {
+            double first = std::fmod(sign * bend - shift, 2 * M_PI);
+            if (first < 0) first += 2 * M_PI;
+            // On a helix the extremes move by a pitch per turn: the first and the last count.
+            const double last = first + 2 * M_PI * std::floor((move.angle - first) / (2 * M_PI));
+            for (const double angle : {first, last}) {
+                if (angle < 0 || angle > move.angle) continue;
+                const double x =
+                    move.centre[i] + n[i] * std::cos(angle) + t[i] * std::sin(angle) + rise * angle;
+                range.low[i] = std::min(range.low[i], x);
+                range.high[i] = std::max(range.high[i], x);
+            }
+        }
+    }
+    return range;
+}
+
+/// Why a machine cannot make a move: it goes beyond its travel. Empty: it can.
+inline std::string beyond_travel(const AxisRange& range, const Move& move, const Machine& machine) {
+    constexpr double kSlack = 1e-7;  // mm: rounding of an inch file
+    for (int i = 0; i < kMachineAxes; ++i) {
+        const AxisLimits& axis = machine.axis[i];
+        if (axis.rotary) continue;
+        const bool moves = i < 3 || move.aux_start[i - 3] != move.aux_end[i - 3];
+        const bool low = range.low[i] < axis.min - kSlack;
+        if (moves && (low || range.high[i] > axis.max + kSlack)) {
+            return fmt::format("{} = {:.6g} mm is beyond the machine's travel {:.6g} .. {:.6g} mm",
+                               kAxisLetters[i], low ? range.low[i] : range.high[i], axis.min,
+                               axis.max);
+        }
+    }
+    return "";
+}
+
+}  // namespace curvecore::ref

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program that is carried out block by block, with a few moves ahead.
+#pragma once
+
+#include <deque>
+#include <exception>
+
+#include "ref/moves/move_source.hpp"
+
+namespace curvecore::ref {
+
+class BlockStream : public MoveStream {
+  public:
+    bool next(Move& move) override;
+    int aux_axes() const override { return aux_axes_; }
+    const std::vector<std::string>& warnings() const override { return warnings_; }
+
+  private:
+    /// Carries out the next block; false: the program ends with it. @throws InputError
+    virtual bool read() = 0;
+    /// Moves that were made, as MoveList gives them.
+    virtual std::vector<Move> take(bool last) = 0;
+    virtual Program finish() = 0;
+
+    std::deque<Move> moves_;
+    int aux_axes_ = 0;
+    std::vector<std::string> warnings_;
+    bool ended_ = false;
+    std::exception_ptr error_;
+};
+
+}  // namespace curvecore::ref

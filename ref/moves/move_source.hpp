@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program's moves one after the other, from wherever they come.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ref/moves/events.hpp"
+#include "ref/moves/move.hpp"
+
+namespace curvecore::ref {
+
+enum class Dialect;  // ref/gcode/lines/dialect.hpp
+
+/// Gives the next move; false: there is none, and none will come. @throws InputError
+using MoveSource = std::function<bool(Move& move)>;
+
+/// A program that is read move by move: GcodeStream, ProgramStream.
+class MoveStream {
+  public:
+    MoveStream() = default;
+    MoveStream(const MoveStream&) = delete;
+    MoveStream& operator=(const MoveStream&) = delete;
+    virtual ~MoveStream() = default;
+
+    /// The next move; false: there is none.
+    /// @throws InputError of what is wrong, after all moves before it
+    virtual bool next(Move& move) = 0;
+
+    /// Of G-code that this reader reads.
+    virtual std::optional<Dialect> dialect() const { return {}; }
+
+    /// At the end.
+    virtual int aux_axes() const = 0;
+    virtual const std::vector<std::string>& warnings() const = 0;
+    virtual Events events() const { return {}; }
+};
+
+/// Those of a program, which must outlive the source.
+inline MoveSource source_of(const Program& program) {
+    return [&program, next = std::size_t(0)](Move& move) mutable {
+        if (next == program.moves.size()) return false;
+        move = program.moves[next++];
+        return true;
+    };
+}
+
+/// All that a stream has to give. @throws InputError
+inline Program read_all(MoveStream& stream, const std::string& file) {
+    Program program;
+    program.file = file;
+    for (Move move; stream.next(move);) program.moves.push_back(move);
+    program.aux_axes = stream.aux_axes();
+    program.warnings = stream.warnings();
+    return program;
+}
+
+}  // namespace curvecore::ref

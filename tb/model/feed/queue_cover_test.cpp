@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// ref/feed/stops/queue_cover.hpp: what waits in the queues outlasts a stop, whatever the program; and a
+// stop takes no more ticks than is planned for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <regex>
+
+#include "hls/time_scaler.hpp"
+#include "ref/feed/planner.hpp"
+#include "ref/feed/stops/hold_bounds.hpp"
+#include "ref/format/queues.hpp"
+#include "tb/support/program_builder.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+// From any state that targets can bring about: ticks of the profile from a hold to standstill.
+TEST(StopTicks, AreEnoughFromAnyState) {
+    std::mt19937_64 random(1);
+    double fullest = 0;
+    for (int round = 0; round < 400; ++round) {
+        const auto acceleration = static_cast<std::uint32_t>(
+            std::ldexp(1 + 0.9 * static_cast<double>(random() % 1000) / 1000,
+                       8 + static_cast<int>(random() % 23)));
+        const double most = std::floor(0x1p32 / acceleration);
+        const auto steps = static_cast<std::uint32_t>(
+            std::max(1.0, std::floor(std::pow(most, static_cast<double>(random() % 1000) / 999))));
+        const double allowed = ref::stop_ticks(acceleration, steps);
+        for (int hold = 0; hold < 4; ++hold) {
+            hls::TimeScaler scaler(acceleration, std::int64_t{acceleration} * steps);
+            const auto before = random() % static_cast<std::uint64_t>(3 * allowed);
+            std::int32_t target = 0;
+            for (std::uint64_t n = 0; n < std::min<std::uint64_t>(before, 200000); ++n) {
+                if (random() % 200 == 0 || n == 0) target = hold == 0 ? 65536 : random() % 65537;
+                scaler.tick(target);
+            }
+            double used = 0;
+            for (std::int32_t rate = 1; rate > 0;) used += (rate = scaler.tick(0)) / 65536.0;
+            ASSERT_LE(used, allowed) << acceleration << " x " << steps;
+            fullest = std::max(fullest, used / allowed);
+        }
+    }
+    EXPECT_GT(fullest, 0.5) << "the figure is idle";
+}
+
+/// Least ticks that a full queue of `count` frames holds behind any frame, less those of a stop.
+template <class Frames>
+std::int64_t least_cover(const Frames& frames, std::size_t count, std::uint32_t stop) {
+    std::int64_t least = INT64_MAX;
+    std::int64_t ticks = 0;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        ticks += frames[i].ticks;
+        if (i < count) continue;
+        ticks -= frames[i - count].ticks;
+        least = std::min(least, ticks - std::int64_t{stop});
+    }
+    return least;
+}
+
+/// What plans are made for unless told is what a core has unless told.
+TEST(QueueCover, DefaultsAreThoseOfTheCore) {
+    std::ifstream file(RTL_DIR "/motion_interpolator.sv");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto has = [&](const std::string& name, int words) {
+        const std::regex line("parameter int " + name + " *= *" + std::to_string(words) + "\\b");
+        return std::regex_search(text, line);
+    };
+    EXPECT_TRUE(has("SegmentQueueWords", ref::kSegmentQueueWords));
+    EXPECT_TRUE(has("ProfileQueueWords", ref::kProfileQueueWords));
+    const ref::PlanOptions options;
+    EXPECT_EQ(options.segment_queue_words, ref::kSegmentQueueWords);
+    EXPECT_EQ(options.profile_queue_words, ref::kProfileQueueWords);
+}
+
+/// Also of a host that is late, whatever a tick is; of a core with axes that the program has not.
+TEST(QueueCover, OfFineChordsOutlastsAStop) {
+    for (const double period : {100e-6, 10e-6}) {
+        for (const double chord : {0.2, 0.02, 0.002}) {
+            ProgramBuilder builder;
+            for (int n = 1; n <= 3000; ++n) {
+                const double x = n * chord;
+                builder.line({x, 0.3 * std::sin(x), 0}, 100);
+            }
+            ref::PlanOptions options;
+            options.sample_period_s = period;
+            options.aux_axes = chord == 0.02 ? 6 : 0;
+            const std::size_t words = 17 + 3 * static_cast<std::size_t>(options.aux_axes);
+            const ref::Plan plan = ref::make_plan(builder.program(), ref::Machine(), options);
+            const double late = 10e-3 / plan.tick_s;
+            EXPECT_GT(least_cover(plan.segments, ref::kSegmentQueueWords / words * 3 / 4,
+                                  plan.stop_ticks),
+                      late)
+                << chord;
+            EXPECT_GT(
+                least_cover(plan.pieces, ref::kProfileQueueWords / 5 * 3 / 4, plan.stop_ticks),
+                late)
+                << chord;
+            EXPECT_EQ(plan.slowed_moves > 0, chord < 0.1) << chord;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
