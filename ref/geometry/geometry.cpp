@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "ref/bound/error_bound.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/geometry/remedy.hpp"
 #include "ref/geometry/rotary_turns.hpp"
