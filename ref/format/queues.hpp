@@ -9,4 +9,9 @@ namespace curvecore::ref {
 constexpr int kSegmentQueueWords = 4096;
 constexpr int kProfileQueueWords = 4096;
 
+/// Queues of the program's own boards, words of 48 bits: the deepest of rtl/motion_interpolator.sv,
+/// so that they draw plans for any.
+constexpr int kBoardSegmentWords = 65536;
+constexpr int kBoardProfileWords = 4096;
+
 }  // namespace curvecore::ref

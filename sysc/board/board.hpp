@@ -17,12 +17,6 @@ namespace curvecore::sysc {
 
 constexpr std::size_t kBoardAxes = 9;
 
-/// Queues of the program's own boards, words of 48 bits: the deepest of rtl/motion_interpolator.sv,
-/// so that they draw plans for any. What plans are made for unless told is in
-/// ref/format/queues.hpp.
-constexpr int kBoardSegmentWords = 65536;
-constexpr int kBoardProfileWords = 4096;
-
 enum class Stream { kSegments, kProfile };
 
 /// A request as the core got it, and the sample that it gave.

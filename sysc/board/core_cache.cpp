@@ -16,6 +16,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "ref/format/queues.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/shipped_files.hpp"
 #include "sysc/host/usage_error.hpp"
@@ -148,8 +149,8 @@ std::vector<std::string> model_parameters(const CoreParameters& parameters) {
     simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
     std::istringstream text(ref::parameters_text(simulated));
     for (std::string word; text >> word;) all.push_back(word);
-    all.push_back(fmt::format("SegmentQueueWords={}", kBoardSegmentWords));
-    all.push_back(fmt::format("ProfileQueueWords={}", kBoardProfileWords));
+    all.push_back(fmt::format("SegmentQueueWords={}", ref::kBoardSegmentWords));
+    all.push_back(fmt::format("ProfileQueueWords={}", ref::kBoardProfileWords));
     return all;
 }
 

@@ -11,7 +11,4 @@ int run_command(const Options& options);
 int plan_command(const Options& options);
 int words_command(const Options& options);
 
-/// The program's warnings, to stderr.
-void print_warnings(const Job& job);
-
 }  // namespace curvecore::sysc

@@ -8,6 +8,7 @@
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/interrupt.hpp"
 #include "sysc/host/quantity.hpp"
+#include "sysc/watch/summary.hpp"
 #include "sysc/widths/compare_report.hpp"
 
 namespace curvecore::sysc {

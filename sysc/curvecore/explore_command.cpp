@@ -16,6 +16,7 @@
 #include "sysc/host/progress_bar.hpp"
 #include "sysc/host/usage_error.hpp"
 #include "sysc/system/explore_report.hpp"
+#include "sysc/watch/summary.hpp"
 
 namespace curvecore::sysc {
 namespace {

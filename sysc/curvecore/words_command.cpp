@@ -14,9 +14,10 @@
 #include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/host/bus_words.hpp"
+#include "sysc/host/comment_text.hpp"
 #include "sysc/host/job_stream.hpp"
 #include "sysc/host/made_for.hpp"
-#include "sysc/watch/report.hpp"
+#include "sysc/watch/summary.hpp"
 #include "sysc/widths/word_check.hpp"
 
 namespace curvecore::sysc {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ref/format/queues.hpp"
 #include "ref/program/program_reader.hpp"
-#include "sysc/board/board.hpp"
 #include "sysc/host/board_file.hpp"
 #include "sysc/host/choice.hpp"
 #include "sysc/host/core_clocks.hpp"
@@ -231,9 +231,9 @@ void interpret(const RawOptions& raw, Options& options) {
     }
     options.samples_per_tick = power_of_two("--samples-per-tick", raw.samples_per_tick, 1, 32768);
     options.segment_queue_words =
-        power_of_two("--segment-queue", segment_queue, 64, kBoardSegmentWords);
+        power_of_two("--segment-queue", segment_queue, 64, ref::kBoardSegmentWords);
     options.profile_queue_words =
-        power_of_two("--profile-queue", profile_queue, 16, kBoardProfileWords);
+        power_of_two("--profile-queue", profile_queue, 16, ref::kBoardProfileWords);
     if (!raw.device.empty()) options.device = raw.device;
     if (core.clock_hz && raw.device.empty()) set_clock(*core.clock_hz, options);
     if (!raw.clock.empty()) set_clock(frequency("--clock", raw.clock, 1e3, 1e10), options);

@@ -149,13 +149,6 @@ std::vector<std::string> axis_names(const Job& job) {
     return {all.begin(), all.begin() + 3 + job.plan.aux_axes};
 }
 
-std::string comment_safe(std::string text) {
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < ' ') c = '?';
-    }
-    return text;
-}
-
 std::string unit_text(const Job& job) {
     const double nm = job.plan.unit_mm * 1e6;
     return nm < 100 ? fmt::format("{:.4g} nm", nm) : fmt::format("{:.6g} um", nm / 1000);

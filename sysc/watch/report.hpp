@@ -41,11 +41,6 @@ struct Report {
 /// x y z, then a b c u v w as far as the program uses them.
 std::vector<std::string> axis_names(const Job& job);
 
-/// The length unit as --unit names it.
-std::string unit_text(const Job& job);
-/// A file's name for a comment line: it may hold a line break, which would end it.
-std::string comment_safe(std::string text);
-
 /// h min s, as short as the value allows.
 std::string time_text(double seconds);
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "sysc/watch/report.hpp"
+#include "sysc/host/comment_text.hpp"
 
 namespace curvecore::sysc {
 namespace {

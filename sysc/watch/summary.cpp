@@ -5,7 +5,6 @@
 
 #include <cstdio>
 
-#include "sysc/curvecore/commands.hpp"
 
 namespace curvecore::sysc {
 
