@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Fits the cost model to runs of scripts/synth.sh: writes sysc/widths/cost_model.json.
+"""Fits the cost model to runs of scripts/synth.sh: writes sysc/cost/cost_model.json.
 
     scripts/fit_cost_model.py [RUNS.csv]          default: scripts/cost_runs.csv
 
@@ -58,7 +58,7 @@ def own_widths(run):
 
 
 def wide_multipliers(run):
-    """As mean_wide in sysc/widths/cost_structure.cpp."""
+    """As mean_wide in sysc/cost/cost_structure.cpp."""
     if run["build"] == "serial":
         return 1
     interval, order = run["SampleInterval"], run["Order"]
@@ -77,14 +77,14 @@ def wide_multipliers(run):
 
 
 def narrow_multipliers(run):
-    """As count_multipliers in sysc/widths/cost_structure.cpp."""
+    """As count_multipliers in sysc/cost/cost_structure.cpp."""
     if run["build"] == "serial" or run["core"] == "spherical":
         return 0
     return 8 + (3 if run["Mode"] == 0 else 0)
 
 
 def soft_bits(run):
-    """As in sysc/widths/cost_structure.cpp."""
+    """As in sysc/cost/cost_structure.cpp."""
     width, low = run["CoefBits"], run["CoefBits"] - 18
     if run["family"] == "hx8k":
         return width * width
@@ -94,7 +94,7 @@ def soft_bits(run):
 
 
 def wide_block(run):
-    """As in sysc/widths/cost_structure.cpp."""
+    """As in sysc/cost/cost_structure.cpp."""
     return int(run["family"] == "lifcl-40" and run["CoefBits"] == 36)
 
 
@@ -225,7 +225,7 @@ def read(path):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("runs", nargs="?", default=ROOT / "scripts/cost_runs.csv", metavar="CSV")
-    parser.add_argument("-o", "--output", default=ROOT / "sysc/widths/cost_model.json")
+    parser.add_argument("-o", "--output", default=ROOT / "sysc/cost/cost_model.json")
     arguments = parser.parse_args()
     runs = read(arguments.runs)
     models = [model(build, name, runs) for build in ("serial", "parallel") for name in COUNTS]

@@ -63,7 +63,7 @@ def networks():
 
 
 def boards():
-    """Each board of sysc/widths/placed_boards.json."""
+    """Each board of sysc/cost/placed_boards.json."""
     rows = [
         (
             f"`{r['board']}`",
@@ -76,7 +76,7 @@ def boards():
             f"{r['steps_s'] / 1e6:.4g} M",
             r["tree"],
         )
-        for r in json.loads((ROOT / "sysc/widths/placed_boards.json").read_text())
+        for r in json.loads((ROOT / "sysc/cost/placed_boards.json").read_text())
     ]
     head = ["board", "part", "build", "clock, MHz", "placed, MHz", "LUT4", "FF", "DSP", "BRAM"]
     return table([*head, "axes", "samples/s", "steps/s and axis", "tree"], rows)
@@ -162,7 +162,7 @@ def parameter_guard_placed():
 
 
 def cost_model():
-    data = json.loads((ROOT / "sysc/widths/cost_model.json").read_text())
+    data = json.loads((ROOT / "sysc/cost/cost_model.json").read_text())
     names = {"lut4": "LUT4", "ff": "flip-flops", "period_ns": "clock period"}
     rows = [
         (

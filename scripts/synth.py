@@ -16,7 +16,7 @@ alone.  The frequency is the best of several seeds, over all paths, the harness'
 
 A board becomes build/synth/boards/NAME: its bitstream, the files that it was made of, board.json.
 The first seed that keeps the board's clock is taken.  --record notes its figures in
-sysc/widths/placed_boards.json, where `curvecore choose --board` and the pages read them.
+sysc/cost/placed_boards.json, where `curvecore choose --board` and the pages read them.
 
 Exit status: 0, 1 where something cannot be placed or is too slow, 2 where the input is wrong.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""core.json, as `curvecore choose -o` writes it (sysc/host/core_file.hpp)."""
+"""core.json, as `curvecore choose -o` writes it (sysc/core/core_file.hpp)."""
 
 import dataclasses
 import json

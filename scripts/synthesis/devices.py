@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The devices: what each has (sysc/widths/devices.def), and how its tools are called."""
+"""The devices: what each has (sysc/cost/devices.def), and how its tools are called."""
 
 import dataclasses
 import pathlib
@@ -112,7 +112,7 @@ def device(cells):
                         dsp_limit=float(mhz) or None)
 
 
-DEVICES = dict(map(device, rows("sysc/widths/devices.def", "DEVICE")))
+DEVICES = dict(map(device, rows("sysc/cost/devices.def", "DEVICE")))
 
 
 def device_named(name):

@@ -8,8 +8,8 @@
 #include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
 #include "sysc/board/board.hpp"
-#include "sysc/host/core_parameters.hpp"
-#include "sysc/host/run_time_format.hpp"
+#include "sysc/core/core_parameters.hpp"
+#include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::sysc {
 

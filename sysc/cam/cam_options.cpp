@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "ref/program/program_reader.hpp"
-#include "sysc/host/choice.hpp"
-#include "sysc/host/quantity.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/choice.hpp"
+#include "sysc/cli/quantity.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

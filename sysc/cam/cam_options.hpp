@@ -5,7 +5,7 @@
 #include <string>
 
 #include "ref/cam/cam_path.hpp"
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 
 namespace curvecore::sysc {
 

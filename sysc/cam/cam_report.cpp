@@ -9,8 +9,8 @@
 #include <iterator>
 
 #include "sysc/cam/cam_template.hpp"
-#include "sysc/host/html_page.hpp"
-#include "sysc/watch/report.hpp"
+#include "sysc/cli/html_page.hpp"
+#include "sysc/report/report.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ref/cam/cam_shape.hpp"
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 

@@ -27,7 +27,7 @@ function(curvecore_program target)
     verilated_model(${core}_model TOP motion_interpolator PREFIX V${name} TRACE PARAMS ${params}
                     SOURCES --trace-depth 5 ${ARG_SOURCES})
     list(TRANSFORM params PREPEND CFG_ OUTPUT_VARIABLE definitions)
-    add_library(${core} OBJECT ${PROJECT_SOURCE_DIR}/sysc/board/compiled_core.cpp)
+    add_library(${core} OBJECT ${PROJECT_SOURCE_DIR}/sysc/cores/compiled_core.cpp)
     target_compile_definitions(${core} PRIVATE ${definitions} CFG_FUNCTION=core_${name}
                                CFG_MODEL=V${name} CFG_HEADER="V${name}.h")
     target_link_libraries(${core} PRIVATE ${core}_model curvecore_options)
@@ -38,7 +38,7 @@ function(curvecore_program target)
     string(APPEND cores "\n        core(Build::${build}, {${set}}, &core_${name}),")
   endforeach()
   set(list ${CMAKE_CURRENT_BINARY_DIR}/generated/${target}/compiled_cores.cpp)
-  configure_file(${PROJECT_SOURCE_DIR}/sysc/board/compiled_cores.cpp.in ${list} @ONLY)
+  configure_file(${PROJECT_SOURCE_DIR}/sysc/cores/compiled_cores.cpp.in ${list} @ONLY)
   add_executable(${target} ${list})
   # Cores that are made later share the program's Verilator library.
   set_target_properties(${target} PROPERTIES ENABLE_EXPORTS ON)

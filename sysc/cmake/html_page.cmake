@@ -3,7 +3,7 @@
 # share, as a C++ string in the header that the template says; @<script>@ in it stands for the
 # file <script>.js.
 function(html_page name template)
-  set(style ${PROJECT_SOURCE_DIR}/sysc/watch/page.css)
+  set(style ${PROJECT_SOURCE_DIR}/sysc/report/page.css)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${name}.html ${style})
   file(READ ${style} page_style)
   file(READ ${name}.html page)

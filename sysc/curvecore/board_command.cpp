@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <optional>
 
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/usage_error.hpp"
 #include "sysc/wire/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 

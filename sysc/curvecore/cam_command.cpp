@@ -12,8 +12,8 @@
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 #include "sysc/cam/cam_report.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/run_job.hpp"
-#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

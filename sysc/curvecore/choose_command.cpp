@@ -8,9 +8,9 @@
 #include <chrono>
 #include <filesystem>
 
+#include "sysc/choose/choose_report.hpp"
+#include "sysc/cli/interrupt.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/widths/choose_report.hpp"
 
 namespace curvecore::sysc {
 namespace {

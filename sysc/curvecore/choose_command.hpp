@@ -2,7 +2,7 @@
 // `curvecore choose`.
 #pragma once
 
-#include "sysc/widths/requirement_options.hpp"
+#include "sysc/curvecore/requirement_options.hpp"
 
 namespace curvecore::sysc {
 

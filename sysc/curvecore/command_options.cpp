@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "sysc/cost/device.hpp"
 #include "sysc/curvecore/help.hpp"
-#include "sysc/widths/device.hpp"
 
 namespace curvecore::sysc {
 namespace {

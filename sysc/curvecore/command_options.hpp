@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 
 namespace curvecore::sysc {
 

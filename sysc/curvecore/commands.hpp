@@ -2,8 +2,8 @@
 // The subcommands: each returns the exit status 0 (every check held) or 1 (one failed).
 #pragma once
 
-#include "sysc/host/job.hpp"
-#include "sysc/host/options.hpp"
+#include "sysc/job/job.hpp"
+#include "sysc/job/options.hpp"
 
 namespace curvecore::sysc {
 

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/quantity.hpp"
+#include "sysc/compare/compare_report.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/quantity.hpp"
-#include "sysc/watch/summary.hpp"
-#include "sysc/widths/compare_report.hpp"
+#include "sysc/curvecore/summary.hpp"
 
 namespace curvecore::sysc {
 int compare_command(CompareOptions options) {

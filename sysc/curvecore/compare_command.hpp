@@ -2,7 +2,7 @@
 // `curvecore compare`.
 #pragma once
 
-#include "sysc/widths/compare_options.hpp"
+#include "sysc/compare/compare_options.hpp"
 
 namespace curvecore::sysc {
 

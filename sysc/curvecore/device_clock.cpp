@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "sysc/host/usage_error.hpp"
-#include "sysc/widths/cost_model.hpp"
+#include "sysc/cli/usage_error.hpp"
+#include "sysc/cost/cost_model.hpp"
 
 namespace curvecore::sysc {
 

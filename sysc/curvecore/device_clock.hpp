@@ -2,7 +2,7 @@
 // What a device gives a core: its multipliers, and the clock that it is estimated to reach.
 #pragma once
 
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 

@@ -7,16 +7,16 @@
 #include <algorithm>
 #include <sstream>
 
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/progress_bar.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/curvecore/planned_job.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/progress_bar.hpp"
-#include "sysc/host/usage_error.hpp"
-#include "sysc/system/explore_report.hpp"
-#include "sysc/watch/summary.hpp"
+#include "sysc/curvecore/summary.hpp"
+#include "sysc/explore/explore_report.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/nearest.hpp"
-#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "ref/gcode/state/coordinates.hpp"
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/stream_command.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/usage_error.hpp"
 #include "sysc/wire/encoders.hpp"
 #include "sysc/wire/homing.hpp"
 

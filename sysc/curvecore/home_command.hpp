@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 #include "sysc/wire/wire_options.hpp"
 
 namespace curvecore::sysc {

@@ -10,9 +10,9 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/cli/choice.hpp"
+#include "sysc/cli/quantity.hpp"
 #include "sysc/curvecore/run_job.hpp"
-#include "sysc/host/choice.hpp"
-#include "sysc/host/quantity.hpp"
 #include "sysc/join/join_page.hpp"
 
 namespace curvecore::sysc {

@@ -14,6 +14,8 @@
 #include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/board_command.hpp"
 #include "sysc/curvecore/cam_command.hpp"
 #include "sysc/curvecore/choose_command.hpp"
@@ -25,8 +27,6 @@
 #include "sysc/curvecore/home_command.hpp"
 #include "sysc/curvecore/join_command.hpp"
 #include "sysc/curvecore/stream_command.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -5,10 +5,10 @@
 #include "sysc/curvecore/output_folder.hpp"
 #include "sysc/curvecore/planned_job.hpp"
 #include "sysc/curvecore/publish.hpp"
-#include "sysc/host/path_cursor.hpp"
-#include "sysc/host/path_source.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/predicted_pace.hpp"
+#include "sysc/words/path_cursor.hpp"
+#include "sysc/words/path_source.hpp"
 
 namespace curvecore::sysc {
 namespace {

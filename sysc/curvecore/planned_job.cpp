@@ -2,7 +2,7 @@
 #include "sysc/curvecore/planned_job.hpp"
 
 #include "sysc/curvecore/device_clock.hpp"
-#include "sysc/widths/word_check.hpp"
+#include "sysc/curves/word_check.hpp"
 
 namespace curvecore::sysc {
 

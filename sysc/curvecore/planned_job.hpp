@@ -2,7 +2,7 @@
 // What a command needs before it draws or writes anything.
 #pragma once
 
-#include "sysc/host/job_stream.hpp"
+#include "sysc/job/job_stream.hpp"
 
 namespace curvecore::sysc {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/curvecore/publish.hpp"
 
-#include "sysc/watch/report_html.hpp"
-#include "sysc/watch/segments_json.hpp"
-#include "sysc/watch/summary.hpp"
+#include "sysc/curvecore/summary.hpp"
+#include "sysc/report/report_html.hpp"
+#include "sysc/report/segments_json.hpp"
 
 namespace curvecore::sysc {
 

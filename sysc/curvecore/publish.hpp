@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/watch/report.hpp"
+#include "sysc/report/report.hpp"
 
 namespace curvecore::sysc {
 

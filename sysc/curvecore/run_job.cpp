@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/curvecore/run_job.hpp"
 
-#include "sysc/board/board_run.hpp"
-#include "sysc/board/compiled_core.hpp"
-#include "sysc/board/core_cache.hpp"
+#include "sysc/board/feeder.hpp"
 #include "sysc/board/kernel_board.hpp"
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/progress_bar.hpp"
+#include "sysc/cores/compiled_core.hpp"
+#include "sysc/cores/core_cache.hpp"
+#include "sysc/cores/gtkw_writer.hpp"
 #include "sysc/curvecore/planned_job.hpp"
 #include "sysc/curvecore/publish.hpp"
-#include "sysc/host/feeder.hpp"
-#include "sysc/host/interrupt.hpp"
-#include "sysc/host/path_source.hpp"
-#include "sysc/host/progress_bar.hpp"
 #include "sysc/system/pin_gtkw.hpp"
 #include "sysc/system/system_board.hpp"
-#include "sysc/watch/gtkw_writer.hpp"
+#include "sysc/watch/board_run.hpp"
+#include "sysc/words/path_source.hpp"
 
 namespace curvecore::sysc {
 namespace {

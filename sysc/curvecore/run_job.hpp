@@ -4,9 +4,9 @@
 
 #include <functional>
 
-#include "sysc/board/compiled_core.hpp"
+#include "sysc/cores/compiled_core.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/watch/report.hpp"
+#include "sysc/report/report.hpp"
 #include "sysc/watch/samples_writer.hpp"
 
 namespace curvecore::sysc {

@@ -9,10 +9,10 @@
 
 #include "hls/registers/registers.h"
 #include "ref/gcode/state/coordinates.hpp"
+#include "sysc/cli/interrupt.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/host/interrupt.hpp"
 #include "sysc/wire/encoders.hpp"
 #include "sysc/wire/start_check.hpp"
 #include "sysc/wire/wire_stream.hpp"

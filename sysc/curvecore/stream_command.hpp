@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 #include "sysc/wire/wire_options.hpp"
 
 namespace curvecore::sysc {

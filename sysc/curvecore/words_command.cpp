@@ -10,15 +10,15 @@
 #include "hls/words.hpp"
 #include "ref/feed/stops/planned_branches.hpp"
 #include "ref/text/input_error.hpp"
+#include "sysc/cli/comment_text.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/device_clock.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/host/bus_words.hpp"
-#include "sysc/host/comment_text.hpp"
-#include "sysc/host/job_stream.hpp"
-#include "sysc/host/made_for.hpp"
-#include "sysc/watch/summary.hpp"
-#include "sysc/widths/word_check.hpp"
+#include "sysc/curvecore/summary.hpp"
+#include "sysc/curves/word_check.hpp"
+#include "sysc/job/job_stream.hpp"
+#include "sysc/job/made_for.hpp"
+#include "sysc/words/bus_words.hpp"
 
 namespace curvecore::sysc {
 namespace {

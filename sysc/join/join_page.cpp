@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ref/program/gcode_writer.hpp"
-#include "sysc/host/html_page.hpp"
+#include "sysc/cli/html_page.hpp"
 #include "sysc/join/join_template.hpp"
 
 namespace curvecore::sysc {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ref/numeric/step_crossings.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "sysc/board/board.hpp"
-#include "sysc/host/system_settings.hpp"
-#include "sysc/system/drive_axis.hpp"
-#include "sysc/system/step_block.hpp"
+#include "sysc/core/system_settings.hpp"
+#include "sysc/steps/drive_axis.hpp"
+#include "sysc/steps/step_block.hpp"
 
 namespace curvecore::sysc {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "sysc/watch/gtkw_writer.hpp"
+#include "sysc/cores/gtkw_writer.hpp"
 
 namespace curvecore::sysc {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sysc/board/board.hpp"
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 

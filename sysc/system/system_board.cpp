@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
+#include "sysc/report/report.hpp"
 #include "sysc/system/host_port.hpp"
 #include "sysc/system/timed_board.hpp"
-#include "sysc/watch/report.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hls/quantise.hpp"
-#include "sysc/widths/error_figures.hpp"
+#include "sysc/curves/error_figures.hpp"
 
 namespace curvecore::sysc {
 

@@ -5,15 +5,15 @@
 
 #include "ref/plan/curve_follower.hpp"
 #include "sysc/board/board.hpp"
-#include "sysc/host/bus_words.hpp"
-#include "sysc/host/job.hpp"
-#include "sysc/host/path_cursor.hpp"
-#include "sysc/host/path_source.hpp"
-#include "sysc/host/run_time_format.hpp"
+#include "sysc/core/run_time_format.hpp"
+#include "sysc/job/job.hpp"
 #include "sysc/watch/check_result.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/samples_writer.hpp"
+#include "sysc/words/bus_words.hpp"
+#include "sysc/words/path_cursor.hpp"
+#include "sysc/words/path_source.hpp"
 
 namespace curvecore::sysc {
 

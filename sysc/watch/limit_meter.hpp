@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "ref/machine/machine.hpp"
 #include "ref/plan/segment_curve.hpp"
 
 namespace curvecore::sysc {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "sysc/board/board.hpp"
-#include "sysc/host/core_clocks.hpp"
-#include "sysc/host/job.hpp"
-#include "sysc/host/step_walk.hpp"
+#include "sysc/core/core_clocks.hpp"
+#include "sysc/job/job.hpp"
 #include "sysc/watch/sample_pace.hpp"
+#include "sysc/words/step_walk.hpp"
 
 namespace curvecore::sysc {
 

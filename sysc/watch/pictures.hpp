@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 #include "sysc/watch/limit_meter.hpp"
 
 namespace curvecore::sysc {

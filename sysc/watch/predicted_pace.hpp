@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "sysc/host/core_clocks.hpp"
-#include "sysc/host/step_walk.hpp"
+#include "sysc/core/core_clocks.hpp"
 #include "sysc/watch/sample_pace.hpp"
+#include "sysc/words/step_walk.hpp"
 
 namespace curvecore::sysc {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "sysc/host/comment_text.hpp"
+#include "sysc/cli/comment_text.hpp"
 
 namespace curvecore::sysc {
 namespace {

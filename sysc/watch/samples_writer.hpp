@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 
 namespace curvecore::sysc {
 

@@ -7,7 +7,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <cmath>
 
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/wire/frame.hpp"
 #include "sysc/wire/readable.hpp"
 

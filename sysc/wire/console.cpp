@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

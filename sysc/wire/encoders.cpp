@@ -11,7 +11,7 @@
 #include "ref/gcode/state/coordinates.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/wire/joints.hpp"
 
 namespace curvecore::sysc {

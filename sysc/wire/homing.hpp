@@ -14,7 +14,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 #include "sysc/wire/home_settings.hpp"
 #include "sysc/wire/wire_stream.hpp"
 

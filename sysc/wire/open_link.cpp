@@ -7,7 +7,7 @@
 #include <boost/asio/write.hpp>
 #include <charconv>
 
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/wire/readable.hpp"
 #include "sysc/wire/spi_link.hpp"
 

@@ -10,7 +10,7 @@
 #include "hls/words.hpp"
 #include "ref/gcode/state/coordinates.hpp"
 #include "sysc/board/faults.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ref/gcode/state/coordinates.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/wire/home_settings.hpp"
 
 namespace curvecore::sysc {

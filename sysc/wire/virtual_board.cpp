@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "Vmotion_board.h"
-#include "sysc/board/clocked_dut.hpp"
+#include "sysc/cores/clocked_dut.hpp"
 
 namespace curvecore::sysc {
 

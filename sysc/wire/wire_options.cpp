@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "sysc/host/quantity.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/quantity.hpp"
+#include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sysc/host/options.hpp"
+#include "sysc/job/options.hpp"
 #include "sysc/wire/remote_machine.hpp"
 
 namespace curvecore::sysc {

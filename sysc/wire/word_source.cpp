@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sysc/host/feeder.hpp"
+#include "sysc/board/feeder.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "sysc/board/board.hpp"
-#include "sysc/host/bus_words.hpp"
-#include "sysc/host/job_stream.hpp"
+#include "sysc/job/job_stream.hpp"
+#include "sysc/words/bus_words.hpp"
 
 namespace curvecore::sysc {
 

@@ -14,7 +14,7 @@
 #include "ref/feed/stops/planned_branches.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/series/spline_tables.hpp"
-#include "sysc/widths/built_in_curves.hpp"
+#include "sysc/curves/built_in_curves.hpp"
 #include "tb/bench/others/interpolators.hpp"
 
 namespace {

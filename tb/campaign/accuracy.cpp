@@ -19,7 +19,7 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/helix.hpp"
 #include "ref/geometry/geometry.hpp"
-#include "sysc/widths/arc_families.hpp"
+#include "sysc/curves/arc_families.hpp"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/segment/spline_segment.hpp"
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace {
 

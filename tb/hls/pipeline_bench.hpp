@@ -19,7 +19,7 @@
 
 #include "Vhls.h"
 #include "hls/clocks.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/plain_segments.hpp"
 
 namespace curvecore::tb {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sysc/host/run_time_format.hpp"
+#include "sysc/core/run_time_format.hpp"
 #include "tb/support/core_configuration.hpp"
 
 namespace curvecore::tb {

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "sysc/host/core_parameters.hpp"
+#include "sysc/core/core_parameters.hpp"
 
 namespace curvecore::tb {
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include MODEL_HEADER
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/any_core.hpp"
 
 namespace curvecore::tb {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "sysc/host/core_clocks.hpp"
+#include "sysc/core/core_clocks.hpp"
 #include "tb/support/bench_format.hpp"
 #include "tb/support/curve_ports.hpp"
 #include "tb/support/legal_segments.hpp"

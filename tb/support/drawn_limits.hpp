@@ -6,9 +6,9 @@
 
 #include "ref/feed/planner.hpp"
 #include "ref/plan/curve_follower.hpp"
-#include "sysc/host/path_cursor.hpp"
-#include "sysc/host/path_source.hpp"
 #include "sysc/watch/limit_meter.hpp"
+#include "sysc/words/path_cursor.hpp"
+#include "sysc/words/path_source.hpp"
 
 namespace curvecore::tb {
 

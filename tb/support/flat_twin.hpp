@@ -9,7 +9,7 @@
 
 #include "Vflat_motion_system.h"
 #include "Vmotion_system.h"
-#include "sysc/board/clocked_dut.hpp"
+#include "sysc/cores/clocked_dut.hpp"
 
 namespace curvecore::tb {
 

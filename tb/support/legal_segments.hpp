@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "sysc/host/run_time_format.hpp"
+#include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -13,10 +13,10 @@
 
 #include "Vmotion_system.h"
 #include "hls/registers/registers.h"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/host/bus_words.hpp"
-#include "sysc/host/feeder.hpp"
-#include "sysc/host/job.hpp"
+#include "sysc/board/feeder.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/job/job.hpp"
+#include "sysc/words/bus_words.hpp"
 #include "tb/support/pulse_monitor.hpp"
 #include "tb/support/xy2_receiver.hpp"
 #ifdef FLAT_TWIN

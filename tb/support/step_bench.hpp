@@ -8,8 +8,8 @@
 
 #include "Vstep_generator.h"
 #include "hls/step_axis.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

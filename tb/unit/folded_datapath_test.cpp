@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "Vfolded_datapath.h"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "Vmotion_interpolator.h"
-#include "sysc/host/feeder.hpp"
-#include "sysc/host/path_source.hpp"
+#include "sysc/board/feeder.hpp"
+#include "sysc/words/path_source.hpp"
 #include "tb/support/step_bench.hpp"
 #include "tb/support/watched_axis.hpp"
 

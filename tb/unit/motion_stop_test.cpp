@@ -3,7 +3,7 @@
 #include "hls/quantise.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/feed/stops/planned_branches.hpp"
-#include "sysc/host/core_clocks.hpp"
+#include "sysc/core/core_clocks.hpp"
 #include "tb/support/motion_bench.hpp"
 #include "tb/support/program_builder.hpp"
 

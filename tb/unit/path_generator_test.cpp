@@ -8,8 +8,8 @@
 #include "Vpath_generator.h"
 #include "hls/clocks.hpp"
 #include "hls/path_kernel.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/random_pieces.hpp"
 
 namespace curvecore::tb {

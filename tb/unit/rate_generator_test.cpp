@@ -9,8 +9,8 @@
 #include "Vrate_generator.h"
 #include "hls/path_kernel.hpp"
 #include "hls/time_scaler.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

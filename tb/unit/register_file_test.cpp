@@ -11,7 +11,7 @@
 
 #include "Vregister_file.h"
 #include "hls/words.hpp"
-#include "sysc/board/clocked_dut.hpp"
+#include "sysc/cores/clocked_dut.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "Vspline_anchor.h"
 #include "hls/spline_kernel.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/spline_load.hpp"
 
 namespace curvecore::tb {

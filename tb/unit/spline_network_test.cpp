@@ -10,8 +10,8 @@
 #include <random>
 
 #include "Vspline_network.h"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/spline_load.hpp"
 
 namespace curvecore::tb {

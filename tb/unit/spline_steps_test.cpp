@@ -11,8 +11,8 @@
 #include "Vspline_steps.h"
 #include "hls/clocks.hpp"
 #include "hls/spline_kernel.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/spline_segments.hpp"
 
 namespace curvecore::tb {

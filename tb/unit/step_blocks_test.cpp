@@ -9,7 +9,7 @@
 #include <random>
 
 #include "Vstep_generator.h"
-#include "sysc/system/rtl_steps.hpp"
+#include "sysc/steps/rtl_steps.hpp"
 #include "tb/support/step_motion.hpp"
 
 namespace curvecore::tb {

@@ -6,8 +6,8 @@
 
 #include "Vstieltjes_integrator.h"
 #include "hls/series_node.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

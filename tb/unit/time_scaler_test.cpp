@@ -8,8 +8,8 @@
 #include <random>
 
 #include "hls/clocks.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #if __has_include("Vtime_scaler.h")
 #include "Vtime_scaler.h"
 #else

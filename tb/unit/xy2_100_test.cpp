@@ -9,8 +9,8 @@
 
 #include "Vxy2_100.h"
 #include "hls/xy2_frame.hpp"
-#include "sysc/board/clocked_dut.hpp"
-#include "sysc/board/port_word.hpp"
+#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cores/port_word.hpp"
 #include "tb/support/xy2_receiver.hpp"
 
 namespace curvecore::tb {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "Vspi_board.h"
-#include "sysc/board/clocked_dut.hpp"
+#include "sysc/cores/clocked_dut.hpp"
 #include "sysc/wire/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 #include "sysc/wire/wire_stream.hpp"

@@ -15,9 +15,9 @@
 #include "ref/feed/planner.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/segment/last_step.hpp"
-#include "sysc/host/core_clocks.hpp"
-#include "sysc/host/path_source.hpp"
+#include "sysc/core/core_clocks.hpp"
 #include "sysc/watch/predicted_pace.hpp"
+#include "sysc/words/path_source.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {

@@ -8,7 +8,7 @@
 #include "ref/feed/planner.hpp"
 #include "ref/plan/curve_follower.hpp"
 #include "ref/program/program_reader.hpp"
-#include "sysc/host/path_cursor.hpp"
+#include "sysc/words/path_cursor.hpp"
 #include "tb/support/random_splines.hpp"
 
 namespace curvecore::tb {

@@ -15,7 +15,7 @@
 #include "ref/bound/spline_words.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/segment/spline_segment.hpp"
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

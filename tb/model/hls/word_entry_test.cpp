@@ -13,7 +13,7 @@
 #include <random>
 
 #include "ref/feed/planner.hpp"
-#include "sysc/host/bus_words.hpp"
+#include "sysc/words/bus_words.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a whole board takes, against the boards that were placed.
-#include "sysc/widths/board_cost.hpp"
+#include "sysc/cost/board_cost.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "sysc/host/board_file.hpp"
+#include "sysc/core/board_file.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "sysc/widths/arc_families.hpp"
-#include "sysc/widths/built_in_curves.hpp"
-#include "sysc/widths/chooser.hpp"
-#include "sysc/widths/comparison.hpp"
-#include "sysc/widths/relaxation.hpp"
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/choose/chooser.hpp"
+#include "sysc/choose/relaxation.hpp"
+#include "sysc/compare/comparison.hpp"
+#include "sysc/curves/arc_families.hpp"
+#include "sysc/curves/built_in_curves.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cost model against the runs it was fitted to: DSP and RAM exactly, the rest as the script
 // that fitted it predicts.
-#include "sysc/widths/cost_model.hpp"
+#include "sysc/cost/cost_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "sysc/widths/cost_structure.hpp"
+#include "sysc/cost/cost_structure.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/system/drive_axis.hpp"
+#include "sysc/steps/drive_axis.hpp"
 
 #include <gtest/gtest.h>
 

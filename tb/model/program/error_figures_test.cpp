@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures that `curvecore compare` reports of many errors, and the curve that it takes them
 // from.
-#include "sysc/widths/error_figures.hpp"
+#include "sysc/curves/error_figures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 
 #include "ref/geometry/geometry.hpp"
 #include "ref/plan/curve_follower.hpp"
-#include "sysc/host/value_ranges.hpp"
-#include "sysc/widths/built_in_curves.hpp"
-#include "sysc/widths/exact_samples.hpp"
+#include "sysc/core/value_ranges.hpp"
+#include "sysc/curves/built_in_curves.hpp"
+#include "sysc/curves/exact_samples.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sysc/host/html_page.hpp: data in a page stay data, whatever a file is called.
-#include "sysc/host/html_page.hpp"
+// sysc/cli/html_page.hpp: data in a page stay data, whatever a file is called.
+#include "sysc/cli/html_page.hpp"
 
 #include <gtest/gtest.h>
 

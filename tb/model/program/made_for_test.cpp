@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sysc/host/made_for.hpp: words for another configuration, by one thing or by many, do not enter.
-#include "sysc/host/made_for.hpp"
+// sysc/job/made_for.hpp: words for another configuration, by one thing or by many, do not enter.
+#include "sysc/job/made_for.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "hls/word_entry.hpp"
 #include "ref/feed/planner.hpp"
-#include "sysc/host/bus_words.hpp"
+#include "sysc/words/bus_words.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {

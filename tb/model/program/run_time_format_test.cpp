@@ -2,7 +2,7 @@
 // A kernel gives the same words with widths at run time as with widths of its type: bus words of
 // segments, and positions of seeded streams of arcs, helices, lines and splines, at the edges of
 // every parameter.
-#include "sysc/host/run_time_format.hpp"
+#include "sysc/core/run_time_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,10 +8,10 @@
 #include <climits>
 #include <random>
 
-#include "sysc/host/path_source.hpp"
-#include "sysc/host/usage_error.hpp"
+#include "sysc/cli/usage_error.hpp"
+#include "sysc/report/report.hpp"
 #include "sysc/watch/predicted_pace.hpp"
-#include "sysc/watch/report.hpp"
+#include "sysc/words/path_source.hpp"
 #include "tb/support/tiny_moves.hpp"
 
 namespace curvecore::tb {

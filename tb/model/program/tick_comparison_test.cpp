@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The schemes of `curvecore compare --scheme`, through its own code: the papers' figures come out,
 // our steps on the same curves stay within their bound.
-#include "sysc/widths/tick_comparison.hpp"
+#include "sysc/compare/tick_comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "ref/series/paper_words.hpp"
 #include "ref/series/spline_tables.hpp"
-#include "sysc/widths/compare_options.hpp"
-#include "sysc/widths/sweep.hpp"
+#include "sysc/compare/compare_options.hpp"
+#include "sysc/compare/sweep.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "ref/format/path_words.hpp"
 #include "ref/geometry/geometry.hpp"
-#include "sysc/widths/built_in_curves.hpp"
+#include "sysc/curves/built_in_curves.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

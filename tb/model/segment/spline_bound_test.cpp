@@ -11,7 +11,7 @@
 #include "hls/spline_kernel.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/segment/spline_segment.hpp"
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

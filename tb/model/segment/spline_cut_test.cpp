@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

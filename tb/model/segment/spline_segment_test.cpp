@@ -12,7 +12,7 @@
 #include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
 #include "ref/plan/segment_curve.hpp"
-#include "sysc/widths/spline_families.hpp"
+#include "sysc/curves/spline_families.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

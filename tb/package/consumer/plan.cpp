@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "hls/interpolator_kernel.hpp"
-#include "sysc/host/job.hpp"
+#include "sysc/job/job.hpp"
 
 int main(int, char** argv) {
     curvecore::sysc::Options options;

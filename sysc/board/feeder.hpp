@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// The host of a board: keeps its queues fed with a plan's words and asks for the samples.
+#pragma once
+
+#include "sysc/board/board.hpp"
+#include "sysc/job/job.hpp"
+#include "sysc/words/bus_words.hpp"
+
+namespace curvecore::sysc {
+
+/// The settings of a board that draws a job's plan, of which the first part is there.
+BoardSettings board_settings(const Job& job);
+
+class Feeder {
+  public:
+    Feeder(const Job& job, std::uint64_t samples, Board& board);
+
+    /// Writes what fits, asks for what the words cover and lets the board work. Appends the samples
+    /// that came.
+    /// @throws std::runtime_error when the board has stopped giving samples
+    void turn(std::vector<Sample>& samples);
+
+    bool done() const { return received_ == samples_; }
+
+  private:
+    static constexpr std::uint64_t kPatience = 1'000'000;  // turns without a sample
+    /// Ticks that are asked for and not yet counted by the board, and some more.
+    static constexpr std::int64_t kOnTheWay = 64;
+
+    /// The words of one segment or piece, as far as they have gone.
+    class Outbox {
+      public:
+        explicit Outbox(Stream stream) : stream_(stream) {}
+        void load(std::vector<std::uint64_t> words, std::uint32_t ticks);
+        /// Sends what the board takes; true: all of it has gone. `last`: nothing follows.
+        bool send(Board& board, bool last);
+        std::int64_t ticks() const { return ticks_; }
+        bool complete() const { return complete_; }
+
+      private:
+        Stream stream_;
+        std::vector<std::uint64_t> words_;
+        std::size_t sent_ = 0;
+        std::uint32_t loaded_ticks_ = 0;
+        std::int64_t ticks_ = 0;  // of all that has gone
+        bool complete_ = false;
+    };
+
+    void write_segments();
+    void write_profile();
+    /// Samples that the words on the board cover, from the first: those that came, and one for each
+    /// share of a tick that is left. An override below 1 leaves more than one a sample.
+    std::uint64_t covered() const;
+    std::uint64_t covered(const Outbox& outbox, Stream stream) const;
+
+    const Job& job_;
+    Board& board_;
+    const std::uint64_t samples_;
+    Outbox segments_{Stream::kSegments};
+    Outbox profile_{Stream::kProfile};
+    SegmentWriter segment_words_;
+    std::size_t next_piece_ = 0;
+    std::uint64_t requested_ = 0;
+    std::uint64_t received_ = 0;
+    std::uint64_t walked_ = 0;  // time that these took of the plan: 2^-16 of a sample at rate 1
+    std::uint64_t waited_ = 0;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/choose/clock_need.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sysc/core/core_clocks.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool splines,
+                      double period) {
+    const hls::Clocks change = change_clocks(parameters, splines);
+    const double window = (1 + hls::samples_ahead(timed_core(parameters))) * period;
+    const double segments = std::ceil(load.segments * window);
+    const double steps = std::ceil(load.steps * window);
+    const double pauses = segments * change.segment + std::max(0.0, steps - segments) * change.step;
+    return {change.sample / period, change.sample / period + pauses / window};
+}
+
+ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, bool splines,
+                        double period) {
+    return {parameters.sample_interval / period,
+            std::max(load.steps * core_clocks(parameters, splines).step,
+                     load.segments * hls::load_clocks(timed_core(parameters)))};
+}
+
+}  // namespace
+
+ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
+                     double sample_period_s) {
+    ClockNeed need;
+    need.samples = hls::tick_clocks(timed_core(parameters)) / sample_period_s;
+    for (const bool splines : {false, true}) {
+        const Load& load = splines ? demand.splines : demand.arcs;
+        if (load.segments == 0) continue;
+        const ClockNeed one = parameters.build == Build::kSerial
+                                  ? serial_need(parameters, load, splines, sample_period_s)
+                                  : parallel_need(parameters, load, splines, sample_period_s);
+        need.samples = std::max(need.samples, one.samples);
+        need.steps = std::max(need.steps, one.steps);
+    }
+    return need;
+}
+
+}  // namespace curvecore::sysc

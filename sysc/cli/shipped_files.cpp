@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/cli/shipped_files.hpp"
+
+namespace curvecore::sysc {
+namespace fs = std::filesystem;
+
+ShippedFiles shipped_files() {
+    std::error_code error;
+    const fs::path beside =
+        fs::read_symlink("/proc/self/exe", error).parent_path().parent_path() / "share/curvecore";
+    if (fs::exists(beside / "sysc", error)) return {beside, true};
+    return {CURVECORE_SOURCE, false};
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// What `curvecore compare` found, as text and data.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sysc/compare/compare_options.hpp"
+
+namespace curvecore::sysc {
+
+struct CompareReport {
+    const CompareOptions& options;
+    const ref::Program& program;
+    const SweepResult& result;
+
+    bool held() const;  // every row within its bound, every end exact
+    nlohmann::ordered_json json() const;
+    std::string csv() const;
+    /// A line for each row.
+    std::string table() const;
+    /// With --scheme: the worst distance on every curve, a line for each.
+    std::string curves_table() const;
+    std::string html() const;
+    /// Rows asked for.
+    std::size_t asked() const;
+
+  private:
+    std::string title() const;
+    std::string curve_name(std::size_t move) const;
+    int axes() const { return 3 + program.aux_axes; }
+};
+
+/// Least worst error for what it costs: rows that no other row beats in both, by rising cost.
+/// Rows that are no core (bits missing, not drawn) do not count.
+std::vector<std::size_t> pareto_front(const std::vector<Row>& rows);
+
+/// Worst of any axis, as the core puts it out; the other figures of the same axes.
+ErrorFigures worst_axis(const PositionFigures& figures);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/core/board_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <regex>
+
+#include "ref/text/input_error.hpp"
+#include "ref/text/text_file.hpp"
+#include "sysc/cli/shipped_files.hpp"
+#include "sysc/cli/usage_error.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr const char* kExtension = ".json";
+
+/// The file of a board of this name, or the name of a file.
+std::string file_of(const std::string& name) {
+    if (fs::path(name).extension() == kExtension) return name;
+    const fs::path folder = shipped_files().folder / "scripts/boards";
+    const fs::path file = folder / (name + kExtension);
+    std::error_code error;
+    if (fs::exists(file, error)) return file.string();
+    std::vector<std::string> names;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+        names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+    throw UsageError(fmt::format("--board: there is no '{}': {}, or a file (.json)", name,
+                                 fmt::join(names, ", ")));
+}
+
+/// What a module has where a board's file says nothing.
+std::map<std::string, int> defaults_of(const fs::path& module) {
+    const std::string text = ref::read_text_file(module.string());
+    static const std::regex kParameter(R"(parameter int (\w+)\s*=\s*(\d+))");
+    std::map<std::string, int> values;
+    for (std::sregex_iterator at(text.begin(), text.end(), kParameter), end; at != end; ++at) {
+        values[(*at)[1]] = std::stoi((*at)[2]);
+    }
+    return values;
+}
+
+}  // namespace
+
+std::string device_of_board(const Json& board) {
+    if (!board.contains("device")) return "";
+    const Json& device = board.at("device");
+    const std::string family = board.at("family");
+    if (family == "ice40") return device.at("size");
+    std::string name = family == "ecp5" ? family + "-" + std::string(device.at("size"))
+                                        : std::string(device.at("die"));
+    while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) == 0) {
+        name.pop_back();
+    }
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return name;
+}
+
+CoreParameters core_of_board(const std::map<std::string, int>& values) {
+    CoreParameters core;
+    core.build = values.at("Build") == 1 ? Build::kSerial : Build::kParallel;
+    for (const auto& [parameter, value] : values) {
+        const ref::Parameter* const row = ref::find_parameter(parameter);
+        if (row != nullptr) core.*row->value = value;
+    }
+    return core;
+}
+
+BoardFile read_board_file(const std::string& name) {
+    const std::string file = file_of(name);
+    std::map<std::string, int> values = defaults_of(shipped_files().folder / "rtl/motion_board.sv");
+    const std::string text = ref::read_text_file(file);
+    try {
+        const Json json = Json::parse(text);
+        for (const auto& [parameter, value] : json.at("parameters").items()) {
+            if (values.count(parameter) == 0) {
+                throw std::invalid_argument("motion_board has no parameter " + parameter);
+            }
+            values[parameter] = value.get<int>();
+        }
+        const double clock_hz = json.at("clock_hz").get<double>();
+        if (!(clock_hz > 0)) throw std::invalid_argument("clock_hz must be above 0");
+        BoardFile board;
+        board.core.parameters = core_of_board(values);
+        const std::string reason = ref::why_not_built(board.core.parameters);
+        if (!reason.empty()) throw std::invalid_argument(reason);
+        board.device = device_of_board(json);
+        board.core.clock_hz = clock_hz;
+        board.core.sample_period_s = std::exp2(values.at("PeriodLog2")) / clock_hz;
+        board.segment_queue_words = values.at("SegmentQueueWords");
+        board.profile_queue_words = values.at("ProfileQueueWords");
+        return board;
+    } catch (const Json::exception& error) {
+        throw ref::InputError(file, 0, std::string("is no board: ") + error.what());
+    } catch (const std::invalid_argument& error) {
+        throw ref::InputError(file, 0, error.what());
+    }
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/core/core_clocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sysc/cli/usage_error.hpp"
+
+namespace curvecore::sysc {
+
+hls::TimedCore timed_core(const CoreParameters& parameters) {
+    hls::TimedCore core;
+    core.serial = parameters.build == Build::kSerial;
+    core.order = parameters.order;
+    core.coef_bits = parameters.coef_bits;
+    core.aux_axes = parameters.aux_axes;
+    core.series = parameters.mode == 0;
+    core.splines = parameters.splines != 0;
+    core.sample_interval = parameters.sample_interval;
+    core.anchor = parameters.anchor != 0;
+    return core;
+}
+
+hls::Clocks core_clocks(const CoreParameters& parameters, bool spline) {
+    const hls::TimedCore core = timed_core(parameters);
+    return spline ? hls::spline_clocks(core) : hls::arc_clocks(core);
+}
+
+hls::Clocks change_clocks(const CoreParameters& parameters, bool spline) {
+    hls::Clocks clocks = core_clocks(parameters, spline);
+    if (parameters.build == Build::kSerial) {
+        // The first sample after a change may begin up to a rotation before the others' turn.
+        clocks.step += hls::kRotation - clocks.sample;
+        clocks.segment += hls::kRotation - clocks.sample;
+    }
+    return clocks;
+}
+
+ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz) {
+    const auto of = [&](bool spline) {
+        const hls::Clocks clocks = change_clocks(parameters, spline);
+        return ref::CurveTime{clocks.step / clock_hz, clocks.segment / clock_hz};
+    };
+    ref::CoreTime time;
+    time.arc = of(false);
+    time.spline = of(true);
+    time.samples_ahead = hls::samples_ahead(timed_core(parameters));
+    time.ahead = parameters.build == Build::kParallel;
+    if (!time.ahead) {
+        time.sample = std::max(core_clocks(parameters, false).sample,
+                               parameters.splines != 0 ? core_clocks(parameters, true).sample : 0) /
+                      clock_hz;
+    }
+    return time;
+}
+
+double least_period_clocks(const CoreParameters& parameters, bool splines, int samples_per_tick) {
+    double least = hls::tick_clocks(timed_core(parameters)) / double(samples_per_tick);
+    for (const bool spline : {false, true}) {
+        if (spline && !splines) continue;
+        const hls::Clocks clocks = core_clocks(parameters, spline);
+        double period = clocks.sample;
+        if (parameters.build == Build::kSerial) {
+            const hls::Clocks change = change_clocks(parameters, spline);
+            period += std::max(change.step, change.segment) /
+                      (1.0 + hls::samples_ahead(timed_core(parameters)));
+        }
+        least = std::max(least, period);
+    }
+    return least;
+}
+
+void check_period(const CoreParameters& parameters, bool splines, double period_s, double clock_hz,
+                  int samples_per_tick) {
+    const double least = least_period_clocks(parameters, splines, samples_per_tick);
+    if (period_s * clock_hz >= least * (1 - 1e-9)) return;
+    throw UsageError(fmt::format(
+        "a sample period has {:.4g} clocks, and this {} core needs {:.4g}: --sample-period must be "
+        "at least {:.4g}us, or --clock {:.4g}MHz",
+        period_s * clock_hz, build_name(parameters.build), least, least / clock_hz * 1e6,
+        least / period_s * 1e-6));
+}
+
+}  // namespace curvecore::sysc

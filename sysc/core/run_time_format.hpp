@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// A format of the kernels (hls/configuration.hpp) whose widths are known at run time only: native
+// integers, cut to their words' widths where a network's table has them, ranges noted.
+#pragma once
+
+#include "hls/curve_kernel.hpp"
+#include "ref/moves/move.hpp"
+#include "sysc/core/core_parameters.hpp"
+#include "sysc/core/value_ranges.hpp"
+
+namespace curvecore::sysc {
+
+struct RunTimeFormat {
+    /// `axes`: 3 + AuxAxes, or fewer; without `ranges` for packing only.
+    RunTimeFormat(const CoreParameters& core, int axes, ValueRanges* ranges = nullptr)
+        : kOrder(core.order),
+          kCoefBits(core.coef_bits),
+          kGuardBits(core.guard_bits),
+          kTurnBits(core.turn_bits),
+          kParameterGuard(core.parameter_guard),
+          kAxes(axes),
+          kFineBits(core.position_bits + core.guard_bits),
+          kCoefFrac(core.coef_bits - 2),
+          kUnitFrac(core.coef_bits - 1),
+          kTop(core.anchor != 0 ? core.order - 1 : core.order),
+          kAnchor(core.anchor != 0),
+          kSeries(!core.polynomial()),
+          ranges_(ranges) {}
+
+    using Coef = std::int64_t;
+    using Fine = std::int64_t;
+    using Position = std::int64_t;
+    using FineParameter = std::int64_t;
+    using Product = hls::Word<128>;
+    static constexpr int kMostOrder = hls::kMostOrder;
+    static constexpr int kMostAxes = 3 + ref::kAuxAxes;
+
+    Coef keep(hls::Variable variable, int order, Coef value) const {
+        return ranges_->keep(variable, order, value);
+    }
+
+    int kOrder, kCoefBits, kGuardBits, kTurnBits, kParameterGuard, kAxes, kFineBits;
+    int kCoefFrac, kUnitFrac, kTop;
+    bool kAnchor, kSeries;
+
+  private:
+    ValueRanges* ranges_;
+};
+
+using RunSegment = hls::SegmentWords<RunTimeFormat>;
+using RunTimeKernel = hls::MotionKernel<RunTimeFormat>;
+constexpr int kMostAxes = RunTimeFormat::kMostAxes;
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The Verilated cores inside the program: sysc/cores/compiled_cores.cmake.
+#pragma once
+
+#include "sysc/cores/rtl_setup.hpp"
+#include "sysc/job/options.hpp"
+
+namespace curvecore::sysc {
+
+struct CompiledCore {
+    CoreParameters parameters;
+    MakeBoard* make;
+};
+
+const std::vector<CompiledCore>& compiled_cores();
+
+/// The core for options.core, or null. One that can do more will do for what --set did not ask
+/// for: more auxiliary axes, splines.
+const CompiledCore* find_core(const Options& options);
+
+}  // namespace curvecore::sysc

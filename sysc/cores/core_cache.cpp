@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+// A core's folder <build>-<digest> holds core.so and core.sum, the digest of core.so's bytes: an
+// entry that has been cut short or changed is made again.
+#include "sysc/cores/core_cache.hpp"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "ref/format/queues.hpp"
+#include "sysc/cli/interrupt.hpp"
+#include "sysc/cli/shipped_files.hpp"
+#include "sysc/cli/usage_error.hpp"
+
+namespace curvecore::sysc {
+namespace fs = std::filesystem;
+namespace {
+
+std::string text_of(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// FNV-1a of 64 bits: tells files apart, and keeps no secret.
+class Digest {
+  public:
+    void add(const std::string& text) {
+        for (const char c : text) {
+            state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
+        }
+        state_ = (state_ ^ 0x100u) * 0x100000001B3u;  // "ab" "c" is not "a" "bc"
+    }
+    std::string text() const { return fmt::format("{:016x}", state_); }
+
+  private:
+    std::uint64_t state_ = 0xCBF29CE484222325u;
+};
+
+std::string digest_of(const fs::path& file) {
+    Digest digest;
+    digest.add(text_of(file));
+    return digest.text();
+}
+
+/// Held while one run looks at a core's folder or fills it.
+class Lock {
+  public:
+    Lock(const fs::path& file, bool quiet)
+        : file_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (file_ < 0) throw std::runtime_error("cannot write " + file.string());
+        if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;
+        if (!quiet) fmt::print(stderr, "curvecore: waiting for another run that makes this core\n");
+        if (flock(file_, LOCK_EX) != 0) throw Interrupted();
+    }
+    ~Lock() { close(file_); }
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+
+  private:
+    int file_;
+};
+
+bool in_path(const std::string& tool) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (access((fs::path(folder) / tool).c_str(), X_OK) == 0) return true;
+    }
+    return false;
+}
+
+/// What a command prints; its stderr goes with it.
+std::string output_of(const std::string& command) {
+    FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("cannot start a shell");
+    std::string text;
+    std::array<char, 4096> part{};
+    std::size_t count = 0;
+    while ((count = fread(part.data(), 1, part.size(), pipe)) > 0) text.append(part.data(), count);
+    pclose(pipe);
+    return text;
+}
+
+/// A core is made with the tools that the program was made with.
+void check_tools() {
+    for (const char* tool : {"verilator", "make", CURVECORE_CXX}) {
+        const std::string name = fs::path(tool).filename();
+        if (fs::path(tool).is_absolute() ? access(tool, X_OK) == 0 : in_path(tool)) continue;
+        throw UsageError(
+            fmt::format("this core is not built in, and {} is missing to make it: install "
+                        "verilator, make and g++, or run with --on kernel",
+                        name));
+    }
+    const std::string version = output_of("verilator --version");
+    if (version.find(CURVECORE_VERILATOR_VERSION) == std::string::npos) {
+        throw UsageError(fmt::format(
+            "this core is not built in, and cannot be made: the program needs Verilator {}, here "
+            "is {}",
+            CURVECORE_VERILATOR_VERSION, version.substr(0, version.find('\n'))));
+    }
+}
+
+/// Status of a program with arguments, its output in a file.
+int run(const std::vector<std::string>& arguments, const fs::path& log) {
+    const pid_t child = fork();
+    if (child == 0) {
+        std::vector<char*> argv;
+        argv.reserve(arguments.size() + 1);
+        for (const std::string& argument : arguments) {
+            argv.push_back(const_cast<char*>(argument.c_str()));
+        }
+        argv.push_back(nullptr);
+        const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+        if (file < 0 || dup2(file, STDOUT_FILENO) < 0 || dup2(file, STDERR_FILENO) < 0) _exit(127);
+        execvp(argv[0], argv.data());
+        _exit(127);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// What went wrong by a tool's output: its first line with an error, or its last.
+std::string reason_in(const fs::path& log) {
+    std::ifstream lines(log);
+    std::string last;
+    for (std::string line; std::getline(lines, line); last = line) {
+        if (line.find("rror") != std::string::npos) return line;
+    }
+    return last;
+}
+
+/// Verilator's parameters of the top module.
+std::vector<std::string> model_parameters(const CoreParameters& parameters) {
+    std::vector<std::string> all{
+        fmt::format("Build={}", parameters.build == Build::kSerial ? 1 : 0)};
+    CoreParameters simulated = parameters;
+    simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
+    std::istringstream text(ref::parameters_text(simulated));
+    for (std::string word; text >> word;) all.push_back(word);
+    all.push_back(fmt::format("SegmentQueueWords={}", ref::kBoardSegmentWords));
+    all.push_back(fmt::format("ProfileQueueWords={}", ref::kBoardProfileWords));
+    return all;
+}
+
+}  // namespace
+
+CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "build/cores") {
+    if (shipped_files().installed) {
+        const char* const cache = std::getenv("XDG_CACHE_HOME");
+        const char* const home = std::getenv("HOME");
+        cores_ = cache != nullptr && *cache != 0
+                     ? fs::path(cache) / "curvecore"
+                     : fs::path(home != nullptr ? home : ".") / ".cache/curvecore";
+    }
+    const char* const cores = std::getenv("CURVECORE_CORES");
+    if (cores != nullptr && *cores != 0) cores_ = cores;
+}
+
+std::string CoreCache::digest(const CoreParameters& parameters) const {
+    std::vector<fs::path> files;
+    for (const char* folder : {"rtl", "sysc/board", "sysc/cmake"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(sources_ / folder)) {
+            const std::string kind = entry.path().extension();
+            if (kind == ".sv" || kind == ".hpp" || kind == ".sh") files.push_back(entry.path());
+        }
+    }
+    files.push_back(sources_ / "sysc/cores/compiled_core.cpp");
+    std::sort(files.begin(), files.end());
+    Digest digest;
+    for (const fs::path& file : files) {
+        digest.add(file.lexically_relative(sources_));
+        digest.add(text_of(file));
+    }
+    for (const std::string& parameter : model_parameters(parameters)) digest.add(parameter);
+    digest.add(CURVECORE_VERILATOR_VERSION);
+    digest.add(CURVECORE_CXX " " CURVECORE_CXX_VERSION);
+    return digest.text();
+}
+
+void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, bool quiet) const {
+    check_tools();
+    if (!quiet) {
+        fmt::print(stderr, "curvecore: making the core {} {}: once, {}; it is kept in {}\n",
+                   build_name(parameters.build), ref::parameters_text(parameters),
+                   parameters.build == Build::kSerial ? "some 15 s" : "up to a minute",
+                   cores_.string());
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const fs::path work = folder.string() + ".tmp";
+    const fs::path log = folder.string() + ".log";
+    fs::remove_all(folder);
+    fs::remove_all(work);
+    std::vector<std::string> command{"env",
+                                     "VERILATOR=verilator",
+                                     fmt::format("CXX={}", CURVECORE_CXX),
+                                     fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
+                                     sources_ / "sysc/cmake/make_core.sh",
+                                     sources_,
+                                     work / "model"};
+    for (std::string& parameter : model_parameters(parameters)) {
+        command.push_back(std::move(parameter));
+    }
+    if (run(command, log) != 0) {
+        throw std::runtime_error(
+            fmt::format("the core could not be made: {}; see {}", reason_in(log), log.string()));
+    }
+    fs::rename(work / "model/core.so", work / "core.so");
+    fs::remove_all(work / "model");
+    std::ofstream(work / "core.sum") << digest_of(work / "core.so");
+    fs::rename(work, folder);
+    fs::remove(log);
+    if (!quiet) {
+        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
+        fmt::print(stderr, "curvecore: made in {:.0f} s\n", time.count());
+    }
+}
+
+MakeBoard* CoreCache::open(const CoreParameters& parameters, bool quiet) const {
+    fs::create_directories(cores_);
+    const fs::path folder =
+        cores_ / fmt::format("{}-{}", build_name(parameters.build), digest(parameters));
+    const fs::path file = folder / "core.so";
+    const Lock lock(folder.string() + ".lock", quiet);
+    if (!fs::exists(file) || text_of(folder / "core.sum") != digest_of(file)) {
+        make(parameters, folder, quiet);
+    }
+    void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const symbol = library != nullptr ? dlsym(library, "curvecore_core") : nullptr;
+    if (symbol == nullptr) throw std::runtime_error(fmt::format("cannot open {}", dlerror()));
+    return reinterpret_cast<MakeBoard*>(symbol);
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/cores/gtkw_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "sysc/cores/waveform_signals.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Display flags of GTKWave's save files.
+enum Show : unsigned {
+    kBit = 0x28,
+    kHex = 0x22,
+    kUnsigned = 0x24,
+    kSigned = 0x420,
+    kCurve = 0x8420
+};
+
+const std::string kTop = "dut.motion_interpolator.";
+
+struct Signal {
+    Show show;
+    std::string name;
+};
+using Signals = std::vector<Signal>;
+
+class Arrangement {
+  public:
+    Arrangement(std::string head, WaveformSignals signals)
+        : signals_(std::move(signals)), text_(std::move(head)) {}
+
+    /// Signals of the instance `at`, "" or with a dot at its end.
+    void show(const std::string& at, const Signals& signals) {
+        for (const Signal& signal : signals) show(signal.show, at + signal.name);
+    }
+
+    /// A group of which this core has nothing is left out.
+    void group(const char* name, const std::string& at, const Signals& signals) {
+        const auto there = [&](const Signal& signal) {
+            return signals_.count(kTop + at + signal.name) != 0;
+        };
+        if (std::none_of(signals.begin(), signals.end(), there)) return;
+        text_ += fmt::format("@800200\n-{}\n", name);
+        show(at, signals);
+        text_ += fmt::format("@1000200\n-{}\n", name);
+    }
+
+    const std::string& text() const { return text_; }
+
+  private:
+    /// A signal that this core does not have is left out.
+    void show(Show how, const std::string& name) {
+        const std::string full = kTop + name;
+        const auto found = signals_.find(full);
+        if (found == signals_.end()) return;
+        text_ += fmt::format("@{:x}\n{}{}\n", static_cast<unsigned>(how), full, found->second);
+        if (how == kCurve) text_ += "@20000\n-\n-\n";  // room to draw it
+    }
+
+    WaveformSignals signals_;
+    std::string text_;
+};
+
+void parallel_core(Arrangement& view) {
+    const std::string core = "g_parallel.u_core.";
+    view.group("Steps", core + "u_starter.",
+               {{kBit, "there"},
+                {kBit, "room_i"},
+                {kUnsigned, "start_o"},
+                {kBit, "spline_o"},
+                {kBit, "done_i"},
+                {kBit, "last_o"},
+                {kUnsigned, "k_o"}});
+    view.group("Lines and arcs", core + "g_arcs.u_steps.",
+               {{kUnsigned, "order"},
+                {kBit, "collect"},
+                {kSigned, "x"},
+                {kSigned, "y"},
+                {kSigned, "z"},
+                {kSigned, "f"},
+                {kSigned, "g"},
+                {kSigned, "h"}});
+    view.group("Splines", core + "g_splines.u_steps.",
+               {{kSigned, "word"},
+                {kBit, "start_network"},
+                {kSigned, "phi_end"},
+                {kHex, "q"},
+                {kHex, "v"},
+                {kHex, "w"},
+                {kSigned, "moved"}});
+    view.group("Sampler", core,
+               {{kBit, "u_side.u_tracker.sample_o"},
+                {kUnsigned, "u_side.u_tracker.step_o"},
+                {kUnsigned, "u_side.u_tracker.left_o"},
+                {kBit, "u_side.u_offset.sample_o"},
+                {kUnsigned, "u_side.u_offset.tau_o"},
+                {kBit, "u_side.u_offset.land_o"}});
+}
+
+void serial_core(Arrangement& view) {
+    const std::string core = "g_serial.u_core.";
+    view.group("Network", core,
+               {{kBit, "net_start"},
+                {kBit, "net_busy"},
+                {kUnsigned, "u_sequencer.place"},
+                {kHex, "a_address"},
+                {kHex, "b_address"},
+                {kHex, "c_address"},
+                {kSigned, "u_datapath.a"},
+                {kSigned, "u_datapath.b"},
+                {kSigned, "u_datapath.c_q"},
+                {kHex, "d_place"},
+                {kSigned, "d"}});
+    view.group("Sampler", core,
+               {{kBit, "request_valid_i"},
+                {kBit, "request_ready_o"},
+                {kUnsigned, "request_ds_i"},
+                {kBit, "sample"},
+                {kBit, "sample_take"},
+                {kBit, "land"},
+                {kUnsigned, "u_sequencer.context_q"}});
+}
+
+void path_side(Arrangement& view) {
+    view.show("", {{kBit, "clk_i"}, {kBit, "rst_ni"}});
+    view.group("Request", "",
+               {{kBit, "sample_request_valid_i"},
+                {kBit, "sample_request_ready_o"},
+                {kUnsigned, "override_i"},
+                {kBit, "hold_i"},
+                {kBit, "kill_i"}});
+    view.group("Queues", "",
+               {{kBit, "segment_valid_i"},
+                {kBit, "segment_ready_o"},
+                {kHex, "segment_data_i"},
+                {kBit, "profile_valid_i"},
+                {kBit, "profile_ready_o"},
+                {kHex, "profile_data_i"},
+                {kHex, "fault_o"},
+                {kBit, "underrun_o"}});
+    view.group("Path generator", "",
+               {{kBit, "active_o"},
+                {kBit, "rate_valid"},
+                {kUnsigned, "u_path.ticks_left_o"},
+                {kBit, "path_valid_o"},
+                {kUnsigned, "path_rate_o"},
+                {kUnsigned, "path_ds_o"},
+                {kUnsigned, "path_o"}});
+}
+
+void positions(Arrangement& view, const CoreParameters& core) {
+    Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
+    const char* words = core.build == Build::kParallel
+                            ? "g_parallel.u_core.u_side.g_axis[{}].u_lander.position_o"
+                            : "g_serial.u_core.u_lander.g_axis[{}].axis_position_q";
+    for (int axis = 0; axis < core.axes(); ++axis) {
+        signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});
+    }
+    signals.push_back({kHex, "sample_position_o"});
+    signals.push_back({kHex, "sample_fine_o"});
+    view.group("Positions", "", signals);
+}
+
+}  // namespace
+
+std::string gtkw_head(const std::string& folder, const std::string& wave, const std::string& save,
+                      double start, double span, double marker) {
+    // A zoom of z is 2^-z units of time for 200 of the 1000 pixels that the signals leave.
+    constexpr double kFrames = 1000 / 200.0;
+    const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
+    return fmt::format(
+        "[*] curvecore\n"
+        "[dumpfile] \"{}\"\n"
+        "[savefile] \"{}\"\n"
+        "[timestart] {:.0f}\n"
+        "[size] 1600 1000\n"
+        "*{:.4f} {:.0f} -1 -1 -1 -1\n"
+        "[sst_width] 220\n"
+        "[signals_width] 330\n",
+        (at / wave).string(), (at / save).string(), start, -std::log2(span / kFrames), marker);
+}
+
+std::string gtkw(const CoreParameters& core, const std::string& fst_file, const std::string& folder,
+                 const FirstSample& first) {
+    constexpr double kBefore = 40;  // clocks
+    constexpr double kSpan = 200;
+    constexpr double kReset = 3;  // clocks, before the first that is counted
+    const double clock_ps = 1e12 / first.clock_hz;
+    const double at = static_cast<double>(first.clock) + kReset;
+    const std::string head =
+        gtkw_head(folder, "waves.fst", "waves.gtkw", std::max(0.0, at - kBefore) * clock_ps,
+                  kSpan * clock_ps, at * clock_ps);
+    Arrangement view(head, waveform_signals(fst_file));
+    path_side(view);
+    if (core.build == Build::kParallel) {
+        parallel_core(view);
+    } else {
+        serial_core(view);
+    }
+    positions(view, core);
+    return view.text();
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/cost/board_cost.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "sysc/core/board_file.hpp"
+#include "sysc/widths/placed_boards_data.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// A row of sysc/cost/placed_boards.json on a device of the table.
+struct PlacedBoard {
+    const Device* device;
+    CoreParameters core;
+    double lut4;
+    double ff;
+    int dsp;
+    int ram;
+    double mhz;
+};
+
+std::vector<PlacedBoard> placed_boards() {
+    std::vector<PlacedBoard> placed;
+    for (const nlohmann::json& row : nlohmann::json::parse(kPlacedBoards)) {
+        const Device* const device = find_device(device_of_board(row));
+        if (device == nullptr) continue;
+        placed.push_back({device, core_of_board(row.at("parameters")), row.at("lut4"), row.at("ff"),
+                          row.at("dsp"), row.at("bram"), row.at("fmax_mhz")});
+    }
+    return placed;
+}
+
+/// One of this build and family. Null: none.
+const PlacedBoard* placed_board(Build build, const Device& device) {
+    static const std::vector<PlacedBoard> kPlaced = placed_boards();
+    const auto found = std::find_if(kPlaced.begin(), kPlaced.end(), [&](const PlacedBoard& board) {
+        return board.core.build == build && board.device->family == device.family;
+    });
+    return found == kPlaced.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool board_cost_is_known(Build build, const Device& device) {
+    return placed_board(build, device) != nullptr;
+}
+
+std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& parameters,
+                                           const Device& device) {
+    const PlacedBoard* const placed = placed_board(parameters.build, device);
+    std::optional<CostEstimate> cost = estimate(core, parameters, device);
+    if (placed == nullptr || !cost) return std::nullopt;
+    const Core drawn = core_for(true, placed->core.splines == 1, placed->core.build);
+    const CostEstimate theirs = *estimate(drawn, placed->core, device);
+    cost->lut4 += placed->lut4 - theirs.lut4;
+    cost->ff += placed->ff - theirs.ff;
+    cost->dsp += placed->dsp - theirs.dsp;
+    cost->ram += placed->ram - theirs.ram;
+    cost->mhz = std::min(cost->mhz, placed->mhz);
+    return cost;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a core costs in a device, without place and route.
+//
+// DSP and RAM blocks are counted from the RTL's structure and are exact. LUT4, flip-flops and the
+// clock period are linear in a few features of the widths; scripts/fit_cost_model.py fits their
+// coefficients to runs of scripts/synth.sh and writes sysc/cost/cost_model.json, which is
+// compiled in. Whatever they say is an estimate: `error` is that of the model on runs it was not
+// fitted to.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "sysc/core/core_parameters.hpp"
+#include "sysc/cost/device.hpp"
+
+namespace curvecore::sysc {
+
+enum class Core { kSpherical, kSpline, kCurve };
+
+/// "spherical", "spline" or "curve", as scripts/synth.sh has it.
+const char* core_name(Core core);
+
+/// The core for these curves; the serial build has none for splines alone.
+Core core_for(bool arcs, bool splines, Build build);
+
+/// | field        | meaning                                                                |
+/// |--------------|------------------------------------------------------------------------|
+/// | lut4, ff     | estimates, of the core alone                                           |
+/// | mhz          | estimate of what place and route reaches, at most the DSP blocks' limit |
+/// | dsp, ram     | exact                                                                  |
+/// | lut4_error.. | relative error of the estimate: root mean square over runs left out, or |
+/// |              | over those of the device's family where that is more                    |
+struct CostEstimate {
+    double lut4 = 0;
+    double ff = 0;
+    double mhz = 0;
+    int dsp = 0;
+    int ram = 0;
+    double lut4_error = 0;
+    double ff_error = 0;
+    double mhz_error = 0;
+
+    bool fits(const Device& device) const;
+    /// Shares of the device: the larger of LUT4 and flip-flops, DSP blocks, RAM blocks.
+    std::array<double, 3> shares(const Device& device) const;
+    /// Their sum. What "smallest" means.
+    double size(const Device& device) const;
+    /// The largest of them.
+    double fullest(const Device& device) const;
+};
+
+/// Whether there were runs of this build in the device's family.
+bool cost_is_known(Build build, const Device& device);
+
+/// Nothing when there were none.
+std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
+                                     const Device& device);
+
+/// Wide multipliers of the sampler, and 18 x 18 ones of the spline's network in the parallel build.
+struct MultiplierCount {
+    int wide = 0;
+    int narrow = 0;
+};
+MultiplierCount count_multipliers(Core core, const CoreParameters& parameters);
+
+/// Where the fit came from, for reports: "fitted to 17 runs, ...".
+std::string cost_model_source();
+
+}  // namespace curvecore::sysc

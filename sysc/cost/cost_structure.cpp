@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Multipliers and block memories of a core, counted as the RTL instantiates them.
+#include "sysc/cost/cost_structure.hpp"
+
+#include <algorithm>
+
+#include "ref/format/order_words.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a block of a GW2A
+
+int blocks(int bits, int width) { return (bits + width - 1) / width; }
+
+/// rtl/arithmetic/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
+/// signed, and one for every pair with a low half, which is unsigned and what is above 18 bits.
+int portable(int a_bits, int b_bits, const Device& device) {
+    const int a_low = a_bits - 18;
+    const int b_low = b_bits - 18;
+    const int lows = std::min(a_low, b_low);
+    if (device.family == "gw2a-18") {  // up to 9 x 9 it is half a block
+        return 1 + (a_low >= kGowinLeast ? 1 : 0) + (b_low >= kGowinLeast ? 1 : 0) +
+               (lows > kGowinLeast ? 1 : 0);
+    }
+    if (device.family == "lifcl-40") {  // 18 bits signed by 18 unsigned: MULT18X36, two blocks
+        const auto crossed = [](int low) { return low == 18 ? 2 : low > 0 ? 1 : 0; };
+        return 1 + crossed(a_low) + crossed(b_low) + (lows > 0 ? 1 : 0);
+    }
+    return 0;
+}
+
+/// rtl/arithmetic/multiplier.sv.
+int multiplier(int a_bits, int b_bits, const Device& device) {
+    if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
+    if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
+    return portable(a_bits, b_bits, device);
+}
+
+/// Each order's word in a sampler of arcs with a width for each.
+template <class Visit>
+void each_stage(const CoreParameters& p, Visit visit) {
+    for (int i = 1; i <= p.order; ++i) {
+        visit(ref::sum_bits(p.coef_bits, p.turn_bits, i),
+              ref::tau_bits(p.coef_bits, p.turn_bits, i));
+    }
+}
+
+}  // namespace
+
+MultiplierCount count_multipliers(Core core, const CoreParameters& parameters) {
+    if (parameters.build == Build::kSerial) return {1, 0};
+    const bool arcs = core != Core::kSpline;
+    const bool splines = core != Core::kSpherical;
+    const int interval = parameters.sample_interval;
+    const int order = parameters.order;
+    const auto stages = [interval](int passes) { return (passes + interval - 1) / interval; };
+    MultiplierCount count;
+    if (parameters.mode == 0) {
+        count.wide = 3 * stages(order);
+    } else {
+        if (arcs) {
+            const int axis = interval == 1 ? 3 : interval == 2 ? 2 : 1;
+            count.wide += 1 + stages(order / 2) + stages((order - 1) / 2) + 3 * axis;
+        }
+        if (splines) count.wide += stages(order) + 3 * stages(3);
+    }
+    count.wide += parameters.aux_axes;
+    // V and P of each axis, phi; one for Q, R and the anchor; the axes' own series.
+    if (splines) count.narrow = 8 + (parameters.mode == 0 ? 3 : 0);
+    return count;
+}
+
+int count_dsp(Core core, const CoreParameters& parameters, const Device& device) {
+    const MultiplierCount count = count_multipliers(core, parameters);
+    const int bits = parameters.coef_bits;
+    int wide = count.wide;
+    int narrowed = 0;
+    if (parameters.turn_bits > 0) {
+        wide -= 3 * parameters.order;
+        each_stage(parameters,
+                   [&](int sum, int tau) { narrowed += 3 * multiplier(sum, tau, device); });
+    }
+    return wide * multiplier(bits, bits, device) + narrowed + (device.form == 1 ? count.narrow : 0);
+}
+
+double mean_wide(Core core, const CoreParameters& parameters) {
+    double wide = count_multipliers(core, parameters).wide;
+    if (parameters.turn_bits == 0) return wide;
+    each_stage(parameters, [&](int sum, int tau) {
+        wide -= 3 * (1 - (sum + tau) / (2.0 * parameters.coef_bits));
+    });
+    return wide;
+}
+
+int soft_bits(const CoreParameters& parameters, const Device& device) {
+    const int bits = parameters.coef_bits;
+    const int low = bits - 18;
+    if (device.family == "hx8k") return bits * bits;
+    if (device.family != "gw2a-18" || low > kGowinLeast) return 0;
+    return low == kGowinLeast ? low * low : bits * bits - 18 * 18;
+}
+
+bool wide_block(const CoreParameters& parameters, const Device& device) {
+    return device.family == "lifcl-40" && parameters.coef_bits == 36;
+}
+
+int count_ram(Core core, const CoreParameters& parameters, const Device& device) {
+    if (parameters.build == Build::kParallel) return 0;  // its memories are distributed
+    // Three copies of the words, the program and, where there is no distributed memory, two of
+    // points. Of the program's 61 bits some are alike.
+    const bool splines = core == Core::kCurve;
+    if (device.family != "up5k" && device.family != "hx8k") return 3 + 2;  // words of 36 bits
+    const int words = blocks(parameters.coef_bits, splines ? 8 : 16);
+    const int points = blocks(parameters.position_bits + parameters.guard_bits, 16);
+    return 3 * words + 2 * points + (splines ? 4 : 3);
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The FPGAs of the table sysc/cost/devices.def.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace curvecore::sysc {
+
+/// A row of the table, which says what its fields are.
+struct Device {
+    std::string_view name;
+    std::string_view family;
+    int form;
+    int lut4;
+    int ff;
+    int dsp;
+    int ram;
+    double dsp_mhz;
+};
+
+inline constexpr std::array kDevices{
+#define DEVICE(name, family, ...) Device{#name, #family, __VA_ARGS__},
+#include "sysc/cost/devices.def"
+};
+
+/// "up5k, hx8k, ..."
+std::string device_names();
+
+/// Null: there is none of this name.
+const Device* find_device(const std::string& name);
+/// @throws UsageError that lists them: there is none of this name
+const Device* device_of(const std::string& name);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// The result on the terminal.
+#pragma once
+
+#include "sysc/report/report.hpp"
+
+namespace curvecore::sysc {
+
+/// The program's warnings, to stderr.
+void print_warnings(const Job& job);
+
+/// Warnings and failed checks to stderr, the table to stdout; with -q only the former.
+void print_summary(const Report& report);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// How long queues have to be: a program drawn by systems with the kernel, one for each queue, host,
+// bus and sample period.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "sysc/job/job.hpp"
+
+namespace curvecore::sysc {
+
+struct ExploreGrid {
+    std::vector<double> sample_s;
+    std::vector<double> word_s;
+    std::vector<double> host_s;
+    std::vector<int> segment_queue;  // words, ascending
+    std::vector<int> profile_queue;
+
+    std::size_t size() const {
+        return sample_s.size() * word_s.size() * host_s.size() * segment_queue.size() *
+               profile_queue.size();
+    }
+};
+
+/// How a program fares with two queues. It slows where it takes over a hundredth longer than with
+/// the longest queues, because moves that do not outlast a stop in them are planned slower. It
+/// holds where one of them runs low; it never begins where a full one does not last for a stop.
+enum class Fate { kFits, kSlows, kHolds, kNeverBegins };
+constexpr std::array<std::string_view, 4> kFateNames{"fits", "slows", "holds", "never begins"};
+
+/// What stays as it is while the queues are swept.
+struct Surroundings {
+    double sample_s;
+    double word_s;
+    double host_s;
+};
+
+struct ExplorePoint {
+    int segment_queue;
+    int profile_queue;
+    Fate fate;
+    double duration_s;  // as planned
+    double stop_s;      // that a hold takes at most: fewer stop branches fit shorter queues
+};
+
+/// All pairs of queues, each the longest first.
+struct ExploreRow {
+    Surroundings surroundings;
+    std::vector<ExplorePoint> points;
+
+    /// The fewest words that fit.
+    std::optional<ExplorePoint> answer() const;
+};
+
+class Explorer {
+  public:
+    /// `options`: what draws the program; `progress` is called with the share that is done.
+    Explorer(const Options& options, const ExploreGrid& grid,
+             std::function<void(double share)> progress);
+
+    /// @throws ref::InputError, UsageError: plan_job()
+    std::vector<ExploreRow> explore();
+
+  private:
+    std::vector<ExploreRow> explore_period(double sample_s);
+    /// One more point of each row.
+    void explore_queues(int segment_queue, int profile_queue, std::vector<ExploreRow>& rows);
+
+    const Options& options_;
+    const ExploreGrid& grid_;
+    std::function<void(double share)> progress_;
+    double done_ = 0;
+};
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/job/drawn_moves.hpp"
+
+#include <algorithm>
+
+#include "ref/geometry/geometry.hpp"
+#include "ref/segment/spline_cut.hpp"
+#include "ref/text/input_error.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Of G64's tolerance, for what is made smooth, where arcs take the rest of it.
+constexpr double kShareBesideArcs = 0.5;
+
+}  // namespace
+
+bool draws_splines(const Options& options) {
+    CoreParameters core = options.core;
+    if (options.splines_set) return core.splines != 0;
+    core.splines = 1;
+    return ref::why_not_built(core).empty();
+}
+
+ref::SplineForm form_of(const Options& options, std::optional<ref::SplineForm> form) {
+    if (form) return *form;
+    const bool arcs = options.arc_tolerance || !draws_splines(options);
+    return arcs ? ref::SplineForm::kArcs : ref::SplineForm::kSpline;
+}
+
+ref::ProgramStream open_program(const Options& options) {
+    if (options.program) return ref::ProgramStream(*options.program);
+    return ref::ProgramStream(options.file, options.points, options.open_program, options.gcode);
+}
+
+ref::PlanOptions segment_options(const Options& options) {
+    ref::PlanOptions plan = options.plan_options();
+    plan.aux_axes = ref::kAuxAxes;
+    if (draws_splines(options)) plan.format.splines = 1;
+    return plan;
+}
+
+DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
+                       std::optional<ref::SplineForm> form)
+    : program_(open_program(options)),
+      machine_(machine),
+      plan_options_(segment_options(options)),
+      form_(form_of(options, form)),
+      tolerance_(options.arc_tolerance.value_or(0)) {
+    plan_options_.advise = false;
+    plan_options_.cuts = std::make_shared<ref::KnownCuts>();
+    if (options.exact_path) return;
+    const bool arcs = form_of(options) == ref::SplineForm::kArcs;
+    smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,
+                    arcs ? kShareBesideArcs : 1,
+                    [this](const std::vector<ref::Move>& moves) { return carried(moves); });
+}
+
+/// Travel and segments.
+bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
+    ref::Program drawn;
+    drawn.moves = moves;
+    try {
+        ref::replace_splines(drawn, form_, tolerance_);
+        ref::make_geometry(drawn, machine_, plan_options_);
+    } catch (const ref::InputError&) {
+        return false;
+    }
+    return true;
+}
+
+bool DrawnMoves::next(ref::Move& move) {
+    if (ready_.empty()) {
+        if (!(smooth_ ? smooth_->next(move) : program_.next(move))) return false;
+        if (form_ == ref::SplineForm::kSpline || move.kind != ref::Move::Kind::kCubic) {
+            ref::look_at(move, off_);
+            return true;
+        }
+        replace(move);
+    }
+    move = ready_.front();
+    ready_.pop_front();
+    ref::look_at(move, off_);
+    return true;
+}
+
+void DrawnMoves::replace(const ref::Move& spline) {
+    ref::Program one;
+    one.moves.push_back(spline);
+    const ref::Replaced replaced = ref::replace_splines(one, form_, tolerance_);
+    replaced_.splines += replaced.splines;
+    replaced_.moves += replaced.moves;
+    replaced_.deviation = std::max(replaced_.deviation, replaced.deviation);
+    ready_.assign(one.moves.begin(), one.moves.end());
+}
+
+std::optional<ref::Smoothed> DrawnMoves::smoothed() const {
+    if (!smooth_) return {};
+    ref::Smoothed smoothed = smooth_->report();
+    smoothed.tolerance = off_.tolerance;
+    smoothed.deviation = off_.deviation;
+    smoothed.share = off_.share;
+    smoothed.line = off_.line;
+    return smoothed;
+}
+
+}  // namespace curvecore::sysc

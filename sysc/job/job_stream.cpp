@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/job/job_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "ref/geometry/geometry.hpp"
+#include "ref/text/input_error.hpp"
+#include "sysc/cli/usage_error.hpp"
+#include "sysc/core/core_clocks.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+/// Travel and segments of moves, some at a time.
+class Looker {
+  public:
+    explicit Looker(const Job& job)
+        : machine_(job.machine), options_(segment_options(job.options)) {
+        batch_.file = job.program.file;
+    }
+
+    /// @throws ref::InputError, of one of the last moves
+    void add(const ref::Move& move) {
+        constexpr std::size_t kBatch = 500;
+        batch_.moves.push_back(move);
+        if (batch_.moves.size() == kBatch) look();
+    }
+    void look() {
+        ref::make_geometry(batch_, machine_, options_);
+        batch_.moves.clear();
+    }
+
+  private:
+    const ref::Machine& machine_;
+    ref::PlanOptions options_;
+    ref::Program batch_;
+};
+
+int aux_axes_of(const ref::Move& move) {
+    int axes = 0;
+    for (int i = 0; i < ref::kAuxAxes; ++i) {
+        if (move.aux_end[i] != move.aux_start[i]) axes = i + 1;
+    }
+    return axes;
+}
+
+bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCubic; }
+
+}  // namespace
+
+/// What a program, or its first moves, ask of the core.
+struct JobStream::Seen {
+    int aux_axes = 0;
+    std::optional<int> spline;  // line of the first
+    double fastest = 0;         // mm/s
+
+    void add(const ref::Move& move) {
+        aux_axes = std::max(aux_axes, aux_axes_of(move));
+        if (is_spline(move) && !spline) spline = move.line;
+        fastest = std::max(fastest, ref::fastest_motion(move));
+    }
+};
+
+JobStream::JobStream(const Options& options, std::optional<ref::SplineForm> form)
+    : JobStream(options, machine_of(options), form) {}
+
+JobStream::JobStream(const Options& options, ref::Machine machine,
+                     std::optional<ref::SplineForm> form)
+    : form_(form) {
+    job_.options = options;
+    job_.machine = std::move(machine);
+    if (!options.program && options.file == ref::kStandardInput) {
+        look_at_input();
+        return;
+    }
+    try {
+        look_at_program();
+    } catch (const ref::InputError&) {
+        const std::exception_ptr programmed = std::current_exception();
+        try {
+            look_at_drawn();  // it may still do
+        } catch (const ref::InputError&) {
+            std::rethrow_exception(programmed);
+        }
+    }
+    moves_.emplace(job_.options, job_.machine, form_);
+}
+
+/// With the feed that an override above 100 % asks for.
+bool JobStream::read(DrawnMoves& moves, ref::Move& move) const {
+    if (!moves.next(move)) return false;
+    raise_feed(move, job_.options);
+    return true;
+}
+
+/// In constant memory: what it draws is looked at again while it is drawn.
+void JobStream::look_at_program() {
+    ref::ProgramStream program = open_program(job_.options);
+    job_.program.file = program.file();
+    Seen seen;
+    Looker looker(job_);
+    for (ref::Move move; program.next(move);) {
+        raise_feed(move, job_.options);
+        seen.add(move);
+        looker.add(move);
+    }
+    looker.look();
+    seen.spline = first_drawn_spline(seen.spline);
+    use(seen);
+}
+
+/// A core draws all splines or none of them.
+std::optional<int> JobStream::first_drawn_spline(std::optional<int> programmed) const {
+    const bool splines = form_of(job_.options, form_) == ref::SplineForm::kSpline;
+    if (!splines && job_.options.arc_tolerance) return {};
+    if (!splines || job_.options.exact_path) return programmed;
+    DrawnMoves moves(job_.options, job_.machine, form_);
+    for (ref::Move move; moves.next(move);) {
+        if (is_spline(move)) return move.line;
+    }
+    return {};
+}
+
+void JobStream::look_at_drawn() {
+    DrawnMoves moves(job_.options, job_.machine, form_);
+    job_.program.file = moves.program().file();
+    Seen seen;
+    Looker looker(job_);
+    for (ref::Move move; read(moves, move);) {
+        seen.add(move);
+        looker.add(move);
+    }
+    looker.look();
+    use(seen);
+}
+
+/// As far as the first window of the plan.
+void JobStream::look_at_input() {
+    moves_.emplace(job_.options, job_.machine, form_);
+    job_.program.file = moves_->program().file();
+    Seen seen;
+    bool more = true;
+    for (ref::Move move; first_.size() < job_.options.plan_options().window;) {
+        more = read(*moves_, move);
+        if (!more) break;
+        first_.push_back(move);
+        seen.add(move);
+    }
+    if (more) seen.fastest = 1e9;
+    use(seen);
+}
+
+void JobStream::use(const Seen& seen) {
+    set_splines(job_, seen.spline);
+    if (!job_.options.aux_axes_set) job_.options.core.aux_axes = seen.aux_axes;
+    job_.program.aux_axes = seen.aux_axes;
+    fastest_ = seen.fastest;
+    splines_ = seen.spline.has_value();
+}
+
+bool JobStream::take(ref::Move& move) {
+    if (!parts_.next(move)) return false;
+    ++given_;
+    if (keeps_) job_.plan.moves.push_back(move);
+    return true;
+}
+
+/// Of standard input the first moves have said what the core has.
+bool JobStream::take_next(ref::Move& move) {
+    if (taken_ < first_.size()) {
+        move = first_[taken_++];
+        return true;
+    }
+    if (!read(*moves_, move)) return false;
+    if (aux_axes_of(move) > job_.program.aux_axes) {
+        throw ref::InputError(
+            job_.program.file, move.line,
+            "an axis that the first moves of this stream do not use: read a file");
+    }
+    if (is_spline(move) && job_.options.core.splines == 0) {
+        throw ref::InputError(job_.program.file, move.line,
+                              "a spline, and the first moves of this stream have none: give "
+                              "--set Splines=1");
+    }
+    return true;
+}
+
+const ref::Plan* JobStream::next() {
+    if (!plan_) begin();
+    part_ = plan_->next();
+    if (!part_) {
+        end();
+        return nullptr;
+    }
+    static_cast<ref::PlanFrame&>(job_.plan) = *part_;
+    duration_s_ += part_->duration_s;
+    job_.plan.slowed_moves += part_->slowed_moves;
+    if (job_.plan.slowed_line == 0) job_.plan.slowed_line = part_->slowed_line;
+    job_.plan.core_slowed.add(part_->core_slowed);
+    bounded_ =
+        bounded_ && std::all_of(part_->segments.begin(), part_->segments.end(),
+                                [this](const ref::Segment& s) { return job_.bounded(s.kind); });
+    return &*part_;
+}
+
+void JobStream::begin() {
+    const auto check = [this] {
+        const Options& options = job_.options;
+        check_period(options.core, splines_, options.sample_period_s, options.clock_hz,
+                     options.samples_per_tick);
+    };
+    try {
+        check();
+    } catch (const UsageError&) {
+        if (!splines_ || job_.options.exact_path || first_.size() > 0) throw;
+        draw_as_programmed();
+        check();
+    }
+    ref::PlanOptions options = job_.options.plan_options();
+    options.cuts = moves_->cuts();
+    job_.plan.made_for(job_.digest());
+    plan_.emplace([this](ref::Move& move) { return take(move); },
+                  ref::StreamFrame{job_.program.file, job_.program.aux_axes, fastest_},
+                  job_.machine, options);
+}
+
+/// The core is too slow for splines, which the program may not have.
+void JobStream::draw_as_programmed() {
+    job_.options.exact_path = true;
+    if (!job_.options.splines_set) job_.options.core.splines = 0;
+    look_at_program();
+    moves_.emplace(job_.options, job_.machine, form_);
+    warn_of_exact_path(job_);
+}
+
+void JobStream::end() {
+    job_.events = moves_->program().events();
+    const std::vector<std::string>& read = moves_->program().warnings();
+    std::vector<std::string>& warnings = job_.program.warnings;
+    warnings.insert(warnings.begin(), read.begin(), read.end());
+    job_.dialect = moves_->program().dialect();
+    if (moves_->refused()) warn_of_exact_path(job_);
+    warn_of_plan(job_, bounded_, duration_s_);
+    if (plan_->forced_stops() > 0) {
+        job_.program.warnings.push_back(fmt::format(
+            "{}:{}: warning: {} stops that nobody asked for, the first behind this move: the plan "
+            "in parts could not go on there",
+            job_.program.file, plan_->forced_stop_line(), plan_->forced_stops()));
+    }
+    job_.off = moves_->off();
+    job_.smoothed = moves_->smoothed();
+    if (moves_->replaced().splines > 0) job_.as_arcs = AsArcs{moves_->replaced(), {}};
+}
+
+Job JobStream::all(const LookAtPart& look) {
+    keeps_ = true;
+    ref::LimitWatch limits(job_.machine);
+    while (const ref::Plan* part = next()) {
+        if (look) look(job_, *part);
+        watch(*part, limits);
+        job_.plan.append(*part);
+        job_.plan.let_go();
+    }
+    job_.limits = limits.report();
+    warn_of_segments(job_);
+    return std::move(job_);
+}
+
+/// The part's moves are all that it needs.
+void JobStream::watch(const ref::Plan& part, ref::LimitWatch& limits) const {
+    const std::size_t first = part.segments.front().move;
+    ref::Program moves;
+    for (std::size_t i = first; i <= part.segments.back().move; ++i) {
+        moves.moves.push_back(job_.plan.moves[i]);
+    }
+    ref::Plan counted = part;
+    for (ref::Segment& segment : counted.segments) segment.move -= first;
+    limits.add(moves, counted);
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// A program as LinuxCNC's own interpreter reads it: sysc/linuxcnc/interpret.py runs it in a process
+// of its own and prints canonical moves as JSON lines, which sysc/linuxcnc/README.md describes.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "ref/gcode/interpreter/canonical_moves.hpp"
+#include "ref/moves/block_stream.hpp"
+#include "sysc/cli/child_process.hpp"
+
+namespace curvecore::sysc {
+
+/// A folder that goes with this object.
+class ScratchFolder {
+  public:
+    /// @throws std::runtime_error
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+class LinuxcncProgram : public ref::BlockStream {
+  public:
+    /// @param command prints the lines when it gets the file and `--scratch FOLDER`
+    LinuxcncProgram(std::vector<std::string> command, const std::string& file,
+                    double fit_tolerance);
+
+    ref::Events events() const override { return moves_.events(); }
+
+  private:
+    bool read() override;
+    std::vector<ref::Move> take(bool last) override { return moves_.take(last); }
+    ref::Program finish() override { return moves_.finish(); }
+
+    /// False at the end. @throws ref::InputError, nlohmann::json::exception
+    bool carry_out(const nlohmann::json& call);
+    /// Why no line comes any more.
+    [[noreturn]] void refuse_end();
+
+    ScratchFolder scratch_;
+    ChildProcess interpreter_;
+    ref::CanonicalMoves moves_;
+    int lines_ = 0;
+};
+
+/// A machine's files; empty: there is none.
+struct LinuxcncMachine {
+    std::string ini;
+    std::string tools;  // instead of the .ini's
+};
+
+/// By the interpreter that this program is shipped with, or by the command CURVECORE_LINUXCNC.
+std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file,
+                                               const LinuxcncMachine& machine,
+                                               double fit_tolerance);
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line asks for.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ref/feed/planner.hpp"
+#include "ref/program/program_stream.hpp"
+#include "sysc/core/core_parameters.hpp"
+#include "sysc/core/system_settings.hpp"
+
+namespace curvecore::sysc {
+
+/// What draws: the kernel, the Verilated core, or a system in SystemC with one of them as its core.
+enum class BoardKind { kKernel, kRtl, kSystemc, kSystemcRtl };
+constexpr std::array<std::string_view, 4> kBoardNames{"kernel", "rtl", "systemc", "systemc-rtl"};
+
+struct Options {
+    std::string file;
+    std::string folder;
+    std::string machine;  // empty: the built-in one
+    ref::PointsOptions points;
+    ref::GcodeOptions gcode;
+    ref::OpenProgram open_program;                // by another interpreter than this program's
+    std::shared_ptr<const ref::Program> program;  // that was made, in the file's place
+    ref::Effort effort = ref::Effort::kOptimum;
+    ref::Holds holds = ref::Holds::kBranches;
+    bool exact_path = false;              // G64's tolerance is not used
+    std::optional<double> arc_tolerance;  // mm, of --fit arcs
+    double unit_mm = 1e-6;
+    double sample_period_s = 100e-6;
+    int samples_per_tick = 1;
+    int segment_queue_words = ref::kSegmentQueueWords;  // of the core, not more than boards have
+    int profile_queue_words = ref::kProfileQueueWords;
+    double clock_hz = 100e6;
+    bool clock_set = false;    // by --clock or --core; otherwise the device's
+    std::string device;        // empty: any
+    double error_limit = 0.1;  // units: the planner keeps every segment's derived bound below it
+    CoreParameters core;
+    bool splines_set = false;   // by --set or --core; otherwise if the program has splines
+    bool aux_axes_set = false;  // the same; otherwise as many as the program needs
+    bool quiet = false;
+    bool for_steps = false;  // of a board that counts steps: words leave out no turn of an axis
+
+    // `run` alone
+    BoardKind board = BoardKind::kRtl;
+    SystemSettings system;
+    std::optional<std::uint64_t> stall_seed;
+    double override_percent = 100;
+    bool trace = false;
+    std::uint64_t trace_clocks = 20000;
+    std::uint64_t most_rows = 4000000;  // of samples.csv
+    bool segments_file = true;          // `run` and `plan`: segments.json
+
+    bool in_system() const {
+        return board == BoardKind::kSystemc || board == BoardKind::kSystemcRtl;
+    }
+    /// A Verilated core draws.
+    bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
+    int samples_per_tick_log2() const;
+    /// The override as the hardware's word, 2^16 = 100 %; above, the plan has the rest.
+    std::int32_t override_word() const;
+    double feed_factor() const;
+    ref::PlanOptions plan_options() const;
+};
+
+/// The command line as text; empty: not given, so the core's file says it, or the default stands.
+struct RawOptions {
+    std::string core;
+    std::string board;
+    std::string fit = "bessel";
+    std::string tolerance;
+    std::string ends = "natural";
+    std::string effort = "optimum";
+    std::string holds = "branches";
+    std::string path = "program";
+    std::string interpreter = "curvecore";
+    std::string dialect;
+    std::string tools;
+    std::string radii_tolerance;
+    std::string parametrisation = "chord";
+    std::string feed = "1m/min";
+    std::string unit;
+    std::string sample_period;
+    std::string samples_per_tick = "1";
+    std::string segment_queue = std::to_string(ref::kSegmentQueueWords);
+    std::string profile_queue = std::to_string(ref::kProfileQueueWords);
+    std::string device;
+    std::string clock;
+    std::string build;
+    std::string error;
+    std::string override_percent = "100";
+    std::string on = "rtl";
+    std::string stall_seed;
+    std::string trace_clocks = "20000";
+    std::string rows;
+    std::vector<std::string> set;
+    std::vector<std::string> system;
+};
+
+/// Worst error of a position on any axis, before rounding, that plans keep where nothing else is
+/// said, units.
+constexpr double kDefaultBound = 0.1;
+
+/// Values of --unit, in mm, and of --build. @throws UsageError
+double unit_of(const std::string& text);
+Build build_of(const std::string& text);
+
+/// The derived bound, before rounding, that keeps --error; empty text: `standard`, in mm. In units.
+/// @throws UsageError
+double bound_limit(const std::string& text, double standard, double unit_mm,
+                   const CoreParameters& core);
+
+/// @throws UsageError with the option's name and the reason; ref::InputError of the core's file
+void interpret(const RawOptions& raw, Options& options);
+
+}  // namespace curvecore::sysc

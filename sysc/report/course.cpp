@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/report/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ref/plan/curve_follower.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // of the path, besides the segments' ends
+
+}  // namespace
+
+Course course(const Job& job) {
+    const DrawnPlan& plan = job.plan;
+    Course found;
+    found.curvature.resize(Pictures::kBins);
+    found.deviation.resize(Pictures::kBins);
+    found.tolerance.resize(Pictures::kBins);
+    for (std::vector<Envelope>& slope : found.slope) slope.resize(Pictures::kBins);
+    const double total = std::ldexp(static_cast<double>(plan.path_length()), -16);
+    ref::CurveFollower curve;
+    plan.each_segment([&](const ref::Segment& segment, std::size_t) {
+        const double start = std::ldexp(static_cast<double>(segment.s_start), -16);
+        const double length = std::ldexp(static_cast<double>(segment.length), -16);
+        const ref::Move& move = plan.moves[segment.move];
+        const double pieces = std::ceil(length / total * static_cast<double>(kPlaces));
+        for (double i = 0; i <= pieces; ++i) {
+            const double s = length * i / std::max(pieces, 1.0);
+            const auto bin =
+                std::min(static_cast<std::size_t>((start + s) / total * Pictures::kBins),
+                         Pictures::kBins - 1);
+            const double bend = curve.curvature(segment, s) / plan.unit_mm;
+            const ref::Vec3 slope = curve.direction(segment, s);
+            found.deviation[bin].add(move.deviation);
+            if (move.deviation > 0) found.tolerance[bin].add(move.tolerance);
+            if (std::isfinite(bend)) found.curvature[bin].add(bend);
+            for (std::size_t axis = 0; axis < 3 && slope.allFinite(); ++axis) {
+                found.slope[axis][bin].add(slope[static_cast<int>(axis)]);
+            }
+        }
+    });
+    return found;
+}
+
+}  // namespace curvecore::sysc

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/report/segments_json.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+#include "ref/plan/segment_shape.hpp"
+#include "sysc/words/bus_words.hpp"
+
+namespace curvecore::sysc {
+namespace {
+
+using Text = fmt::memory_buffer;
+
+/// Three axes and the auxiliary ones that the program uses, mm.
+void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz, const ref::Aux& aux,
+           const ref::Aux& turned) {
+    const double unit = job.plan.unit_mm;
+    fmt::format_to(std::back_inserter(text), ", \"{}\": [{:.12g}, {:.12g}, {:.12g}", name,
+                   xyz.x() * unit, xyz.y() * unit, xyz.z() * unit);
+    for (std::size_t a = 0; a < static_cast<std::size_t>(job.plan.aux_axes); ++a) {
+        fmt::format_to(std::back_inserter(text), ", {:.12g}", (aux[a] + turned[a]) * unit);
+    }
+    text.push_back(']');
+}
+
+/// r(v) = start + 2^lambda ((a v + b) v + c) v in length units, up to v = beta.
+void spline(Text& text, const ref::Segment& segment) {
+    const auto out = std::back_inserter(text);
+    const auto vector = [&](const char* name, const ref::Vec3& v) {
+        fmt::format_to(out, ", \"{}\": [{:.15g}, {:.15g}, {:.15g}]", name, v.x(), v.y(), v.z());
+    };
+    vector("a", segment.a);
+    vector("b", segment.b);
+    vector("c", segment.c);
+    fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", segment.lambda, segment.beta);
+}
+
+/// JSON has no infinity: a cusp's curvature is null.
+std::string number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
+}
+
+/// Derivatives at both ends and the sharpest place.
+void shape(Text& text, const ref::Segment& segment, double unit_mm) {
+    const auto out = std::back_inserter(text);
+    const ref::SegmentShape shape = ref::segment_shape(segment);
+    const auto vector = [&](const char* name, const ref::Vec3& v) {
+        fmt::format_to(out, ", \"{}\": [{}, {}, {}]", name, number(v.x()), number(v.y()),
+                       number(v.z()));
+    };
+    vector("tangent_start", shape.tangent_start);
+    vector("tangent_end", shape.tangent_end);
+    fmt::format_to(out, ", \"curvature_start_per_mm\": {}, \"curvature_end_per_mm\": {}",
+                   number(shape.curvature_start / unit_mm), number(shape.curvature_end / unit_mm));
+    fmt::format_to(out, ", \"least_radius_mm\": {}, \"least_radius_at_mm\": {}",
+                   number(unit_mm / shape.most), number(shape.most_at * unit_mm));
+}
+
+}  // namespace
+
+void write_segments(const Job& job, const std::function<void(const std::string& text)>& write) {
+    write(fmt::format(
+        "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n\"segments\": [",
+        job.plan.unit_mm, std::ldexp(1.0, -16)));
+    SegmentWriter writer(job.options.core, job.digest());
+    job.plan.each_segment([&](const ref::Segment& segment, std::size_t i) {
+        Text text;
+        const auto out = std::back_inserter(text);
+        fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
+                       i == 0 ? "" : ",", i, segment.move, segment.line, ref::kind_name(segment));
+        point(text, "start_mm", job, segment.start, segment.aux_start, segment.aux_turned);
+        point(text, "end_mm", job, segment.end, segment.aux_end, segment.aux_turned);
+        if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);
+        shape(text, segment, job.plan.unit_mm);
+        fmt::format_to(out,
+                       ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
+                       "\"radius_mm\": {:.12g}, \"step_exponent\": {}, \"bound_lsb\": {}, "
+                       "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"ticks\": {}, \"words\": [",
+                       segment.s_start, segment.length,
+                       std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
+                       segment.radius * job.plan.unit_mm, segment.step_exponent,
+                       job.bounded(segment.kind) ? fmt::format("{:.6g}", segment.bound) : "null",
+                       segment.feed_start, segment.feed_end, segment.ticks);
+        const char* comma = "";
+        for (const std::uint64_t word : writer.write(segment)) {
+            fmt::format_to(out, "{}\"{:012x}\"", comma, word);
+            comma = ", ";
+        }
+        fmt::format_to(out, "]}}");
+        write(fmt::to_string(text));
+    });
+    write("\n]\n}\n");
+}
+
+}  // namespace curvecore::sysc

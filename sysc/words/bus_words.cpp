@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sysc/words/bus_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "hls/quantise.hpp"
+
+namespace curvecore::sysc {
+
+RunSegment JoinedSegments::next(const ref::Segment& segment) {
+    RunSegment words = hls::to_words(segment, format_);
+    if (count_++ > 0) join(segment, words);
+    last_ = words;
+    last_turned_ = segment.aux_turned;
+    return words;
+}
+
+/// A move that is shorter than half a quantum of path has no segment: that is as much as ends and
+/// starts of a plan may differ, and may round to words that differ by one.
+void JoinedSegments::join(const ref::Segment& segment, RunSegment& words) const {
+    for (int axis = 0; axis < format_.kAxes; ++axis) {
+        const auto aux = static_cast<std::size_t>(axis - 3);
+        if (axis >= 3 && segment.aux_turned[aux] != last_turned_[aux]) {
+            words.other_turn = true;
+            continue;
+        }
+        if (std::abs(words.start[axis] - last_.end[axis]) > 1) {
+            throw std::logic_error(
+                fmt::format("segment {} does not start where the one before ended", count_ - 1));
+        }
+        words.start[axis] = last_.end[axis];
+    }
+}
+
+std::vector<std::uint64_t> SegmentWriter::write(const ref::Segment& segment) {
+    const RunTimeFormat& format = segments_.format();
+    std::vector<std::uint64_t> bus(
+        static_cast<std::size_t>(ref::segment_bus_words(format.kAxes - 3)));
+    const auto number = static_cast<unsigned>(segments_.count());
+    hls::pack(segments_.next(segment), number, bus.data(), format);
+    check_.seal(bus.data(), bus.size());
+    return bus;
+}
+
+std::vector<std::uint64_t> ProfileWriter::write(const ref::Plan& plan, std::size_t index) {
+    std::vector<std::uint64_t> words;
+    const auto is_before = [](const ref::PlannedBranch& branch, std::size_t piece) {
+        return branch.piece < piece;
+    };
+    const auto branch =
+        std::lower_bound(plan.branches.begin(), plan.branches.end(), index, is_before);
+    if (branch != plan.branches.end() && branch->piece == index) {
+        words.push_back(hls::pack_stop(static_cast<std::int32_t>(branch->wait)));
+        for (const ref::StopStep& step : branch->steps) {
+            words.push_back(hls::pack(hls::to_words(step, &step == &branch->steps.back())));
+        }
+    }
+    words.resize(words.size() + hls::kProfileBusWords);
+    hls::pack(hls::to_words(plan.pieces[index]), static_cast<unsigned>(count_++),
+              &words[words.size() - hls::kProfileBusWords]);
+    check_.seal(words.data(), words.size());
+    return words;
+}
+
+}  // namespace curvecore::sysc
