@@ -7,6 +7,7 @@
 #include "hls/path_kernel.hpp"
 #include "hls/stop_schedule.hpp"
 #include "hls/time_scaler.hpp"
+#include "ref/format/queues.hpp"
 #include "sysc/board/board.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/core/run_time_format.hpp"
@@ -15,8 +16,8 @@ namespace curvecore::sysc {
 
 /// Words of 48 bits.
 struct QueueDepths {
-    int segments = kBoardSegmentWords;
-    int profile = kBoardProfileWords;
+    int segments = ref::kBoardSegmentWords;
+    int profile = ref::kBoardProfileWords;
 };
 
 class KernelBoard : public Board {

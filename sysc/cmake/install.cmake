@@ -14,13 +14,11 @@ foreach(library ref hls host)
   install(TARGETS curvecore_${library} EXPORT curvecore COMPONENT libraries
           INCLUDES DESTINATION ${headers})
 endforeach()
-foreach(folder ref hls sysc/host)
+foreach(folder ref hls sysc/cli sysc/core sysc/words sysc/job)
   cmake_path(GET folder PARENT_PATH parent)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${headers}/${parent}
           COMPONENT libraries FILES_MATCHING PATTERN *.hpp PATTERN *.def)
 endforeach()
-install(FILES ${PROJECT_SOURCE_DIR}/sysc/board/board.hpp DESTINATION ${headers}/sysc/board
-        COMPONENT libraries)
 install(EXPORT curvecore NAMESPACE curvecore:: FILE curvecoreTargets.cmake DESTINATION ${config}
         COMPONENT libraries)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/curvecoreConfigVersion.cmake
@@ -34,7 +32,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/rtl DESTINATION ${CMAKE_INSTALL_DATADIR}
 if(CURVECORE_PROGRAM)
   install(TARGETS curvecore COMPONENT program)
   # What the program makes cores of, in the tree's order beside rtl.
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/board ${PROJECT_SOURCE_DIR}/sysc/cmake
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/board ${PROJECT_SOURCE_DIR}/sysc/cores
+                    ${PROJECT_SOURCE_DIR}/sysc/cmake
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
           FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/cli/html_page.hpp"
 #include "sysc/compare/compare_report.hpp"
-#include "sysc/widths/compare_template.hpp"
+#include "sysc/compare/compare_template.hpp"
 
 namespace curvecore::sysc {
 

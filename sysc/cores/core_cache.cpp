@@ -170,7 +170,7 @@ CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "bu
 
 std::string CoreCache::digest(const CoreParameters& parameters) const {
     std::vector<fs::path> files;
-    for (const char* folder : {"rtl", "sysc/board", "sysc/cmake"}) {
+    for (const char* folder : {"rtl", "sysc/board", "sysc/cores", "sysc/cmake"}) {
         for (const auto& entry : fs::recursive_directory_iterator(sources_ / folder)) {
             const std::string kind = entry.path().extension();
             if (kind == ".sv" || kind == ".hpp" || kind == ".sh") files.push_back(entry.path());

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sysc/core/board_file.hpp"
-#include "sysc/widths/placed_boards_data.hpp"
+#include "sysc/cost/placed_boards_data.hpp"
 
 namespace curvecore::sysc {
 namespace {

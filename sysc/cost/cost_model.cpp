@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sysc/cost/cost_structure.hpp"
-#include "sysc/widths/cost_model_data.hpp"
+#include "sysc/cost/cost_model_data.hpp"
 
 namespace curvecore::sysc {
 namespace {
