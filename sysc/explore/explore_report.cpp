@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sysc/cli/html_page.hpp"
-#include "sysc/system/explore_template.hpp"
+#include "sysc/explore/explore_template.hpp"
 
 namespace curvecore::sysc {
 namespace {

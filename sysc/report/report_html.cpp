@@ -10,7 +10,7 @@
 #include "sysc/cli/html_page.hpp"
 #include "sysc/report/course.hpp"
 #include "sysc/report/limit_text.hpp"
-#include "sysc/watch/report_template.hpp"
+#include "sysc/report/report_template.hpp"
 
 namespace curvecore::sysc {
 namespace {
