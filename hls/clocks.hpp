@@ -43,7 +43,7 @@ constexpr int samples_ahead(const TimedCore& core) {
 /// Words of a segment on the bus (hls/words.hpp), one a clock, and two clocks to hand them over.
 constexpr int load_clocks(const TimedCore& core) { return 19 + 3 * core.aux_axes; }
 
-/// Digits of two bits of a weight: rtl/arithmetic/digit_multiplier.sv.
+/// Digits of two bits of a weight: rtl/multiplier/digit_multiplier.sv.
 constexpr int weight_digits(const TimedCore& core) { return (core.coef_bits + 1) / 2; }
 
 /// A step of rtl/sine_cosine_interpolator.sv, from one start to the next.
@@ -151,7 +151,7 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
 /// jump costs a clock.
 constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 32;
 
-/// Serial build, rtl/path/time_scaler_serial.sv: from a tick's target to its rate, at most. The
+/// Serial build, rtl/time/time_scaler_serial.sv: from a tick's target to its rate, at most. The
 /// tick before is evaluated meanwhile.
 constexpr int kSerialScaleClocks = 58;
 

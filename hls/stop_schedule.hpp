@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stop branches as they pass: which of them a stop may take, and when it begins. Twin:
-// rtl/path/stop_memory.sv.
+// rtl/time/stop_memory.sv.
 //
 // A branch stands before a piece. Where that begins in a tick of rate 1, the branch is the next
 // one: due kStopLead ticks later, when every tick that was on its way has been taken. At other

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words of the time scaler: the rate of time r follows hold, resume and override with bounded first
-// and second differences. Twin: rtl/path/time_scaler.sv.
+// and second differences. Twin: rtl/time/time_scaler.sv.
 //
 // r has 32 fraction bits. Per tick its slope changes by at most `acceleration` and never exceeds
 // `slope`; r slows down in time to meet the target without overshoot. Where nothing is under way
@@ -43,7 +43,7 @@ struct StopDue {
 class TimeScaler {
   public:
     /// acceleration in [8, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. What does not fit
-    /// is not obeyed: rtl/path/motion_settings.sv.
+    /// is not obeyed: rtl/time/motion_settings.sv.
     static constexpr bool fits(std::int64_t acceleration, std::int64_t slope) {
         return acceleration >= 1 << ref::kFineShift && acceleration <= std::int64_t(1) << 31 &&
                slope >= acceleration && slope <= std::int64_t(1) << 32;

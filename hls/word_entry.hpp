@@ -2,7 +2,7 @@
 // Which words may enter a core's queues: whole frames, each word one that can be, frame after
 // frame, each segment from where the one before ended, made for the digest that is asked for. The
 // first word that is not cuts the stream.
-// Twins: rtl/queue/segment_entry.sv, rtl/path/piece_entry.sv.
+// Twins: rtl/queue/segment_entry.sv, rtl/queue/piece_entry.sv.
 #pragma once
 
 #include "hls/word_check.hpp"

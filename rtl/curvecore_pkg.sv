@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Constants that several modules share.  Twin of the formats: hls/configuration.hpp.
 package curvecore_pkg;
-  // Clocks from a multiplier's operands to its product (rtl/arithmetic/multiplier.sv).
+  // Clocks from a multiplier's operands to its product (rtl/multiplier/multiplier.sv).
   localparam int MultiplierLatency = 5;
 
   // Formats that no parameter changes.

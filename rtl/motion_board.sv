@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_system behind a stream of bytes: frames in, answers out (rtl/bus/frame_port.sv). What
-// carries the bytes is the board's: rtl/bus/uart_line.sv, a FIFO, a socket.
+// motion_system behind a stream of bytes: frames in, answers out (rtl/line/frame_port.sv). What
+// carries the bytes is the board's: rtl/line/uart_line.sv, a FIFO, a socket.
 `default_nettype none
 module motion_board #(
     parameter int Build             = 1,     // 0 parallel, 1 serial

@@ -12,7 +12,7 @@
 #define CURVECORE_FIELD(word, name) \
     (((uint32_t)(word)&CURVECORE_##name##_MASK) >> CURVECORE_##name##_LOW)
 
-/* Bytes of a frame, without its CRC: rtl/bus/frame_port.sv. */
+/* Bytes of a frame, without its CRC: rtl/line/frame_port.sv. */
 #define CURVECORE_LONGEST_FRAME 251
 
 /* All faults in a word of STATE. */

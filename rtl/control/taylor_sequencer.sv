@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One integration step of a network of Riemann integrators: order after order, the weights
 // w[i] = floor(theta reciprocal[i] / 2^(Bits-1) + 1/2) made on the way, each while the order before
-// it is multiplied.  Slots of Digits + 3 cycles (rtl/arithmetic/digit_multiplier.sv):
+// it is multiplied.  Slots of Digits + 3 cycles (rtl/multiplier/digit_multiplier.sv):
 //
 //   cycle            control_o
 //   0                start_i and ready_o; fresh_i: the state will be loaded, not advanced

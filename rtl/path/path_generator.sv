@@ -36,7 +36,7 @@ module path_generator #(
     input  wire logic        held_i,        // target 0: no program begins
     output logic             tick_taken_o,
 
-    // Stop branches, to the time scaler: rtl/path/stop_memory.sv
+    // Stop branches, to the time scaler: rtl/time/stop_memory.sv
     input  wire logic        scaled_i,      // a tick that the scaler takes in
     output logic      [20:0] due_o,         // begins, next_wait
     output logic             step_valid_o,

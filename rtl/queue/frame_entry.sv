@@ -4,7 +4,7 @@
 // made for (hls/word_check.hpp).  The first that is not cuts the stream: it and all that follow are
 // taken and dropped, until reset.
 // Which word has to come, and what it may be, the stream says: rtl/queue/segment_entry.sv,
-// rtl/path/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
+// rtl/queue/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
 //
 //   clock        0      1      2
 //   valid_i      1

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
     file.print("  localparam int StopSteps = {};\n", kStopSteps);
     file.print(
         "\n  // Ticks without a program behind which nothing is under way: "
-        "rtl/path/idle_gate.sv\n");
+        "rtl/time/idle_gate.sv\n");
     file.print("  localparam int IdleTicks = {};\n", kIdleTicks);
     file.print("\nendpackage\n`default_nettype wire\n");
 }

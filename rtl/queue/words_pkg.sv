@@ -77,7 +77,7 @@ package words_pkg;
   localparam int StopLead = 32;
   localparam int StopSteps = 256;
 
-  // Ticks without a program behind which nothing is under way: rtl/path/idle_gate.sv
+  // Ticks without a program behind which nothing is under way: rtl/time/idle_gate.sv
   localparam int IdleTicks = 16;
 
 endpackage

@@ -99,7 +99,7 @@ class Device(Tools):
     """A row of the table, with its tools."""
 
     cost_family: str = ""
-    form: int = 0  # parameter MultiplierForm of the cores, Form of rtl/arithmetic/multiplier.sv
+    form: int = 0  # parameter MultiplierForm of the cores, Form of rtl/multiplier/multiplier.sv
     available: dict = None
     dsp_limit: float = None  # MHz: nextpnr does not time the inside of a DSP block
 

@@ -13,7 +13,7 @@ constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a bl
 
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
-/// rtl/arithmetic/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
+/// rtl/multiplier/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
 /// signed, and one for every pair with a low half, which is unsigned and what is above 18 bits.
 int portable(int a_bits, int b_bits, const Device& device) {
     const int a_low = a_bits - 18;
@@ -30,7 +30,7 @@ int portable(int a_bits, int b_bits, const Device& device) {
     return 0;
 }
 
-/// rtl/arithmetic/multiplier.sv.
+/// rtl/multiplier/multiplier.sv.
 int multiplier(int a_bits, int b_bits, const Device& device) {
     if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
     if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // When queues run low: less of the plan is in one of them than a stop takes. The core then stops
-// time until there is more. Twin: rtl/path/underrun_guard.sv.
+// time until there is more. Twin: rtl/queue/underrun_guard.sv.
 #pragma once
 
 #include <array>

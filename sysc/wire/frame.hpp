@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of accesses to a board's registers, LBP16 commands: rtl/bus/frame_reader.sv.
+// Frames of accesses to a board's registers, LBP16 commands: rtl/line/frame_reader.sv.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace curvecore::sysc {
 
-/// Bytes of a frame at most: rtl/bus/frame_port.sv.
+/// Bytes of a frame at most: rtl/line/frame_port.sv.
 constexpr std::size_t kLongestFrame = CURVECORE_LONGEST_FRAME;
 /// Bytes of a command with its address, and of each word that is pushed.
 constexpr std::size_t kCommandBytes = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames over SPI as rtl/bus/spi_line.sv has them: SLIP's bytes both ways at once.
+// Frames over SPI as rtl/line/spi_line.sv has them: SLIP's bytes both ways at once.
 //
 //     to the board     | frame .. end | end end end end end end end ..
 //     from the board   | end end ..   | answer .. end | end end ..

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/bus/frame_reader.sv with any bytes, behind registers that answer in two clocks: it goes on
+// rtl/line/frame_reader.sv with any bytes, behind registers that answer in two clocks: it goes on
 // whatever they are; a request stays until it is answered, and is no write of EXPECT; an answer
 // is closed once, behind a byte of it.
 // control: HANGS_ON_A_BYTE s/takes = !last;/takes = !last \&\& !low_q[7];/

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/idle_gate.sv, before a scaler and a path generator of any latency in which programs
+// rtl/time/idle_gate.sv, before a scaler and a path generator of any latency in which programs
 // begin and end at any tick. A tick is watched, any, with those before it in their order, which the
 // gate does not know: as it is taken, it lands if and only if no program was under way after each
 // of the 16 before it, its target or one since the last landing was new, and no stop was going on.

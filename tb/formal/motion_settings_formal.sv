@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/motion_settings.sv: settings change only where nothing is under way, a tick starts only
+// rtl/time/motion_settings.sv: settings change only where nothing is under way, a tick starts only
 // when good_o tells of those that stand, which are then within their ranges or not obeyed, the time
 // scaler begins anew with two clocks of them; they are taken at once when it is quiet; faults come
 // where they must and nowhere else. Words have a few bits at both ends.

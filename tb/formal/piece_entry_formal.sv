@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
+// rtl/queue/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
 // numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
 // hls/words.hpp says it, and has the check of those before it in its program, begun with the
 // digest; whole pieces alone are counted, each with the ticks and final of its own words; a path

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/program_ledger.sv: a stream whose program has ended waits until the other's has, too;
+// rtl/queue/program_ledger.sv: a stream whose program has ended waits until the other's has, too;
 // then the two are apart exactly if path or ticks are not the same, and that stays. complete_o
 // tells whether the last segment of the program under way is in, or of the next if there is none,
 // next_complete_o the same of the one behind the final piece that is under way; lead_o is the ticks

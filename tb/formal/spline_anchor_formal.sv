@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/network/spline_anchor.sv: every begin starts the network once, in the cycle of the table in
+// rtl/anchor/spline_anchor.sv: every begin starts the network once, in the cycle of the table in
 // its header, and gives every word in its cycle and in no other; at rest, where a begin finds it,
 // nothing comes. A reset lasts two clocks, and starts nothing. Anchor 0: a segment's first step has
 // what every step has with 1.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/standstill.sv: while it says that the machine stands, no sample moves that was asked for
+// rtl/time/standstill.sv: while it says that the machine stands, no sample moves that was asked for
 // two clocks before or earlier and did not leave; where it could say so, it does. One sample is
 // followed: any one. A tick moves its samples when a program is under way, or begins in it, and the
 // rate of time does not rest.

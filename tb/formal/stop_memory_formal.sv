@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/stop_memory.sv, with ticks on their way as they like, 16 at most: a branch is told
+// rtl/time/stop_memory.sv, with ticks on their way as they like, 16 at most: a branch is told
 // StopLead ticks after the one in which its piece began, a first piece without one as if it had one
 // with a wait of 1, and nothing else is; not before what is under way was told. It begins if that
 // tick had the rate 1.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/arithmetic/folded_multiplier.sv in both forms against 128-bit integers.
+// rtl/multiplier/folded_multiplier.sv in both forms against 128-bit integers.
 #include <gtest/gtest.h>
 
 #include <random>

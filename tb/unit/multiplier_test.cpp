@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/arithmetic/multiplier.sv in every form against 128-bit integers.
+// rtl/multiplier/multiplier.sv in every form against 128-bit integers.
 #include <gtest/gtest.h>
 
 #include <deque>

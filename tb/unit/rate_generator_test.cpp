@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/rate_generator.sv against TimeScaler: rates of ticks under any settings, and what it
+// rtl/time/rate_generator.sv against TimeScaler: rates of ticks under any settings, and what it
 // tells of them. The bench is the path side: it takes rates, sends samples, lets them leave.
 #include <gtest/gtest.h>
 

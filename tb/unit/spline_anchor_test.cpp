@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/network/spline_anchor.sv equals the start of a step in hls/spline_kernel.hpp, word for word.
+// rtl/anchor/spline_anchor.sv equals the start of a step in hls/spline_kernel.hpp, word for word.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/time_scaler.sv, time_scaler_serial.sv against TimeScaler, tick by tick.
+// rtl/time/time_scaler.sv, time_scaler_serial.sv against TimeScaler, tick by tick.
 #include "hls/time_scaler.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What waits in a core's queues must outlast a stop: else a host that stalls would end the motion
-// with a jerk, so the core refuses to begin (rtl/path/underrun_guard.sv).
+// with a jerk, so the core refuses to begin (rtl/queue/underrun_guard.sv).
 #pragma once
 
 #include <vector>

@@ -77,7 +77,7 @@ TEST(CostModel, CountsTheBlocksOfEachOrdersWords) {
     EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 26);
 }
 
-/// What Yosys made of rtl/arithmetic/multiplier.sv alone, of these widths.
+/// What Yosys made of rtl/multiplier/multiplier.sv alone, of these widths.
 TEST(CostModel, CountsTheBlocksOfThePortableMultiplier) {
     struct Made {
         const char* device;

@@ -10,7 +10,7 @@
 // A piece is counted from put_i, after its last word's entry, until take_i of it; put_i and take_i
 // come one at a time. ticks_o follows take_i by 2 clocks: so the ticks of a piece are never counted
 // here and as those of the present one, which is told in the clock after take_i and read a clock
-// later (rtl/path/underrun_guard.sv).
+// later (rtl/queue/underrun_guard.sv).
 `default_nettype none
 module piece_ledger #(
     parameter int QueueWords = 512  // [16, 4096]

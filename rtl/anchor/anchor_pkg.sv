@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Operations of rtl/network/spline_anchor.sv.
+// Operations of rtl/anchor/spline_anchor.sv.
 package anchor_pkg;
   localparam logic [3:0] Nothing = 4'd0;
   localparam logic [3:0] Mean = 4'd1;  // b + 3a v / 2

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame as rtl/bus/slip_receiver.sv takes it. After the frame's last byte close_i asks for CRC
+// A frame as rtl/line/slip_receiver.sv takes it. After the frame's last byte close_i asks for CRC
 // and END; ready_o answers either.
 `default_nettype none
 module slip_sender (

@@ -11,7 +11,7 @@ module frame_buffer (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // What arrives: rtl/bus/slip_receiver.sv
+    // What arrives: rtl/line/slip_receiver.sv
     input wire logic       data_valid_i,
     input wire logic [7:0] data_i,
     input wire logic       end_valid_i,

@@ -24,7 +24,7 @@
 //
 // where rest is the way to the target in the present direction, braking what braking still moves.
 //
-// A stop from the rate 1 that a branch makes leaves them alone: rtl/path/stop_taker.sv.
+// A stop from the rate 1 that a branch makes leaves them alone: rtl/time/stop_taker.sv.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,

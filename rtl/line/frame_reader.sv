@@ -20,12 +20,12 @@ module frame_reader (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Frames: rtl/bus/frame_buffer.sv
+    // Frames: rtl/line/frame_buffer.sv
     input  wire logic       read_valid_i,
     input  wire logic [7:0] read_i,
     output logic            next_o,
 
-    // Answers: rtl/bus/slip_sender.sv
+    // Answers: rtl/line/slip_sender.sv
     output logic            data_valid_o,
     output logic      [7:0] data_o,
     output logic            close_o,

@@ -15,7 +15,7 @@ module rate_generator #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Settings, ranges: rtl/path/motion_settings.sv; active_i, queued_i: of a program's pieces
+    // Settings, ranges: rtl/time/motion_settings.sv; active_i, queued_i: of a program's pieces
     input  wire logic [ 3:0] samples_per_tick_log2_i,
     input  wire logic [31:0] hold_acceleration_i,
     input  wire logic [32:0] hold_slope_i,
@@ -42,7 +42,7 @@ module rate_generator #(
     output logic      [16:0] rate_o,
     output logic             held_o,        // the target is 0
 
-    // Stop branches: rtl/path/stop_memory.sv
+    // Stop branches: rtl/time/stop_memory.sv
     output logic             scaled_o,      // a tick is taken in
     input  wire logic [20:0] due_i,         // begins, next_wait
     input  wire logic        step_valid_i,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/time_scaler.sv for the serial build: the same rates, one tick after the other, by the
+// rtl/time/time_scaler.sv for the serial build: the same rates, one tick after the other, by the
 // program of rtl/path/time_sequencer.sv on one adder; a rate waits until it is taken.
 //
 //   clock      0        n
