@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
-#include "sysc/cost/cost_structure.hpp"
 #include "sysc/cost/cost_model_data.hpp"
+#include "sysc/cost/cost_structure.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/stream_command.hpp"

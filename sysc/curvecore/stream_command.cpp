@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hls/registers/registers.h"
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/help.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hls/registers/registers.h"
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 #include "sysc/cli/usage_error.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "hls/registers/registers.h"
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cctype>
 
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 
 namespace curvecore::sysc {
 

@@ -8,7 +8,7 @@
 
 #include "hls/registers/registers.h"
 #include "hls/words.hpp"
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 #include "sysc/board/faults.hpp"
 #include "sysc/cli/usage_error.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "ref/gcode/state/coordinates.hpp"
+#include "ref/curve/axes.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/wire/home_settings.hpp"
 
