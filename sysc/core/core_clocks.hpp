@@ -3,7 +3,7 @@
 #pragma once
 
 #include "hls/clocks.hpp"
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "sysc/core/core_parameters.hpp"
 
 namespace curvecore::sysc {

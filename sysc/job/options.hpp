@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "ref/program/program_stream.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/core/system_settings.hpp"

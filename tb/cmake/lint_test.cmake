@@ -65,6 +65,7 @@ function(add_lint_tests)
   lint_test(packages ${PROJECT_SOURCE_DIR}/.venv/bin/python3
             ${PROJECT_SOURCE_DIR}/tb/lint/packages.py)
   lint_test(configurations ${PROJECT_SOURCE_DIR}/tb/lint/configurations.py)
+  lint_test(rooms ${PROJECT_SOURCE_DIR}/tb/lint/rooms.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.sh ${PROJECT_SOURCE_DIR})
   lint_test(readme_tables ${PROJECT_SOURCE_DIR}/scripts/readme_tables.py --check)
   lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})

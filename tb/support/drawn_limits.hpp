@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "ref/plan/curve_follower.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/words/path_cursor.hpp"

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "ref/feed/planner.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "tb/support/program_builder.hpp"
 
 namespace curvecore::tb {
