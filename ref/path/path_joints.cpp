@@ -89,8 +89,8 @@ bool PathJoints::is_long(std::size_t joint) const {
 }
 
 /// Whether a joint may be passed as fast as the feed asks: over the joint time
-/// (ref/limits/limits.hpp) the change of velocity asks for no more than the jerk that is allowed, nor
-/// that of v^2 r''.
+/// (ref/limits/limits.hpp) the change of velocity asks for no more than the jerk that is allowed,
+/// nor that of v^2 r''.
 bool PathJoints::passed(std::size_t joint, const Change& change) const {
     const double v = std::max(speed(joint - 1), speed(joint));
     const double t = pace_.joint_time;

@@ -57,7 +57,7 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// | format                 |        | word widths and order of the core                          |
 /// | aux_axes               | 1      | auxiliary axes of the core; more in a program are refused  |
 /// | error_limit            | units  | every segment's derived bound stays below it               |
-/// | core                   |        | seconds that the core takes, ref/feed/places/step_speed.hpp       |
+/// | core                   |        | seconds that the core takes: feed/places/step_speed.hpp    |
 /// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |

@@ -10,7 +10,7 @@
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/wire/board_server.hpp"
+#include "sysc/virtual/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 
 namespace curvecore::sysc {

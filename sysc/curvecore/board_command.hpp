@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "sysc/wire/link.hpp"
+#include "sysc/link/link.hpp"
 
 namespace curvecore::sysc {
 

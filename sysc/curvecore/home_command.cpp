@@ -10,8 +10,8 @@
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/curvecore/stream_command.hpp"
-#include "sysc/wire/encoders.hpp"
-#include "sysc/wire/homing.hpp"
+#include "sysc/home/encoders.hpp"
+#include "sysc/home/homing.hpp"
 
 namespace curvecore::sysc {
 namespace {

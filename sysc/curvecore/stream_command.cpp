@@ -13,8 +13,8 @@
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/help.hpp"
 #include "sysc/curvecore/output_folder.hpp"
-#include "sysc/wire/encoders.hpp"
-#include "sysc/wire/start_check.hpp"
+#include "sysc/home/encoders.hpp"
+#include "sysc/home/start_check.hpp"
 #include "sysc/wire/wire_stream.hpp"
 
 namespace curvecore::sysc {

@@ -9,7 +9,7 @@
 #include "hls/registers/board_link.h"
 #include "sysc/board/board.hpp"
 #include "sysc/core/core_parameters.hpp"
-#include "sysc/wire/frame_stream.hpp"
+#include "sysc/link/frame_stream.hpp"
 
 namespace curvecore::sysc {
 

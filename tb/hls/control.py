@@ -10,7 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-NEEDED = ("hls", "ref", "rtl", "scripts", "sysc/board", "sysc/cores", "sysc/cost", "tb/hls", "tb/support")
+NEEDED = ("hls", "ref", "rtl", "scripts", "sysc/board", "sysc/cores", "sysc/cost", "tb/hls",
+          "tb/support")
 CONFIGURATION = ("Order=4", "CoefBits=18", "PositionBits=24", "GuardBits=4")
 
 root, file, before, after, status, message = sys.argv[1:]

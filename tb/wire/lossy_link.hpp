@@ -8,9 +8,9 @@
 #include <map>
 #include <random>
 
-#include "sysc/wire/frame.hpp"
-#include "sysc/wire/link.hpp"
-#include "sysc/wire/virtual_board.hpp"
+#include "sysc/link/frame.hpp"
+#include "sysc/link/link.hpp"
+#include "sysc/virtual/virtual_board.hpp"
 
 namespace curvecore::sysc {
 

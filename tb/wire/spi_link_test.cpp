@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The host's end of SPI against the Verilated board's pins, 16 clocks a bit. The clock goes with
 // SPI's: a board that nobody asks stands still.
-#include "sysc/wire/spi_link.hpp"
+#include "sysc/link/spi_link.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 
 #include "Vspi_board.h"
 #include "sysc/cores/clocked_dut.hpp"
-#include "sysc/wire/board_server.hpp"
+#include "sysc/virtual/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 #include "sysc/wire/wire_stream.hpp"
 

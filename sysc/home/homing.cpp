@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/homing.hpp"
+#include "sysc/home/homing.hpp"
 
 #include <fmt/format.h>
 

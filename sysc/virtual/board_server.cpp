@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/board_server.hpp"
+#include "sysc/virtual/board_server.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/wire/frame.hpp"
-#include "sysc/wire/readable.hpp"
+#include "sysc/link/frame.hpp"
+#include "sysc/link/readable.hpp"
 
 namespace curvecore::sysc {
 namespace {

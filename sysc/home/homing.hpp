@@ -14,8 +14,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "sysc/home/home_settings.hpp"
 #include "sysc/job/options.hpp"
-#include "sysc/wire/home_settings.hpp"
 #include "sysc/wire/wire_stream.hpp"
 
 namespace curvecore::sysc {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/home_settings.hpp"
+#include "sysc/home/home_settings.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "ref/machine/machine.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
-#include "sysc/wire/joints.hpp"
+#include "sysc/home/joints.hpp"
 
 namespace curvecore::sysc {
 namespace {

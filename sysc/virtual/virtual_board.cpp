@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/virtual_board.hpp"
+#include "sysc/virtual/virtual_board.hpp"
 
 #include <algorithm>
 #include <utility>

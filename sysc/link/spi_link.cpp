@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/spi_link.hpp"
+#include "sysc/link/spi_link.hpp"
 
 #include <thread>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "sysc/wire/slip.hpp"
+#include "sysc/link/slip.hpp"
 
 namespace curvecore::sysc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/joints.hpp"
+#include "sysc/home/joints.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "sysc/wire/link.hpp"
+#include "sysc/link/link.hpp"
 
 namespace curvecore::sysc {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/encoders.hpp"
+#include "sysc/home/encoders.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/wire/joints.hpp"
+#include "sysc/home/joints.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <deque>
 
-#include "sysc/wire/link.hpp"
+#include "sysc/link/link.hpp"
 
 namespace curvecore::sysc {
 

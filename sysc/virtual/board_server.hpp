@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "sysc/wire/virtual_board.hpp"
+#include "sysc/virtual/virtual_board.hpp"
 
 namespace curvecore::sysc {
 

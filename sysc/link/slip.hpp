@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frames on a stream of bytes: SLIP (RFC 1055) around a frame and its CRC-32, low byte first. The
-// other end: rtl/line/slip_receiver.sv, slip_sender.sv. Two escapes are no byte: rtl/line/spi_line.sv
-// says them inside a frame that has to wait.
+// other end: rtl/line/slip_receiver.sv, slip_sender.sv. Two escapes are no byte:
+// rtl/line/spi_line.sv says them inside a frame that has to wait.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "sysc/wire/slip.hpp"
+#include "sysc/link/slip.hpp"
 
 namespace curvecore::sysc {
 

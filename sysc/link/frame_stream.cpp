@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/frame_stream.hpp"
+#include "sysc/link/frame_stream.hpp"
 
 #include <algorithm>
 

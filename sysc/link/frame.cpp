@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/frame.hpp"
+#include "sysc/link/frame.hpp"
 
 namespace curvecore::sysc {
 namespace {

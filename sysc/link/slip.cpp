@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/slip.hpp"
+#include "sysc/link/slip.hpp"
 
 #include <boost/crc.hpp>
 #include <utility>

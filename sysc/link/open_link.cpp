@@ -8,8 +8,8 @@
 #include <charconv>
 
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/wire/readable.hpp"
-#include "sysc/wire/spi_link.hpp"
+#include "sysc/link/readable.hpp"
+#include "sysc/link/spi_link.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -7,8 +7,8 @@
 #include <deque>
 #include <stdexcept>
 
-#include "sysc/wire/frame.hpp"
-#include "sysc/wire/link.hpp"
+#include "sysc/link/frame.hpp"
+#include "sysc/link/link.hpp"
 
 namespace curvecore::sysc {
 

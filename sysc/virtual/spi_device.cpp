@@ -8,7 +8,7 @@
 #include <boost/system/system_error.hpp>
 #include <cerrno>
 
-#include "sysc/wire/spi_link.hpp"
+#include "sysc/link/spi_link.hpp"
 
 namespace curvecore::sysc {
 namespace {

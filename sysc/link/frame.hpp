@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hls/registers/board_link.h"
-#include "sysc/wire/slip.hpp"
+#include "sysc/link/slip.hpp"
 
 namespace curvecore::sysc {
 

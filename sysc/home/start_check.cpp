@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/wire/start_check.hpp"
+#include "sysc/home/start_check.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "ref/curve/axes.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/wire/home_settings.hpp"
+#include "sysc/home/home_settings.hpp"
 
 namespace curvecore::sysc {
 namespace {
