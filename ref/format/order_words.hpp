@@ -15,9 +15,9 @@
 // and that is below 2^(1-r) with r = T (i-1) + ceil(log2 i!), since i! is well above a power of two
 // for i > 2 (tb/model/series/order_words_test.cpp: for every configuration). So the top r bits are
 // copies of the sign, W - r bits hold the very same word. Cutting t low bits of tau in that stage
-// moves the sample by less than A_i 2^t half, times tau <= 1 on its way out: with t = r - kSpare by less
-// than 2^(1-kSpare) half. Stage 1 keeps all its bits: |N_1 + advance| < 2, and an error of its tau
-// is one along the path.
+// moves the sample by less than A_i 2^t half, times tau <= 1 on its way out: with t = r - kSpare by
+// less than 2^(1-kSpare) half. Stage 1 keeps all its bits: |N_1 + advance| < 2, and an error of its
+// tau is one along the path.
 //
 // | parameter | range    | meaning                                                  |
 // |-----------|----------|----------------------------------------------------------|

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ref/feed/stops/queue_cover.hpp: what waits in the queues outlasts a stop, whatever the program; and
-// a stop takes no more ticks than is planned for.
+// ref/feed/stops/queue_cover.hpp: what waits in the queues outlasts a stop, whatever the program;
+// and a stop takes no more ticks than is planned for.
 #include <gtest/gtest.h>
 
 #include <cmath>
