@@ -6,8 +6,6 @@
 
 namespace curvecore::sysc {
 
-/// The length unit as --unit names it.
-std::string unit_text(const Job& job);
 /// A file's name for a comment line: it may hold a line break, which would end it.
 inline std::string comment_safe(std::string text) {
     for (char& c : text) {

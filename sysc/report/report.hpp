@@ -41,6 +41,9 @@ struct Report {
 /// x y z, then a b c u v w as far as the program uses them.
 std::vector<std::string> axis_names(const Job& job);
 
+/// The length unit as --unit names it.
+std::string unit_text(const Job& job);
+
 /// h min s, as short as the value allows.
 std::string time_text(double seconds);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "hls/top/top_configuration.hpp"
+#include "ref/curve/axes.hpp"
 #include "tb/hls/pipeline_bench.hpp"
 
 namespace curvecore::tb {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hls/quantise.hpp"
+#include "ref/feed/planner.hpp"
 #include "sysc/core/core_clocks.hpp"
 #include "tb/support/motion_bench.hpp"
 #include "tb/support/tiny_moves.hpp"

@@ -10,6 +10,7 @@
 #include "hls/time_scaler.hpp"
 #include "ref/feed/pieces/limit_report.hpp"
 #include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/feed/ramps/ramp.hpp"
 #include "tb/support/program_builder.hpp"
 

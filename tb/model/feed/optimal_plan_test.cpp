@@ -7,6 +7,7 @@
 
 #include "ref/feed/pieces/limit_report.hpp"
 #include "ref/feed/pieces/piece_walk.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_path.hpp"

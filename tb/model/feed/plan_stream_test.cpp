@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
 #include "ref/text/input_error.hpp"
 #include "tb/support/drawn_limits.hpp"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hls/words.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
 #include "tb/support/chopped_curves.hpp"

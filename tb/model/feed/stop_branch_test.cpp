@@ -3,6 +3,7 @@
 // plans that use nearly all of the limits.
 #include <gtest/gtest.h>
 
+#include "ref/feed/planner.hpp"
 #include "ref/limits/limits.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/even_paths.hpp"

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "ref/feed/pieces/limit_report.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/gcode/interpreter/canonical_moves.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/limits.hpp"

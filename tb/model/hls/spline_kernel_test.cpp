@@ -14,6 +14,7 @@
 #include "hls/quantise.hpp"
 #include "ref/bound/spline_words.hpp"
 #include "ref/curve/arc_length.hpp"
+#include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/curves/spline_families.hpp"
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/feed/places/path_places.hpp"
+#include "ref/feed/planner.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_splines.hpp"

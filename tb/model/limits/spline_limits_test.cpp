@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/feed/pieces/limit_report.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/limits/spline_shape.hpp"
 #include "tb/support/cubics.hpp"
 #include "tb/support/random_splines.hpp"

@@ -7,6 +7,7 @@
 #include <climits>
 
 #include "ref/feed/pieces/profile_words.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/feed/windows/velocity_course.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/limits.hpp"

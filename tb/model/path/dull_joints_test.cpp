@@ -3,6 +3,7 @@
 // positions alone. A third difference over h is a mean of the jerk over 3 h.
 #include <gtest/gtest.h>
 
+#include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
 #include "tb/support/drawn_limits.hpp"
 #include "tb/support/random_lines.hpp"

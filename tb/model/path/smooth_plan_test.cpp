@@ -3,6 +3,7 @@
 // of the drawn positions, whatever was smoothed.
 #include <gtest/gtest.h>
 
+#include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
 #include "tb/support/chopped_curves.hpp"
 #include "tb/support/drawn_limits.hpp"

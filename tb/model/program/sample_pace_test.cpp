@@ -8,6 +8,7 @@
 #include <climits>
 #include <random>
 
+#include "ref/feed/planner.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/report/report.hpp"
 #include "sysc/watch/predicted_pace.hpp"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ref/feed/planner.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "ref/text/input_error.hpp"
 #include "tb/support/program_builder.hpp"

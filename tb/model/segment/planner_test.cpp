@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hls/quantise.hpp"
+#include "ref/bound/error_bound.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/travel.hpp"
 #include "ref/plan/segment_curve.hpp"

@@ -4,6 +4,7 @@
 
 #include "hls/quantise.hpp"
 #include "ref/curve/arc_length.hpp"
+#include "ref/feed/planner.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/travel.hpp"
 #include "ref/plan/segment_curve.hpp"
