@@ -264,7 +264,7 @@ core_test(step_edges k13 TOP step_generator
           PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=13 TimeBits=12)
 # A program from words to steps: the serial core beside the step generator.
 verilated_model(motion_steps_core TOP motion_interpolator PARAMS Build=1 Splines=1 Mode=1)
-core_test(motion_steps serial TOP step_generator LIBRARIES motion_steps_core curvecore_host
+core_test(motion_steps serial TOP step_generator LIBRARIES motion_steps_core curvecore_board
           PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=8 TimeBits=12)
 target_compile_definitions(motion_steps_serial
                            PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
@@ -325,22 +325,22 @@ set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 Samp
                   TimeBits=10 ScaleBits=48
                   ClockHertz=2560000 SampleBufferWords=512)
 set(serial ${system} Build=1 Galvo=0)
-core_test(motion_system serial TOP motion_system LIBRARIES curvecore_host ${serial})
+core_test(motion_system serial TOP motion_system LIBRARIES curvecore_board ${serial})
 rows(tests *.Draws* *.Random* MORE *)  # the parallel core's model is slow
 list(JOIN tests ":" tests)
-core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_host
+core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
           ${system} Build=0 Galvo=1)
-core_test(position_mode serial TOP motion_system LIBRARIES curvecore_host ${serial})
+core_test(position_mode serial TOP motion_system LIBRARIES curvecore_board ${serial})
 # Nothing else there depends on scan heads.
-core_test(position_mode galvo TOP motion_system TESTS *.ScanHeads* LIBRARIES curvecore_host
+core_test(position_mode galvo TOP motion_system TESTS *.ScanHeads* LIBRARIES curvecore_board
           ${system} Build=1 Galvo=1)
-core_test(motion_begin serial TOP motion_system LIBRARIES curvecore_host ${serial})
-core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_host ${serial})
-core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_host ${serial} Encoders=2)
+core_test(motion_begin serial TOP motion_system LIBRARIES curvecore_board ${serial})
+core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_board ${serial})
+core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_board ${serial} Encoders=2)
 # The same beside its flat file, clock by clock.
 verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
 core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
-          LIBRARIES curvecore_host flat_motion_system ${serial})
+          LIBRARIES curvecore_board flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial
              position_mode_galvo motion_begin_serial motion_probe_serial motion_encoder_serial)
