@@ -93,7 +93,7 @@ Roundings step_roundings(const CoreParameters& format, const Steps& s) {
     return all;
 }
 
-/// What a sample loses by the low bits of tau that its stages have not
+/// Error of a sample by the low bits of tau that its stages do not have
 /// (ref/format/order_words.hpp): the cut times the sum in each stage whose sum is not 0.
 double cut_error(const CoreParameters& format, const Steps& s, const Roundings& step) {
     const int order = format.order;
@@ -112,7 +112,7 @@ double cut_error(const CoreParameters& format, const Steps& s, const Roundings& 
     return loss;
 }
 
-/// One axis of the circular part: errors of state, coefficients, Horner and angle, without the
+/// One axis of the circular part: the errors of state, coefficients, Horner and angle, without the
 /// positions' own roundings.
 double circular_error(const CoreParameters& format, const Steps& s) {
     const Roundings step = step_roundings(format, s);

@@ -5,7 +5,7 @@
 // last bit; C how far z + y^2 of the words may be from 0: with Anchor = 1 z is made from y, and C =
 // u.
 //
-// What a step adds, from exact words y and z at its start:
+// Errors that a step adds to exact words y and z at its start:
 //
 //     e(z_i) = u + sum of A_j e(y_{i-j}) + A_{i-j} e(y_j) + e(y_j) e(y_{i-j}), j = 0 .. i
 //     e(y_i) = u + e(z_{i-1}) / i + |z_{i-1}| (2 u unless i is a power of two)      y_1 = z_0
@@ -24,7 +24,7 @@ namespace {
 
 using Series = std::array<double, 14>;
 
-/// What one step adds to the errors of y and, with Anchor = 0, of z + y^2.
+/// Errors that one step adds to y and, with Anchor = 0, to z + y^2.
 struct StepErrors {
     double rounding = 0;    // of y at the step's end, and within it
     double truncation = 0;  //

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the words of a hyperbola may leave y = 1 / (k (t0 + t)): derived, not tuned.
+// Bound of the distance between a hyperbola's words and y = 1 / (k (t0 + t)): derived, not tuned.
 #pragma once
 
 #include "ref/format/parameters.hpp"
@@ -19,9 +19,9 @@ struct HyperbolaError {
     double total() const { return truncation + rounding; }
 };
 
-/// At any time from the start of step `steps` to its end, the series evaluated exactly; infinite
-/// where the words may have left the hyperbola altogether (Anchor = 0). `start` is h / t0.
-/// Of the parameters Order, CoefBits and Anchor are read.
+/// Bound of the errors at any time from the start of step `steps` to its end, the series evaluated
+/// exactly; infinite where the words may have left the hyperbola altogether (Anchor = 0). `start`
+/// is h / t0. Parameters read: Order, CoefBits, Anchor.
 /// @throws std::domain_error unless 0 < start < 1/2
 HyperbolaError hyperbola_error(const CoreParameters& format, double start, int steps);
 

@@ -32,7 +32,7 @@ Vec3 word_error(const Vec3& exact, int frac) {
     return error;
 }
 
-/// A parameter alone draws the polynomial: no series of x, y and z.
+/// The polynomial alone, drawn by a parameter: no series of x, y and z.
 struct AsDrawn : Exact {
     explicit AsDrawn(const CoreParameters& format) : polynomial(format.polynomial()) {}
     bool asks(std::size_t node, int /*order*/) const {
@@ -76,7 +76,7 @@ class Walk {
         return result_.total() > give_up_ || result_.along > kAlongShare * give_up_;
     }
 
-    /// One integration step: its sample's errors into the result, its shifts into the sums.
+    /// Adds one integration step: its sample's errors to the result, its shifts to the sums.
     void step(double f, bool another) {
         const int order = format_.order;
         words_.anchor(v_, drift(), prediction_);
@@ -90,7 +90,7 @@ class Walk {
         const double speed =
             std::min(1.0, std::max(velocity.norm(), velocity_end.norm()) + turn / 2);
 
-        // Series cut after P: if that is too much no word is asked.
+        // A series cut after P: if its error is too large, no word is asked.
         const double cut = tail(series(spline_node::kU), f) * speed * h_;
         result_.along = std::max(result_.along, shift_truncation_ + cut);
         if (given_up()) return;
@@ -119,11 +119,12 @@ class Walk {
         const double rounded = round_parameter(velocity.norm(), end_speed);
         predict(rounded + (words * h_ + cut / speed) / unit_, end_speed);
         words_.hand_on(v_, drift());
-        // Would the best prediction do? Else the piece is too slow or too bent there.
+        // Tries the best prediction: if that fails as well, the piece is too slow or too bent
+        // there.
         if (words_.shorten() == Shorten::kSteps) words_.anchor(v_, drift(), 0);
     }
 
-    /// How far v may be off, by the shifts along the path.
+    /// Bound of v's error by the shifts along the path.
     double drift() const {
         return (shift_truncation_ + shift_rounding_ + shown_rounding_) / (unit_ * V(v_).norm());
     }
@@ -143,7 +144,7 @@ class Walk {
         return near;
     }
 
-    /// v rounded, unless the shift is exact. How far it then is from where phi is predicted.
+    /// Rounds v, unless the shift is exact; returns its distance from where phi is predicted.
     double round_parameter(double from_speed, double speed) {
         const int guard = format_.parameter_guard;
         const int shift = segment_.lambda - segment_.step_exponent - 1;
@@ -154,7 +155,8 @@ class Walk {
         return guard > 0 ? 2 * half : half;
     }
 
-    /// How far the phi of the series' end is from 1 / |V| of a v that is `aside` of it, relatively.
+    /// Predicts the relative error of the series' last phi against 1 / |V| of a v that is `aside`
+    /// of it.
     void predict(double aside, double speed) {
         prediction_ = aside * bend() / speed;
         for (int i = 0; i <= format_.order + kTail; ++i) {
@@ -200,7 +202,7 @@ class Walk {
         }
     }
 
-    /// e = B' + a' q, f = V + e q, d = f q: words' errors and one rounding each.
+    /// Errors of e = B' + a' q, f = V + e q, d = f q: those of the words and one rounding each.
     double polynomial(int k, double q) const {
         const int width = format_.coef_bits;
         const bool bent = segment_.a[k] != 0;
@@ -211,7 +213,7 @@ class Walk {
         return f * q + half_bit(width - 2);
     }
 
-    /// The axis' own series: its words and a Horner stage for each that is not 0.
+    /// Error of the axis' own series: its words, and a Horner stage for each that is not 0.
     double horner(int k, double f) const {
         const double half = half_bit(format_.coef_bits - 2);
         double sum = 0;
@@ -225,7 +227,8 @@ class Walk {
         return sum + stages * half;
     }
 
-    /// Start word, three products of the origin, two shifts to fine positions (none that is exact).
+    /// Errors of the start word, three products of the origin, two shifts to fine positions (no
+    /// exact one).
     double origin(int k) const {
         const double half = half_bit(format_.coef_bits - 2);
         const int exact = format_.coef_bits - 2 - format_.guard_bits;
@@ -262,7 +265,7 @@ class Walk {
         return sum + 2 * std::abs(terms[last]) * power;
     }
 
-    /// Sum of all orders at tau = f but that of order 0.
+    /// Sum of all orders at tau = f except order 0.
     static double powers(const Series<double>& terms, double f) {
         double sum = 0;
         for (std::size_t i = terms.size() - 1; i >= 1; --i) sum = (sum + terms[i]) * f;

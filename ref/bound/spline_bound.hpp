@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the words of a spline segment may leave the exact curve: derived, not tuned.
+// Bound of the distance between a spline segment's words and the exact curve: derived, not tuned.
 #pragma once
 
 #include <limits>
@@ -17,10 +17,10 @@ namespace curvecore::ref {
 /// |----------------|-------------------------------------------------------------------------|
 /// | truncation     | series cut after Order                                                  |
 /// | rounding       | every rounding of words, weights, tau, lengths and positions            |
-/// | along          | Euclidean part along the path: a sample is so far ahead or behind       |
-/// | along_rounding | of which rounding                                                       |
-/// | shorten        | what has to be shorter for every word to keep its range and every step  |
-/// |                | to converge; nothing, or the rest is unknown                            |
+/// | along          | Euclidean part along the path: how far a sample is ahead or behind      |
+/// | along_rounding | its part by rounding                                                    |
+/// | shorten        | what must be shorter so that every word keeps its range and every step  |
+/// |                | converges; unless it is kNothing the other fields are unknown           |
 struct SplineError {
     double truncation = 0;
     double rounding = 0;
@@ -31,11 +31,11 @@ struct SplineError {
     double total() const { return truncation + rounding; }
 };
 
-constexpr double kAlongShare = 0.5;  // of an error limit: what may be along the path
+constexpr double kAlongShare = 0.5;  // share of an error limit that may be along the path
 
-/// Walks the segment's integration steps. Read from the segment: a, b, c, beta, lambda,
-/// step_exponent, length, aux_advance. Stops early when something has to be shorter or above
-/// `give_up`, along the path above its share of that.
+/// Walks the segment's integration steps. Fields read: a, b, c, beta, lambda, step_exponent,
+/// length, aux_advance. Stops early when something has to be shorter, when the error exceeds
+/// `give_up`, or when its part along the path exceeds its share of that.
 SplineError spline_error(const CoreParameters& format, const Segment& segment,
                          double give_up = std::numeric_limits<double>::infinity());
 

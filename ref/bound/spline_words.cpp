@@ -16,8 +16,8 @@ constexpr int kR = -5;
 
 constexpr int kNoWord = 99;
 
-/// The words of a node, hls/spline_network.hpp: fraction bits of its D_i and of its x_i, and up to
-/// which order they are made, below Order.
+/// The words of a node, hls/spline_network.hpp: fraction bits of its D_i and of its x_i, and the
+/// order, below Order, up to which they are made.
 struct NodeWords {
     int rate = kNoWord;
     int coefficient = kNoWord;
@@ -41,12 +41,12 @@ constexpr std::array<NodeWords, kSpline.size()> node_words() {
 }
 constexpr std::array<NodeWords, kSpline.size()> kWords = node_words();
 
-/// Every word of that format is below it.
+/// Bound of every word of that format.
 constexpr double limit(int frac) { return frac < 0 ? 1 << (-1 - frac) : 0.5 / (1 << frac); }
 
 bool power_of_two(int i) { return (i & (i - 1)) == 0; }
 
-/// A number of `exact` that is kept as a word of the segment.
+/// The word of the segment that holds `exact`.
 Enclosed quantised(double exact, int frac) {
     const double word = std::ldexp(std::floor(std::ldexp(exact, frac) + 0.5), -frac);
     return {exact, 0, std::abs(word - exact)};
@@ -89,7 +89,7 @@ std::array<Enclosed, 3> SplineWords::constants() {
 
 double SplineWords::half(int frac) const { return limit(frac) * last_bit_; }
 
-/// Half a last bit farther off. A word below half a last bit is 0, and wrong by its value.
+/// Adds half a last bit of error. A word below half a last bit is 0, and wrong by its value.
 Enclosed SplineWords::rounded(const Enclosed& exact, int frac) const {
     const bool vanishes = exact.reach() < half(frac);
     return {exact.value, vanishes ? exact.size() : exact.rounding + half(frac), exact.drift};
@@ -210,7 +210,7 @@ Enclosed SplineWords::coefficient(std::size_t node, int order, const Enclosed& e
 
 namespace {
 
-/// low .. high.
+/// The interval low .. high.
 struct Span {
     double low = 0, high = 0;
 

@@ -16,7 +16,7 @@ namespace curvecore::ref {
 /// Half a last bit of a word with `frac` fraction bits.
 inline double half_bit(int frac) { return std::ldexp(0.5, -frac); }
 
-/// What has to be shorter for every word to keep its range.
+/// The part that must be shorter so that every word keeps its range.
 enum class Shorten { kNothing, kSteps, kPiece };
 
 /// The network of Fig. 10 about a point v, in a step's own scale (hls/spline_network.hpp): tau = s
@@ -35,17 +35,17 @@ class SplineWords : public Exact {
 
     SplineWords(const CoreParameters& format, const Segment& segment);
 
-    /// A step from v, where v may be `drift` off and the phi of the step before 1 / |V| by a
-    /// fraction of `prediction`.
+    /// Opens a step at v, where v may be off by `drift`, and the last step's phi may differ from 1
+    /// / |V| by a fraction of `prediction`.
     void anchor(double v, double drift, double prediction);
-    /// The network's words of order 0: V and W by axis, phi, and Q and R that follow from it.
+    /// Makes the network's words of order 0: V and W by axis, phi, and Q and R that follow from it.
     void open(const std::array<Enclosed, 3>& V, const std::array<Enclosed, 3>& W,
               const Enclosed& phi);
-    /// The words of orders 1 .. Order.
+    /// Makes the words of orders 1 .. Order.
     void expand();
-    /// The words of samples in the first `fraction` of the step.
+    /// Makes the words of samples in the first `fraction` of the step.
     void sample(double fraction);
-    /// The sums handed on: q's to v, which becomes `next` but for `drift`, and phi's.
+    /// Hands on the sums: q's to v, which becomes `next` within `drift`, and phi's.
     void hand_on(double next, double drift);
 
     Shorten shorten() const { return shorten_; }
@@ -58,14 +58,14 @@ class SplineWords : public Exact {
     const Enclosed& phi(int i) const { return series(spline_node::kPhi, i); }
     const Enclosed& W(int axis, int i) const { return series(spline_node::kW, i, axis); }
     const Enclosed& x(int axis, int i) const { return series(spline_node::kX, i, axis); }
-    int q_words() const { return q_words_; }  // q_1 .. may differ from 0
+    int q_words() const { return q_words_; }  // q_1 .. q_n may differ from 0
 
     /// The sampler's words: V, B' and a'.
     const Enclosed& V(int axis) const { return state_[spline_node::kV + std::size_t(axis)]; }
     const Enclosed& half_W(int axis) const { return half_W_[std::size_t(axis)]; }
     const Enclosed& step_a(int axis) const { return step_a_[std::size_t(axis)]; }
 
-    // What the interpreter passes each number through.
+    // The interpreter passes each number through these.
     Enclosed rate(std::size_t node, int order, const Enclosed& value);
     Enclosed coefficient(std::size_t node, int order, const Enclosed& value);
 
@@ -74,7 +74,7 @@ class SplineWords : public Exact {
         return network_.series()[node + std::size_t(axis)][std::size_t(i)];
     }
 
-    double half(int frac) const;  // a last bit
+    double half(int frac) const;  // half a last bit
     std::array<Enclosed, 3> constants();
     bool made(std::size_t node, int order) const;
     Enclosed rounded(const Enclosed& exact, int frac) const;

@@ -9,8 +9,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kTaken = 1 + 1e-9;  // of delta: the closed form's own rounding
-constexpr double kUsed = 0.9;        // of delta, by a piece that is looked for
+constexpr double kTaken = 1 + 1e-9;  // share of delta: the closed form's own rounding
+constexpr double kUsed = 0.9;        // share of delta that a piece, where one is searched, uses
 constexpr int kTries = 40;
 
 /// Real roots of sum of c[i] w^i; leading zeros are dropped.
@@ -43,7 +43,7 @@ PolarCurve about(const PolarCurve& f, double w0) {
     return g;
 }
 
-/// Ends of all pieces from w0 whose greatest deviation somewhere is delta, of the cubic a b c d.
+/// Ends of all pieces from w0 of the cubic a b c d whose greatest deviation somewhere is delta.
 std::vector<double> ends_of_cubic(const PolarCurve& f, double w0, double delta) {
     const double a = f[3], b = f[2], c = f[1], d = f[0];
     const double rho0 = ((a * w0 + b) * w0 + c) * w0 + d;
@@ -65,10 +65,10 @@ std::vector<double> ends_of_cubic(const PolarCurve& f, double w0, double delta) 
     return ends;
 }
 
-/// A piece that keeps delta, from one that may not; `far` is its first guess.
+/// Shortens a piece until it keeps delta; `far` is its first guess.
 double drawn_in(const PolarCurve& f, double w0, double far, double end, double delta) {
     double kept = w0;
-    double over = end;  // not known to be too far as long as it is `end`
+    double over = end;  // not known to be too far while it is `end`
     double w1 = std::min(far, end);
     for (int i = 0; i < kTries; ++i) {
         const double deviation = chord_deviation(f, w0, w1);

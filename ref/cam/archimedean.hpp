@@ -13,18 +13,18 @@ using PolarCurve = Eigen::Matrix<double, 7, 1>;
 
 double value(const PolarCurve& f, double w);
 
-/// Largest |f - chord| between w0 and w1; along rho.
+/// Largest |f - chord| between w0 and w1, along rho.
 double chord_deviation(const PolarCurve& f, double w0, double w1);
 
 /// End w1 of the longest piece from w0 that goes no further than `end` and deviates by at most
 /// delta.
 ///
-/// Of a cubic: for both signs of delta, the abscissa w' of the greatest deviation solves (12), k is
+/// A cubic: for both signs of delta, the abscissa w' of the greatest deviation solves (12), k is
 /// (10), and w1 is the other meeting of (13) and (14); the largest w1 that keeps delta on all of
 /// its piece is taken. The paper cuts a piece at the knot without looking again: with an inflexion
-/// inside, the shorter chord may deviate by more (1.29 delta was seen); here it is shortened.
-/// Of a higher degree: the same from its cubic part at w0, then shortened or drawn out until it
-/// keeps delta and uses nine tenths of it.
+/// inside, the shorter chord may deviate by more (1.29 delta was seen); here it is shortened. A
+/// higher degree: the same from its cubic part at w0, then shortened or lengthened until it keeps
+/// delta and uses nine tenths of it.
 double longest_piece(const PolarCurve& f, double w0, double end, double delta);
 
 }  // namespace curvecore::ref

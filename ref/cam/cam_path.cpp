@@ -14,10 +14,10 @@ constexpr double kGridSlack = 1e-6;
 
 double on_grid(double value) { return std::round(value / kCamGrid) * kCamGrid; }
 
-/// The patch along the helix: u = u0 + slope w.
+/// Returns the patch along the helix: u = u0 + slope w.
 PolarCurve along_helix(const Patch& patch, double u0, double slope) {
     PolarCurve f = PolarCurve::Zero();
-    PolarCurve power = PolarCurve::Zero();  // of u
+    PolarCurve power = PolarCurve::Zero();  // powers of u
     power[0] = 1;
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i <= j; ++i) {
@@ -29,7 +29,7 @@ PolarCurve along_helix(const Patch& patch, double u0, double slope) {
     return f;
 }
 
-/// d rho / du at the corners of a cell, the greatest: what a rounding of x costs.
+/// Greatest d rho / du at the corners of a cell: what a rounding of x costs.
 double steepest(const Patch& patch) { return patch.bottomRows<3>().cwiseAbs().sum() * 3; }
 
 }  // namespace
@@ -77,7 +77,7 @@ void CamPath::finish() {
     between({rows[n - 3], rows[n - 2], rows[n - 1], &after}, true);
 }
 
-/// The pieces between the window's middle sections; `last`: of all sections.
+/// Makes the pieces between the window's middle sections; `last`: they are the last of all.
 void CamPath::between(const SectionWindow& window, bool last) {
     const bool turns = helix_.ends == CamEnds::kTurn;
     if (turns && interval_ == 0) walk(window, angles_, {0, 0});
@@ -101,7 +101,7 @@ void CamPath::walk(const SectionWindow& window, long steps, Advance u) {
     }
 }
 
-/// The pieces in one cell, between `from` and `to` of the interval of angle.
+/// Makes the pieces in one cell, between `from` and `to` of the interval of angle.
 void CamPath::cell(const Patch& patch, Advance u, double from, double to) {
     const PolarCurve f = along_helix(patch, u.start, u.slope);
     // A piece's ends are off by half a grid in rho, and by what half a grid of x makes there.
@@ -138,7 +138,7 @@ void CamPath::cell(const Patch& patch, Advance u, double from, double to) {
     }
 }
 
-/// The place at w of the interval of angle, its angle on the grid and the radius there.
+/// Returns the point at w of the interval of angle: its angle on the grid and the radius there.
 CamPoint CamPath::point(const PolarCurve& f, Advance u, double w) const {
     const auto step = static_cast<double>(step_);
     CamPoint place;

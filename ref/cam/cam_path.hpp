@@ -21,7 +21,7 @@
 
 namespace curvecore::ref {
 
-/// A turn on the first section and one on the last, or the paper's helix alone.
+/// Ends of the path: a turn on the first and one on the last section, or the paper's helix alone.
 enum class CamEnds { kTurn, kHelix };
 constexpr std::array<std::string_view, 2> kCamEndNames{"turn", "helix"};
 
@@ -32,11 +32,11 @@ struct CamHelix {
     CamEnds ends = CamEnds::kTurn;
 };
 
-/// Points of a program are whole multiples of this, in mm and degrees.
+/// Grid of a program's points, mm and degrees.
 constexpr double kCamGrid = 1e-6;
 constexpr double kLeastDelta = 1e-5;  // mm
 
-/// How far kappa n / 2 may be from a whole number.
+/// Largest distance of kappa n / 2 from a whole number.
 constexpr double kWholeIntervals = 1e-6;
 
 /// A place of the cutter's centre.
@@ -48,8 +48,8 @@ struct CamPoint {
 
 struct CamPiece {
     CamPoint from, to;
-    double deviation = 0;  // mm: of the piece from the surface, without the jump at its start
-    double jump = 0;       // mm: of the surface, where the piece begins
+    double deviation = 0;  // mm, of the piece from the surface, without the jump at its start
+    double jump = 0;       // mm, of the surface where the piece begins
 };
 
 class CamPath {
@@ -59,10 +59,11 @@ class CamPath {
     /// @throws std::invalid_argument: kappa n / 2 is not whole, delta below kLeastDelta
     CamPath(const CamHelix& helix, int angles, Take take);
 
-    /// The next one, in order; pieces come as soon as the sections that they need are there.
+    /// Takes the next section, in order; pieces come as soon as the sections that they need are
+    /// there.
     /// @throws std::domain_error: the surface is too steep for kCamGrid and delta; finish() too
     void section(const CamSection& section);
-    /// After the last section. At least two have come.
+    /// Ends the path after the last section; at least two have come.
     void finish();
 
     /// Intervals of angle per Dx.
@@ -83,22 +84,22 @@ class CamPath {
     int angles_;
     long per_section_;  // kappa n / 2
     Take take_;
-    std::deque<std::vector<double>> rows_;  // of the last four sections
+    std::deque<std::vector<double>> rows_;  // radii of the last four sections
     double x0_ = 0;
     double pitch_ = 0;
     long sections_ = 0;
-    long interval_ = 0;  // between sections, that the next pieces are in
-    long step_ = 0;      // interval of angle, from the start
+    long interval_ = 0;  // interval between sections in which the next pieces are
+    long step_ = 0;      // interval of angle, counted from the start
     std::optional<CamPoint> last_;
 };
 
-/// Pitch of the helix for scallops of this height by a ball or round cutter of this radius, mm:
-/// [Tamm] Fig. 6, H = 2 sqrt(2 R D - D^2).
+/// Pitch of the helix, mm, at which a ball or round cutter of this radius leaves scallops of this
+/// height: [Tamm] Fig. 6, H = 2 sqrt(2 R D - D^2).
 double scallop_pitch(double cutter_radius, double scallop);
-/// Height of scallops that this pitch leaves.
+/// Height of the scallops that this pitch leaves, mm.
 double scallop_height(double cutter_radius, double pitch);
 
-/// Least kappa, of those with kappa n / 2 whole, whose pitch 2 Dx / kappa is at most `pitch`.
+/// Least kappa with kappa n / 2 whole whose pitch 2 Dx / kappa is at most `pitch`.
 double kappa_for(double pitch, double dx, int angles);
 
 }  // namespace curvecore::ref

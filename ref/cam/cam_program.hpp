@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A cam as G-code: X radius, Z along the axis, A angle in degrees. A line of these three axes is a
-// piece of an Archimedean spiral on a helix. G93 holds the speed over the surface: every block says
-// how often a minute it could be done.
+// piece of an Archimedean spiral on a helix. G93 holds the speed over the surface: every block
+// states its inverse time, 1/min.
 #pragma once
 
 #include <cstddef>
@@ -16,12 +16,12 @@ namespace curvecore::ref {
 
 class CamProgram {
   public:
-    /// `feed`: over the surface, mm/s. `remarks` become comments at the head.
+    /// `feed`: speed over the surface, mm/s. `remarks` become comments at the head.
     /// @throws std::runtime_error when the file cannot be written
     CamProgram(const std::string& file, double feed, const std::vector<std::string>& remarks);
 
     void piece(const CamPiece& piece);
-    /// M2. @throws std::runtime_error when the disk is full
+    /// Writes M2. @throws std::runtime_error when the disk is full
     void close();
 
     std::size_t pieces() const { return pieces_; }
@@ -35,7 +35,7 @@ class CamProgram {
     std::size_t pieces_ = 0;
 };
 
-/// Of the surface, unrolled: mm.
+/// Length of the piece on the unrolled surface, mm.
 double surface_length(const CamPiece& piece);
 
 }  // namespace curvecore::ref

@@ -9,9 +9,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kPlaces = 16;     // in an interval of angle, where an integral is summed
-constexpr int kBendPlaces = 4;  // in a cell and direction, where a largest value is looked for
-constexpr int kRatios = 32;     // of Dx to Dtheta, 2^(1/4) apart, both ways
+constexpr int kPlaces = 16;     // points of an integral in an interval of angle
+constexpr int kBendPlaces = 4;  // points in a cell and direction at which a maximum is searched
+constexpr int kRatios = 32;     // ratios Dx to Dtheta tried, 2^(1/4) apart, both ways
 
 Eigen::RowVector4d powers(double u) { return {1, u, u * u, u * u * u}; }
 Eigen::RowVector4d slopes(double u) { return {0, 1, 2 * u, 3 * u * u}; }
@@ -97,7 +97,7 @@ double CamShape::largest_jump(int grid) const {
 }
 
 double CamShape::own_error() const {
-    // Half way between neighbours at 0 and 1 of the distance, of nodes -1, 0, 1, 2.
+    // The middle between neighbours at 0 and 1, of nodes -1, 0, 1, 2.
     const auto middle = [](double a, double b, double c, double d) {
         return (9 * (b + c) - (a + d)) / 16;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cam's surface as a whole: radius at any place, how good its table is, what it saves.
+// A cam's surface as a whole: its radius anywhere, how good its table is, what it saves.
 #pragma once
 
 #include "ref/cam/cam_surface.hpp"
@@ -8,7 +8,7 @@ namespace curvecore::ref {
 
 class CamShape {
   public:
-    /// At least two sections.
+    /// Makes the surface from at least two sections.
     CamShape(std::vector<CamSection> sections, SurfaceKind kind);
 
     int angles() const { return angles_; }
@@ -28,25 +28,26 @@ class CamShape {
         double rho, by_theta, by_x, bend_theta, bend_x;
     };
 
-    /// At x in mm, a little beyond the ends too, and theta in degrees, any number of turns.
+    /// Evaluates the surface at x in mm, also a little beyond the ends, and theta in degrees, any
+    /// number of turns.
     Place at(double x, double degrees) const;
 
     /// Largest jump of the surface between cells, mm, on `grid` places of each of their sides.
     double largest_jump(int grid = 16) const;
 
-    /// What interpolation between the table's radii is estimated to miss, mm: every radius from
-    /// its neighbours once and thrice removed, scaled to half the distance by the order of the
-    /// interpolation. Along angle and axis, the worst of each, added up.
+    /// Estimated error of interpolation between the table's radii, mm: every radius from its
+    /// neighbours once and thrice removed, scaled to half the distance by the order of the
+    /// interpolation; the sum of the worst along angle and axis.
     double own_error() const;
 
-    /// [Tamm] "Conclusions" 2: how many radii a table has that, read linearly both ways, keeps
-    /// `error` (mm) of this surface: the fewest, of any ratio of Dx to Dtheta, from the second
-    /// derivatives. At a cell's middle and on its edges such a table misses
-    /// (Dtheta^2 rho_tt + Dx^2 rho_xx) / 8 and the two parts of it.
+    /// Number of radii of the smallest table that keeps `error` (mm) of this surface when it is
+    /// read linearly both ways ([Tamm] "Conclusions" 2), over all ratios of Dx to Dtheta, from the
+    /// second derivatives. At a cell's middle and on its edges such a table misses (Dtheta^2 rho_tt
+    /// + Dx^2 rho_xx) / 8 and the two parts of it.
     double linear_radii(double error) const;
 
-    /// Pieces per turn that delta (mm) asks for, of pieces that no knot cuts: the integral of
-    /// sqrt(|f''| / 8 delta) along the section at x.
+    /// Pieces per turn at delta (mm), when no knot cuts them: the integral of sqrt(|f''| / 8 delta)
+    /// along the section at x.
     double pieces_per_turn(double x, double delta) const;
 
   private:

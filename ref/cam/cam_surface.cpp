@@ -43,8 +43,8 @@ Row4 from_the_next(const Row4& p) {
     return {-p[1] + p[2] - p[3], p[1] - 2 * p[2] + 3 * p[3], p[2] - 3 * p[3], p[3]};
 }
 
-/// What a generatrix adds to its radius in the nearest section; of radii of sections i - 1 .. i +
-/// 2, in powers of u.
+/// Rise of a generatrix from its radius in the nearest section, in powers of u, given the radii of
+/// sections i - 1 .. i + 2.
 Row4 generatrix_rise(Generatrix kind, const Eigen::Vector4d& rho, int half_u) {
     const double before = rho[half_u];
     const double here = rho[half_u + 1];
@@ -66,9 +66,9 @@ Row4 generatrix_rise(Generatrix kind, const Eigen::Vector4d& rho, int half_u) {
     return half_u == 0 ? rise : from_the_next(rise);
 }
 
-/// Of tamm and blend.
+/// The patch of tamm and blend.
 Patch by_generatrices(SurfaceKind kind, const Patch& rho, int half_u, int half_w) {
-    // A cubic's own interval is the middle one: it is switched at the sections.
+    // A cubic's own interval is the middle one, so it switches at the sections.
     const int half = kind.generatrix == Generatrix::kCubic ? 0 : half_u;
     Patch patch = Patch::Zero();
     patch.row(0) = rho.row(half + 1) * lagrange_weights();  // (6)

@@ -29,7 +29,7 @@ enum class Surface { kTamm, kBlend, kLagrange, kCatmullRom };
 constexpr std::array<std::string_view, 3> kGeneratrixNames{"linear", "parabola", "cubic"};
 constexpr std::array<std::string_view, 4> kSurfaceNames{"tamm", "blend", "lagrange", "catmull-rom"};
 
-/// Only these are made of generatrices.
+/// Returns true for the surfaces that are made of generatrices.
 constexpr bool has_generatrix(Surface surface) {
     return surface == Surface::kTamm || surface == Surface::kBlend;
 }
@@ -45,7 +45,8 @@ using SectionWindow = std::array<const std::vector<double>*, 4>;
 /// rho = sum of p(j, k) u^j w^k.
 using Patch = Eigen::Matrix4d;
 
-/// Of angle interval m, on the half of it and of the section interval that is said: 0 the lower.
+/// The patch of angle interval m, on the given half of it and of the section interval; 0 is the
+/// lower.
 Patch surface_patch(SurfaceKind kind, const SectionWindow& window, int m, int half_u, int half_w);
 
 /// The section before the first: the cubic through the first four sections goes on (with three

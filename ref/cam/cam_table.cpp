@@ -15,9 +15,9 @@
 namespace curvecore::ref {
 namespace {
 
-// Tables print few digits of 360 / 7: even to the last digit that stands there, and to
+// Tables print few digits of 360 / 7: angles are even to the last printed digit, and to
 constexpr double kAngleSlack = 2e-3;  // degrees
-constexpr double kPitchSlack = 1e-4;  // of Dx
+constexpr double kPitchSlack = 1e-4;  // share of Dx
 constexpr std::size_t kMostAngles = 100000;
 
 double finite_number(std::string_view cell, const std::string& what, const Place& place) {
@@ -32,7 +32,7 @@ double finite_number(std::string_view cell, const std::string& what, const Place
     return *value;
 }
 
-/// Half of the last digit that a number is printed with.
+/// Half of the last printed digit of a number.
 double half_digit(std::string_view cell) {
     const std::size_t exponent = std::min(cell.find_first_of("eE"), cell.size());
     const std::size_t point = std::min(cell.find('.') + 1, exponent);
@@ -49,7 +49,7 @@ CamTable::CamTable(std::istream& in, const std::string& file) : file_(file), in_
     read_header(*header);
 }
 
-/// The next line that says something.
+/// Returns the next line with content.
 std::optional<std::string> CamTable::content() {
     std::string line;
     while (std::getline(in_, line)) {

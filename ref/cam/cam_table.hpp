@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cam as a table: polar radii of even angles in even sections, [Tamm] Fig. 1. Read section by
-// section, so that a long cam needs no more memory than a short one.
+// A cam as a table: polar radii at equal angles in equally spaced sections, [Tamm] Fig. 1. Read
+// section by section, so that a long cam needs no more memory than a short one.
 //
 //     x,0,7.5,15,..        header: angles in degrees, from 0, even; 360 is 0 again and not written
 //     0,40.1,40.6,..       a section: its place along the axis and its radii, mm
@@ -36,10 +36,9 @@ class CamTable {
     int angles() const { return angles_; }  // n
     int header_line() const { return header_line_; }
 
-    /// The next section; none after the last.
-    /// @throws InputError: ragged, repeated, unsorted or uneven sections, a radius that is not
-    /// above
-    ///         0, less than two sections
+    /// Returns the next section; none after the last.
+    /// @throws InputError: ragged, repeated, unsorted or uneven sections, a radius <= 0, fewer than
+    ///         two sections
     std::optional<CamSection> next();
 
   private:
@@ -63,7 +62,7 @@ class CamTable {
 /// @throws InputError: missing, not a regular file, unreadable
 std::ifstream open_cam(const std::string& file);
 
-/// The whole table. @throws InputError
+/// Reads the whole table. @throws InputError
 std::vector<CamSection> read_cam(const std::string& file);
 
 }  // namespace curvecore::ref

@@ -9,7 +9,7 @@
 
 namespace curvecore::ref {
 
-/// rad, 0 .. pi, of vectors of any length; 0 where one of them is 0.
+/// Angle in rad, 0 .. pi, between vectors of any length; 0 if one of them is 0.
 inline double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }

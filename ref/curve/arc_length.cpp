@@ -13,10 +13,10 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuadrature = 1e-14;  // adaptive, relative to each of at most four parts
-constexpr double kTable = 1e-15;       // of a piece, relative to the whole; of Newton's method
+constexpr double kQuadrature = 1e-14;  // adaptive, relative, for each of at most four parts
+constexpr double kTable = 1e-15;       // error of a piece, relative to the whole; also Newton's
 constexpr int kIterations = 60;        // bits of a double: a cusp halves the distance at worst
-constexpr double kShort = 1.0 / 64;    // of a piece: three Gauss points are as good as ten
+constexpr double kShort = 1.0 / 64;    // a piece where three Gauss points are as good as ten
 
 std::vector<double> with_extrema(const Cubic& cubic, double low, double high) {
     std::vector<double> ends{low};
@@ -38,7 +38,8 @@ double arc_length(const Cubic& cubic, double u0, double u1) {
     const std::vector<double> ends = with_extrema(cubic, u0, u1);
     double sum = 0;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        // On -1 .. 1, where the rule compares its error with the integral in the same measure.
+        // The range is -1 .. 1, where the rule compares its error with the integral in the same
+        // measure.
         const double half = (ends[i + 1] - ends[i]) / 2;
         const double centre = ends[i] + half;
         const auto speed = [&](double x) { return cubic.speed(centre + half * x); };
@@ -56,7 +57,7 @@ double parameter_at(const Cubic& cubic, double s) {
     if (s >= length) {
         return 1;
     }
-    // From the last point asked, not from 0: a correction as small as it is costs no digits.
+    // The last point asked is the start, not 0: a correction as small as it is costs no digits.
     double at = 0;
     double path = 0;
     const auto miss = [&](double u) {
@@ -105,8 +106,8 @@ double ArcLength::short_integral(double from, double to) const {
     return half * (5 * (speed(middle - off) + speed(middle + off)) + 8 * speed(middle)) / 9;
 }
 
-// Knots up to `end`, in pieces whose halves agree with them. The halves are kept: their error is
-// another 2^-20 of the disagreement where the speed is smooth.
+// Appends knots up to `end`, in pieces whose halves agree with them. The halves are kept: their
+// error is another 2^-20 of the disagreement where the speed is smooth.
 void ArcLength::append(double end, double estimate) {
     const Knot start = knots_.back();
     const double middle = start.u + (end - start.u) / 2;

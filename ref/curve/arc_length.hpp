@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path length of a cubic and its inverse: once and slowly, or a million times.
+// Path length of a cubic and its inverse, by quadrature or from a table.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace curvecore::ref {
 /// | parameter | u                             | 1      | 0 .. 1                            |
 /// | path      | s(u) = integral of v = |V| du | length | 0 .. s(1)                         |
 ///
-/// Path length from u0 to u1, negative when u1 < u0: adaptive Gauss-Kronrod quadrature, split where
-/// the speed is least or greatest. Error: 1e-13 of the result.
+/// The path length from u0 to u1, negative when u1 < u0: adaptive Gauss-Kronrod quadrature, split
+/// where the speed is least or greatest. Error: 1e-13 of the result.
 /// Source: [Obukhov] (3), with a rule that does not stop too early.
 double arc_length(const Cubic& cubic, double u0, double u1);
 
@@ -22,7 +22,7 @@ double arc_length(const Cubic& cubic, double u0, double u1);
 /// Error: 1e-13 s(1) of path. Source: [Obukhov], "tick search".
 double parameter_at(const Cubic& cubic, double s);
 
-/// The same two functions from a table: for checkers that ask at every sample.
+/// The same two functions from a table, for checkers that evaluate every sample.
 ///
 /// The table cuts 0 .. 1 where the speed turns and then in halves until ten Gauss points give the
 /// length of a piece. Within a piece s(u) is convex or concave, so Newton's method cannot fail; it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The axes of a machine, and which of them are auxiliary: X Y Z A B C U V W.
+// The axes of a machine, X Y Z A B C U V W; all but X Y Z are auxiliary.
 #pragma once
 
 #include <array>

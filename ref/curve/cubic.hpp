@@ -70,11 +70,11 @@ struct SpeedRange {
 };
 SpeedRange speed_range(const Cubic& cubic);
 
-/// Whether the curve all but stands still somewhere: min v <= relative * max v. A cusp, a doubled
-/// end point, a zero end tangent, a curve that is one point.
+/// Returns true if the curve all but stands still somewhere, min v <= relative * max v: at a cusp,
+/// a doubled end point, a zero end tangent, or because it is one point.
 bool has_cusp(const Cubic& cubic, double relative = 1e-9);
 
-/// The part u0 .. u1 as a curve of its own, 0 .. 1; u1 < u0 turns it round.
+/// The part u0 .. u1 as a curve of its own, 0 .. 1; u1 < u0 reverses it.
 /// Error: r(u0) exact, r(u1) to 2^-49 (|a| + |b| + |c| + |d|), derivatives relative to their terms.
 Cubic sub_cubic(const Cubic& cubic, double u0, double u1);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed-form motion on a great circle: the truth that the spherical network integrates.
+// Closed-form motion on a great circle: the exact curve of the spherical network.
 #pragma once
 
 #include <Eigen/Core>

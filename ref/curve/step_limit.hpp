@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far one step of the spline network's series may reach.
+// Length limit of one step of the spline network's series.
 #pragma once
 
 #include "ref/curve/cubic.hpp"
@@ -17,8 +17,8 @@ namespace curvecore::ref {
 ///
 /// The series end where V.V = 0 for a complex u*: their radius is |integral of sqrt(V.V)| from u to
 /// the nearest u*. No u* lies within d of u, for there |V.V - V(u).V(u)| < |V(u)|^2. Along any way
-/// out sqrt(V.V) then has the real part sqrt(2 - (1 + e)^2) |V| at least, e rising from 0 to
-/// sqrt 2 - 1 no faster than linearly, so that the radius is proven to exceed
+/// out, the real part of sqrt(V.V) is sqrt(2 - (1 + e)^2) |V| at least, e rising from 0 to sqrt 2 -
+/// 1 no faster than linearly, so that the radius is proven to exceed
 ///
 ///     (pi/4 - 1/2) / (sqrt 2 - 1) h = 0.689 h
 ///

@@ -41,7 +41,7 @@ Vectors<M + N - 1> scaled(const Numbers<M>& a, const Vectors<N>& b) {
     return sum;
 }
 
-/// At u.
+/// Value at u.
 template <int N>
 Vec3 value(const Vectors<N>& a, double u) {
     Vec3 sum = a.col(N - 1);
@@ -49,7 +49,7 @@ Vec3 value(const Vectors<N>& a, double u) {
     return sum;
 }
 
-/// Bernstein's form, whose hull the polynomial keeps to on 0 .. 1.
+/// Bernstein's form; on 0 .. 1 the polynomial stays in its hull.
 template <int N>
 Vectors<N> hull(const Vectors<N>& a) {
     Vectors<N> points = Vectors<N>::Zero();
@@ -63,7 +63,7 @@ Vectors<N> hull(const Vectors<N>& a) {
     return points;
 }
 
-/// Bounds on 0 .. 1 of the length and of each component.
+/// Bounds of the length and of each component on 0 .. 1.
 template <int N>
 double longest(const Vectors<N>& a) {
     return hull(a).colwise().norm().maxCoeff();

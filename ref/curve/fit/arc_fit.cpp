@@ -12,12 +12,12 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kFewestPoints = 8;
-constexpr double kMostPoints = 1000;  // in which a biarc is held against the cubic
+constexpr double kMostPoints = 1000;  // points at which a biarc is compared with the cubic
 constexpr double kTooFar = 1e300;
 
-/// Bounds of a cubic's derivatives, by its control points.
+/// Bounds of a cubic's derivatives, from its control points.
 struct Derivatives {
-    double least_speed = 0;  // towards its end; not above 0: unknown
+    double least_speed = 0;  // along its end speed; <= 0: unknown
     double acceleration = 0;
 };
 
@@ -45,11 +45,11 @@ class Fitter {
         double step = 1;
         for (double u = 0; u < 1;) {
             step = std::min(step, 1 - u);
-            // What is left behind a step is no sliver.
+            // The rest behind a step must be no sliver.
             if (u + step < 1 && u + 2 * step > 1) step = (1 - u) / 2;
             const double end = u + step < 1 ? u + step : 1;
             const double error = append(u, end);
-            // The distance grows with the cube of the step, as long as the curve goes on alike.
+            // The distance grows with the cube of the step, as long as the curve bends alike.
             const double growth = error > 0 ? std::cbrt(tolerance_ / error) : 2;
             if (error > tolerance_) {
                 step *= std::clamp(0.95 * growth, 0.1, 0.9);
@@ -63,7 +63,7 @@ class Fitter {
     }
 
   private:
-    /// Appends the piece u0 .. u1 if it is within the tolerance; by how much it is off.
+    /// Appends the piece u0 .. u1 if it is within the tolerance; returns its error.
     double append(double u0, double u1) {
         const double s0 = length_.path(u0);
         const double length = length_.path(u1) - s0;
@@ -96,7 +96,7 @@ class Fitter {
         const double second =
             length * length * bounds.acceleration / (bounds.least_speed * bounds.least_speed) +
             of_arcs * of_arcs * bend;
-        // So many that what is between the points is an eighth of the tolerance.
+        // The number of points at which the error between them is an eighth of the tolerance.
         const double n = std::max(kFewestPoints, std::ceil(std::sqrt(second / tolerance_)));
         if (!(n <= kMostPoints)) return kTooFar;
         const double between = second / (8 * n * n);

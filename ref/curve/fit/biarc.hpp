@@ -9,13 +9,13 @@
 
 namespace curvecore::ref {
 
-/// An arc below a whole turn in a plane of its own; a straight line where `angle` is 0.
+/// An arc of less than a turn in a plane of its own; a straight line where `angle` is 0.
 ///
 /// | field   | symbol | unit   | remark                                          |
 /// |---------|--------|--------|-------------------------------------------------|
 /// | start   | p      | length |                                                 |
 /// | end     | q      | length |                                                 |
-/// | tangent | t      | 1      | at the start; of a line: to its end             |
+/// | tangent | t      | 1      | at the start; a line's points to its end        |
 /// | inward  | n      | 1      | from the start to the centre; 0 for a line      |
 /// | radius  | R      | length | 0 for a line                                    |
 /// | angle   |        | rad    | [0, 2 pi)                                       |
@@ -29,7 +29,7 @@ struct TangentArc {
 
     double length() const;
     double curvature() const { return angle > 0 ? 1 / radius : 0; }
-    /// At path length s: p + R (t sin a + n 2 sin^2(a/2)), a = s / R.
+    /// Point at path length s: p + R (t sin a + n 2 sin^2(a/2)), a = s / R.
     Vec3 at(double s) const;
 };
 
@@ -37,7 +37,7 @@ constexpr double kFlat = 1e-9;  // mm: an arc that rises less above its chord is
 
 TangentArc straight(const Vec3& start, const Vec3& end);
 
-/// The arc from `start` along the unit vector `tangent` to `end`, which is elsewhere.
+/// The arc from `start` along the unit vector `tangent` to `end`, a different point.
 TangentArc tangent_arc(const Vec3& start, const Vec3& tangent, const Vec3& end);
 
 /// Two arcs that meet with one tangent, from `start` along `out` to `end` along `in` (unit
@@ -46,7 +46,7 @@ TangentArc tangent_arc(const Vec3& start, const Vec3& tangent, const Vec3& end);
 ///
 ///     2 (1 - out.in) d^2 + 2 d (v . (out + in)) - v^2 = 0,   v = end - start
 ///
-/// Nothing where the directions and the chord do not agree to less than a right angle.
+/// Returns none unless the directions and the chord agree to less than a right angle.
 std::optional<std::array<TangentArc, 2>> biarc(const Vec3& start, const Vec3& out, const Vec3& end,
                                                const Vec3& in);
 

@@ -10,11 +10,11 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kChecked = 31;       // points in which a piece is measured
+constexpr int kChecked = 31;       // points at which a piece is measured
 constexpr double kMargin = 1.1;    // the distance has lobes: 31 points miss less of their tops
-constexpr int kSamples = 9;        // points in which the end speeds are fitted
-constexpr int kMostSteps = 8;      // of the fit
-constexpr int kMostHalvings = 60;  // of the parameter
+constexpr int kSamples = 9;        // points at which the end speeds are fitted
+constexpr int kMostSteps = 8;      // steps of the fit
+constexpr int kMostHalvings = 60;  // halvings of the parameter
 constexpr double kFlat = 1e-6;     // below, only the sum of the end speeds matters
 constexpr double kRounding = 0x1p-46;
 
@@ -87,8 +87,8 @@ class Fitter {
         return {cubic, kMargin * distance(cubic, curve_, t0, t1, kChecked)};
     }
 
-    /// Least squares of the distance over the two end speeds (Gauss and Newton); false where the
-    /// curve has no direction at an end or the speeds run away.
+    /// Fits the two end speeds by least squares of the distance (Gauss-Newton). Returns false if
+    /// the curve has no direction at an end or the speeds run away.
     bool choose_speeds(HermitePiece& piece, double t0, double t1) const {
         const Eigen::Vector2d own(piece.start_d1.norm(), piece.end_d1.norm());
         if (!(own.minCoeff() > 1e-9 * own.maxCoeff())) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polynomials from what is known at their ends: position, first and second derivative.
+// Polynomials from their ends: position, first and second derivative.
 #pragma once
 
 #include <array>

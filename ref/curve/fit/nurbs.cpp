@@ -21,8 +21,8 @@ std::vector<double> knots_of(const Nurbs& nurbs) {
     return knots;
 }
 
-/// Polar form of the span from knot `first` with its first arguments at the span's start, the last
-/// `ends` ones at its end.
+/// Polar form of the span from knot `first` with the last `ends` arguments at the span's end and
+/// the others at its start.
 Eigen::Vector4d polar_form(std::vector<Eigen::Vector4d> d, int first,
                            const std::vector<double>& knots, int ends) {
     const int degree = static_cast<int>(d.size()) - 1;

@@ -25,17 +25,17 @@ struct Nurbs {
     std::vector<double> knots = {};
 };
 
-/// Why these are no knots of the curve: as many as points and order together, that do not fall, the
-/// first and the last order times, and none between as often, so that the curve goes from its first
-/// point to its last in one. Empty: they are.
+/// Returns the reason why the knots are invalid, empty if they are valid. Valid: the number of
+/// points plus the order, not falling, the first and the last `order` times and none between as
+/// often, so that the curve runs from its first point to its last in one.
 std::string why_no_knots(const Nurbs& nurbs);
 
 /// Its spans from knot to knot that have a length, by the polar form (knot insertion, [Boehm]);
 /// exact up to roundings.
 std::vector<RationalBezier> spans(const Nurbs& nurbs);
 
-/// The curve as cubics in its order. Polynomials up to degree 3 are exact; of the rest no point is
-/// farther than `tolerance` from the curve (fit_cubics).
+/// The curve as cubics in its order. Polynomials up to degree 3 are exact; others are within
+/// `tolerance` of the curve (fit_cubics).
 std::vector<Cubic> cubics_of(const Nurbs& nurbs, double tolerance);
 
 }  // namespace curvecore::ref

@@ -11,7 +11,7 @@ namespace {
 
 using Derivative = std::optional<Vec3> FitPoint::*;
 
-/// The points' own, or [Petrakov] (1) of what they are derivatives of.
+/// Returns the points' own derivatives, or those by [Petrakov] (1) from the vectors below them.
 Vectors derivatives(const std::vector<FitPoint>& points, Derivative which, const Vectors& of,
                     const std::vector<double>& t) {
     if (!(points.front().*which)) return bessel_slopes(of, t);

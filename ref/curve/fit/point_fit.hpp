@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Splines through points: the choice of parameter and of slopes, as cubics.
+// Splines through points as cubics: the choice of parameter and of slopes.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace curvecore::ref {
 
-/// | fit      | of the points                          | joints   | source                        |
+/// | fit      | derivatives it reads                   | joints   | source                        |
 /// |----------|----------------------------------------|----------|-------------------------------|
 /// | bessel   | nothing                                | C1       | [Obukhov] (2)                 |
 /// | akima    | nothing                                | C1       | Akima 1970                    |
@@ -27,13 +27,13 @@ namespace curvecore::ref {
 /// (+) Where the points have none, [Petrakov] (1) takes the first derivatives from the positions,
 /// and once more the second ones from the first.
 /// (*) C2 if they are those of a C2 spline. The quintic is C2; what is drawn of it are cubics with
-/// its tangents, within the tolerance. Of arcs, too, the cubics stand here: those of hermite.
+/// its tangents, within the tolerance. For arcs the cubics here are those of hermite.
 enum class Fit { kBessel, kAkima, kNatural, kClamped, kHermite, kMoments, kQuintic, kC2, kArcs };
 constexpr std::array<std::string_view, 9> kFitNames = {
     "bessel", "akima", "natural", "clamped", "hermite", "moments", "quintic", "c2", "arcs"};
 
-/// Of `c2`: no second derivative; the points' first or second derivatives; the start again, without
-/// a seam.
+/// End conditions of `c2`: no second derivative; the first or second derivatives of the points; the
+/// start again, without a seam.
 enum class Ends { kNatural, kSlope, kSecond, kClosed };
 constexpr std::array<std::string_view, 4> kEndsNames = {"natural", "slope", "second", "closed"};
 
@@ -49,18 +49,18 @@ struct FitPoint {
     std::optional<Vec3> d2;  // second derivative
 };
 
-/// Where a fit reads a derivative, if the points have any: nowhere, at both ends, at all of them.
+/// Points at which a fit reads a derivative, if they have any: none, both ends, all.
 enum class Reads { kNothing, kEnds, kAll };
 Reads reads_d1(Fit fit, Ends ends);
 Reads reads_d2(Fit fit, Ends ends);
 
-/// Parameter of every point, the first one at 0.
+/// Parameters of the points, 0 at the first.
 std::vector<double> parameters(const std::vector<FitPoint>& points,
                                Parametrisation parametrisation);
 
-/// One chain of cubics for every two neighbours: a single cubic, for quintics as many as the
-/// tolerance wants. At least two points, no two neighbours the same, with the derivatives that the
-/// fit reads; a closed spline has at least four, the last of them the first again.
+/// Fits a chain of cubics between every two neighbours: a single cubic, or for quintics the number
+/// that the tolerance needs. At least two points, no two neighbours the same, with the derivatives
+/// that the fit reads; a closed spline has at least four, the last of them the first again.
 std::vector<std::vector<Cubic>> fit_points(const std::vector<FitPoint>& points, Fit fit,
                                            Parametrisation parametrisation,
                                            double tolerance = kFitTolerance,

@@ -22,7 +22,7 @@ Chords chords(const Vectors& points, const std::vector<double>& t) {
     return found;
 }
 
-/// below m_{i-1} + diagonal m_i + above m_{i+1} = right
+/// A row: below m_{i-1} + diagonal m_i + above m_{i+1} = right.
 struct Row {
     double below, diagonal, above;
     Vec3 right;
@@ -32,7 +32,7 @@ Row smooth_row(double d0, double d1, const Vec3& s0, const Vec3& s1) {
     return {d1, 2 * (d0 + d1), d0, 3 * (s0 * d1 + s1 * d0)};
 }
 
-/// Rows without corners, diagonally dominant: elimination without pivots.
+/// Solves rows without corners, diagonally dominant: elimination without pivots.
 Vectors solve(std::vector<Row> rows) {
     Vectors m(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -16,8 +16,8 @@ namespace curvecore::ref {
 ///
 ///     r(t) = origin + sum w_i P_i B_i(t) / sum w_i B_i(t)      0 <= t <= 1
 ///
-/// By de Casteljau's algorithm: a convex combination, so position errs by a few roundings of the
-/// distance from the origin however far the weights are apart.
+/// Evaluation is de Casteljau's, a convex combination: position errs by a few roundings of the
+/// distance from the origin, whatever the weights.
 struct RationalBezier {
     Vec3 origin = Vec3::Zero();
     std::vector<Eigen::Vector4d> points;
@@ -29,10 +29,10 @@ struct RationalBezier {
 
     int degree() const { return static_cast<int>(points.size()) - 1; }
     Point at(double t) const;
-    /// Whether all weights are the same.
+    /// Returns true if all weights are equal.
     bool polynomial() const;
-    /// The same curve as a cubic. Only for degree 1 with any weights, which is a straight line, and
-    /// for polynomials of degree 2 and 3.
+    /// Returns the same curve as a cubic. Only for degree 1 with any weights, which is a straight
+    /// line, and for polynomials of degree 2 and 3.
     Cubic exact_cubic() const;
 };
 
