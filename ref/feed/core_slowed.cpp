@@ -10,10 +10,11 @@
 namespace curvecore::ref {
 namespace {
 
-// Of the core's speed that a move must have on the mean: else something else slows it more.
+// Least share of the core's speed that a move has on the mean: below it something else slows it
+// more.
 constexpr double kReached = 0.8;
 
-/// The path's limits where the speed is constant: mm/s.
+/// The path's speed limit where the speed is constant, mm/s.
 double allowed(const Move& move, const PathShape& shape, const Machine& machine) {
     double v = highest_speed(shape, machine);
     if (!move.rapid && move.feed > 0) v = std::min(v, move.feed / shape.rate);
@@ -30,7 +31,7 @@ CoreSlowed core_slowed(const FeedTask& task, const WindowMotion& motion, std::si
     const std::vector<PlannedMove>& moves = task.geometry.moves;
     const std::vector<double> core = step_speeds(task.segments, moves, task.options);
     CoreSlowed slowed;
-    double slowest = 0;  // of what is asked, by so much: mm/s, in this row of slowed moves
+    double slowest = 0;  // mm/s, largest loss in this row of slowed moves
     for (std::size_t i = first; i < end; ++i) {
         const Move& move = task.program.moves[moves[i].move - dropped];
         const double asked = allowed(move, moves[i].shape, machine);

@@ -17,18 +17,19 @@ namespace {
 
 constexpr int kCoverRounds = 12;
 constexpr double kAnyTime = 1e300;  // s
-constexpr double kCutFrom = 0.6;    // of the time that is planned: the rest is looked at again
-// Of the rules' speeds where an optimum joins them at a cut: it begins and ends within its limits.
+constexpr double kCutFrom = 0.6;    // share of the planned time; what lies behind is planned again
+// Share of the rules' speeds where an optimum joins them at a cut: it begins and ends within its
+// limits.
 constexpr double kPace = 0.95;
-constexpr double kWithoutBranches = 0.99;  // of the time, to do without them
-constexpr double kGiven = 8;               // of the longest window: twice what FeedWindow sees
-// What planning keeps of a motion, 1 to 3 kB for each knot and for every kSlow of time, is bounded.
+constexpr double kWithoutBranches = 0.99;  // ratio of times at which to give them up
+constexpr double kGiven = 8;               // times the longest window, twice what FeedWindow sees
+// Bounds of the motion that planning keeps, 1 to 3 kB for each knot and for every kSlow of time.
 constexpr double kMostKnots = 8000;
-constexpr double kSteady = 0.99;  // of its feed: so fast a move has few knots, as lines have
+constexpr double kSteady = 0.99;  // share of its feed at which a move has as few knots as a line
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
 
-/// What is planned.
+/// The input of one planning run.
 struct Subject {
     const Program& program;
     const Machine& machine;
@@ -36,12 +37,12 @@ struct Subject {
     const Geometry& geometry;
     std::vector<GivenRun> given = {};
     bool window = false;  // bounds of holds are given
-    bool more = false;    // is to come
+    bool more = false;    // more moves follow
     std::size_t least = 0;
     double pace = 1;
 };
 
-/// The moves for which there is memory, by a motion that is found by rules.
+/// Returns the number of moves for which there is memory, by a motion that the rules give.
 std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
     const std::vector<double>& times = motion.times();
     double knots = 0;
@@ -59,7 +60,7 @@ std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
     return subject.geometry.moves.size();
 }
 
-/// The slowest joint, a stop if there is one; of equals the last one.
+/// Returns the slowest joint; a stop counts as slowest, and of equal joints the last is taken.
 std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine& machine) {
     const double begin = motion.times()[open];
     const double end = motion.times().back();
@@ -69,7 +70,7 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
     const double to = std::max(end - stopping, (from + end) / 2);
     std::size_t best = 0;
     double slowest = 0;
-    double nearest = 1e300;  // s, where no joint is in the range
+    double nearest = 1e300;  // s, while no joint is in the range
     for (std::size_t i = open + 1; i + 1 < motion.times().size(); ++i) {
         if (!motion.begins_move(i)) continue;
         const double t = motion.times()[i];
@@ -84,8 +85,8 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
     return best;
 }
 
-/// Slower motion stops sooner, and the queues last longer: a few rounds do. Nothing where it takes
-/// longer than `most` seconds.
+/// Plans with slower motion, which stops sooner so that the queues last longer: a few rounds
+/// suffice. Returns none if it takes longer than `most` seconds.
 std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cut, double most,
                                           Plan& plan) {
     const std::size_t count = subject.geometry.moves.size();
@@ -107,7 +108,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
                 cut = 0;
             }
         }
-        if (round == 0) {  // as if the queues were endless: slowed motion has as many knots
+        if (round == 0) {  // endless queues for now: slowed motion has as many knots
             const std::size_t enough = enough_moves(subject, found);
             if (enough < count) return PlannedWindow{std::move(found), cut, enough};
         }
@@ -144,7 +145,7 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
     }
 }
 
-/// By rules, and by the optimum if that is asked for and faster.
+/// Plans by rules, and by the optimum if it is asked for and faster.
 std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     const Effort effort = subject.options.effort;
     if (subject.window && effort == Effort::kOptimum) subject.pace = kPace;
@@ -154,7 +155,7 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     std::optional<PlannedWindow> rules = plan_covered(subject, 0, kAnyTime, plan);
     if (effort == Effort::kRules || !rules || rules->enough < count) return rules;
     subject.least = count;
-    // More pieces want more queue, and so do stop branches: where that costs time, the optimum does
+    // More pieces need more queue, and so do stop branches: where that costs time, the optimum does
     // without them, and where it costs more than the optimum gains the rules stay.
     const std::size_t cut = rules->cut;
     std::optional<PlannedWindow> best = std::move(rules);
@@ -162,7 +163,7 @@ std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
     if (!carries_branches(subject.machine, subject.options, plan)) {
         subject.options.holds = Holds::kBounds;
     }
-    // False: it was slowed for the queues, or could not be had.
+    // Returns false if the optimum was slowed for the queues, or there is none.
     const auto improve = [&](double worth) {
         Plan found = plan;
         std::optional<PlannedWindow> optimum;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feed profile of a program or of a window of it: limits, stops and look-ahead to pieces, so slow
-// that what is queued outlasts a stop.
+// Feed profile of a program or of a window of it: limits, stops and look-ahead become pieces, slow
+// enough that what is queued outlasts a stop.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,30 @@ namespace curvecore::ref {
 
 /// Fills in pieces, duration, bounds of holds and the feed at both ends of every segment.
 ///
-/// @param least planned moves that there is memory for, however long they take
-/// @returns so many planned moves there is memory for: fewer than all, and nothing is filled in
+/// @param least number of planned moves for which there is memory in any case
+/// @returns the number of planned moves for which there is memory: if not all, nothing is filled in
 std::size_t plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
                       const Geometry& geometry, std::size_t least, Plan& plan);
 
 struct PlannedWindow {
     WindowMotion motion;
     std::size_t cut;     // planned move before which it can be cut, without acceleration there
-    std::size_t enough;  // as plan_feed() returns
+    std::size_t enough;  // result of plan_feed()
 };
 
-/// A window that begins with what is given, up to a rest at its end, with the bounds of holds that
-/// stand in the plan; what is planned is filled in there.
+/// Plans a window that begins with the given motion and ends at rest, with the plan's bounds of
+/// holds, and fills in what it plans.
 ///
-/// `more`: it gets a cut, so far from its end that what follows may be faster there than a motion
-/// that stops; 0: no place for a cut. `least`: as of plan_feed().
-/// @returns nothing where what is given cannot be gone on with
+/// `more`: makes a cut, far enough from the end that what follows may be faster there than a motion
+/// that stops; cut 0: there is no place for one. `least`: as in plan_feed().
+/// @returns none if the given motion cannot be continued
 std::optional<PlannedWindow> plan_window(const Program& program, const Machine& machine,
                                          const PlanOptions& options, const Geometry& geometry,
                                          const std::vector<GivenRun>& given, bool more,
                                          std::size_t least, Plan& plan);
 
-/// The last planned move, of those that begin one of the program, from which on a window must be
-/// given the motion to see all that counts for what follows `cut`.
+/// Returns the last planned move, of those that begin a move of the program, from which on a window
+/// must be given the motion to see all that affects what follows `cut`.
 std::size_t given_from(const WindowMotion& motion, std::size_t cut, const Machine& machine);
 
 }  // namespace curvecore::ref

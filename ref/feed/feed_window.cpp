@@ -10,11 +10,12 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kRounds = 50;    // of planning; some five are seen
-constexpr int kCutRounds = 5;  // of making a cut
-// By which the speed at a cut is lowered: off its limits; four times more if that was not enough.
+constexpr int kRounds = 50;    // rounds of planning; some five are seen
+constexpr int kCutRounds = 5;  // rounds of making a cut
+// Share by which the speed at a cut is lowered, off its limits; four times more if that was not
+// enough.
 constexpr double kSlower = 0.01;
-constexpr double kSame = 1 + 1e-9;  // of a speed
+constexpr double kSame = 1 + 1e-9;  // ratio of speeds
 
 }  // namespace
 
@@ -57,7 +58,7 @@ bool FeedWindow::pass_and_improve(Stretch& stretch) {
     return true;
 }
 
-/// Where a joint's own limit is met there is no acceleration.
+/// Makes the cut pass: there is no acceleration where a joint's own limit is met.
 bool FeedWindow::pass_cut(Stretch& stretch) {
     if (cut_ <= stretch.open() || cut_ > stretch.last) return true;
     const long double place = place_of(task_.geometry, stretch, cut_, planner_.grid());
@@ -72,14 +73,14 @@ bool FeedWindow::pass_cut(Stretch& stretch) {
     return false;
 }
 
-/// Plans again, slower, where the limits over windows are broken.
+/// Plans again, slower, where limits over windows are violated.
 bool FeedWindow::keep_windows() {
     const std::vector<Segment>& segments = task_.segments;
     double given = 0;  // s
     for (const Stretch& stretch : stretches_) {
         if (stretch.given.moves > 0) given += stretch.dwell + duration(stretch.given.phases);
     }
-    // Windows that see what is not given must be kept; what others see was looked at before.
+    // Windows that see what is not given must keep them; what others see was checked before.
     const double seen = given - window_reach(task_.machine);
     for (int round = 0; round < kRounds; ++round) {
         look_near_changes();
@@ -114,11 +115,11 @@ bool FeedWindow::keep_windows() {
     return true;
 }
 
-/// Stretches that a window with a part of a changed one may meet.
+/// Marks the stretches that share a window with a part of a changed one.
 void FeedWindow::look_near_changes() {
     const double reach = 2 * longest_window(task_.machine);
     const auto look = [&](auto begin, auto end) {
-        double time = 2 * reach;  // since the last change
+        double time = 2 * reach;  // s, since the last change
         for (auto stretch = begin; stretch != end; ++stretch) {
             if (stretch->changed) time = 0;
             stretch->looked_at = stretch->looked_at || time <= reach;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion of a program, or of as much of it as is looked at: what was planned before is given,
-// and where more is to come the motion can be cut.
+// The motion of a program or of a window of it: what was planned before is given, and where more
+// follows the motion can be cut.
 #pragma once
 
 #include "ref/feed/window_motion.hpp"
@@ -10,12 +10,12 @@ namespace curvecore::ref {
 class FeedWindow {
   public:
     /// @param given the motion of the first planned moves
-    /// @param cut planned move before which there is no acceleration; 0: none, as yet
+    /// @param cut planned move before which there is no acceleration; 0: none yet
     FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut);
 
-    /// By options.effort. False: what is given cannot be gone on with.
+    /// Plans by options.effort. Returns false if the given motion cannot be continued.
     bool plan();
-    /// The same motion as far as a cut lets it be.
+    /// Makes the same motion with a cut, as far as the cut allows.
     bool cut_before(std::size_t cut);
 
     WindowMotion motion() const;

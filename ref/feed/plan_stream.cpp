@@ -17,10 +17,10 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLargest = 8;  // times the size of a window that has no place for a cut
-constexpr std::size_t kFew = 32;     // moves that a window may have, however long they are
-constexpr double kLongMove = 1;      // mm, a mean of more: a window has fewer moves
+constexpr std::size_t kFew = 32;     // moves that a window may have, whatever their length
+constexpr double kLongMove = 1;      // mm; above this mean length a window has fewer moves
 constexpr std::size_t kMostPlanned = 16000;  // moves, or segments: a window has no more
-constexpr std::size_t kFewest = 3;           // moves that it may have, however long they take
+constexpr std::size_t kFewest = 3;           // moves that it may have, whatever their time
 
 double length_of(const std::vector<Move>& moves) {
     double length = 0;
@@ -28,7 +28,7 @@ double length_of(const std::vector<Move>& moves) {
     return length;
 }
 
-/// Windows have moves in common.
+/// Windows share moves.
 PlanOptions with_cuts(PlanOptions options) {
     if (!options.cuts) options.cuts = std::make_shared<KnownCuts>();
     return options;
@@ -41,7 +41,7 @@ double fastest_motion(const Move& move) {
     return linear && !move.rapid && move.feed > 0 ? move.feed : 1e9;
 }
 
-/// A window's moves with their motion, from what is given to a rest.
+/// A window's moves with their motion, from the given part to a rest.
 struct PlanStream::Window {
     Geometry geometry;
     Plan plan;
@@ -50,8 +50,8 @@ struct PlanStream::Window {
     std::size_t first = 0;  // move of the program, from its start
     std::size_t end = 0;
 
-    /// Planned moves: those of the first `moves` of its program, and those of a few more than
-    /// given.
+    /// Returns the number of planned moves in the first `moves` of its program, and in any case a
+    /// few more than are given.
     std::size_t least(std::size_t moves) const {
         const std::size_t given = open < geometry.moves.size() ? geometry.moves[open].move : 0;
         const std::size_t most = std::max(moves, given + kFewest);
@@ -78,7 +78,7 @@ PlanStream::PlanStream(MoveSource source, StreamFrame frame, Machine machine,
 PlanStream::~PlanStream() = default;
 
 std::optional<Plan> PlanStream::next() {
-    bool all = false;  // is planned, however much it is
+    bool all = false;  // everything is planned, whatever its size
     for (std::size_t size = size_; !ended_;) {
         read(size);
         std::unique_ptr<Window> window = look(all ? SIZE_MAX : kMostPlanned);
@@ -166,10 +166,11 @@ bool PlanStream::take(Move& move) {
     return true;
 }
 
-/// Moves of the program_ that the window before has: it may have to go on as planned there.
+/// Returns the number of moves of program_ that the last window has: the next may have to follow it
+/// there.
 std::size_t PlanStream::planned_before() const { return before_ ? before_->end - dropped_ : 0; }
 
-/// The window's moves from `first` on.
+/// Puts back the window's moves from `first` on.
 void PlanStream::put_back(std::size_t first) {
     const auto from = program_.moves.begin() + static_cast<std::ptrdiff_t>(first);
     back_.insert(back_.begin(), next_.begin(), next_.end());
@@ -194,12 +195,12 @@ void PlanStream::raise(Move& move, double factor) const {
     if (!move.rapid) move.feed = std::min(factor * move.feed, std::max(move.feed, fastest_));
 }
 
-/// What ends at rest because more follows must not be the last.
+/// Checks that a move that ends at rest because more follows is not the last.
 void PlanStream::check_next() {
     if (more_) check(next_.back());
 }
 
-/// False, and the program ends before it: the machine or the core cannot have this move.
+/// Returns false, and the program ends before the move, if the machine or the core cannot make it.
 bool PlanStream::check(const Move& move) {
     Program one;
     one.file = program_.file;
@@ -214,7 +215,8 @@ bool PlanStream::check(const Move& move) {
     return true;
 }
 
-/// At as many moves as `most` planned ones take, but at all that were planned before.
+/// Plans a window of as many moves as `most` planned ones, but at least of all that were planned
+/// before.
 std::unique_ptr<PlanStream::Window> PlanStream::look(std::size_t most) {
     auto window = std::make_unique<Window>();
     const auto make = [&](std::size_t planned) {
@@ -240,7 +242,7 @@ std::unique_ptr<PlanStream::Window> PlanStream::look(std::size_t most) {
     return window;
 }
 
-/// And all that follows it.
+/// Drops the first move that fails and every later move.
 void PlanStream::leave_out_what_fails() {
     for (std::size_t i = 0; i < program_.moves.size(); ++i) {
         if (check(program_.moves[i])) continue;
@@ -249,7 +251,7 @@ void PlanStream::leave_out_what_fails() {
     }
 }
 
-/// False: it cannot go on.
+/// Returns false if the window cannot continue the given motion.
 bool PlanStream::plan(Window& window, std::size_t least) {
     try {
         window.planned = plan_window(program_, machine_, options_, window.geometry, given_, more_,
@@ -265,7 +267,7 @@ bool PlanStream::plan(Window& window, std::size_t least) {
     return window.planned.has_value();
 }
 
-/// Up to the window's cut, or to its rest.
+/// Gives out the window up to its cut, or to its rest.
 Plan PlanStream::give_out(std::unique_ptr<Window> window) {
     const std::vector<PlannedMove>& moves = window->geometry.moves;
     const std::size_t cut = window->planned->cut;
@@ -291,7 +293,7 @@ Plan PlanStream::stop_where_planned() {
     return plan;
 }
 
-/// The next window begins with this move, at rest unless something is given.
+/// Drops the moves before `first`: the next window begins there, at rest unless a motion is given.
 void PlanStream::drop(std::size_t first) {
     program_.moves.erase(program_.moves.begin(),
                          program_.moves.begin() + static_cast<std::ptrdiff_t>(first));
@@ -302,7 +304,7 @@ void PlanStream::drop(std::size_t first) {
     before_.reset();
 }
 
-/// Planned moves from `first` up to `end` (not included).
+/// Returns the plan of the planned moves from `first` up to `end` (not included).
 Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) {
     const std::vector<PlannedMove>& moves = window.geometry.moves;
     const auto length = [&](std::size_t from, std::size_t to) {
@@ -338,7 +340,7 @@ Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) 
     return plan;
 }
 
-/// Where a part does not end at rest, stops end before what is not planned yet.
+/// Adds stop branches; where a part does not end at rest, they end before what is not planned yet.
 void PlanStream::add_branches(const Window& window, std::size_t first, std::size_t end,
                               Plan& plan) const {
     Geometry own;
@@ -358,7 +360,7 @@ void PlanStream::add_branches(const Window& window, std::size_t first, std::size
         ++kept;
     }
     plan.branches.resize(kept);
-    if (kept > 0) plan.branches.back().wait = 1;  // for none
+    if (kept > 0) plan.branches.back().wait = 1;  // wait for none
 }
 
 }  // namespace curvecore::ref

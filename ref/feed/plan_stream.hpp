@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program of any length planned while it is read, in bounded memory.
+// A program of any length, planned while it is read, in bounded memory.
 //
 // A window of moves, as many as there is memory for, is planned up to a rest at its end, as if the
-// program ended there. Of this motion the first part, up to a cut, is given out, and it stays. The
-// next window begins with as much of it as the rule of windows sees, goes on from the cut in the
-// same speed, and reads more moves. Where it cannot go on, what was planned behind the cut is given
-// out after all, to its rest.
+// program ended there. The first part of this motion, up to a cut, is given out and stays. The next
+// window begins with as much of it as the rule of windows sees, continues from the cut at the same
+// speed, and reads more moves. If it cannot continue, what was planned behind the cut is given out
+// after all, to its rest.
 #pragma once
 
 #include <deque>
@@ -18,20 +18,20 @@
 
 namespace curvecore::ref {
 
-/// What must be known of a program before its first part.
+/// Properties of a program that must be known before its first part.
 ///
 /// | field    | unit | remark                                            |
 /// |----------|------|---------------------------------------------------|
 /// | file     |      | name for errors                                   |
 /// | aux_axes | 1    | in use                                            |
-/// | fastest  | mm/s | of its moves, fastest_motion(), however overridden |
+/// | fastest  | mm/s | of its moves, with any override: fastest_motion() |
 struct StreamFrame {
     std::string file;
     int aux_axes = 0;
     double fastest = 1e9;
 };
 
-/// No axis moves faster, but for the machine's limits: mm/s.
+/// Upper limit of the move's speed, mm/s, without the machine's limits.
 double fastest_motion(const Move& move);
 
 class PlanStream {
@@ -39,22 +39,22 @@ class PlanStream {
     PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options);
     ~PlanStream();
 
-    /// The plan of the next part of the program: segments and pieces follow those of the part
-    /// before, path and moves are counted from the program's start, and the bounds of holds are the
-    /// same.
+    /// Returns the plan of the next part of the program: its segments and pieces follow those of
+    /// the part before, path and moves count from the program's start, and the bounds of holds are
+    /// the same.
     ///
-    /// @throws InputError once, in the place of a part that cannot be had: what was given out ends
+    /// @throws InputError once, in place of a part that cannot be planned: what was given out ends
     ///         at rest before it
     std::optional<Plan> next();
 
-    /// An override above 1 (below 1 the core scales time): the feeds of the moves that no part has
-    /// yet become `factor` times those of the program, up to StreamFrame::fastest. Never less than
-    /// before: a window may have to go on in the speed of the one before.
+    /// Applies an override above 1 (below 1 the core scales time): the feeds of the moves that no
+    /// part has yet become `factor` times those of the program, up to StreamFrame::fastest. The
+    /// factor never falls, since a window may have to continue at the speed of the one before.
     void raise_feed(double factor);
 
-    /// Windows that could not go on.
+    /// Number of windows that could not continue.
     std::size_t forced_stops() const { return forced_stops_; }
-    /// Of the move behind which the first of them stops.
+    /// Line of the move behind which the first of them stops.
     int forced_stop_line() const { return forced_stop_line_; }
 
   private:
@@ -84,21 +84,21 @@ class PlanStream {
     const PlanOptions options_;
     const double fastest_;
     double raised_ = 1;
-    std::size_t size_;             // moves of a window, that there is memory for
-    std::deque<Move> back_;        // read before, to be read again
+    std::size_t size_;             // moves of a window for which there is memory
+    std::deque<Move> back_;        // moves read before, to be read again
     Program program_;              // the window's
-    std::size_t begun_moves_ = 0;  // of it, that a part has, or the start of
-    std::size_t dropped_ = 0;      // moves of the program before it
+    std::size_t begun_moves_ = 0;  // moves of it that a part has, or the start of
+    std::size_t dropped_ = 0;      // moves of the whole program before it
     double miss_ = 0;              // quanta of path before it, PlannedMove::miss
-    std::vector<Move> next_;       // those that follow it, up to one that has a length
-    bool more_ = true;             // there is such a one
+    std::vector<Move> next_;       // moves that follow it, up to one that has a length
+    bool more_ = true;             // such a move exists
     std::vector<GivenRun> given_;
-    std::unique_ptr<Window> before_;  // with what lies behind its cut
+    std::unique_ptr<Window> before_;  // the last window, for what lies behind its cut
     bool begun_ = false;
     bool ended_ = false;
     std::exception_ptr error_;
-    Plan frame_;              // what all parts have
-    std::uint64_t path_ = 0;  // quanta, given out
+    Plan frame_;              // data that all parts have
+    std::uint64_t path_ = 0;  // quanta given out
     std::size_t forced_stops_ = 0;
     int forced_stop_line_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From moves to what a core is loaded with: the only place where geometry meets feed.
+// The planner: moves become what a core is loaded with. Only here geometry meets feed.
 #pragma once
 
 #include "ref/machine/machine.hpp"
@@ -9,7 +9,7 @@
 
 namespace curvecore::ref {
 
-/// Segments and feed profile of a whole program, planned in windows (ref/feed/plan_stream.hpp).
+/// Plans segments and feed profile of a whole program, in windows (ref/feed/plan_stream.hpp).
 ///
 /// Moves follow each other: moves[i].end is moves[i+1].start. A move without length makes no
 /// segment; its exact_stop and dwell count. Where a cubic stands still (a cusp, a doubled control
@@ -20,7 +20,7 @@ namespace curvecore::ref {
 ///
 /// @throws InputError with the move's line: beyond the travel or the position words, a segment
 ///         that the configuration cannot carry (says which width would do), an auxiliary axis too
-///         fast along a spline, nothing moves.
+///          fast along a spline, nothing moves.
 Plan make_plan(const Program& program, const Machine& machine, const PlanOptions& options);
 
 }  // namespace curvecore::ref

@@ -13,28 +13,29 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kJointShare = 0.99;  // the same at joints
-// The shortest piece must resolve a ramp: so many of them up to full acceleration, and so little
-// of the speed gained within one.
+constexpr double kJointShare = 0.99;  // the same share at joints
+// Resolution of a ramp by the shortest piece: this many pieces up to full acceleration, and this
+// share of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr double kCarried = 1.045;  // of a share: what rounding to ticks may add to an optimum
-constexpr double kUnseen = 0.005;   // of it, as a mean over the joint time: of less than a tick
-constexpr double kSpeedCarried = 1.001;  // the same of velocities
-constexpr double kWorth = 0.01;          // of the time: what an optimum must be able to gain
-constexpr double kRampTime = 0.05;       // s, to full acceleration: that of kKnots
-constexpr double kKnots = 16;            // in it
+constexpr double kCarried = 1.045;       // of a share: what rounding to ticks may add to an optimum
+constexpr double kUnseen = 0.005;        // of it, as a mean over the joint time: less than a tick
+constexpr double kSpeedCarried = 1.001;  // the same for velocities
+constexpr double kWorth = 0.01;          // share of the time that an optimum must be able to gain
+constexpr double kRampTime = 0.05;       // s, ramp to full acceleration to which kKnots belongs
+constexpr double kKnots = 16;            // knots in it
 constexpr double kSlowApart = 2;         // steps between knots where an axis bounds the speed
-constexpr double kAny = 1e300;           // a limit that is none
+constexpr double kAny = 1e300;           // no limit
 constexpr double kSameSpeed = 1e-9;      // relative
 
-/// How many times as far apart as elsewhere knots may be while the speed is constant.
+/// Factor by which knots may be spread where the speed is constant.
 double knots_apart(const Move& move) {
     if (move.kind == Move::Kind::kCubic) return 2;
     return move.kind == Move::Kind::kArc ? 4 : 1e9;
 }
 
-/// Zones that no motion from the speed given can pass are passed by a jump.
+/// Returns true if no jump is needed: a jump passes zones that no motion from the given speed can
+/// pass.
 bool is_smooth(const std::vector<Phase>& phases) {
     for (std::size_t i = 0; i + 1 < phases.size(); ++i) {
         const double v = phases[i].speed(phases[i].duration);
@@ -45,8 +46,8 @@ bool is_smooth(const std::vector<Phase>& phases) {
 
 }  // namespace
 
-/// A ramp half as long has knots 0.8 times as far apart: a looser limit is planned with more knots,
-/// but not by as much as it is looser.
+/// Step of knots. A ramp half as long has knots 0.8 times as far apart: looser limits are planned
+/// with more knots, but not in proportion.
 double knot_step(const PathShape& shape, const Machine& machine) {
     const double step = kRampTime / kKnots * std::cbrt(ramp_time(shape, machine) / kRampTime);
     return std::max(step, machine.joint_time);
@@ -73,7 +74,7 @@ StretchPlanner::StretchPlanner(const FeedTask& task)
     if (task.options.has_branches()) grid_.longest = longest_piece(grid_);
 }
 
-/// What the moves from `first` up to `last` (not included) ask for at their ends.
+/// The limits at the ends of the moves from `first` up to `last` (not included).
 StretchPlanner::Rest StretchPlanner::rest(std::size_t first, std::size_t last) const {
     Rest all;
     for (std::size_t i = first; i < last; ++i) {
@@ -132,7 +133,7 @@ void StretchPlanner::set_zones(Stretch& stretch) const {
     }
     stretch.caps.assign(stretch.zones.size(), 1e9);
     if (stretch.given.moves == 0 || stretch.is_given()) return;
-    // A motion from rest has the speed in which what is given ends before that begins.
+    // A motion from rest has the end speed of the given motion before that begins.
     const double v = end_speed(stretch.given.phases);
     double acceleration = kAny;
     double jerk = kAny;
@@ -176,7 +177,7 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
         const double asked = asked_speed(i, fastest);
         move.velocity = std::min({asked, slowed_[i].speed, stretch.caps[zone]});
         move.slow_axes = kVelocityShare * highest < move.velocity;
-        // Motion that the queues slow has no more knots than it had without.
+        // A motion that the queues slow has no more knots than before.
         move.step = std::max(knot_step(shape, machine_) * std::max(1.0, asked / slowed_[i].speed),
                              slowed_[i].ramp / kKnots);
         move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
@@ -210,13 +211,13 @@ void StretchPlanner::improve(Stretch& stretch, std::size_t end) {
     stretch.phases = std::move(phases);
 }
 
-/// From rest to rest on a straight line the rules are the optimum.
+/// Returns true on a straight line from rest to rest, where the rules are the optimum.
 bool StretchPlanner::one_line(const Stretch& stretch) const {
     const Move& move = program_.moves[geometry_.moves[stretch.first].move];
     return stretch.first == stretch.last && move.kind == Move::Kind::kLine;
 }
 
-/// Rounding to ticks may ask too much, as at joints within a few of them.
+/// Loads of the words: rounding to ticks may ask too much, also at joints within a few of them.
 std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& moves,
                                                 const std::vector<Phase>& phases) {
     Geometry own;
@@ -254,7 +255,7 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
     return loads;
 }
 
-/// What feed, core and words allow of a speed that the machine does.
+/// Speed that feed, core and words allow, given the machine's.
 double StretchPlanner::asked_speed(std::size_t i, double machine) const {
     const PlannedMove& planned = geometry_.moves[i];
     const Move& move = program_.moves[planned.move];
@@ -265,7 +266,7 @@ double StretchPlanner::asked_speed(std::size_t i, double machine) const {
 
 double StretchPlanner::carried_jerk(std::size_t i, double v, double acceleration) const {
     const double time = static_cast<double>(grid_.shortest) * grid_.tick;
-    const double least = slowed_[i].ramp / 2;  // to and from full acceleration
+    const double least = slowed_[i].ramp / 2;  // to full acceleration and back
     return std::min({acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time),
                      least > 0 ? v / (least * least) : kAny});
 }

@@ -10,9 +10,9 @@
 
 namespace curvecore::ref {
 
-/// What was planned before and stays: the first moves of a stretch with their motion.
+/// A motion that was planned before and stays: the first moves of a stretch.
 struct GivenRun {
-    std::size_t moves = 0;  // planned ones
+    std::size_t moves = 0;  // number of planned moves
     std::vector<Phase> phases;
 };
 
@@ -28,11 +28,11 @@ inline std::size_t given_moves(const std::vector<GivenRun>& given) {
 /// | first, last |        | planned moves                                            |
 /// | start, end  | quanta | of the program's path                                    |
 /// | given       |        | it begins with this motion; none: at rest                |
-/// | lead        | mm     | what stands before it in the zones: a straight run to its speed |
+/// | lead        | mm     | a straight run to its speed, before it in the zones      |
 /// | zones       |        | moves and, between them, joints                          |
 /// | caps        | mm/s   | of zones, by the rule of windows                         |
 /// | phases      |        | the motion; places from the stretch's start, mm          |
-/// | changed     |        | since its windows were looked at                         |
+/// | changed     |        | its windows are to be checked                            |
 struct Stretch {
     double dwell = 0;
     std::size_t first = 0, last = 0;
@@ -56,23 +56,23 @@ struct Stretch {
     }
 };
 
-/// From knot to knot of a move, s, where the speed changes.
+/// Time between knots of a move, s, where the speed changes.
 double knot_step(const PathShape& shape, const Machine& machine);
 
-/// mm
+/// Length in mm.
 inline double length_of(const PlannedMove& move, const PieceGrid& grid) {
     return static_cast<double>(move.length) * grid.quantum;
 }
 
-/// Where a planned move begins, mm from the stretch's start; kEnd beyond the last one.
+/// Start of a planned move, mm from the stretch's start; kEnd beyond the last one.
 long double place_of(const Geometry& geometry, const Stretch& stretch, std::size_t move,
                      const PieceGrid& grid);
 
 /// | field    | remark                                    |
 /// |----------|-------------------------------------------|
-/// | segments | of all planned moves; their path is from 0 |
+/// | segments | of all planned moves; path from 0         |
 /// | slowed   | each planned move, for the core's queues  |
-/// | pace     | of the speeds that the rules take          |
+/// | pace     | share of the speeds that the rules take   |
 struct FeedTask {
     const Program& program;
     const Machine& machine;
@@ -83,24 +83,24 @@ struct FeedTask {
     double pace = 1;
 };
 
-/// Cuts a path at its stops and plans what lies between, with limits of the machine, of the program
-/// and of the core.
+/// Cuts a path at its stops and plans the parts between them, within the limits of the machine, of
+/// the program and of the core.
 class StretchPlanner {
   public:
     explicit StretchPlanner(const FeedTask& task);
 
-    /// All of the path, ready to be planned. `given`: of the first stretches.
+    /// Returns all of the path, ready to be planned. `given`: motion of the first stretches.
     std::vector<Stretch> cut_at_stops(const std::vector<GivenRun>& given);
 
-    /// By rules. False: what is given cannot be gone on with.
+    /// Plans by rules. Returns false if the given motion cannot be continued.
     bool plan(Stretch& stretch) const;
 
-    /// The optimum, after the rules' plan, from what is given up to planned move `end`, whose speed
-    /// at its start stays.
+    /// Plans the optimum, after the rules' plan, from the given motion up to planned move `end`,
+    /// whose speed at its start stays.
     void improve(Stretch& stretch, std::size_t end);
 
     const PieceGrid& grid() const { return grid_; }
-    /// After the last stretch, s.
+    /// Dwell after the last stretch, s.
     double last_dwell() const { return last_dwell_; }
 
   private:
@@ -129,7 +129,7 @@ class StretchPlanner {
     std::vector<double> step_speed_;
     const std::vector<Slowed>& slowed_;
     double pace_;
-    std::vector<double> joint_speed_;  // before each planned move; 0: stop
+    std::vector<double> joint_speed_;  // mm/s before each planned move; 0: stop
     double last_dwell_ = 0;
 };
 

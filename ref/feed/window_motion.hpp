@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion that was planned for a program, or for a window of it, and its parts.
+// The planned motion of a program, or of a window of it, and its parts.
 #pragma once
 
 #include "ref/feed/stretch.hpp"
@@ -12,20 +12,20 @@ class WindowMotion {
     WindowMotion(std::vector<Stretch> stretches, const Geometry& geometry, const PieceGrid& grid,
                  double last_dwell);
 
-    /// When each planned move begins, and the end; s.
+    /// Start time of each planned move, and the end; s.
     const std::vector<double>& times() const { return times_; }
 
-    /// Speed in which each planned move begins, mm/s.
+    /// Speed at the start of each planned move, mm/s.
     const std::vector<double>& speeds() const { return speeds_; }
 
-    /// Whether a planned move is the first of a move of the program.
+    /// Returns true if a planned move is the first of a move of the program.
     bool begins_move(std::size_t move) const;
 
     /// Appends the pieces of the planned moves from `first` up to `end` (not included).
     void append(std::size_t first, std::size_t end, std::vector<ProfilePiece>& pieces) const;
     void append_last_dwell(std::vector<ProfilePiece>& pieces) const;
 
-    /// The motion of these moves as a window that begins with them is given it.
+    /// Returns the motion of these moves in the form that a window which begins with them is given.
     std::vector<GivenRun> given(std::size_t first, std::size_t end) const;
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What limits a motion on an interval of a path, and how near it is to these limits.
+// Limits of a motion on an interval of a path, and its distance from them.
 #pragma once
 
 #include <algorithm>
@@ -29,17 +29,17 @@ void each_limit_at(const std::vector<PathInterval>& path, const SpeedSpline& spl
     }
 }
 
-/// What q must be multiplied by in interval k for every limit to be kept with this share of it.
+/// Factor for q in interval k at which every limit is kept with this share of it.
 double slower(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k,
               double share);
 
-/// Of the whole limits of acceleration and jerk, the most that interval k takes.
+/// Largest share of the whole limits of acceleration and jerk that interval k takes.
 double load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);
 
-/// Of its velocities, the most that interval k takes.
+/// Largest share of its velocities that interval k takes.
 double speed_load(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);
 
-/// LimitedPlace::mean of interval k, unless a limit would not be kept then.
+/// Sets LimitedPlace::mean of interval k, unless that would violate a limit.
 void set_means(std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k);
 
 }  // namespace curvecore::ref

@@ -7,12 +7,12 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kJump = 0.3;   // of jerk * JointTime: of acceleration, between phases
-constexpr double kKept = 1.04;  // of a limit's share, before words are rounded
+constexpr double kJump = 0.3;   // share of jerk * JointTime: change of acceleration between phases
+constexpr double kKept = 1.04;  // share of a limit's share, before words are rounded
 constexpr double kSpeedKept = 1.001;
-constexpr double kStill = 1e-9;  // mm/s: rounding of a rest
+constexpr double kStill = 1e-9;  // mm/s, rounding of a rest
 
-/// mm/s; s(t) never goes back.
+/// Least speed, mm/s; s(t) never goes back.
 double least_speed(const Phase& phase) {
     const double bend = phase.j != 0 ? -phase.a / phase.j : -1;
     const double inside = bend > 0 && bend < phase.duration ? phase.speed(bend) : phase.v;
@@ -57,7 +57,7 @@ class Merger {
                              v, time_[end] - time_[first]);
     }
 
-    /// Of acceleration, at a knot.
+    /// Largest jump of acceleration at a knot.
     double jump(std::size_t knot) const { return jump_time_ * path_.jerk_along(knot); }
 
     bool fits(std::size_t first, std::size_t end) {

@@ -12,31 +12,31 @@
 namespace curvecore::ref {
 namespace {
 
-// Intervals that are solved at once, some 34 times to full acceleration. Those are kept that the
-// window's end, which stands at a slower motion, does not make slower; what brakes for it is solved
-// again with what follows. Where that is more than half of them, the window is too short.
+// Intervals solved at once, some 34 times to full acceleration. Those that the window's end, which
+// stays at a slower motion, does not slow down are kept; those that brake for it are solved again
+// with what follows. If that is more than half of them, the window is too short.
 constexpr std::size_t kWindow = 560;
 constexpr std::size_t kLongestWindow = 16 * kWindow;
-constexpr std::size_t kBeyond = 10;  // what is kept, what needs easing is eased at once
-// Shares of the time that the barrier may cost: at first, then, to draw back from limits, and last.
+constexpr std::size_t kBeyond = 10;  // intervals beyond these, eased at once if they need it
+// Shares of the time that the barrier may cost: first, then to draw back from limits, and last.
 constexpr double kFirstGap = 0.5;
 constexpr double kNextGap = 0.15;
 constexpr double kBackGap = 0.0248;
 constexpr double kGap = 0.004;
-constexpr double kInside = 0.999;    // of a limit
+constexpr double kInside = 0.999;    // share of a limit
 constexpr double kKept = 1.02;       // of a limit's share
 constexpr double kTolerated = 1.05;  // of it, after some rounds
-constexpr double kMore = 0.02;       // by which limits are eased more, from round to round
+constexpr double kMore = 0.02;       // additional easing of limits from round to round
 constexpr RunLoads kAll{1e300, 1e300};
 constexpr int kRounds = 3;
 constexpr int kMostRounds = 8;
-// Intervals that are eased on both sides of where words take too much, and those solved again.
+// Intervals eased on both sides of where words take too much, and those solved again.
 constexpr std::size_t kNear = 2;
-constexpr std::size_t kAround = 60;  // and as many more for each time before
+constexpr std::size_t kAround = 60;  // this many more for each time before
 constexpr int kMends = 10;
-constexpr int kMostMends = 40;  // in a long run some places are always left
+constexpr int kMostMends = 40;  // in a long run some places always remain
 constexpr double kMendMore = 0.05;
-// Of a share and of a velocity, what a few words may take after so many mends.
+// Tolerance of a share and of a velocity for a few words after that many mends.
 constexpr double kCarried = 1.05;
 static_assert(kCarried * kAccelerationShare < 1 && kCarried * kJerkShare < 1, "within limits");
 constexpr double kSpeedCarried = 1.002;
@@ -51,7 +51,7 @@ class OptimalRun {
           found_(knots_.size() - 1),
           mends_(knots_.size() - 1, 0) {}
 
-    /// False: the ends, where they are in motion, leave no way to keep the limits.
+    /// Returns false if the ends, where they are in motion, leave no way to keep the limits.
     bool solve() {
         if (!optimum_.slow_down(1, end_)) return false;
         std::size_t window = kWindow;
@@ -73,8 +73,8 @@ class OptimalRun {
         }
     }
 
-    /// Takes less where the words take too much, and less still where they did before, over a
-    /// longer way.
+    /// Lowers the shares where the words take too much, and further, over a longer way, where they
+    /// did so before.
     void mend(const std::vector<RunLoad>& loads) {
         const std::vector<int> before = mends_;
         const auto less_of = [](double now, double taken) {  // where too much was taken
@@ -107,7 +107,7 @@ class OptimalRun {
     }
 
     const std::vector<Phase>& phases() const { return found_; }
-    /// How often each has been mended.
+    /// Number of mends of each interval.
     const std::vector<int>& mends() const { return mends_; }
 
   private:
@@ -137,8 +137,8 @@ class OptimalRun {
         return motions;
     }
 
-    /// Where the true path asks for more than its interval's limits did, they are eased, and the
-    /// window is solved again from where it had room.
+    /// Eases the limits of intervals in which the true path asks for more than they did, and solves
+    /// the window again from where it had room.
     void settle(std::size_t first, std::size_t last, std::size_t kept, TimeOptimum::State roomy) {
         for (int round = 0;; ++round) {
             const Eased eased = missed(first, kept, round);
@@ -150,7 +150,7 @@ class OptimalRun {
         }
     }
 
-    /// Eases this in what is solved, and the same then.
+    /// Eases these in what is solved, then what is still missed.
     void mend(std::size_t first, std::size_t last, Eased eased, int times) {
         for (int round = 0; !eased.empty(); ++round) {
             draw_back(first, last, eased, back_gap(times + round));
@@ -166,7 +166,7 @@ class OptimalRun {
 
     static double back_gap(int times) { return std::min(kFirstGap, kBackGap * std::pow(3, times)); }
 
-    /// Up to interval `last`, what it takes to keep the limits; after some rounds, nothing.
+    /// Returns the easing, up to interval `last`, that keeps the limits; after some rounds, none.
     Eased missed(std::size_t first, std::size_t last, int round) {
         Eased eased;
         double worst = 0;
@@ -181,7 +181,7 @@ class OptimalRun {
         return kept ? Eased{} : eased;
     }
 
-    /// False, and nothing is eased: no motion was found that keeps this.
+    /// Returns false, easing nothing, if no motion was found that keeps this.
     bool ease(std::size_t first, std::size_t last, const Eased& eased) {
         Eased before;
         for (const Ease& e : eased) {
@@ -194,7 +194,7 @@ class OptimalRun {
         return false;
     }
 
-    /// To what is taken now, at least.
+    /// Eases gradually, to no less than what is taken now.
     void ease_by_and_by(const Eased& eased) {
         for (const Ease& e : eased) {
             take_no_more({e.interval, std::max(e.share, optimum_.load(e.interval) / kInside),
@@ -223,7 +223,7 @@ class OptimalRun {
     const std::vector<RunKnot>& knots_;
     const RunPath& path_;
     TimeOptimum optimum_;
-    std::size_t end_;  // of free control points
+    std::size_t end_;  // end of free control points
     std::vector<Phase> found_;
     std::vector<int> mends_;
 };

@@ -6,9 +6,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSliver = 0.3;  // of a step: knots nearer to a joint are left out
+constexpr double kSliver = 0.3;  // share of a step: knots nearer to a joint are left out
 constexpr int kLeastKnots = 16;
-constexpr double kFastest = 0.995;  // of a move's velocity: no optimum is faster
+constexpr double kFastest = 0.995;  // share of a move's velocity: no optimum is faster
 
 class Knots {
   public:
@@ -71,8 +71,8 @@ class Knots {
         }
         return start_[i] + low;
     }
-    /// Where the speed is constant knots are the farther apart the farther its ends are; where the
-    /// move allows more, the path's bends still count.
+    /// Step of knots where the speed is constant: the farther the ends of that part, the larger; if
+    /// the move allows more speed, the path's bends still count.
     double cruise_step(double t, const RunMove& move) const {
         const std::size_t i = phase(t);
         if (phases_[i].a != 0 || phases_[i].j != 0) return 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Knots for an optimum, laid on a motion that is known.
+// Knots for an optimum, laid on a known motion.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace curvecore::ref {
 
-/// What one planned move of a run may have besides the machine's limits.
+/// Limits of one planned move of a run besides the machine's.
 struct RunMove {
     std::size_t planned = 0;  // index into Geometry::moves
     double length = 0;        // mm
-    double velocity = 0;      // mm/s, on it
-    bool slow_axes = false;   // what these allow at its places counts besides
-    double end_velocity = 0;  // at its end, where the next one begins
-    double jerk = 0;          // mm/s^3, that its pieces can carry
+    double velocity = 0;      // mm/s, limit on it
+    bool slow_axes = false;   // the limits of slow axes at its places count besides
+    double end_velocity = 0;  // mm/s, limit at its end, where the next one begins
+    double jerk = 0;          // mm/s^3, limit of its pieces
     double step = 0;          // s, between knots
     double widest = 1;        // steps between knots where the speed is constant
 };
@@ -27,8 +27,9 @@ struct RunKnot {
     double a = 0;
 };
 
-/// In order: the start, joints of moves, and between them their steps of the motion apart, farther
-/// where its speed is constant; none so near to the one before that it would be a sliver; the end.
+/// Returns, in order: the start, joints of moves, between them knots at their steps of the motion,
+/// farther apart where its speed is constant and none so near to the one before that it would be a
+/// sliver; the end.
 std::vector<RunKnot> run_knots(const std::vector<Phase>& phases, const std::vector<RunMove>& moves);
 
 }  // namespace curvecore::ref

@@ -9,10 +9,10 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kInside = 1e-6;  // of an interval: of two sides of a joint, its own
-constexpr int kParts = 4;         // of an interval
-constexpr double kSame = 0.05;    // of r', r'', r''': as good as constant within an interval
-constexpr double kAny = 1e300;    // a limit that is none
+constexpr double kInside = 1e-6;  // share of an interval: distance of both sides of a joint from it
+constexpr int kParts = 4;         // parts of an interval
+constexpr double kSame = 0.05;    // share of r', r'', r''': constant enough within an interval
+constexpr double kAny = 1e300;    // no limit
 
 bool differ(const PlaceLimit& a, const PlaceLimit& b) {
     const auto apart = [](double x, double y) { return std::abs(x - y) > kSame * std::max(x, y); };
@@ -21,7 +21,7 @@ bool differ(const PlaceLimit& a, const PlaceLimit& b) {
 
 /// Time at which a phase is x mm from its start, near `t`.
 double time_near(const Phase& phase, double t, double x) {
-    constexpr double kExact = 1e-9;  // of the phase
+    constexpr double kExact = 1e-9;  // share of the phase
     constexpr int kRounds = 8;
     for (int round = 0; round < kRounds; ++round) {
         const double v = phase.speed(t);
@@ -46,13 +46,13 @@ RunPath::RunPath(const std::vector<RunMove>& moves, const Geometry& geometry,
     first_look_.push_back(looks_.size());
 }
 
-/// The move at s, which is after it begins or before it ends.
+/// Returns the move at s, which is after its start or before its end.
 std::size_t RunPath::move_at(long double s) const {
     const auto after = std::upper_bound(begin_.begin() + 1, begin_.end() - 1, s);
     return static_cast<std::size_t>(after - begin_.begin()) - 1;
 }
 
-/// Just within the ends, and on both sides of joints.
+/// Looks just inside the ends, and at both sides of joints.
 void RunPath::look_at(std::size_t k) {
     first_look_.push_back(looks_.size());
     const long double from = knots_[k].s;
@@ -102,7 +102,7 @@ bool RunPath::bends(std::size_t look) const {
     return false;
 }
 
-/// Whether the path bends unevenly.
+/// Returns true if the path bends unevenly.
 bool RunPath::changes(std::size_t k) const {
     const std::size_t first = first_look_[k];
     const std::size_t count = limits_end(first) - looks_[first].limits;
@@ -177,8 +177,9 @@ void RunPath::add_places(std::size_t look, PathInterval& interval, long double f
     }
 }
 
-/// Between rest and a place h farther on the jerk is constant, so x h from rest q = q(h) x^(4/3):
-/// what bends there counts as at the place, but r'' x times and r''' x^2 times.
+/// Adds the places beside a rest: between it and a place h farther on the jerk is constant, so x h
+/// from rest q = q(h) x^(4/3): what bends there counts as at the place, but r'' x times and r'''
+/// x^2 times.
 void RunPath::add_resting(std::size_t look, PathInterval& interval, double x) const {
     const bool moving = x > 0.9;
     for (std::size_t i = looks_[look].limits; i < limits_end(look); ++i) {
@@ -205,7 +206,7 @@ RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
         if (i > first_look_[first] && looks_[i - 1].move != look.move) {
             worst.speed = std::max(worst.speed, v / moves_[look.move - 1].end_velocity);
         }
-        // Where the curve may stand still nothing is asked.
+        // A curve that may stand still has no limit there.
         if (i > 0 && i + 1 < looks_.size()) {
             const double a = phase.acceleration(t);
             for (std::size_t j = look.limits; j < limits_end(i); ++j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path of a run as its limits see it, from knot to knot, and what a motion takes of them.
+// The path of a run as its limits see it, from knot to knot, and the load of a motion on it.
 #pragma once
 
 #include <vector>
@@ -10,29 +10,29 @@
 
 namespace curvecore::ref {
 
-/// Of what they may at most: limits of acceleration and jerk; velocities, on moves and where they
-/// join.
+/// Loads, as shares of the limits of acceleration and jerk, and of velocities on moves and at their
+/// joints.
 struct RunLoads {
     double load = 0;
     double speed = 0;
 };
 
-/// Knots cut the run into intervals. Limits are looked at in the same places of each, whatever the
-/// motion: they are found once.
+/// The run, cut into intervals by knots. Limits are checked at the same places of each, whatever
+/// the motion: they are found once.
 class RunPath {
   public:
     RunPath(const std::vector<RunMove>& moves, const Geometry& geometry, const Machine& machine,
             PathPlaces& places, const std::vector<RunKnot>& knots);
 
-    /// From one knot to the next. A curve may stand still at an end of the run: nothing is asked
-    /// there.
+    /// The interval from knot k to the next. If the curve stands still at an end of the run,
+    /// nothing is checked there.
     PathInterval interval(std::size_t k) const;
 
     /// The jerk along the path that the machine allows at knot k.
     double jerk_along(std::size_t k) const;
 
-    /// The most that a phase takes, which lasts from knot `first` to knot `end`; more than `most`,
-    /// and no more is looked at.
+    /// The largest loads of a phase that lasts from knot `first` to knot `end`; the search ends
+    /// above `most`.
     RunLoads loads(const Phase& phase, std::size_t first, std::size_t end,
                    const RunLoads& most) const;
 
@@ -40,9 +40,9 @@ class RunPath {
     /// | field    | remark                                                             |
     /// |----------|--------------------------------------------------------------------|
     /// | part     | of the interval, in quarters of its time; -1: beside a joint in it |
-    /// | velocity | mm/s, that its move and the machine allow                          |
-    /// | jerk     | mm/s^3 along the path, that the machine allows                     |
-    /// | limits   | where they begin                                                   |
+    /// | velocity | mm/s, limit of its move and the machine                            |
+    /// | jerk     | mm/s^3 along the path, limit of the machine                        |
+    /// | limits   | index of the first                                                 |
     struct Look {
         long double s;
         int part;
@@ -72,9 +72,9 @@ class RunPath {
     const Machine& machine_;
     PathPlaces& places_;
     const std::vector<RunKnot>& knots_;
-    std::vector<long double> begin_;  // of moves, mm
+    std::vector<long double> begin_;  // mm, starts of moves
     std::vector<Look> looks_;
-    std::vector<std::size_t> first_look_;  // of intervals; and the end
+    std::vector<std::size_t> first_look_;  // first look of each interval; and the end
     std::vector<PlaceLimit> limits_;
 };
 

@@ -15,14 +15,14 @@ inline double dot(const std::array<double, 3>& a, const std::array<double, 3>& b
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// (form) c
+/// Product (form) c.
 inline std::array<double, 3> product(const std::array<double, 6>& f,
                                      const std::array<double, 3>& c) {
     return {f[0] * c[0] + f[1] * c[1] + f[3] * c[2], f[1] * c[0] + f[2] * c[1] + f[4] * c[2],
             f[3] * c[0] + f[4] * c[1] + f[5] * c[2]};
 }
 
-/// ln of a product of many.
+/// Logarithm of a product of many factors.
 class Logarithm {
   public:
     void times(double factor) {
@@ -44,7 +44,7 @@ struct Sum {
     std::array<double, 3> slope{};
     std::array<double, 6> bend{};
 
-    /// A function of row.c with these derivatives.
+    /// Adds a function of row.c with these derivatives.
     void add(const std::array<double, 3>& row, double first, double second) {
         slope[0] += first * row[0];
         slope[1] += first * row[1];
@@ -68,7 +68,7 @@ struct Sum {
         bend[5] += factor * form[5];
     }
 
-    /// -ln of a room.
+    /// Adds -ln of a room.
     template <class Room>
     void add_room(const Room& room, const std::array<double, 3>& c) {
         if (room.kind == Room::Kind::kControl) {
@@ -178,7 +178,7 @@ double TimeBarrier::time(const SpeedSpline& spline) const {
     return time;
 }
 
-/// Not positive where a limit is not kept.
+/// Room of a limit; <= 0 if it is violated.
 inline double TimeBarrier::room(const Room& room, const Three& c) {
     switch (room.kind) {
         case Room::Kind::kVelocity:
@@ -227,7 +227,7 @@ void TimeBarrier::differentiate(const SpeedSpline& spline, double weight, Deriva
             sum.add(slow.row, -t / (2 * q), 0.75 * t / (q * q));
         }
         for (; next < intervals_[i].rooms; ++next) sum.add_room(rooms_[next], c);
-        // Control point k - 1 + j; those before the first free one wrap round beyond the last.
+        // Control point k - 1 + j; those before the first free one wrap around beyond the last.
         for (std::size_t j = 0, at = 0; j < 3; ++j) {
             const std::size_t to = i + j - 2;
             if (to < count) by.gradient[to] += sum.slope[j];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The time of a motion and its distance from all limits as one number, and how it changes.
+// The time of a motion and its distance from all limits as one number, and its derivatives.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace curvecore::ref {
 
-/// Of a range of control points, the free ones; those beside it stand still:
+/// The barrier of a range of free control points; those beside it stay:
 ///
 ///     weight * time - sum of ln(room), a room for each of
 ///
@@ -23,22 +23,22 @@ namespace curvecore::ref {
 /// and that is the jerk of a cubic s(t) through both of its knots.
 class TimeBarrier {
   public:
-    /// Control points first .. last - 1 are free.
+    /// Frees the control points first .. last - 1.
     TimeBarrier(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t first,
                 std::size_t last);
 
-    /// Infinite where a limit is not kept.
+    /// Value of the barrier; infinite if a limit is violated.
     double value(const SpeedSpline& spline, double weight) const;
 
-    /// By the free control points.
+    /// Derivatives by the free control points.
     struct Derivatives {
         explicit Derivatives(std::size_t count) : gradient(count), hessian(count) {}
 
         std::vector<double> gradient;
         BandMatrix<2> hessian;
     };
-    /// Of what is not concave, 1 / sqrt(q), the tangent lies below it and stands for it: what it
-    /// allows is allowed.
+    /// Differentiates the barrier. The term 1 / sqrt(q) is convex, so its tangent replaces it; the
+    /// tangent lies below it, so the result is conservative.
     void differentiate(const SpeedSpline& spline, double weight, Derivatives& by) const;
 
     double time(const SpeedSpline& spline) const;
@@ -48,7 +48,7 @@ class TimeBarrier {
     using Three = std::array<double, 3>;
     using Square = std::array<double, 6>;  // symmetric: 00, 10, 11, 20, 21, 22
 
-    /// What one limit leaves.
+    /// Room that one limit leaves.
     ///
     /// | kind          | room, of the three control points c of an interval |
     /// |---------------|----------------------------------------------------|
@@ -61,13 +61,13 @@ class TimeBarrier {
         Three row;
         Square form;
     };
-    /// length / sqrt(row.c) seconds
+    /// Time length / sqrt(row.c), s.
     struct Slowness {
         double length;
         Three row;
     };
     struct Interval {
-        std::size_t rooms, times;  // where those of it end
+        std::size_t rooms, times;  // ends of its rooms and times
     };
 
     void add_interval(const std::vector<PathInterval>& path, const SpeedSpline& spline,

@@ -11,17 +11,17 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kKept = 0.995;      // of a limit: what is slowed down
-constexpr double kInside = 0.98;     // of it: what that leads to
+constexpr double kKept = 0.995;      // share of a limit above which a place is slowed down
+constexpr double kInside = 0.98;     // share of it that slowing down leads to
 constexpr std::size_t kNearby = 3;   // intervals to both sides that are slowed down first
-constexpr double kStage = 6.2;       // by which the weight of the time grows
-constexpr int kMostSteps = 100;      // of Newton's method in a stage
+constexpr double kStage = 6.2;       // factor by which the weight of the time grows
+constexpr int kMostSteps = 100;      // Newton steps in a stage
 constexpr double kCentred = 0.1;     // half the square of Newton's decrement
-constexpr double kLeastStep = 1e-6;  // of one of Newton's
-constexpr double kLonger = 4;        // times the part that was gone last: what is tried next
-constexpr double kHeld = 1e100;      // a force that moves a control point by one, whatever holds it
-constexpr double kLittle = 0.02;     // of that: as good as nothing
-constexpr double kGain = 0.1;        // of what Newton's method promises: what a step must gain
+constexpr double kLeastStep = 1e-6;  // share of a Newton step
+constexpr double kLonger = 4;        // next step tried, as a multiple of the last one
+constexpr double kHeld = 1e100;      // force that moves a control point by one, whatever holds it
+constexpr double kLittle = 0.02;     // share of that which is as good as nothing
+constexpr double kGain = 0.1;        // share of what Newton's method promises that a step must gain
 
 std::vector<double> lengths(const std::vector<PathInterval>& path) {
     std::vector<double> lengths;
@@ -30,13 +30,13 @@ std::vector<double> lengths(const std::vector<PathInterval>& path) {
     return lengths;
 }
 
-/// Moves the free control points to where the barrier is low.
+/// Moves the free control points to the minimum of the barrier.
 class Descent {
   public:
     Descent(const TimeBarrier& barrier, SpeedSpline& spline, std::size_t first, std::size_t last)
         : barrier_(barrier), spline_(spline), first_(first), count_(last - first), by_(count_) {}
 
-    /// As low as it can be, by Newton's method.
+    /// Minimises the barrier by Newton's method.
     void centre(double weight) {
         double here = barrier_.value(spline_, weight);
         if (!std::isfinite(here)) return;
@@ -57,8 +57,8 @@ class Descent {
     }
 
   private:
-    /// What part of the direction, `most` or less, leads down from `here` by its part of `gain`: 0
-    /// if none does.
+    /// Returns the part of the direction, `most` or less, that lowers the barrier from `here` by
+    /// its part of `gain`; 0 if none does.
     double go(const std::vector<double>& direction, double most, double weight, double& here,
               double gain) {
         std::vector<double> from(count_);
@@ -151,7 +151,7 @@ void TimeOptimum::improve(std::size_t first, std::size_t last, double from, doub
     }
 }
 
-/// The barrier is flat there, so its second derivatives tell how its points move one another.
+/// Finds how points move one another by second derivatives, since the barrier is flat there.
 std::size_t TimeOptimum::led_by_end(std::size_t first, std::size_t last, double to) const {
     const TimeBarrier barrier(path_, spline_, first, last + 2);
     const std::size_t count = last + 2 - first;

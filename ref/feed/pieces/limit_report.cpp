@@ -9,7 +9,7 @@
 namespace curvecore::ref {
 namespace {
 
-/// The planned moves of a plan, from its segments.
+/// Restores the planned moves of a plan from its segments.
 Geometry moves_of(const Program& program, const Machine& machine, const Plan& plan) {
     Geometry geometry;
     for (std::size_t i = 0; i < plan.segments.size();) {
@@ -62,7 +62,7 @@ void LimitWatch::add(const Program& program, const Plan& part) {
 }
 
 void LimitWatch::pass(const PathShape& before, const PathShape& behind, double speed) {
-    // Words round: a stop ends with a speed of some 1e-9 of the cruise.
+    // Words are rounded: a stop ends with a speed of some 1e-9 of the cruise.
     if (speed < 1e-6) return;
     ++report_.passed;
     keep_worst(report_.joints, joint_ratios(before, behind, machine_, speed));

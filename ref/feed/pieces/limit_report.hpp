@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How close a plan comes to the machine's limits, from its pieces and the curvature of its moves.
+// Distance of a plan from the machine's limits, from its pieces and the curvature of its moves.
 #pragma once
 
 #include <optional>
@@ -22,12 +22,12 @@ struct LimitReport {
     int passed = 0;  // joints passed in motion
 };
 
-/// Of a plan that comes in parts, as PlanStream gives them.
+/// The report of a plan that comes in parts, as PlanStream gives them.
 class LimitWatch {
   public:
     explicit LimitWatch(Machine machine) : machine_(std::move(machine)) {}
 
-    /// The next part; its segments count their moves within `program`.
+    /// Adds the next part; its segments count their moves within `program`.
     void add(const Program& program, const Plan& part);
 
     const LimitReport& report() const { return report_; }
@@ -38,10 +38,10 @@ class LimitWatch {
     Machine machine_;
     LimitReport report_;
     std::optional<PathShape> before_;  // the last move
-    double speed_ = 0;                 // at its end, mm/s
+    double speed_ = 0;                 // mm/s, at its end
 };
 
-/// The plan must come from make_plan with the same arguments.
+/// Returns the report of a plan that make_plan made from the same arguments.
 LimitReport limit_report(const Program& program, const Machine& machine, const Plan& plan);
 
 }  // namespace curvecore::ref

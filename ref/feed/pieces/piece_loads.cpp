@@ -8,8 +8,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kParts = 4;         // within a stretch all loads are smooth
-constexpr double kWithin = 1e-6;  // at its ends a curve may stand still
+constexpr int kParts = 4;         // parts of a stretch, where all loads are smooth
+constexpr double kWithin = 1e-6;  // share of a stretch: at its ends a curve may stand still
 
 }  // namespace
 

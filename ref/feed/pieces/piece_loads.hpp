@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pieces, as their words have them, ask of the machine on the true path.
+// Loads of pieces, with the values of their words, on the machine along the true path.
 #pragma once
 
 #include "ref/feed/pieces/piece_walk.hpp"
@@ -8,8 +8,8 @@
 
 namespace curvecore::ref {
 
-/// Whether s mm from a move's start a curve all but stands still. From rest the loads vanish, but
-/// rounded words leave a speed where the curvature has no end.
+/// Returns true if a curve all but stands still s mm from a move's start. The loads of a motion
+/// from rest vanish, but rounded words leave a speed where the curvature is infinite.
 bool near_standstill(const PlannedMove& move, double s, double quantum);
 
 /// Raises `worst` to the ratios to the limits inside one stretch; one that reaches into a

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces against moves: every stretch of a profile that lies on one move.
+// Pieces matched to moves: every stretch of a profile that lies on one move.
 #pragma once
 
 #include <algorithm>
@@ -23,12 +23,12 @@ struct PieceStretch {
 };
 
 struct PieceMotion {
-    double v, a, j;  // mm/s ..
+    double v, a, j;  // mm/s, mm/s^2, mm/s^3
 };
 
-/// Time at which a piece has gone ds quanta, ticks: Newton's method in a bracket.
+/// Time after which a piece has gone ds quanta, ticks: Newton's method in a bracket.
 inline double ticks_at(const ProfilePiece& piece, double ds) {
-    constexpr double kExact = 1e-14;  // of the piece
+    constexpr double kExact = 1e-14;  // share of the piece
     constexpr int kRounds = 60;
     double low = 0;
     double high = piece.ticks;
@@ -47,12 +47,12 @@ inline double ticks_at(const ProfilePiece& piece, double ds) {
     return t;
 }
 
-/// Path from the start of a stretch's move at a tick of the piece, quanta.
+/// Path from the start of a stretch's move to a tick of the piece, quanta.
 inline double place_of(const PieceStretch& stretch, double tick) {
     return stretch.s + piece_state(*stretch.piece, tick).s - stretch.gone;
 }
 
-/// Motion at a part (0..1) of a stretch.
+/// Motion at a fraction (0..1) of a stretch.
 inline PieceMotion motion(const PieceStretch& stretch, double part, const Plan& plan) {
     const double t = stretch.from + (stretch.to - stretch.from) * part;
     const PieceState state = piece_state(*stretch.piece, t);
@@ -70,7 +70,7 @@ inline double top_of(const PieceStretch& stretch, const Plan& plan) {
     return v;
 }
 
-/// Visits the stretches in order of time; rests are left out.
+/// Visits the stretches in order of time, without rests.
 template <class Visit>
 void walk_pieces(const Plan& plan, const Geometry& geometry, const PieceGrid& grid, Visit visit) {
     std::size_t move = 0;

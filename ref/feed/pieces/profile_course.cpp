@@ -12,9 +12,9 @@ namespace {
 constexpr double kCell = 0.4e-3;  // s, or longer where
 constexpr double kCellTurn =
     0.03;                          // rad is what a curve turns at most: its derivatives go linearly
-constexpr double kWithin = 1e-6;   // of a stretch: at its very ends a curve may stand still
+constexpr double kWithin = 1e-6;   // share of a stretch: at its very ends a curve may stand still
 constexpr double kNoLimit = 1e15;  // of acceleration and jerk
-constexpr double kSame = 1e-6;     // of a speed, of a limit
+constexpr double kSame = 1e-6;     // share of a speed, of a limit
 
 bool same(const PlaceLimits& a, const PlaceLimits& b) {
     const auto equal = [](const PlaceLimit& x, const PlaceLimit& y) {
@@ -84,7 +84,7 @@ PlaceLimits ProfileCourse::limits(const PieceStretch& stretch, double part) {
 
 bool ProfileCourse::even(double from, double to) const {
     const CourseCell* first = nullptr;
-    double end = from;  // of what was looked at
+    double end = from;  // end of what was checked
     double speed = 0;
     for (const CourseCell& cell : cells_) {
         if (cell.to <= from) continue;

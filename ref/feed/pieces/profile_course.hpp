@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A planned profile by its own time: its motion at any tick, and what the machine allows there.
+// A planned profile over its own time: its motion at any tick, and the machine's limits there.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace curvecore::ref {
 
-/// A short time of one piece on one move: the path's derivatives go linearly through it.
+/// A short time of one piece on one move, in which the path's derivatives are linear.
 struct CourseCell {
     double from, to;    // ticks from the program's start
     PieceMotion start;  // at `from`; constant jerk
@@ -21,12 +21,13 @@ struct CourseCell {
 /// A part of a plan, made stretch by stretch. Units: mm, s; times in ticks. A rest has no cells.
 class ProfileCourse {
   public:
-    /// Limits are `share` of the machine's, but never less than what the plan asks there by itself:
-    /// where words round, that may be more. All must outlive the course.
+    /// Makes a course with `share` of the machine's limits, but never less than the plan takes
+    /// there by itself: where words are rounded, that may be more. All arguments must outlive the
+    /// course.
     ProfileCourse(const Program& program, const Machine& machine, const Geometry& geometry,
                   const Plan& plan, double share);
 
-    /// The plan's next stretch (walk_pieces).
+    /// Adds the plan's next stretch (walk_pieces).
     void add(const PieceStretch& stretch);
     void forget_before(double tick);
 
@@ -38,7 +39,8 @@ class ProfileCourse {
         const double t = (tick - cell.from) * plan_.tick_s;
         return {std::max(0.0, m.v + (m.a + m.j / 2 * t) * t), m.a + m.j * t, m.j};
     }
-    /// In this time the speed is constant and so is what the machine allows: one stop is another.
+    /// Returns true if speed and limits are constant between these ticks, so that all stops are
+    /// alike.
     bool even(double from, double to) const;
 
   private:
@@ -49,7 +51,7 @@ class ProfileCourse {
     double share_;
     double quantum_;
     PathPlaces places_;
-    const ProfilePiece* piece_;  // of the last stretch
+    const ProfilePiece* piece_;  // piece of the last stretch
     double piece_start_ = 0;
     std::deque<CourseCell> cells_;
 };

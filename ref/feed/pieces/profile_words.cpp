@@ -66,7 +66,7 @@ class Run {
     PieceGrid grid_;
     std::vector<long double> start_;  // s
     std::uint64_t ticks_ = 1;
-    long double tick_ = 0;  // s of the motion per tick: at most grid_.tick
+    long double tick_ = 0;  // s of the motion per tick, at most grid_.tick
 };
 
 int bits_for(std::uint64_t ticks) {
@@ -75,10 +75,10 @@ int bits_for(std::uint64_t ticks) {
     return m;
 }
 
-/// Of a word's exponent.
+/// Value of a word's exponent.
 double power_of_two(int exponent) { return static_cast<double>(std::uint64_t{1} << exponent); }
 
-/// The cubic through both knots. Exponent so large that no coefficient and no partial sum of
+/// The cubic through both knots, with the exponent at which no coefficient and no partial sum of
 /// Horner's scheme leaves its word.
 ProfilePiece cubic(const Knot& from, const Knot& to) {
     ProfilePiece piece;
@@ -118,8 +118,8 @@ ProfilePiece cubic(const Knot& from, const Knot& to) {
     return piece;
 }
 
-/// Whether the cubic through both knots runs backwards, by more than the rounding of its ends. So
-/// it does behind a long and slow phase: its last tick is partly of a faster one.
+/// Returns true if the cubic through both knots runs backwards by more than the rounding of its
+/// ends. It does so behind a long slow phase whose last tick is partly of a faster one.
 bool goes_back(const Knot& from, const Knot& to) {
     const long double n = to.tick - from.tick;
     const long double mean = (to.s - from.s) / n;
@@ -132,7 +132,7 @@ bool goes_back(const Knot& from, const Knot& to) {
 void append_cubic(const Run& run, const Knot& from, const Knot& to, const PieceGrid& grid,
                   std::vector<ProfilePiece>& pieces) {
     const std::uint64_t ticks = to.tick - from.tick;
-    std::uint64_t first = ticks / 2;  // of two pieces
+    std::uint64_t first = ticks / 2;  // ticks of the first of two pieces
     if (ticks >= 2 * grid.shortest && goes_back(from, to)) {
         first = to.v > from.v ? ticks - grid.shortest : grid.shortest;
     } else if (grid.longest.holds(ticks, to.s - from.s)) {

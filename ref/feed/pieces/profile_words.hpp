@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motion in real numbers becomes pieces of whole ticks that end exactly.
+// Pieces of whole ticks that end exactly, made from a motion in real numbers.
 //
 // This is the one place of ref/ that rounds to the hardware's integers (with the steps of a stop in
 // stop_branch): a piece has to end on its length to a quantum, so its last coefficient takes what
@@ -15,11 +15,11 @@
 
 namespace curvecore::ref {
 
-constexpr std::uint32_t kMaxTicks = 1u << 19;  // of one piece
+constexpr std::uint32_t kMaxTicks = 1u << 19;  // longest piece, ticks
 /// Largest planned exponent: its rounding, 2^(e-35) quanta, stays below 2^-11 unit.
 constexpr int kMaxPlannedExponent = 40;
 
-/// So many ticks; or more while so little path is gone.
+/// Longest piece: `ticks`, or `slow_ticks` if it covers at most `path` quanta.
 struct Reach {
     std::uint64_t ticks = kMaxTicks;
     std::uint64_t slow_ticks = 0;
@@ -36,7 +36,7 @@ struct Reach {
 /// | quantum  | mm    | of path                                                          |
 /// | shortest | ticks | no piece inside a run is shorter: the rounding of its ends would |
 /// |          |       | show in the jerk                                                 |
-/// | longest  |       | pieces of motion are no longer                                   |
+/// | longest  |       | longest piece of a motion                                        |
 struct PieceGrid {
     double tick;
     double quantum;
@@ -48,11 +48,11 @@ struct PieceGrid {
 
 /// Appends the pieces of one run of `length` quanta.
 ///
-/// The run is stretched in time to whole ticks; speed, acceleration and jerk only shrink. At its
-/// ends it keeps its speeds, so that what joins it there goes on. The
-/// boundaries of the phases move to the nearest tick, and a cubic joins path and speed of the
-/// motion at both ends of each piece. Its jerk is a mean of the motion's jerk over the piece (with
-/// the weight 6 tau (1 - tau)), so the limit holds; path is exact and speed continuous.
+/// The run is stretched in time to whole ticks; speed, acceleration and jerk only shrink. It keeps
+/// its speeds at its ends, where others join it. The boundaries of the phases move to the nearest
+/// tick, and a cubic joins path and speed of the motion at both ends of each piece. Its jerk is a
+/// mean of the motion's jerk over the piece (with the weight 6 tau (1 - tau)), so the limit holds;
+/// path is exact and speed continuous.
 void append_run(const std::vector<Phase>& phases, std::uint64_t length, const PieceGrid& grid,
                 std::vector<ProfilePiece>& pieces);
 

@@ -14,21 +14,21 @@ struct LimitedPlace {
     bool acceleration = true;
     bool jerk = true;
     PlaceLimit limit;
-    double mean = 1;  // the speed in the interval's middle over that at the place
+    double mean = 1;  // ratio of the speed in the interval's middle to that at the place
 };
 
-/// From one knot to the next.
+/// The interval from one knot to the next.
 struct PathInterval {
     double length = 0;          // mm
     double start_velocity = 0;  // mm/s, at its start
-    double velocity = 0;        // in its middle
-    double end_velocity = 0;    // at its end
-    double speed = 1;           // share of these
-    double share = 1;           // of the limits below
+    double velocity = 0;        // mm/s, in its middle
+    double end_velocity = 0;    // mm/s, at its end
+    double speed = 1;           // share of these velocities
+    double share = 1;           // share of the limits below
     std::vector<LimitedPlace> places;
 };
 
-/// q = v^2 and the acceleration.
+/// q = v^2, mm^2/s^2, and the acceleration, mm/s^2.
 struct KnotMotion {
     double q = 0;
     double a = 0;

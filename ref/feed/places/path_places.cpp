@@ -63,7 +63,7 @@ PathPlace PathPlaces::at(std::size_t planned, double s) {
     return place;
 }
 
-/// r = .. + turn / twist (n cos(twist s) + t sin(twist s)) + advance s
+/// Place on an arc: r = .. + turn / twist (n cos(twist s) + t sin(twist s)) + advance s.
 PathPlace PathPlaces::on_arc(const Move& move, const PathShape& shape, double s) const {
     const Vec3 n = (move.start - move.centre).normalized();
     const Vec3 t = move.normal.cross(n);

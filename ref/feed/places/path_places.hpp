@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The path's derivatives by path length at any place: what the limits see of it.
+// The path's derivatives by path length at any place, which its limits depend on.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -19,19 +19,20 @@ struct PathPlace {
     AxisVector d3{};
 };
 
-/// Of the path and of every axis, at most.
+/// Limits of the path and of every axis.
 using PlaceLimits = boost::container::static_vector<PlaceLimit, 1 + kMachineAxes>;
 
-/// The machine's limits there: of the path and of those axes that it does not imply.
+/// The machine's limits there: of the path, and of the axes that it does not imply.
 PlaceLimits place_limits(const PathPlace& at, const PathShape& shape, const Machine& machine);
 
-/// Exact: lines and arcs in closed form, splines by Frenet's formulas at the place's parameter.
-/// Places may be asked in any order; in that of the path each spline's length is tabled once.
+/// The exact derivatives: lines and arcs in closed form, splines by Frenet's formulas at the
+/// place's parameter. Places may come in any order; in the path's order each spline's length is
+/// tabulated once.
 class PathPlaces {
   public:
     PathPlaces(const Program& program, const Geometry& geometry, double unit_mm);
 
-    /// At s mm from the start of geometry.moves[planned], within it.
+    /// Place s mm from the start of geometry.moves[planned], within it.
     PathPlace at(std::size_t planned, double s);
 
   private:

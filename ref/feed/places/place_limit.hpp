@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A limit of acceleration and jerk at a place of the path, whatever the motion there.
+// A limit of acceleration and jerk at a place of the path, for any motion there.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace curvecore::ref {
 
-/// What one limit sees of the path at a place: r', r'', r''' of an axis, or of the path by their
+/// One limit's view of the path at a place: r', r'', r''' of an axis, or of the path by their
 /// products with each other.
 ///
 ///     |r' a + r'' q| <= A        sqrt(q) |r' a' + 3 r'' a + r''' q| <= J
@@ -18,15 +18,15 @@ struct PlaceLimit {
     double jerk = 0;
 };
 
-/// q, a, a' at a place: q = v^2, a = q'/2.
+/// Motion q, a, a' at a place: q = v^2, a = q'/2.
 using PathMotion = std::array<double, 3>;
 
-/// r' a + r'' q of one motion times that of another.
+/// Product of the accelerations r' a + r'' q of two motions.
 inline double acceleration_product(const PlaceLimit& l, const PathMotion& m, const PathMotion& n) {
     return (l.d11 * m[1] + l.d12 * m[0]) * n[1] + (l.d12 * m[1] + l.d22 * m[0]) * n[0];
 }
 
-/// r''' q + 3 r'' a + factor r' a', the jerk / v, of one motion times that of another.
+/// Product of the jerks / v, r''' q + 3 r'' a + factor r' a', of two motions.
 inline double jerk_product(const PlaceLimit& l, double factor, const PathMotion& m,
                            const PathMotion& n) {
     const double y = 3 * m[1];

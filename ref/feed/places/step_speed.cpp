@@ -46,7 +46,7 @@ class Changes {
     std::uint64_t offset_ = 0;  // quanta into the segment
 };
 
-/// Speeds of the moves that a stretch of the path touches; stretches come in order.
+/// Speeds of the moves on a stretch of the path; stretches come in order.
 class MoveSpeeds {
   public:
     explicit MoveSpeeds(const std::vector<PlannedMove>& moves)
@@ -67,7 +67,7 @@ class MoveSpeeds {
     const std::vector<PlannedMove>& moves_;
     std::vector<double> speeds_;
     std::size_t first_ = 0;
-    std::uint64_t start_ = 0;  // of the first one
+    std::uint64_t start_ = 0;  // start of the first one
 };
 
 }  // namespace
@@ -79,7 +79,7 @@ std::vector<double> step_speeds(const std::vector<Segment>& segments,
     const double budget = budget_of(options);
     MoveSpeeds speeds(moves);
     Changes first(segments, core);
-    // In turn, the program's first step is there before its first sample.
+    // The program's first step is ready before its first sample if steps are made in turn.
     if (!core.ahead && !first.over()) first.next();
     if (first.over()) return speeds.take();
     Changes last = first;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the path may go so that a core has every integration step ready in time.
+// Path speeds at which a core has every integration step ready in time.
 #pragma once
 
 #include "ref/geometry/geometry.hpp"
 
 namespace curvecore::ref {
 
-/// Highest speeds, mm/s, one per planned move.
+/// Returns the highest speeds, mm/s, one per planned move.
 ///
 /// A change is the start of a step or a segment, and costs what CoreTime says. Steps that are made
 /// ahead (step j while samples are taken from step j - 1) must keep pace with the path: from the

@@ -7,7 +7,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSliver = 1e-11;  // s: of a phase, at a place where it begins or ends
+constexpr double kSliver = 1e-11;  // s, of a phase, at a place where it begins or ends
 
 }  // namespace
 

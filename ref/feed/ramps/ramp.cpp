@@ -4,7 +4,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kExact = 1e-14;  // of the speed
+constexpr double kExact = 1e-14;  // share of the speed
 constexpr int kRounds = 60;
 
 /// Length of a ramp from v to the speed p above it, and its derivative by p.
@@ -25,7 +25,7 @@ struct Rise {
 
 }  // namespace
 
-/// Newton's method in a bracket whose low end fits.
+/// Finds the peak by Newton's method in a bracket whose low end fits.
 double peak_speed(double v0, double v1, double length, const RampLimits& up, const RampLimits& down,
                   double cap) {
     const auto rest = [&](double peak) {

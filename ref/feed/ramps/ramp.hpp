@@ -7,7 +7,7 @@
 
 namespace curvecore::ref {
 
-/// Seven-phase motion is two of these around a cruise. Units: mm, s.
+/// A seven-phase motion is two of these around a cruise. Units: mm, s.
 ///
 /// Speed changes by `change` = |v1 - v0|: jerk for `jerk_time`, constant acceleration for
 /// `flat_time`, jerk back for `jerk_time`. The motion is symmetric about its middle, so its length
@@ -54,7 +54,7 @@ struct RampLimits {
 };
 
 /// Highest speed between v0 and v1, at most cap, for which both ramps, to it and from it, fit into
-/// a length; the larger of v0 and v1 where none does.
+/// a length; the larger of v0 and v1 if none does.
 double peak_speed(double v0, double v1, double length, const RampLimits& up, const RampLimits& down,
                   double cap);
 

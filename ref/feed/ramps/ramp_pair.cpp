@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kWorthwhile = 1.3;  // of the least acceleration or jerk: less is not looked for
+constexpr double kWorthwhile = 1.3;  // ratio to the least acceleration or jerk: no search below it
 
 class PairSearch {
   public:
@@ -37,7 +37,7 @@ class PairSearch {
             most.jerk < kWorthwhile * gap_.jerk) {
             return best;
         }
-        // Each side once more, where the other one has changed since.
+        // Tries each side once more if the other has changed since.
         const auto improved = [&](RampLimits& side) {
             return improve(up, down, side, most, {cap, top}, best);
         };
@@ -56,13 +56,13 @@ class PairSearch {
         return pair;
     }
 
-    /// Tries other limits for `side`, which is `up` or `down`. Whether some are better.
+    /// Tries other limits for `side`, which is `up` or `down`. Returns true if some are better.
     bool improve(RampLimits& up, RampLimits& down, RampLimits& side, const RampLimits& most,
                  const std::array<double, 2>& caps, RampPair& best) const {
         RampLimits found = side;
         bool better = false;
         bool capped = true;  // else a higher cap changes nothing
-        // The lower the limits, the slower: a jerk below one that is slower is not looked at.
+        // Lower limits are slower: no jerk below one that is slower is tried.
         enum class Trial { kBetter, kForbidden, kSlower };
         const auto attempt = [&](double acceleration, double jerk, double cap) {
             side = {acceleration, jerk};
@@ -108,7 +108,7 @@ class PairSearch {
         return true;
     }
 
-    /// On a ramp, from and to counted from its slow end.
+    /// Returns true if a zone allows a ramp, with from and to counted from its slow end.
     static bool allowed(const Ramp& ramp, const Zone& zone, double from, double to) {
         if (ramp.jerk_time == 0) return true;
         const double v = zone.velocity * kSpeedSlack;

@@ -7,8 +7,8 @@
 
 namespace curvecore::ref {
 
-/// From s0 to s1 (mm), with speeds v0 and v1 and no acceleration at the ends. With `acceleration`,
-/// `jerk` and speeds up to `cap` the motion violates no zone.
+/// The gap from s0 to s1 (mm), with speeds v0 and v1 and no acceleration at the ends. With
+/// `acceleration`, `jerk` and speeds up to `cap` the motion violates no zone.
 struct SpeedGap {
     long double s0, s1;
     double v0, v1;
@@ -16,7 +16,7 @@ struct SpeedGap {
     double cap;
 };
 
-/// Ramps to `peak` and from it, and `rest` mm between them.
+/// Ramps up to `peak` and down from it, with `rest` mm between them.
 struct RampPair {
     Ramp up, down;
     double peak;
@@ -25,9 +25,9 @@ struct RampPair {
     double duration() const { return up.duration() + down.duration() + rest / peak; }
 };
 
-/// The gap's own motion, or one that takes less time, of a search over accelerations, jerks and
-/// peaks. One side at a time gets other limits; they hold where the motion is: a zone must allow
-/// the accelerations that occur within it, and its neighbour's may be less.
+/// Returns the gap's own motion, or one that takes less time, from a search over accelerations,
+/// jerks and peaks. One side at a time gets other limits; they hold where the motion is: a zone
+/// must allow the accelerations within it, and its neighbour's may be less.
 RampPair best_pair(const Zones& zones, const SpeedGap& gap);
 
 }  // namespace curvecore::ref

@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-/// A stretch whose end speeds are settled, acceleration zero at both.
+/// A stretch with settled end speeds and zero acceleration at both.
 ///
 /// Invariant: the fastest motion with this acceleration and jerk violates only limits that are not
 /// below v0 and v1.
@@ -16,7 +16,7 @@ struct Interval {
     long double s0, s1;
     double v0, v1;
     double acceleration, jerk;
-    bool settled = false;  // violates nothing: to be drawn
+    bool settled = false;  // violates nothing: ready to be drawn
     double cap = 0;        // settled: highest speed
 };
 
@@ -45,7 +45,7 @@ class Planner {
         double peak = 0;
     };
 
-    /// The lowest limit that the fastest motion of an interval would break.
+    /// The lowest limit that the fastest motion of an interval would violate.
     Violation violation(const Interval& in) const {
         const double length = static_cast<double>(in.s1 - in.s0);
         // Zones without length at the ends are met by v0 and v1.
@@ -65,13 +65,13 @@ class Planner {
             if (zones_[i].velocity * kSpeedSlack >= peak) return;
             if (worst == kNoZone || zones_[i].velocity < zones_[worst].velocity) worst = i;
         };
-        // Everything that touches the cruise, however short that is.
+        // Zones that touch the cruise, however short it is.
         std::size_t a = first;
         while (a < last && zones_.end(a) < cruise0) ++a;
         std::size_t b = last;
         while (b > a && zones_.start(b) > cruise1) --b;
         consider(zones_.slowest(a, b));
-        // Ramps: fastest at the end nearer to the peak.
+        // Zones on ramps: the motion is fastest at the end nearer to the peak.
         for (std::size_t i = first; i < a; ++i) {
             const double v = zones_[i].velocity;
             if (v * kSpeedSlack >= peak) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Look-ahead: from speed limits along a path to a jerk-limited motion in real numbers.
+// Look-ahead: speed limits along a path become a jerk-limited motion in real numbers.
 #pragma once
 
 #include "ref/feed/ramps/phase.hpp"
@@ -14,7 +14,7 @@ struct Zone {
     double jerk = 0;
 };
 
-/// Motion from rest to rest over all zones.
+/// Plans the motion from rest to rest over all zones.
 ///
 /// Acceleration is zero where a speed limit is met and wherever two ramps join; between such places
 /// the motion is at least as fast as the fastest one with the least acceleration and jerk of the

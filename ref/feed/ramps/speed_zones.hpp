@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed plan's limits, to be asked along the path.
+// The speed plan's limits, looked up along the path.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 
 namespace curvecore::ref {
 
-constexpr double kSpeedSlack = 1 + 1e-9;  // a limit met is not a limit violated
+constexpr double kSpeedSlack = 1 + 1e-9;  // a limit met is no limit violated
 constexpr std::size_t kNoZone = std::numeric_limits<std::size_t>::max();
 
-/// Zones as an array of places, and minima over any range of them in logarithmic time.
+/// Zones as an array of places, with minima over any range of them in logarithmic time.
 class Zones {
   public:
     explicit Zones(const std::vector<Zone>& zones) {
@@ -46,21 +46,21 @@ class Zones {
     long double start(std::size_t i) const { return start_[i]; }
     long double end(std::size_t i) const { return start_[i + 1]; }
 
-    /// Slowest zone of [first, last], kNoZone if empty.
+    /// Returns the slowest zone of [first, last], kNoZone if empty.
     std::size_t slowest(std::size_t first, std::size_t last) const {
         std::size_t best = kNoZone;
         each(first, last, [&](std::size_t node) { best = slower(best, slowest_[node]); });
         return best;
     }
 
-    /// Least acceleration and jerk, highest speed of [first, last].
+    /// Returns the least acceleration and jerk and the highest speed of [first, last].
     Zone weakest(std::size_t first, std::size_t last) const {
         Zone all{0, 0, 1e300, 1e300};
         each(first, last, [&](std::size_t node) { all = weaker(all, weakest_[node]); });
         return all;
     }
 
-    /// First zone that reaches beyond s; last zone that begins before s.
+    /// Returns the first zone that reaches beyond s, and the last zone that begins before s.
     std::size_t first_after(long double s) const {
         return std::upper_bound(start_.begin() + 1, start_.end(), s) - start_.begin() - 1;
     }
@@ -94,7 +94,7 @@ class Zones {
     std::vector<Zone> zone_;
     std::vector<long double> start_;  // one more than zones
     std::vector<std::size_t> slowest_;
-    std::vector<Zone> weakest_;  // velocity: the highest
+    std::vector<Zone> weakest_;  // with velocity the highest
     std::size_t leaves_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFineFrom = kFineRate / 65536.0;
 constexpr double kFiner = 1 << kFineShift;
 
-/// Of a motion, as a limit sees it.
+/// Load of a motion on a limit.
 struct Load {
     double v = 0;
     double a = 0;
@@ -27,9 +27,10 @@ struct Slopes {
     double slope = 1e9;   // r', 1/s
     double change = 1e9;  // r'', 1/s^2
 
-    /// What the load leaves of the limits up to the rate `top`, for `finer` of the bounds.
+    /// Keeps the bounds within what the load leaves of the limits up to the rate `top`, for `finer`
+    /// of the bounds.
     void keep(const Load& load, double acceleration, double jerk, double top, double finer) {
-        constexpr double kOfSlope = 0.8;  // of the jerk's rest: stops are quickest about here
+        constexpr double kOfSlope = 0.8;  // share of the jerk's rest: stops are quickest about here
         if (load.v == 0) return;
         const double rest = finer * (acceleration - top * top * load.a);
         const double room = finer * (jerk - top * top * top * load.j);
@@ -148,7 +149,7 @@ void set_segment_feeds(const Program& program, const PlanOptions& options, Plan&
         feed = std::max(0.0, piece_state(p, time).v * mm_per_s);
         segment.feed_end = feed;
     }
-    // Whatever follows the last segment's end, rests and all, is its own.
+    // The rest after the last segment's end belongs to that segment.
     for (; piece < plan.pieces.size(); ++piece) ticks += plan.pieces[piece].ticks;
     Segment& last = plan.segments.back();
     last.ticks = as_ticks(last.ticks + ticks - drawn, last);

@@ -11,13 +11,13 @@
 namespace curvecore::ref {
 namespace {
 
-// From one to the next: some tenth of a stop from full speed; or as little path, while a stop, a
-// short one then, is not long with it.
+// Distances between branches: some tenth of a stop from full speed; or this little path, while the
+// stop, a short one then, does not get long by it.
 constexpr double kDistance = 30e-3;     // s
 constexpr double kSlowDistance = 0.15;  // s
 constexpr double kPath = 0.5;           // mm
-constexpr std::uint64_t kParts = 2;     // of it, at least, that pieces leave
-constexpr double kOfWords = 0.95;       // of those that a queue carries: branches differ
+constexpr std::uint64_t kParts = 2;     // parts of it that pieces leave at least
+constexpr double kOfWords = 0.95;       // share of the words that a queue carries: branches differ
 
 Reach branch_distance(const PieceGrid& grid) {
     const auto ticks = [&](double time) {
@@ -28,7 +28,7 @@ Reach branch_distance(const PieceGrid& grid) {
             static_cast<std::uint64_t>(kPath / grid.quantum)};
 }
 
-/// Ticks of the profile that pass in a stop.
+/// Ticks of the profile that pass during a stop.
 double passed(const StopSteps& steps) {
     double sum = 0;
     double rate = 1;
@@ -72,8 +72,8 @@ class BranchPlanner {
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const std::uint64_t next =
                 i + 1 < branches_.size() ? due_[branches_[i + 1].piece] : end_;
-            // Not through a rest, to move again. A branch that passes at another rate is told as
-            // late as kStopLead ticks after its place.
+            // A rest must not be passed, to move again. A branch that passes at another rate is
+            // reported up to kStopLead ticks after its place.
             const std::uint64_t wait =
                 std::min(next - due_[branches_[i].piece], distance_.slow_ticks) + kStopLead;
             branches_[i].wait = static_cast<std::uint32_t>(wait);
@@ -82,8 +82,8 @@ class BranchPlanner {
     }
 
   private:
-    /// As far as the course is known up to this tick: before the last piece that is near enough,
-    /// else before the next one.
+    /// Looks for a branch as far as the course is known up to this tick: before the last piece that
+    /// is near enough, else before the next one.
     void find_until(double tick) {
         while (next_ < due_.size() && due_[next_] < end_) {
             std::size_t piece = next_;
@@ -104,7 +104,8 @@ class BranchPlanner {
         return distance_.holds(due_[piece] - due_[last], path_[piece] - path_[last]);
     }
 
-    /// With one more branch like the last one the queue carries the words since then.
+    /// Returns true if the queue carries the words since then with one more branch like the last
+    /// one.
     bool carried(std::size_t piece) const {
         if (branches_.empty()) return true;
         const PlannedBranch& last = branches_.back();
@@ -128,8 +129,8 @@ class BranchPlanner {
     double reach_;
     Reach distance_;
     double words_per_tick_;
-    std::vector<std::uint64_t> due_;   // of the pieces, ticks
-    std::vector<std::uint64_t> path_;  // before them, quanta
+    std::vector<std::uint64_t> due_;   // ticks, of the pieces
+    std::vector<std::uint64_t> path_;  // quanta, before them
     std::uint64_t end_ = 0;
     std::size_t next_ = 0;  // piece that may have a branch
     std::vector<PlannedBranch> branches_;
@@ -154,7 +155,7 @@ void set_branches(const Program& program, const Machine& machine, const Geometry
     const PieceGrid grid(machine, plan.unit_mm, plan.tick_s);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) { planner.add(stretch); });
     plan.branches = planner.finish();
-    // Of machines that stop at once a wait for a branch would be the longer stop.
+    // A machine that stops at once would stop later if it waited for a branch.
     double most = 0;
     std::uint32_t wait = kStopLead;
     for (const PlannedBranch& branch : plan.branches) {

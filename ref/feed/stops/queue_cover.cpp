@@ -11,9 +11,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::uint64_t kOnTheWay = 64;  // ticks between what the guard counts and what is so
+constexpr std::uint64_t kOnTheWay = 64;  // ticks by which the guard's count lags
 constexpr double kRampPieces = 6;        // three of a ramp, and as many that take no time
-constexpr double kSlower = 0.9;          // of the speed that would just do: pieces are whole ticks
+constexpr double kSlower = 0.9;          // of the speed that just suffices: pieces are whole ticks
 
 /// Path, ticks and words at the ends of frames of one stream.
 struct Ends {
@@ -33,12 +33,11 @@ std::uint64_t needed_ticks(const Plan& plan) {
     return plan.stop_ticks + kOnTheWay + late;
 }
 
-/// Words of a queue that count: while the host is in time the rest is what it refills.
+/// Number of a queue's words that count: the host refills the rest in time.
 std::size_t room(int queue) { return static_cast<std::size_t>(queue) * 3 / 4; }
 
-/// Calls slow(path from, path to, quanta, ticks) for every run of frames, one after the other on
-/// the path, that three quarters of a queue of `queue` words hold and that is over in fewer ticks
-/// than `needed`.
+/// Calls slow(path from, path to, quanta, ticks) for every run of frames in a row on the path that
+/// fits into three quarters of a queue of `queue` words and lasts fewer ticks than `needed`.
 template <class Slow>
 void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow) {
     std::size_t end = 0;
@@ -73,7 +72,7 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
         if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
         pieces.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
     }
-    std::vector<std::uint64_t> ends;  // of planned moves
+    std::vector<std::uint64_t> ends;  // quanta, ends of planned moves
     std::uint64_t path = 0;
     for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the queues of a core leave of a move's speed.
+// Limits of a move's speed by the queues of a core.
 #pragma once
 
 namespace curvecore::ref {
 
-/// What the core's queues leave a planned move: a speed, mm/s; and how long a ramp to it lasts at
-/// least, s.
+/// Limits of a planned move by the core's queues: a speed, mm/s, and the least time of a ramp to
+/// it, s.
 struct Slowed {
     double speed = 1e9;
     double ramp = 0;

@@ -11,18 +11,18 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::int64_t kOne = std::int64_t{1} << 32;  // of the rate
+constexpr std::int64_t kOne = std::int64_t{1} << 32;  // rate 1
 constexpr double kUnit = 0x1p-32;
-constexpr double kSteps = 24;       // of a stop, at least
-constexpr double kShortest = 2e-3;  // s: of a step in it
-constexpr int kPlaces = 4;          // of a step, where limits are looked at
-constexpr int kRounds = 8;          // of looking for such a step
-constexpr int kFine = 64;           // of the room: how well a change is found
-constexpr int kLoose = 1000;        // of it: what the end may leave unused
-constexpr double kMost = 0.9;       // of what may be left: what is tried next
-constexpr std::uint32_t kMostTicks = (1u << kStepTicksBits) - 1;  // of a step
+constexpr double kSteps = 24;       // least number of steps in a stop
+constexpr double kShortest = 2e-3;  // s, shortest step in it
+constexpr int kPlaces = 4;          // places of a step where limits are checked
+constexpr int kRounds = 8;          // rounds of the search for such a step
+constexpr int kFine = 64;           // parts of the room: resolution of a change
+constexpr int kLoose = 1000;        // parts of it that the end may leave unused
+constexpr double kMost = 0.9;       // share of the possible rest that is tried next
+constexpr std::uint32_t kMostTicks = (1u << kStepTicksBits) - 1;  // longest step, ticks
 
-/// A rate and its slope, 2^-32, at a time of the profile.
+/// A rate and its slope, 2^-32, at a tick of the profile.
 struct Scaled {
     double tick = 0;
     std::int64_t rate = kOne;
@@ -48,7 +48,7 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
     return room.low <= room.high;
 }
 
-/// Seconds of the quickest stop along the path by the limits of its first place alone.
+/// Time of the quickest stop along the path, s, by the limits of its first place alone.
 double least_time(const PieceMotion& m, const PlaceLimits& limits) {
     double acceleration = 1e300;
     double jerk = 1e300;
@@ -64,10 +64,10 @@ double least_time(const PieceMotion& m, const PlaceLimits& limits) {
     return rise + (v > acceleration * ramp ? v / acceleration + ramp : 2 * std::sqrt(v / jerk));
 }
 
-/// The end of a stop: the slope comes back to 0.
+/// The end of a stop, in which the slope returns to 0.
 struct Release {
-    std::int64_t rate;   // that is left then
-    std::int64_t ticks;  // until then
+    std::int64_t rate;   // rate that is left then
+    std::int64_t ticks;  // ticks until then
 };
 
 class StopLaw {
@@ -109,7 +109,7 @@ class StopLaw {
         if (at.cell > 0) --at.cell;
     }
 
-    /// Ticks of a step, a power of two.
+    /// Longest step, ticks, a power of two.
     std::int64_t longest_step() const {
         double time = kShortest;
         if (!cells_.empty()) {
@@ -134,8 +134,8 @@ class StopLaw {
         return at;
     }
 
-    /// Cuts to what acceleration and jerk leave at one place of a step, n ticks after its start at
-    /// slope `slope`.
+    /// Cuts the rooms to what acceleration and jerk leave at one place of a step, n ticks after its
+    /// start at slope `slope`.
     bool cut(const Scaled& at, std::int64_t slope, std::int64_t n, Room& by_acceleration,
              Room& by_jerk) const {
         if (cells_.empty()) return true;
@@ -182,13 +182,13 @@ class StopLaw {
         return true;
     }
 
-    /// What jerk leaves as a step begins, where it is not known as a step before ends.
+    /// Finds the room that jerk leaves at the start of a step that follows none.
     bool find_start(const Scaled& from, Room& start) const {
         start = {-most_, most_};
         return cut(from, from.slope, 0, start, start);
     }
 
-    /// Of that, what does not go below the rate 0.
+    /// Narrows that to changes that do not go below the rate 0.
     bool find_room(const Scaled& from, const Room& start, Room& room) const {
         const auto rest = static_cast<double>(from.rate + from.slope * ticks_);
         const auto n = static_cast<double>(ticks_);
@@ -196,7 +196,8 @@ class StopLaw {
         return room.low <= room.high;
     }
 
-    /// What the limits leave all through the step if it has this change, and then for the next one.
+    /// Narrows `room` to what the limits leave all through a step with this change, and finds the
+    /// room of the next step.
     bool narrow(const Scaled& from, std::int64_t change, Room& room, Room& next) const {
         for (int i = 1; i < kPlaces; ++i) {
             const std::int64_t n = std::max<std::int64_t>(1, ticks_ * i / kPlaces);
@@ -213,7 +214,7 @@ class StopLaw {
         return narrow(from, change, room, next) && room.low <= value && value <= room.high;
     }
 
-    /// Moves `change` into the room that it leaves itself; where it leaves none, towards `other`.
+    /// Moves `change` into the room that it leaves itself, or towards `other` if it leaves none.
     bool settle(const Scaled& from, const Room& room, std::int64_t other, std::int64_t& change,
                 Room& next) const {
         for (int round = 0; round < kRounds; ++round) {
@@ -232,7 +233,7 @@ class StopLaw {
         return false;
     }
 
-    /// The change that brings the slope back to 0 the quickest; `start` becomes the next step's.
+    /// Finds the change that returns the slope to 0 fastest; `start` becomes the next step's.
     bool release(const Scaled& at, Room& start, std::int64_t& change) const {
         Room room;
         if (!find_room(at, start, room)) return false;
@@ -242,8 +243,8 @@ class StopLaw {
                change <= most;
     }
 
-    /// What is left of the rate, and how long it takes, when the slope comes back to 0 after a step
-    /// with this change. None: it cannot before the rate is 0.
+    /// Returns the remaining rate, and the time, when the slope is back at 0 after a step with this
+    /// change; none if it cannot be before the rate is 0.
     std::optional<Release> released(const Room& room, std::int64_t change) const {
         Room start;
         if (!keeps(at_, room, change, start)) return {};
@@ -258,8 +259,8 @@ class StopLaw {
         return Release{at.rate, ticks};
     }
 
-    /// By how much less a step's change may be, at most, so that the rate ends at 0 and not below:
-    /// the slope stays lower all through the release, and longer.
+    /// Greatest reduction of a step's change with which the rate ends at 0 and not below: the slope
+    /// stays lower all through the release, and longer.
     double reach(const Release& after) const {
         const auto n = static_cast<double>(ticks_);
         return static_cast<double>(after.rate) /
@@ -271,7 +272,7 @@ class StopLaw {
         Room start;
         const bool any = find_start(at_, start);
         Room next = start;
-        if (any && at_.slope < 0) release(at_, next, good);  // as it was rolled out: it can
+        if (any && at_.slope < 0) release(at_, next, good);  // rolled out before, so it can
         left_.ticks = std::max<std::int64_t>(0, left_.ticks - ticks_);
         Room room;
         if (!any || !find_room(at_, start, room)) return good;
@@ -298,7 +299,7 @@ class StopLaw {
     const ProfileCourse& course_;
     const std::deque<CourseCell>& cells_;
     double tick_s_;
-    double most_ = 0;  // of a change
+    double most_ = 0;  // largest change
     Scaled at_;
     std::int64_t ticks_ = 1;
     Release left_{kOne, 0};  // with the steps so far

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quickest stop on the path that time's rate can make from a place of the profile.
+// The quickest stop on the path that the rate of time can make from a place of the profile.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ using StopSteps = std::vector<StopStep>;
 
 std::uint64_t ticks_of(const StopSteps& steps);
 
-/// From the rate 1 at `tick` of the profile to exactly 0, the slope 0 again; where the limits leave
-/// nothing to subtract, as at full jerk across the path, the first change is 0. Empty: there is no
-/// such stop.
+/// Steps from the rate 1 at `tick` of the profile to exactly 0, with the slope 0 again. Where the
+/// limits leave nothing to subtract, as at full jerk across the path, the first change is 0. Empty:
+/// there is no such stop.
 ///
 /// With the rate r, its slope p <= 0 and the plan's v, a, j the motion has V = r v, alpha = r^2 a +
 /// p v, u = r^3 j + 3 r p a + r'' v. Any constant r <= 1 keeps every limit that the plan keeps. So
 /// in every step the rate takes the most negative r'' after which p can still come back to 0 within
-/// the limits, rolled out along the plan that is known; what is rolled out is a choice of the next
-/// step, so there always is one.
+/// the limits, rolled out along the known plan; the rolled-out step is a choice of the next one, so
+/// there always is one.
 ///
 /// Steps are of 2^n ticks, a small part of the stop; the last ones are shorter, so that whole words
 /// end at 0.
@@ -30,7 +30,7 @@ std::uint64_t ticks_of(const StopSteps& steps);
 StopSteps stop_steps(const ProfileCourse& course, std::uint64_t tick);
 std::uint64_t stop_reach(const Machine& machine, double tick_s);
 
-/// Share of the machine's limits that a stop takes: what its steps miss of a curve is less.
+/// Share of the machine's limits that a stop takes: its steps miss less than the rest on a curve.
 constexpr double kStopShare = 0.995;
 
 }  // namespace curvecore::ref

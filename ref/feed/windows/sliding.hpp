@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Least values and means over a window that slides, in linear time.
+// Minimum and mean over a sliding window, in linear time.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace curvecore::ref {
 inline std::vector<double> sliding_least(const std::vector<double>& values, std::size_t width) {
     const std::size_t n = values.size();
     std::vector<double> least(n);
-    std::deque<std::size_t> rising;  // places of values that nothing behind them undercuts
+    std::deque<std::size_t> rising;  // places of values that no later value undercuts
     std::size_t next = 0;
     for (std::size_t i = 0; i < n; ++i) {
         for (; next < std::min(n, i + width + 1); ++next) {
@@ -25,7 +25,7 @@ inline std::vector<double> sliding_least(const std::vector<double>& values, std:
     return least;
 }
 
-/// The mean within `width` places to both sides; beyond the ends there is nothing.
+/// The mean within `width` places to both sides; beyond the ends nothing counts.
 inline std::vector<double> sliding_mean(const std::vector<double>& values, std::size_t width) {
     const std::size_t n = values.size();
     std::vector<double> sums{0};

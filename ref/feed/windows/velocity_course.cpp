@@ -8,11 +8,11 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kRest = 1e-9;  // mm/s
-// Of an acceleration and of kStraight A T: so little that the jumps of all joints of a window are
-// nothing.
+// Share of an acceleration and of kStraight A T at which the jumps of all joints of a window are
+// negligible.
 constexpr double kSameShare = 1e-6;
 constexpr std::size_t kMany = 1 << 14;  // knots of a part: 3 MB
-constexpr double kReaches = 20;         // of a part at least: two of them are in two parts
+constexpr double kReaches = 20;         // reaches of a part at least: two of them are in two parts
 constexpr double kNever = 1e300;        // s
 
 double position(const Phase& phase, double t) { return static_cast<double>(phase.place(t)); }
@@ -64,7 +64,7 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
     };
     for (const Phase& phase : phases) {
         const double end = position(phase, phase.duration);
-        bool leaves = true;  // the segment, within this phase
+        bool leaves = true;  // leaves the segment within this phase
         for (double from = 0; leaves;) {
             const Segment& on = segments_[segment];
             const double start = path(on.s_start);
@@ -82,7 +82,7 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
     }
 }
 
-/// Unless neither V nor V' jumps at the end of a move: it goes on as it does inside one.
+/// Returns true if V or V' jumps at the end of a move: the path does not go on as inside one.
 bool VelocityCourse::is_joint(const Piece& piece) {
     const Segment& on = segments_[piece.segment];
     const Segment& next = segments_[piece.segment + 1];
@@ -130,7 +130,7 @@ std::size_t VelocityCourse::look_at(std::size_t first, double reach) {
     return all_joints_.size();
 }
 
-/// At a time of a piece. At its end it may be on the next segment.
+/// The knot at a time of a piece, at its end perhaps on the next segment.
 VelocityCourse::Knot VelocityCourse::knot(const Piece& piece, double after) {
     const double t = piece.from + after;
     const double v = speed(*piece.phase, t);
@@ -139,7 +139,7 @@ VelocityCourse::Knot VelocityCourse::knot(const Piece& piece, double after) {
     return {piece.t + after, v, now, now, 0, false};
 }
 
-/// Those behind the piece's begin: up to a time, from another on, and the piece's end.
+/// Adds the knots behind the piece's start: up to `until`, from `since` on, and the piece's end.
 void VelocityCourse::add_knots(const Piece& piece, double until, double since) {
     const Segment& on = segments_[piece.segment];
     const double time = piece.to - piece.from;
@@ -166,7 +166,7 @@ void VelocityCourse::add_knots(const Piece& piece, double until, double since) {
     knots_.push_back(last);
 }
 
-/// Of V in the middle from the straight line.
+/// Distance of V in the middle from the straight line.
 double VelocityCourse::distance(const Knot& middle, const Knot& from, const Knot& to) const {
     double square = 0;
     for (std::size_t i = 0; i < axes_; ++i) {
@@ -176,7 +176,7 @@ double VelocityCourse::distance(const Knot& middle, const Knot& from, const Knot
     return std::sqrt(square);
 }
 
-/// Straight parts of a time over which one would be `off` in the middle.
+/// Number of straight parts of a time over which one would be `off` in the middle.
 int VelocityCourse::count(double time, double off, bool line) const {
     const double most = std::ceil(time / resolution_);
     const double least = line ? 1 : std::min(most, 8.0);  // curvature may vary

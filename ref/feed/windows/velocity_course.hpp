@@ -11,11 +11,12 @@
 
 namespace curvecore::ref {
 
-/// V is off its straight line between knots by no more than this share of A T, T = JointTime.
+/// Largest distance of V from its straight line between knots, as a share of A T, T = JointTime.
 constexpr double kStraight = 0.0075;
 
-/// V(t) = v r'(s), mm/s, linear between knots: joints, ends of segments and of phases, and where V
-/// bends as many more as kStraight needs, with |V''| <= J at most every sqrt(8 kStraight T A / J).
+/// The course V(t) = v r'(s), mm/s, linear between knots: joints, ends of segments and of phases,
+/// and where V bends as many more as kStraight needs, with |V''| <= J at most every sqrt(8
+/// kStraight T A / J).
 /// A joint is the end of a move where V or V' jumps: not between lines in one direction, nor where
 /// curves go on into each other. Knots are made near joints alone, part by part: their memory has a
 /// bound, however long the motion.
@@ -28,15 +29,15 @@ class VelocityCourse {
     struct Knot {
         double t;                  // s
         double v;                  // along the path
-        AxisVector before, after;  // V: they differ at joints alone
-        std::uint64_t s;           // quanta; of joints alone
+        AxisVector before, after;  // V, different at joints alone
+        std::uint64_t s;           // quanta, at joints alone
         bool joint;
     };
 
     VelocityCourse(const std::vector<Segment>& segments, double unit_mm, int axes,
                    const Machine& machine);
 
-    /// Runs, each over its segments, and rests, in the order of the program. The phases must
+    /// Adds runs, each over its segments, and rests, in the order of the program. The phases must
     /// outlive the course.
     void rest(double seconds) { time_ += seconds; }
     void run(const std::vector<Phase>& phases, std::size_t first_segment, std::size_t last_segment);
@@ -46,24 +47,24 @@ class VelocityCourse {
     /// of knots. Returns the joint behind the last that has all of its own.
     std::size_t look_at(std::size_t first, double reach);
 
-    /// What was made last.
+    /// The knots that were made last.
     const std::vector<Knot>& knots() const { return knots_; }
-    const std::vector<std::size_t>& joints() const { return joints_; }  // among the knots
+    const std::vector<std::size_t>& joints() const { return joints_; }  // indices into the knots
     std::size_t axes() const { return axes_; }
 
-    /// On the late side of a jump. `knot`: one near that time; moved there.
+    /// V at a time, on the late side of a jump. `knot`: one near that time; moved there.
     AxisVector at(double t, std::size_t& knot) const;
 
   private:
-    /// Of a phase on one segment.
+    /// Part of a phase on one segment.
     struct Piece {
         const Phase* phase;
         double from, to;  // s, within the phase
         double t;         // s, at `from`
-        double start;     // mm: the segment's, along the run
+        double start;     // mm, the segment's start along the run
         std::size_t segment;
-        bool leaves;  // the segment, for the next
-        bool joint;   // there
+        bool leaves;  // leaves the segment for the next
+        bool joint;   // a joint there
         double end() const { return t + (to - from); }
     };
 

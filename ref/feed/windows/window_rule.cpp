@@ -7,13 +7,13 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSpare = 4 * kStraight;  // of A T
+constexpr double kSpare = 4 * kStraight;  // share of A T
 constexpr double kFine = 1.2;             // ratio of lengths
-constexpr double kLarge = 0.02;           // of A T
+constexpr double kLarge = 0.02;           // share of A T
 constexpr int kPairs = 24;                // joints
 constexpr double kExponent = 0.6;  // of the ratio by which speed is lowered: jumps go with v, bends
                                    // with v^3
-constexpr double kLeast = 0.5;     // of the speed: lowered by no more at once
+constexpr double kLeast = 0.5;     // share of the speed: it is lowered by no more at once
 constexpr double kSame = 1e-9;     // s
 
 double square(const AxisVector& v, int axis) {
@@ -28,7 +28,7 @@ AxisVector combine(std::size_t axes, double p, const AxisVector& a, double q, co
     return sum;
 }
 
-/// |b - a|^2 and |a - 2 b + c|^2 of all axes: at least that of any limit's.
+/// Squares |b - a|^2 and |a - 2 b + c|^2 over all axes: at least those of any limit.
 double change_square(std::size_t axes, const AxisVector& a, const AxisVector& b) {
     double sum = 0;
     for (std::size_t i = 0; i < axes; ++i) sum += (b[i] - a[i]) * (b[i] - a[i]);
@@ -118,7 +118,7 @@ double WindowRule::most_second(const Limit& limit, double w) const {
     return limit.jerk * w * (w + joint_time_) + (1 - kSpare) * limit.acceleration * joint_time_;
 }
 
-/// (a) of the window that begins at t.
+/// Checks (a) for the window that begins at t.
 void WindowRule::change(const AxisVector& from, const AxisVector& to, double t, double w) {
     const double weakest = most_change(weakest_, w);
     if (change_square(course_.axes(), from, to) <= weakest * weakest) return;
@@ -126,7 +126,7 @@ void WindowRule::change(const AxisVector& from, const AxisVector& to, double t, 
     keep(t, t + w, ratio(size, [&](const Limit& limit) { return most_change(limit, w); }));
 }
 
-/// (b) of the windows that begin at t.
+/// Checks (b) for the windows that begin at t.
 void WindowRule::second(const AxisVector& a, const AxisVector& b, const AxisVector& c, double t,
                         double w) {
     const std::size_t axes = course_.axes();
@@ -136,7 +136,7 @@ void WindowRule::second(const AxisVector& a, const AxisVector& b, const AxisVect
     keep(t, t + 2 * w, ratio(size, [&](const Limit& limit) { return most_second(limit, w); }));
 }
 
-/// Less speed for the joints of a window.
+/// Lowers the speed of the joints of a window.
 void WindowRule::keep(double from, double to, double ratio) {
     if (ratio <= 1) return;
     const auto& knots = course_.knots();
@@ -145,7 +145,7 @@ void WindowRule::keep(double from, double to, double ratio) {
     const auto first = std::lower_bound(joints.begin(), joints.end(), from - kSame, earlier);
     const auto end = std::lower_bound(first, joints.end(), to + kSame, earlier);
     if (first == end) return;
-    // Speeds change little from joint to joint: a few of many will do.
+    // Speeds change little from joint to joint: a few of many suffice.
     double v = knots[*(end - 1)].v;
     const auto stride = (end - first) / 16 + 1;
     for (auto joint = first; end - joint > stride; joint += stride) {
@@ -156,7 +156,7 @@ void WindowRule::keep(double from, double to, double ratio) {
                        static_cast<std::size_t>(end - joints.begin() - 1), v * factor});
 }
 
-/// All windows of length w with a place at a knot and a joint within.
+/// Checks all windows of length w with a place at a knot and a joint within.
 void WindowRule::look_at_length(double w) {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
@@ -206,8 +206,8 @@ void WindowRule::look_at_pairs() {
     }
 }
 
-/// Windows with two places at these joints, on either side of both jumps: by the jumps' middles
-/// first, which both sides are half a jump off.
+/// Checks windows with two places at these joints, on either side of both jumps: first by the
+/// jumps' middles, which are half a jump from both sides.
 void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& places) {
     const Knot& one = *first.knot;
     const Knot& two = *last.knot;
@@ -240,7 +240,7 @@ void WindowRule::look_at_pair(const Jump& first, const Jump& last, Places& place
     }
 }
 
-/// (c)
+/// Checks (c).
 void WindowRule::look_at_jumps() {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
@@ -260,7 +260,8 @@ void WindowRule::look_at_jumps() {
     }
 }
 
-/// Of every joint the least of its broken windows, 0 without one; joints of one window are linked.
+/// Returns for each joint the lowest speed that any violated window demands, 0 if none. Joints in
+/// one window are marked as linked.
 std::vector<double> WindowRule::speeds(std::vector<bool>& linked) {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
@@ -281,7 +282,7 @@ std::vector<double> WindowRule::speeds(std::vector<bool>& linked) {
             if (i < window.last) linked[i + 1] = true;
         }
     }
-    // One speed within T: finer steps than windows would only be more pieces.
+    // One speed holds within T: finer steps than windows would only be more pieces.
     for (std::size_t i = 0; i < joints.size();) {
         const double t = knots[joints[i]].t + joint_time_;
         double least = speed[i];

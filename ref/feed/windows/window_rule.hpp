@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine's limits over windows of time: where a planned motion with joints breaks them, and
-// how fast these joints may be passed instead.
+// The machine's limits over windows of time: where a planned motion with joints violates them, and
+// the speeds at which these joints may be passed instead.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace curvecore::ref {
 
-/// The joint at path length s may be passed at this speed; linked: so may all of the path since the
-/// joint before it.
+/// Speed at which the joint at path length s may be passed; linked: so may all of the path since
+/// the joint before it.
 struct JointCap {
     std::uint64_t s = 0;  // quanta
     double t = 0;         // s, of the course
@@ -20,13 +20,13 @@ struct JointCap {
     bool linked = false;
 };
 
-/// A window beyond which (a) below implies (b), s.
+/// Length of a window, s, beyond which (a) below implies (b).
 double longest_window(const Machine& machine);
-/// To both sides of a place that windows see, s: three places up to two of the longest apart.
+/// Reach of windows to both sides of a place, s: three places up to two of the longest apart.
 double window_reach(const Machine& machine);
 
-/// For every window w >= T = JointTime, of the path (X Y Z as a vector; U V W where these stand)
-/// and of every axis, with V(t) = v r'(s) and its jumps dV at joints:
+/// Checks for every window w >= T = JointTime, of the path (X Y Z as a vector; U V W where these
+/// stand) and of every axis, with V(t) = v r'(s) and its jumps dV at joints:
 ///
 ///     |V(t + w) - V(t)|               <=  A (w + T)                                         (a)
 ///     |V(t + 2w) - 2 V(t + w) + V(t)| <=  J w (w + T) + A T                                 (b)
@@ -35,26 +35,26 @@ double window_reach(const Machine& machine);
 /// (b) / w is the change of the mean acceleration between adjacent windows. Why a plan keeps them:
 /// - Inside moves the zones keep |V'| <= A and |V''| <= J (ref/limits/limits.hpp). So a window
 ///   without a joint, a jump of V or of V', has (a) and (b) with A w and J w^2. All others are
-///   looked at here.
+///   checked here.
 /// - V is taken as linear between knots (VelocityCourse): off by kStraight A T, in (b) by four
 ///   times that, which is kept free.
 /// - Then the left sides are norms of functions linear in t between the times at which a place of
 ///   the window (t, t + w, t + 2w) meets a knot. Such norms are largest at an end: for a given w,
 ///   windows with a place at a knot, on either side of its jump, are all that count.
 /// - As w grows the left sides are linear until a second place meets a joint. So w = the time
-///   between two joints, and half of that, are looked at, for the next kPairs joints from T on that
+///   between two joints, and half of that, are checked, for the next kPairs joints from T on that
 ///   have a jump of kLarge A T. Smaller jumps, or more of them, are as good as a bend: w in steps
 ///   of a factor kFine, a turn of V to and fro then shows 98 % of its most in one of them (sin^2),
 ///   up to J w^2 = 9 A T, then of 2, where the right side grows as fast as the left one can.
 /// - From w = 2 A / J + T on, (a) implies (b).
 /// - A plan slowed in time keeps what it kept, and its jumps shrink with the speed. So the joints
-///   of a window that breaks a bound get less speed, and the plan is made and looked at again.
+///   of a window that breaks a bound get less speed, and the plan is made and checked again.
 ///
-/// Joints are returned in ascending order; none: the motion keeps the rule. O(n) in joints and
+/// Returns the joints in ascending order; none: the motion keeps the rule. O(n) in joints and
 /// phases, for each w.
 std::vector<JointCap> joint_caps(const Machine& machine, VelocityCourse& course);
 
-/// Of the part of a motion whose knots are made.
+/// Checks one part of a motion, the part whose knots exist.
 class WindowRule {
   public:
     WindowRule(const Machine& machine, const VelocityCourse& course);
@@ -68,17 +68,17 @@ class WindowRule {
         int axis;  // -1: the path
     };
     struct Broken {
-        std::size_t first, last;  // of the course's joints
-        double velocity;          // that they may have
+        std::size_t first, last;  // indices into the course's joints
+        double velocity;          // mm/s, that they may have
     };
 
     struct Jump {
         const Knot* knot;
         std::size_t index;
         AxisVector middle;
-        double half;  // of its size
+        double half;  // half of its size
     };
-    using Places = std::array<std::size_t, 3>;  // knots near what was asked last
+    using Places = std::array<std::size_t, 3>;  // knots near the last queries
 
     double most_change(const Limit& limit, double w) const;
     double most_second(const Limit& limit, double w) const;
