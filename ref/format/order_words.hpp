@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of a width of their own for each order of the sampler: the one rule, in integers. C++14,
-// for hls/. Twin: rtl/curvecore_pkg.sv.
+// The word width of each order of the sampler: the one rule, in integers. C++14, for hls/. Twin:
+// rtl/curvecore_pkg.sv.
 //
 // Series mode, arcs, steps of theta <= 2^-T rad: a sample is Horner's rule
 // (hls/spherical_kernel.hpp)
@@ -32,24 +32,24 @@ namespace ref {
 constexpr int kLeastWord = 18;  // one block of a multiplier, and the least of the cores
 constexpr int kSpare = 1;       // bits of tau
 
-/// ceil(log2(i!)).
+/// Returns ceil(log2(i!)).
 constexpr int factorial_bits(int i) {
     constexpr int kBits[] = {0, 0, 1, 3, 5, 7, 10, 13, 16, 19, 22, 26, 29};
     return kBits[i];
 }
 
-/// Copies of the sign in front of the sum of stage i.
+/// Number of sign copies in front of the sum of stage i.
 constexpr int sign_copies(int turn_bits, int i) {
     return turn_bits > 0 && i > 1 ? turn_bits * (i - 1) + factorial_bits(i) : 0;
 }
 
-/// Bits of coefficients, sums and products of stage i.
+/// Width of coefficients, sums and products of stage i, bits.
 constexpr int sum_bits(int coef_bits, int turn_bits, int i) {
     const int bits = coef_bits - sign_copies(turn_bits, i);
     return bits < kLeastWord ? kLeastWord : bits;
 }
 
-/// Bits of tau in stage i, its sign included.
+/// Width of tau in stage i, bits, its sign included.
 constexpr int tau_bits(int coef_bits, int turn_bits, int i) {
     if (turn_bits == 0 || i == 1) return coef_bits;
     const int bits = coef_bits - sign_copies(turn_bits, i) + kSpare;

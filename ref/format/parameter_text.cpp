@@ -14,7 +14,7 @@ struct Need {
     int wanted;
 };
 
-/// "Splines=0 Mode=0" of a row.
+/// Reads "Splines=0 Mode=0" of a row.
 std::vector<Need> needs_of(const Parameter& row) {
     std::vector<Need> needs;
     std::istringstream words(row.needs);
@@ -26,7 +26,7 @@ std::vector<Need> needs_of(const Parameter& row) {
     return needs;
 }
 
-/// In the order of the table.
+/// The needs of all rows, in the table's order.
 const std::vector<std::vector<Need>>& all_needs() {
     static const std::vector<std::vector<Need>> kNeeds = [] {
         std::vector<std::vector<Need>> needs;
@@ -47,7 +47,7 @@ bool has_needs(const CoreParameters& parameters, const Parameter& row,
     return true;
 }
 
-/// "--build parallel, Splines=0 and Mode=0"
+/// Returns "--build parallel, Splines=0 and Mode=0".
 std::string needs_text(const Parameter& row) {
     std::vector<std::string> needs;
     if (row.builds == ParameterBuilds::kParallelAlone) needs.emplace_back("--build parallel");

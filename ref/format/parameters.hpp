@@ -8,7 +8,7 @@ namespace ref {
 
 enum class Build { kParallel, kSerial };
 
-/// A field for each row of the table, with the row's default.
+/// The fields of the table's rows, with their defaults.
 struct CoreParameters {
 #define PARAMETER(field, Name, low, high, default_value, ...) int field = default_value;
 #include "ref/format/parameters.def"
@@ -16,7 +16,7 @@ struct CoreParameters {
 
     int axes() const { return 3 + aux_axes; }
     bool polynomial() const { return mode == 1; }
-    /// Most that the output's rounding takes from a position, units.
+    /// Largest rounding of a position by the output, units.
     double rounding() const { return 0.5; }
 };
 
@@ -59,7 +59,7 @@ constexpr Parameter kParameters[] = {
 #include "ref/format/parameters.def"
 };
 
-/// The row of a field, which it has.
+/// Returns the row of a field; every field has one.
 constexpr const Parameter& parameter_of(int CoreParameters::*value) {
     const Parameter* row = kParameters;
     while (row->value != value) ++row;

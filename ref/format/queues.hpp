@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many words the queues of a core hold (SegmentQueueWords, ProfileQueueWords) unless somebody
-// says otherwise: the defaults of rtl/motion_interpolator.sv, to which a test holds them. Boards
-// say theirs. The planner needs them, since what is queued must outlast a stop.
+// Default depths of a core's queues in words (SegmentQueueWords, ProfileQueueWords): the defaults
+// of rtl/motion_interpolator.sv, to which a test holds them. Boards state theirs. The planner needs
+// them, since what is queued must outlast a stop.
 #pragma once
 
 namespace curvecore::ref {
@@ -10,7 +10,7 @@ constexpr int kSegmentQueueWords = 4096;
 constexpr int kProfileQueueWords = 4096;
 
 /// Queues of the program's own boards, words of 48 bits: the deepest of rtl/motion_interpolator.sv,
-/// so that they draw plans for any.
+/// so that they draw plans for any queues.
 constexpr int kBoardSegmentWords = 65536;
 constexpr int kBoardProfileWords = 4096;
 

@@ -9,8 +9,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kShortest = 1;      // unit: shorter pieces are no plan
-constexpr double kPrecision = 1.01;  // of the longest piece
+constexpr double kShortest = 1;      // unit: no plan has shorter pieces
+constexpr double kPrecision = 1.01;  // relative precision of the longest piece
 constexpr double kLonger = 1.25;
 
 class Search {
@@ -38,7 +38,7 @@ class Search {
         return family_bound(format_, {least_, most_, length, step_exponent});
     }
 
-    /// Whether pieces up to this length keep the limit; the longest step into `cover`.
+    /// Returns true if pieces up to this length keep the limit, with the longest step in `cover`.
     bool keeps(double length, ArcCover& cover) const {
         const int longest =
             std::clamp(static_cast<int>(std::ceil(std::log2(length))), 0, kMaxStepExponent);
@@ -57,7 +57,7 @@ class Search {
         return false;
     }
 
-    /// One segment's own bound is a little below the family's, so that the planner may find longer
+    /// One segment's own bound is a little below the family's, so the planner may find longer
     /// pieces. The step that it takes for them is not shorter than half that of the least bound.
     int shortest_step(const ArcCover& cover) const {
         if (cover.longest >= M_PI_2 * most_) return cover.step_exponent;

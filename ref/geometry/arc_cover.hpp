@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the planner cuts arcs, helices and lines of a range of radii: proven for every one of them.
+// The planner's cuts of arcs, helices and lines of a range of radii, proven for every one of them.
 #pragma once
 
 #include "ref/bound/error_bound.hpp"
 
 namespace curvecore::ref {
 
-/// What family_bound() says of all pieces whose radius is in the range.
+/// Result of family_bound() for all pieces whose radius is in the range.
 ///
 /// | field          | unit   | meaning                                                          |
 /// |----------------|--------|------------------------------------------------------------------|
@@ -26,8 +26,8 @@ struct ArcCover {
 
 /// Radii in units, least > 0; limit in units.
 ///
-/// longest > 0 proves that the planner refuses none of these moves (with pieces of that length or
-/// shorter its search ends) and that every segment it makes keeps the limit.
+/// A value longest > 0 proves that the planner refuses none of these moves (with pieces of that
+/// length or shorter its search ends) and that every segment it makes keeps the limit.
 ArcCover arc_cover(const CoreParameters& format, double least_radius, double most_radius,
                    double limit);
 

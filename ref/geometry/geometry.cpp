@@ -24,16 +24,16 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kQuanta = 65536;  // per unit
-constexpr double kClosing = 0.02;  // units by which a computed arc may miss its end
+constexpr double kClosing = 0.02;  // units, error of a computed arc at its end
 
-/// How a move is cut.
+/// The cut of a move.
 struct Cut {
     int pieces = 0;  // 0: no cut meets the bound
     int step_exponent = 0;
     double bound = 0;
 };
 
-/// Segment 0 of the move if it were cut into so many pieces; without position.
+/// Segment 0 of the move cut into `pieces` pieces, without position.
 Segment prototype(const Move& move, const PathShape& shape, int pieces, double unit) {
     Segment segment;
     segment.length =
@@ -107,12 +107,12 @@ Cut cut_move(const Move& move, const PathShape& shape, const CoreParameters& for
     return best;
 }
 
-/// What feed and machine allow, mm/s.
+/// Speed that feed and machine allow, mm/s.
 double fastest_of(const Move& move, const PathShape& shape, double machine) {
     return !move.rapid && move.feed > 0 ? std::min(machine, move.feed / shape.rate) : machine;
 }
 
-/// Some more pieces, where the last step of each would be too short.
+/// Adds pieces where the last step of each would be too short.
 Cut with_long_last_steps(const Cut& fewest, const Move& move, const PathShape& shape,
                          double fastest, const PlanOptions& options) {
     constexpr int kTries = 64;
@@ -212,7 +212,7 @@ class Cutter {
         plan(index, shape, length, steps);
     }
 
-    /// A line or an arc of so many quanta and integration steps.
+    /// Plans a line or an arc of `length` quanta with `steps` integration steps.
     void plan(std::size_t index, const PathShape& shape, std::uint64_t length, double steps) {
         const Move& move = program_.moves[index];
         std::vector<ArcStretch> stretches{{0, 1, shape}};
@@ -261,7 +261,7 @@ class Cutter {
         geometry_.segments.insert(geometry_.segments.end(), segments.begin(), segments.end());
     }
 
-    /// Piece i of the move; the path reaches `end` with it.
+    /// Places piece i of the move; the path reaches `end` with it.
     void place(std::size_t index, const PathShape& shape, const Cut& cut, int i, long double end) {
         const Move& move = program_.moves[index];
         const double unit = options_.unit_mm;
@@ -312,7 +312,7 @@ class Cutter {
         return static_cast<int>(pieces);
     }
 
-    /// Point of an arc, units, from its start so that a far centre costs no digits.
+    /// Point of an arc, units, counted from its start so that a far centre costs no digits.
     Vec3 on_arc(const Move& move, const Vec3& n, const Vec3& t, double radius, double part) const {
         const double angle = move.angle * part;
         const double half_sine = std::sin(angle / 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves to segments: cut so that every derived error bound holds, with exact path bookkeeping.
+// Moves cut to segments so that every derived error bound holds, with exact path bookkeeping.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct PlannedMove {
     PathShape shape;
     std::uint64_t length = 0;  // quanta
     double steps = 0;          // integration steps in all
-    bool spline = false;       // these are of the spline network
+    bool spline = false;       // steps of the spline network
     bool stop_before = false;  // the curve stands still at the start
-    bool stop_after = false;   // or at the end
+    bool stop_after = false;   // or at its end
     double miss = 0;           // quanta of path before it that rounding has left out
 };
 
@@ -28,15 +28,15 @@ struct Geometry {
     std::vector<PlannedMove> moves;
 };
 
-/// Path length is summed in long double; what a segment gets is the difference of two rounded sums,
-/// so rounding does not add up. Moves shorter than a quantum make no segment; a line longer than a
-/// segment's length word is cut (ref/format/path_words.hpp).
+/// Cuts the moves. Path length is summed in long double; a segment's length is the difference of
+/// two rounded sums, so rounding does not add up. Moves shorter than a quantum make no segment; a
+/// line longer than a segment's length word is cut (ref/format/path_words.hpp).
 ///
 /// @throws InputError: beyond the machine's travel or the position words, more auxiliary axes than
 ///         the core has or faster along a spline than the words hold, an arc that misses its end
 ///         point, a bound that no cut can meet, a path beyond the program's words.
 /// @param miss PlannedMove::miss of the first move
-/// @param most so many planned moves or segments are enough: later moves are left out
+/// @param most number of planned moves or segments that suffices: later moves are left out
 Geometry make_geometry(const Program& program, const Machine& machine, const PlanOptions& options,
                        double miss = 0, std::size_t most = SIZE_MAX);
 

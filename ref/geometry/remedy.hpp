@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to say of a move that the words of a configuration cannot carry.
+// Advice for a move that the words of a configuration cannot carry.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace curvecore::ref {
 
-/// "needs CoefBits 36" and the like: the least change with which `fits` agrees.
+/// Returns "needs CoefBits 36" and the like: the least change that `fits` accepts.
 std::string remedy(const PlanOptions& options,
                    const std::function<bool(const CoreParameters& format, double unit_mm)>& fits);
 

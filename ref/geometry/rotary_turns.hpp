@@ -14,18 +14,18 @@ class RotaryTurns {
   public:
     RotaryTurns(const Machine& machine, const PlanOptions& options);
 
-    /// A rotary axis starts the segment within a turn of 0, on its own side of it.
+    /// Starts a rotary axis within a turn of 0, on its own side of it.
     void leave_out(Segment& segment) const;
 
-    /// Segments that a line or an arc needs for all its turns, a whole number.
+    /// Number of segments that a line or an arc needs for all its turns.
     double pieces(const Move& move) const;
 
-    /// Why the words of a rotary axis (3 ..) do not hold the move, which is one segment if it is a
-    /// spline. Empty: they do.
+    /// Returns the reason why the words of a rotary axis (3 ..) do not hold the move, which is one
+    /// segment if it is a spline; empty if they do.
     std::string beyond_words(const Move& move, std::size_t axis) const;
 
   private:
-    /// How far a rotary axis may turn in one segment, degrees: its words begin within a turn.
+    /// Largest turn of a rotary axis in one segment, degrees: its words begin within a turn.
     double longest() const;
 
     const Machine& machine_;

@@ -18,7 +18,7 @@ Cubic in_units(const Cubic& mm, double unit_mm) {
     return {mm.a / unit_mm, mm.b / unit_mm, mm.c / unit_mm, mm.d / unit_mm};
 }
 
-/// Where the curve stands still, quanta from its start.
+/// Places at which the curve stands still, quanta from its start.
 class Standstills {
   public:
     Standstills(const Cubic& cubic, const ArcLength& arc, double quantum)
@@ -146,7 +146,7 @@ bool spline_fits(const Program& program, std::size_t index, PlanOptions options,
                  const CoreParameters& format, double unit_mm) {
     options.format = format;
     options.unit_mm = unit_mm;
-    options.cuts.reset();  // those of the program's own words stay
+    options.cuts.reset();  // cuts of the program's own words stay
     long double path = 0;
     try {
         spline_segments(program, index, options, 0, path);

@@ -48,7 +48,7 @@ std::string by_step(const PathTable& path, const SpeedCourse& course, double ste
     return text;
 }
 
-/// Chords are even in u, and a chord is as long as its piece of path but for the tolerance.
+/// Makes chords even in u; a chord is as long as its piece of path within the tolerance.
 std::string by_tolerance(const PathTable& path, const SpeedCourse& course, double tolerance) {
     std::string text;
     const std::vector<double> starts = path.starts();

@@ -82,7 +82,7 @@ IdleMove default_idle_move(const Joint& start, const Joint& end, JoinFit fit, in
     guide.start = start;
     guide.end = end;
     guide.start.curvature = guide.end.curvature = Vec3::Zero();
-    // Its length grows by less than 0.63 of what t grows by (antiparallel tangents), so this halts.
+    // Its length grows by less than 0.63 of the growth of t (antiparallel tangents), so this ends.
     double length = (end.position - start.position).norm();
     for (int i = 0; i < kMostSteps; ++i) {
         guide.t = {0, length};

@@ -48,8 +48,8 @@ struct IdleMove {
     std::vector<BezierPiece> pieces() const;
 };
 
-/// `count` points evenly in t on the quintic without curvature at its ends whose t_{N+1} is its own
-/// length (a straight line if the tangents allow it).
+/// Places `count` points evenly in t on the quintic without curvature at its ends whose t_{N+1} is
+/// its own length (a straight line if the tangents allow it).
 IdleMove default_idle_move(const Joint& start, const Joint& end, JoinFit fit, int count);
 
 }  // namespace curvecore::ref

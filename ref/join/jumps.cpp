@@ -17,7 +17,7 @@ JoinJumps jumps_of(const std::string& name, const IdleMove& move, SpeedLaw law, 
             jump(move.end, last, course.acceleration(length))};
 }
 
-/// Of a jump in rad or 1/mm: what is less is the rounding of points and derivatives.
+/// Returns a jump in rad or 1/mm, 0 if it is only the rounding of points and derivatives.
 double above_rounding(double value) { return value < 1e-9 ? 0 : value; }
 
 }  // namespace
@@ -78,7 +78,7 @@ std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law) {
     first.curvature = 2 * across / chord.squaredNorm();
     const Joint last{{move.end.position, -mirrored(first.tangent), mirrored(first.curvature)}, 0};
     const double angle = angle_between(first.tangent, along);
-    // Straight on, or straight back: no arc.
+    // A path straight on, or straight back, has no arc.
     const double arc = std::sin(angle) > 1e-9 ? length * angle / std::sin(angle) : length;
 
     std::vector<JoinJumps> found{jumps_of("line", move, law, length, line, line),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed along an idle move, and what jumps where it meets the working paths.
+// The speed along an idle move, and its jumps where it meets the working paths.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace curvecore::ref {
 
 constexpr double kGravity = 9806.65;  // mm/s^2
 
-/// How the speed goes from v0 to v1 along the move, x = s / length:
+/// Course of the speed from v0 to v1 along the move, x = s / length:
 ///
 ///     even     v^2 = v0^2 + (v1^2 - v0^2) x            constant acceleration, which jumps at both
 ///     ends smooth   v = v0 + (v1 - v0) (10 x^3 - 15 x^4 + 6 x^5)    acceleration 0 at both ends
@@ -30,7 +30,7 @@ struct SpeedCourse {
     double acceleration(double s) const;  // along the path, dv/dt = v dv/ds
 };
 
-/// What changes at once at a joint; 0 where it is not above rounding.
+/// Jumps at a joint; 0 where they are rounding only.
 ///
 /// | field     | equation                    | unit | remark                               |
 /// |-----------|-----------------------------|------|--------------------------------------|
@@ -54,13 +54,14 @@ struct JoinJumps {
     Jump start, end;
 };
 
-/// Of the move itself.
+/// Jumps of the move itself.
 JoinJumps jumps(const IdleMove& move, SpeedLaw law);
 
-/// The largest at the move's own control points.
+/// Largest jump at the move's own control points.
 Jump worst_inside(const IdleMove& move, SpeedLaw law);
 
-/// Of a straight line, of the arc that leaves along the first tangent, and of every fit through the
+/// Jumps of a straight line, of the arc that leaves along the first tangent, and of every fit
+/// through the
 /// same control points.
 std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law);
 

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 
 constexpr double kMet = 1e-6;  // 1 and 1/mm: of slope and curvature at the joints
 
-/// Third derivative by t: of a degree above 3 by differences of its control points.
+/// Third derivative by t, for degrees above 3 by differences of control points.
 Vec3 third_derivative(const BezierPiece& piece, double u) {
     BezierPiece difference{piece.h, {}};
     for (std::size_t i = 0; i + 1 < piece.points.size(); ++i) {
@@ -24,8 +24,8 @@ Vec3 third_derivative(const BezierPiece& piece, double u) {
     return difference.at(u).d2;
 }
 
-/// Rows of what shall be small, a column per axis: its squares add up to the integral. Gauss's rule
-/// of four points is exact for the squares of polynomials of degree 3.
+/// Rows to be minimised, a column per axis: their squares add up to the integral. Gauss's rule of
+/// four points is exact for the squares of polynomials of degree 3.
 MatrixXd bends(const std::vector<BezierPiece>& pieces, Least least) {
     using Gauss = boost::math::quadrature::gauss<double, 4>;
     MatrixXd rows(4 * pieces.size(), 3);
@@ -43,7 +43,7 @@ MatrixXd bends(const std::vector<BezierPiece>& pieces, Least least) {
     return rows;
 }
 
-/// Rows of what must be zero: slope and second derivative at both ends, off the joints'.
+/// Rows to be zero: errors of slope and second derivative at both ends.
 MatrixXd misses(const IdleMove& move, const std::vector<BezierPiece>& pieces) {
     const BezierPiece::Point first = pieces.front().at(0);
     const BezierPiece::Point last = pieces.back().at(1);
@@ -61,7 +61,7 @@ IdleMove with_least(const IdleMove& move, Least least) {
     const std::vector<BezierPiece> pieces = move.pieces();
     const MatrixXd bend = bends(pieces, least);
     const MatrixXd miss = misses(move, pieces);
-    MatrixXd bend_by(bend.rows(), count);  // by every control point; axes do not mix
+    MatrixXd bend_by(bend.rows(), count);  // derivatives by every control point; axes do not mix
     MatrixXd miss_by(miss.rows(), count);
     for (Eigen::Index i = 0; i < count; ++i) {
         IdleMove moved = move;

@@ -12,7 +12,7 @@ namespace curvecore::ref {
 /// | tangent   | dr/ds   | 3     | 1    | 0 where the curve stands still                 |
 /// | curvature | d2r/ds2 | 3     | 1/mm | (r' x r'') x r' / |r'|^4; 0 there              |
 ///
-/// Gauss's rule of five points in 32 parts of every piece: for pictures and for cutting a path into
+/// Gauss's rule of five points in 32 parts of every piece: for figures and for cutting a path into
 /// steps. Source: [Obukhov] (3).
 class PathTable {
   public:
@@ -25,11 +25,11 @@ class PathTable {
 
     double length() const { return knots_.back(); }
     const std::vector<BezierPiece>& pieces() const { return pieces_; }
-    /// s at the start of every piece, and at the end.
+    /// Path length s at the start of every piece, and at the end.
     std::vector<double> starts() const;
     Place place(double s) const;
     Joint at(double s) const;  // without a feed
-    /// The same at a place: the two pieces that meet in a point may differ there.
+    /// Joint at a place: the two pieces that meet in a point may differ there.
     Joint at(const Place& place) const;
 
   private:

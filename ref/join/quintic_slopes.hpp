@@ -11,9 +11,10 @@ struct QuinticSlopes {
     Vectors second;  // d2r/dt2
 };
 
-/// Of the spline through y at ascending t whose third and fourth derivatives go on at every inner
-/// point; slopes and second derivatives at its ends are those of `ends`. Of all curves through the
-/// same it has the least integral of |r'''|^2 dt; of points on one quintic it is that quintic.
+/// Slopes of the spline through y at ascending t with continuous third and fourth derivatives at
+/// every inner point; slopes and second derivatives at its ends are those of `ends`. Among all
+/// curves through the same it has the least integral of |r'''|^2 dt; through points of one quintic
+/// it is that quintic.
 QuinticSlopes quintic_slopes(const Vectors& y, const std::vector<double>& t,
                              const QuinticSlopes& ends);
 

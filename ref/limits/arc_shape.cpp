@@ -8,8 +8,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLeastShare = 0.6;  // of the speed allowed at any point of a stretch
-constexpr int kPoints = 4;           // of a stretch, and its end
+constexpr double kLeastShare = 0.6;  // share of the speed allowed at any point of a stretch
+constexpr int kPoints = 4;           // points of a stretch besides its end
 
 class Stretcher {
   public:

@@ -11,11 +11,11 @@ namespace {
 constexpr double kCentripetalShare = 0.866;    // hypot(0.866, 0.5) = 1
 constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2
 constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R
-// Splines: what takes the speed through a bend must be gained before it.
+// Splines: the speed that a bend takes must be gained before it.
 constexpr double kSwerveShare = 0.3;       // of v^3 swerve
 constexpr double kCrossSwerveShare = 0.7;  // of 3 v a curvature + v^3 swerve
 
-/// One constraint: the path itself, or an axis, with its limits.
+/// One constraint, the path itself or an axis, with its limits.
 struct Load {
     double swing;    // share of the circular part
     double advance;  // |constant part|
@@ -37,7 +37,7 @@ void each_load(const PathShape& shape, const Machine& machine, Visit visit) {
     }
 }
 
-/// Largest x >= 0 with p hypot(x, w) + q x <= limit; 0 if p w is beyond the limit.
+/// Returns the largest x >= 0 with p hypot(x, w) + q x <= limit; 0 if p w is beyond the limit.
 double largest(double p, double w, double q, double limit) {
     const double room = limit * limit - p * p * w * w;
     if (limit <= 0 || room <= 0) return 0;

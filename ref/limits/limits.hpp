@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine allows on a move and at a joint.
+// The machine's limits on a move and at a joint.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@ namespace curvecore::ref {
 constexpr double kAccelerationShare = 0.95;
 constexpr double kJerkShare = 0.95;
 
-/// Of velocities: rounding to the grid stays inside.
+/// Share of velocities: rounding to the grid stays inside.
 constexpr double kVelocityShare = 0.998;
 
-/// Joints turning by more than this stop: |change of the unit tangent|, about 15 degrees.
+/// Largest turn of a joint passed in motion, |change of the unit tangent|: about 15 degrees.
 constexpr double kSmallTurn = 0.26;
 
-/// Along the path, mm and s: all that the machine allows.
+/// The machine's limits along the path, mm and s.
 struct PathLimits {
     double velocity = 0;
     double acceleration = 0;  // while the speed is at most `velocity`
@@ -33,27 +33,28 @@ double top_speed(const PathShape& shape, const Machine& machine);
 /// Speed that the path's own velocity allows, all along a move.
 double path_speed(const PathShape& shape, const Machine& machine);
 
-/// Speed that path and axis velocities allow where r' is `along`: at a place, V_i^2 >= r'_i^2 v^2.
+/// Speed that path and axis velocities allow where r' is `along`, at a place: V_i^2 >= r'_i^2 v^2.
 double highest_speed(const AxisVector& along, const PathShape& shape, const Machine& machine);
 
-/// The same all along a move.
+/// Speed that they allow all along a move.
 double highest_speed(const PathShape& shape, const Machine& machine);
 
-/// What a speed of at most v leaves along the path.
+/// Limits along the path that a speed of at most v leaves.
 PathLimits along_path(const PathShape& shape, const Machine& machine, double v);
 
-/// Time to full acceleration, s, of the quickest limit.
+/// Time to full acceleration of the quickest limit, s.
 double ramp_time(const Machine& machine);
-/// The same along a move, of those limits that bind there.
+/// Time to full acceleration of the limits that bind along a move, s.
 double ramp_time(const PathShape& shape, const Machine& machine);
 
-/// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: at most how
-/// much of a motion along the path, and of one across it, the limit sees.
+/// Calls visit(rate, bend, acceleration, jerk) for the path and every axis that moves: the largest
+/// shares that the limit sees of a motion along the path and of one across it.
 void each_limit(const PathShape& shape, const Machine& machine,
                 const std::function<void(double, double, double, double)>& visit);
 
-/// Speed at which a joint may be passed; 0: stop. The change of the velocity vector stays within
-/// acceleration * JointTime, the change of v^2 r'' within jerk * JointTime, path and every axis.
+/// Speed at which a joint may be passed, mm/s; 0: stop. The change of the velocity vector stays
+/// within acceleration * JointTime, the change of v^2 r'' within jerk * JointTime, path and every
+/// axis.
 double joint_velocity(const PathShape& before, const PathShape& after, const Machine& machine);
 
 /// Loads as ratios to the limits, worst of path and axes.

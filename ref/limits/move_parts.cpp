@@ -10,8 +10,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLongest = 200;      // s, at the feed: pieces and stop branches are kept
-constexpr double kLongestTurns = 10;  // s, of an arc at the machine's speed: knots are, too
+constexpr double kLongest = 200;      // s, at the feed: bounds pieces and stop branches in memory
+constexpr double kLongestTurns = 10;  // s, of an arc at the machine's speed: bounds knots
 
 int parts_of(const Move& move, const Machine& machine) {
     double parts = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves that take long in parts: a window of the plan has whole moves, and its memory a bound.
+// Long moves in parts: a window of the plan has whole moves, and bounded memory.
 #pragma once
 
 #include "ref/machine/machine.hpp"
@@ -7,15 +7,15 @@
 
 namespace curvecore::ref {
 
-/// Gives the moves of a source; of one that takes more than 200 s at its feed, or an arc that takes
-/// more than 10 s at what the machine does there, even parts.
+/// Gives the moves of a source; a move that takes more than 200 s at its feed, or an arc that takes
+/// more than 10 s at the machine's speed there, in even parts.
 class MoveParts {
   public:
     /// @param machine outlives it
     MoveParts(MoveSource source, const Machine& machine)
         : source_(std::move(source)), machine_(machine) {}
 
-    /// The next move; false: there is none. @throws InputError of the source
+    /// Gives the next move; returns false if there is none. @throws InputError of the source
     bool next(Move& move);
 
   private:

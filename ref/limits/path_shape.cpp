@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-/// Largest |t cos x - n sin x + advance| of 0 <= x <= angle.
+/// Largest |t cos x - n sin x + advance| over 0 <= x <= angle.
 double largest_rate(double t, double n, double advance, double angle) {
     const auto at = [&](double x) { return std::abs(t * std::cos(x) - n * std::sin(x) + advance); };
     double largest = std::max(at(0), at(angle));
@@ -42,7 +42,7 @@ PathShape path_shape(const Move& move, double from, double to) {
         shape.drift = (axial - move.normal * move.normal.dot(axial)).norm() / shape.length;
         const Vec3 arm = move.start - move.centre;
         const double radius = arm.norm();
-        const Vec3 out = arm / radius;  // where the move starts
+        const Vec3 out = arm / radius;  // start of the move
         const Vec3 on = move.normal.cross(out);
         const double begin = move.angle * from;
         const Vec3 n = out * std::cos(begin) + on * std::sin(begin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A move as a function of path length: how its derivatives load the axes.
+// A move as a function of path length: its derivatives' loads on the axes.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace curvecore::ref {
 
-/// With speed v, acceleration a and jerk j along the path,
+/// Derivatives of the path by its length:
 ///
 ///     r' = turn t + advance      r'' = -curvature n      r''' = -curvature twist t + swerve m
 ///
 /// with unit vectors t, n and m, the latter two at right angles to t; |r'| <= 1. Lines and arcs are
-/// exactly so; for a stretch of a spline (ref/limits/spline_shape.hpp) the figures are bounds.
+/// exactly so; for a stretch of a spline (ref/limits/spline_shape.hpp) the values are bounds.
 ///
 /// | field     | unit    | remark                                                            |
 /// |-----------|---------|-------------------------------------------------------------------|
@@ -50,7 +50,7 @@ struct PathShape {
 /// Largest rate of an auxiliary axis per unit of path; the words hold less than 2.
 constexpr double kMaxAuxRate = 1.9;
 
-/// Of a line or an arc, or of what lies between two parts of its length.
+/// Shape of a line or an arc, or of the stretch between two parts of its length.
 PathShape path_shape(const Move& move, double from = 0, double to = 1);
 
 }  // namespace curvecore::ref

@@ -11,10 +11,10 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSharpest = 1e-8;   // mm: radius of a tip that is passed in motion
+constexpr double kSharpest = 1e-8;   // mm, radius of a tip that is passed in motion
 constexpr double kShortest = 1e-6;   // mm
-constexpr double kLeastShare = 0.6;  // of the speed allowed at any point of a stretch
-// What no machine feels, at any speed below 10 m/s.
+constexpr double kLeastShare = 0.6;  // share of the speed allowed at any point of a stretch
+// Values that no machine feels at any speed below 10 m/s.
 constexpr double kNoCurvature = 1e-9;  // 1/mm
 constexpr double kNoSwerve = 1e-12;    // 1/mm^2
 
@@ -38,7 +38,7 @@ class Frenet {
         g_ = scaled<5, 2>(dot<3, 3>(v_, v_), slope) - scaled<4, 3>(3 * dot<3, 2>(v_, w), m_);
     }
 
-    /// At the point u.
+    /// Bounds at the point u.
     Bounds at(double u) const {
         const double v = value(v_, u).norm();
         const double cube = v * v * v;
@@ -46,7 +46,7 @@ class Frenet {
                      value(v_, u).cwiseAbs() / v});
     }
 
-    /// Where the speed is at least v.
+    /// Bounds where the speed is at least v.
     Bounds over(double v) const {
         const double cube = v * v * v;
         Bounds bounds = felt({longest(m_) / cube, longest(g_) / (cube * cube), Vec3::Zero()});
@@ -76,7 +76,7 @@ class Frenet {
     Vectors<6> g_;
 };
 
-/// Also where W = 0, by how fast |V| grows.
+/// Returns true if the curve stands still, also where W = 0, judged by how fast |V| grows.
 bool stands_still(const Cubic& cubic, double u) {
     const double v = cubic.speed(u);
     return v * v <= kSharpest * cubic.acceleration(u).norm() ||
@@ -173,7 +173,7 @@ class Stretcher {
 }  // namespace
 
 std::vector<double> standstills(const Cubic& cubic) {
-    // One that is no way off from an end is the end's.
+    // A standstill all but at an end is the end's.
     bool first = stands_still(cubic, 0);
     bool last = stands_still(cubic, 1);
     std::vector<double> stops;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stretches of a cubic with bounds of its curvature: how fast a machine may go where.
+// Stretches of a cubic with bounds of its curvature, for the speed along it.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace curvecore::ref {
 
-/// Up to here from a standstill the curve is taken as being as sharp as where it is fastest.
+/// Distance from a standstill up to which the curve counts as sharp as where it is fastest.
 constexpr double kTip = 1e-5;  // mm
 
-/// Parameters of 0 <= u <= 1, ascending, at which the curve stands still: V = 0, or a tip of less
-/// than 1e-8 mm radius. The machine stops there.
+/// Returns the parameters 0 <= u <= 1, ascending, at which the curve stands still: V = 0, or a tip
+/// of less than 1e-8 mm radius. The machine stops there.
 std::vector<double> standstills(const Cubic& cubic);
 
 /// A stretch from u0 to u1, and bounds that hold all along it.
@@ -35,8 +35,8 @@ struct SplineStretch {
     PathShape shape;
 };
 
-/// Stretches that lose no more than 40 % of the speed that the machine and the move's feed allow at
-/// any of their points, in order, at least 1e-6 mm long. `arc` is that of move.cubic (mm).
+/// Returns stretches that lose no more than 40 % of the speed that the machine and the move's feed
+/// allow at any of their points, in order, at least 1e-6 mm long. `arc` is that of move.cubic (mm).
 std::vector<SplineStretch> spline_stretches(const Move& move, const ArcLength& arc,
                                             const Machine& machine, double u0, double u1);
 

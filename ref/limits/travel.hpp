@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The box that a move needs, and whether the machine has it.
+// The box that a move needs, and the check against the machine's travel.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ struct AxisRange {
     AxisVector low, high;  // mm
 };
 
-/// Where a component of dr/du = 3 a u^2 + 2 b u + c is zero.
+/// Includes places at which a component of dr/du = 3 a u^2 + 2 b u + c is zero.
 inline void include_turns(const Cubic& cubic, AxisRange& range) {
     for (int i = 0; i < 3; ++i) {
         const auto [low, high] =
@@ -32,8 +32,9 @@ inline void include_turns(const Cubic& cubic, AxisRange& range) {
     }
 }
 
-/// Smallest and largest position of every axis. A cubic turns back at most twice per axis. An arc
-/// turns back where its tangent has no component along the axis: once or twice per turn.
+/// Returns the smallest and largest position of every axis. A cubic turns back at most twice per
+/// axis. An arc turns back where its tangent has no component along the axis: once or twice per
+/// turn.
 inline AxisRange travel(const Move& move) {
     AxisRange range;
     for (int i = 0; i < kMachineAxes; ++i) {
@@ -57,7 +58,7 @@ inline AxisRange travel(const Move& move) {
         for (const double sign : {1.0, -1.0}) {
             double first = std::fmod(sign * bend - shift, 2 * M_PI);
             if (first < 0) first += 2 * M_PI;
-            // On a helix the extremes move by a pitch per turn: the first and the last count.
+            // The extremes of a helix move by a pitch per turn: the first and the last count.
             const double last = first + 2 * M_PI * std::floor((move.angle - first) / (2 * M_PI));
             for (const double angle : {first, last}) {
                 if (angle < 0 || angle > move.angle) continue;
@@ -71,7 +72,7 @@ inline AxisRange travel(const Move& move) {
     return range;
 }
 
-/// Why a machine cannot make a move: it goes beyond its travel. Empty: it can.
+/// Returns the reason why a move is beyond a machine's travel; empty if it is not.
 inline std::string beyond_travel(const AxisRange& range, const Move& move, const Machine& machine) {
     constexpr double kSlack = 1e-7;  // mm: rounding of an inch file
     for (int i = 0; i < kMachineAxes; ++i) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// LinuxCNC's .ini syntax: [SECTION], NAME = VALUE, comments; no meaning.
+// LinuxCNC's .ini syntax, [SECTION], NAME = VALUE and comments, without meaning.
 //
-// Names are the same in upper and lower case. A line that ends in a backslash goes on in the next.
+// Names are the same in upper and lower case. A line that ends in a backslash continues in the
+// next.
 #pragma once
 
 #include <map>
@@ -26,9 +27,9 @@ class IniFile {
 
     const std::string& file() const { return file_; }
     bool has_section(const std::string& section) const { return sections_.count(section) > 0; }
-    /// The entry, or nothing. @throws InputError when it stands there with two values
+    /// Returns the entry, if there is one. @throws InputError if it has two values
     std::optional<IniEntry> find(const std::string& section, const std::string& name) const;
-    /// The entry as a number. @throws InputError when it is none
+    /// Returns the entry as a number. @throws InputError if it is none
     std::optional<double> number(const std::string& section, const std::string& name) const;
 
   private:
@@ -40,8 +41,8 @@ class IniFile {
     std::map<std::pair<std::string, std::string>, std::vector<IniEntry>> entries_;
 };
 
-/// mm of a unit of [TRAJ]'s LINEAR_UNITS; 1 when it names none. @throws InputError for others than
-/// mm and inches
+/// Length of [TRAJ]'s LINEAR_UNITS in mm, 1 if it names none. @throws InputError for units other
+/// than mm and inches
 double mm_per_unit(const IniFile& ini);
 
 }  // namespace curvecore::ref

@@ -15,7 +15,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::string_view kLetters = "XYZABCUVW";
-constexpr double kJerkTime = 0.05;  // s: without a jerk the acceleration is reached
+constexpr double kJerkTime = 0.05;  // s in which the acceleration is reached if no jerk is given
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
 
@@ -48,7 +48,7 @@ class MachineReader {
         }
     }
 
-    /// A limit above 0 in mm; `section` says in which unit it stands.
+    /// Returns a limit above 0 in mm; `section` states its unit.
     std::optional<double> limit(const std::string& section, const std::string& name, double unit) {
         const std::optional<double> value = ini_.number(section, name);
         if (!value) {
@@ -67,7 +67,7 @@ class MachineReader {
         return *value * unit;
     }
 
-    /// The letters of the axes in the order of the joints.
+    /// Returns the letters of the axes in the order of the joints.
     std::string joint_letters() const {
         std::optional<IniEntry> entry = ini_.find("TRAJ", "COORDINATES");
         std::string letters;
@@ -84,7 +84,8 @@ class MachineReader {
         return letters;
     }
 
-    /// Every section that limits the axis: its own, by letter or by number, and its joints'.
+    /// Returns every section that limits the axis: its own, by letter or by number, and its
+    /// joints'.
     std::vector<std::string> sections_of(int axis, const std::string& joints) const {
         std::vector<std::string> sections = {fmt::format("AXIS_{}", kLetters[axis]),
                                              fmt::format("AXIS_{}", axis)};
@@ -102,7 +103,7 @@ class MachineReader {
         return sections;
     }
 
-    /// The axes that the file describes.
+    /// Reads the axes that the file describes.
     std::string read_axes() {
         const std::string joints = joint_letters();
         std::string axes;
@@ -119,7 +120,7 @@ class MachineReader {
         return axes;
     }
 
-    /// Where an axis and its joints differ, the tighter limit holds.
+    /// Reads an axis; where it and its joints differ, the tighter limit holds.
     void read_axis(int axis, const std::vector<std::string>& sections) {
         const double unit = axis >= 3 && axis < 6 ? 1 : unit_;
         AxisLimits& limits = machine_.axis[axis];
@@ -182,7 +183,7 @@ class MachineReader {
         });
     }
 
-    /// Limits along the path; without them what the axes together allow.
+    /// Reads the limits along the path; by default those that the axes together allow.
     void read_path(const std::string& axes) {
         const auto together = [&](double AxisLimits::*limit) {
             double sum = 0;

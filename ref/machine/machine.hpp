@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine can do, in mm, s (degrees for rotary axes). LinuxCNC's names, in its .ini file.
+// The machine's limits in mm, s (degrees for rotary axes), with the names of LinuxCNC's .ini file.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct AxisLimits {
 constexpr double kUnlimited = 1e99;
 constexpr double kTurn = 360;  // degrees
 
-/// A B C turn without end.
+/// Returns the built-in axes: A B C turn without end.
 inline std::array<AxisLimits, kMachineAxes> built_in_axes() {
     std::array<AxisLimits, kMachineAxes> axes;
     for (std::size_t i = 3; i < 6; ++i) {
@@ -40,9 +40,9 @@ struct Machine {
     double velocity = 500;       // along the path
     double acceleration = 5000;  // along and across the path
     double jerk = 100000;
-    double joint_time = 1e-3;  // s: how long a joint's change of velocity or acceleration may take
+    double joint_time = 1e-3;  // s, in which a joint's velocity or acceleration may change
     std::array<AxisLimits, kMachineAxes> axis = built_in_axes();
-    std::vector<std::string> notes;  // defaults that were taken, for the report
+    std::vector<std::string> notes;  // defaults that were used, for the report
 };
 
 /// Reads LinuxCNC's .ini, lengths in its LINEAR_UNITS (mm or inch):
@@ -60,8 +60,8 @@ struct Machine {
 /// An angular axis (TYPE = ANGULAR) without MIN_LIMIT and MAX_LIMIT, or with WRAPPED_ROTARY = 1, is
 /// rotary. Without MAX_JERK an axis reaches its acceleration in 0.05 s; without a limit of the path
 /// the axes' limits are added as vectors, but the path, too, reaches its acceleration in 0.05 s
-/// where no axis has a MAX_JERK; without MIN_LIMIT or MAX_LIMIT travel is unlimited. What was
-/// missing is said in `notes`.
+/// where no axis has a MAX_JERK; without MIN_LIMIT or MAX_LIMIT travel is unlimited. Missing names
+/// are reported in `notes`.
 /// @throws InputError with file, line and reason.
 Machine read_machine(const std::string& file);
 

@@ -26,14 +26,14 @@ void check_radius(double radius) {
     }
 }
 
-/// The angle from `arm` to `arm` + `chord`, 0 .. one turn: a far centre costs no digits.
+/// Angle from `arm` to `arm` + `chord`, 0 .. one turn: a far centre costs no digits.
 double sweep(const Eigen::Vector2d& arm, const Eigen::Vector2d& chord, bool clockwise) {
     const double cross = arm.x() * chord.y() - arm.y() * chord.x();
     const double angle = std::atan2(clockwise ? -cross : cross, arm.dot(arm + chord));
     return angle < 0 ? angle + kTurn : angle;
 }
 
-/// Where `start` comes to when it turns by `angle`, `arm` being its radius.
+/// Place of `start` after a turn by `angle`; `arm` is its radius.
 Eigen::Vector2d turned(const Eigen::Vector2d& start, const Eigen::Vector2d& arm, double angle) {
     const double half_sine = std::sin(angle / 2);
     return start + std::sin(angle) * Eigen::Vector2d(-arm.y(), arm.x()) -
@@ -81,8 +81,7 @@ PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& en
     if (half > std::abs(radius) + tolerance.reach / 2) {
         throw ArcError(fmt::format("R is too small: the ends are {:.6g} mm apart", 2 * half));
     }
-    // Half a circle where roundings of the numbers alone are between: the centre would move by the
-    // root of them.
+    // Makes half a circle if only roundings are between: the centre would move by the root of them.
     const double spare = std::abs(radius) - half;
     const bool more = spare > kRounding * (start.norm() + end.norm() + half);
     const double height = more ? std::sqrt(spare * (std::abs(radius) + half)) : 0;

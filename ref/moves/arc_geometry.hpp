@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what a program says of an arc to its centre and angle. Lengths in mm, angles in rad.
+// Centre and angle of an arc from the words of a program. Lengths in mm, angles in rad.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,10 @@ class ArcError : public std::runtime_error {
 };
 
 constexpr int kMostTurns = 10000;
-constexpr double kSameDirection = 1e-9;  // mm along the circle: ends so near make a whole turn
+constexpr double kSameDirection = 1e-9;  // mm along the circle: ends this near make a whole turn
 
-/// By how much an arc's radii at both ends may differ: `always` mm, or `most` mm and 0.1 %. By how
-/// much ends may be farther apart than a given radius reaches: `reach` mm.
+/// Largest difference of an arc's radii at both ends: `always` mm, or `most` mm and 0.1 %. Largest
+/// distance of the ends beyond the reach of a given radius: `reach` mm.
 struct ArcTolerance {
     double always;
     double most;
@@ -30,14 +30,14 @@ struct ArcTolerance {
 constexpr ArcTolerance arc_tolerance(double always, double reach) {
     return {always, 100 * always, reach};
 }
-/// Those of LinuxCNC's interpreter, of programs in mm and in inches.
+/// Tolerances of LinuxCNC's interpreter, for programs in mm and in inches.
 constexpr ArcTolerance kArcToleranceMm = arc_tolerance(0.02 * 1.41421356237309505, 0.005);
 constexpr ArcTolerance kArcToleranceInch =
     arc_tolerance(0.002 * 25.4 * 1.41421356237309505, 0.0005 * 25.4);
-/// Of arcs that another controller's interpreter has accepted.
+/// Tolerance for arcs that another controller's interpreter has accepted.
 constexpr ArcTolerance kAnyArc = arc_tolerance(std::numeric_limits<double>::infinity(), 0);
 
-/// In a plane seen from the tip of its normal, counter-clockwise positive:
+/// An arc in a plane seen from the tip of its normal, counter-clockwise positive:
 ///
 ///     r(u) = centre + start's radius turned by angle u + drift u       u = 0 .. 1
 struct PlaneArc {
@@ -46,16 +46,18 @@ struct PlaneArc {
     Eigen::Vector2d drift;  // 0 where the radii at both ends are the same
 };
 
-/// Arc about a given centre, from the start with its radius to the direction of the end. Where the
-/// radii at both ends differ, the drift is that difference, along the end's radius: no place is
-/// farther from the circle than that. Ends in one direction from the centre make a full circle.
+/// Makes the arc about a given centre, from the start with its radius to the direction of the end.
+/// Where the radii at both ends differ, the drift is that difference, along the end's radius: no
+/// place is farther from the circle than that. Ends in one direction from the centre make a full
+/// circle.
 /// @throws ArcError
 PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                          const Eigen::Vector2d& centre, bool clockwise, int turns,
                          const ArcTolerance& tolerance);
 
-/// Arc with a given radius: up to half a turn for a positive one, above it for a negative one.
-/// Ends farther apart than 2 R by up to `tolerance.reach` make a half circle about their middle.
+/// Makes the arc with a given radius: up to half a turn for a positive one, above it for a negative
+/// one. Ends farther apart than 2 R by up to `tolerance.reach` make a half circle about their
+/// middle.
 /// @throws ArcError
 PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& end, double radius,
                          bool clockwise, int turns, const ArcTolerance& tolerance);
@@ -66,7 +68,7 @@ struct SpaceArc {
     double angle;
 };
 
-/// The arc from `start` by way of `middle` to `end`. @throws ArcError
+/// Makes the arc from `start` by way of `middle` to `end`. @throws ArcError
 SpaceArc arc_through(const Eigen::Vector3d& start, const Eigen::Vector3d& middle,
                      const Eigen::Vector3d& end);
 

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double kTurn = 2 * 3.14159265358979323846;
 constexpr double kSame = 1e-9;  // mm
-constexpr int kPlaces = 32;     // a turn; of many turns as many in all
+constexpr int kPlaces = 32;     // points of a turn; the total over many turns
 constexpr double kRound = 1e-14;
 constexpr double kRootRound = 8e-15;
 
-/// In polar coordinates about the given centre.
+/// Polar coordinates about the given centre.
 class Polar {
   public:
     explicit Polar(const AskedArc& asked)
@@ -39,7 +39,7 @@ class Polar {
   private:
     double along(const Vec3& axis) const { return axis.dot(asked_.start - asked_.centre); }
 
-    /// At the height of the start.
+    /// Point at the height of the start.
     Vec3 on_circle(double share) const {
         const double angle = from_ + share * turn_;
         const Vec3 height = asked_.normal * asked_.normal.dot(asked_.start - asked_.centre);

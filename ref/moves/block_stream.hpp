@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program that is carried out block by block, with a few moves ahead.
+// A program that is executed block by block, with a few moves ahead.
 #pragma once
 
 #include <deque>
@@ -16,9 +16,9 @@ class BlockStream : public MoveStream {
     const std::vector<std::string>& warnings() const override { return warnings_; }
 
   private:
-    /// Carries out the next block; false: the program ends with it. @throws InputError
+    /// Executes the next block; returns false if the program ends with it. @throws InputError
     virtual bool read() = 0;
-    /// Moves that were made, as MoveList gives them.
+    /// Returns the finished moves, as MoveList gives them.
     virtual std::vector<Move> take(bool last) = 0;
     virtual Program finish() = 0;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program asks for besides motion, such as M3: nothing is switched, it is kept with its
-// place.
+// Requests of a program besides motion, such as M3: nothing is switched, they are kept with their
+// places.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ class Events {
     /// | field  | unit | remark                                                              |
     /// |--------|------|---------------------------------------------------------------------|
     /// | line   |      | in the program's file                                               |
-    /// | code   |      | an index of codes()                                                 |
-    /// | value  |      | of S and T their number, of outputs P or Q; else 0                  |
+    /// | code   |      | index into codes()                                                  |
+    /// | value  |      | number of S and T, P or Q of outputs; else 0                        |
     /// | length | mm   | of all moves before it, as Move::length()                           |
     struct Event {
         int line;

@@ -21,7 +21,7 @@ double most_along(const Move& move) {
     return std::max(p, p * std::cos(move.angle) - q * std::sin(move.angle));
 }
 
-/// The greatest |dr/du| of r(u), u = 0 .. 1: dr/du = R angle t + advance.
+/// Greatest |dr/du| of r(u), u = 0 .. 1: dr/du = R angle t + advance.
 double arc_length_of(const Move& move) {
     const double along = most_along(move);
     const double across = std::max(0.0, move.advance.squaredNorm() - along * along);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program asks for: moves in mm, mm/s, degrees for rotary axes, with the line that asked.
+// A program's moves in mm, mm/s, degrees for rotary axes, with the lines that asked for them.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace curvecore::ref {
 
-/// How far a G-code program may be drawn from what it says where it does not say it: in G64
+/// Largest distance of a G-code program's path from the programmed one where it states none: in G64
 /// without P, and before any mode.
 constexpr double kPathTolerance = 0.01;  // mm
 
@@ -44,14 +44,14 @@ struct Move {
     Aux aux_start{};
     Aux aux_end{};
     double feed = 0;
-    bool exact_stop = false;  // the machine stands still at the end of this move
-    double dwell = 0;         // s of rest after it (implies a stop)
-    double tolerance = 0;     // mm: how far it may be drawn from where it is programmed (G64 P)
-    double deviation = 0;     // mm: a bound of how far it is
+    bool exact_stop = false;  // the machine stops at the end of this move
+    double dwell = 0;         // s, rest after it (implies a stop)
+    double tolerance = 0;     // mm: allowed distance from where it is programmed (G64 P)
+    double deviation = 0;     // mm: bound of that distance
 
-    /// Length along the path: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
-    /// mm). Of an arc with an advance in its plane, |dr/ds| <= 1, with 1 where it is the fastest:
-    /// up to twice that advance longer than the curve.
+    /// Length along the path, mm: of X Y Z if they move, else of U V W, else of A B C (1 degree = 1
+    /// mm). An arc with an advance in its plane has |dr/ds| <= 1, with 1 where it is fastest, so it
+    /// is up to twice that advance longer than the curve.
     double length() const;
 };
 

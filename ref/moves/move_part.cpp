@@ -14,7 +14,7 @@ MovePlace on_cubic(const Cubic& cubic, double s) {
     return {cubic.position(u), tangent(cubic, u), curvature_vector(cubic, u)};
 }
 
-/// From the start, so that a far centre costs no digits.
+/// Place counted from the start, so that a far centre costs no digits.
 MovePlace on_arc(const Move& move, double s) {
     const double length = move.length();
     const double twist = move.angle / length;

@@ -17,14 +17,15 @@ struct MovePlace {
     Vec3 tangent = Vec3::UnitX();
     Vec3 curvature = Vec3::Zero();
 
-    /// The same by the curve's own length: |T| = 1, and kappa N.
+    /// Returns the place by the curve's own length: |T| = 1, and kappa N.
     MovePlace by_length() const;
 };
 
-/// A move at the path length s of X Y Z, 0 .. length.
+/// Returns the place on a move at the path length s of X Y Z, 0 .. length.
 MovePlace place_on(const Move& move, double s);
 
-/// The move from one path length to another. The stop and the dwell stay behind its own end.
+/// Returns the part of a move between two path lengths. The stop and the dwell stay behind its own
+/// end.
 Move part_of(const Move& move, double from, double to);
 
 }  // namespace curvecore::ref

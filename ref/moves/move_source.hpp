@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program's moves one after the other, from wherever they come.
+// A program's moves in order, from any source.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace curvecore::ref {
 
 enum class Dialect;  // ref/gcode/lines/dialect.hpp
 
-/// Gives the next move; false: there is none, and none will come. @throws InputError
+/// Gives the next move; returns false if there is none, and none will come. @throws InputError
 using MoveSource = std::function<bool(Move& move)>;
 
 /// A program that is read move by move: GcodeStream, ProgramStream.
@@ -25,20 +25,20 @@ class MoveStream {
     MoveStream& operator=(const MoveStream&) = delete;
     virtual ~MoveStream() = default;
 
-    /// The next move; false: there is none.
-    /// @throws InputError of what is wrong, after all moves before it
+    /// Gives the next move; returns false if there is none.
+    /// @throws InputError for an invalid program, after all moves before the fault
     virtual bool next(Move& move) = 0;
 
-    /// Of G-code that this reader reads.
+    /// Dialect, if the program is G-code that this reader reads.
     virtual std::optional<Dialect> dialect() const { return {}; }
 
-    /// At the end.
+    /// Number of auxiliary axes, known at the end.
     virtual int aux_axes() const = 0;
     virtual const std::vector<std::string>& warnings() const = 0;
     virtual Events events() const { return {}; }
 };
 
-/// Those of a program, which must outlive the source.
+/// Makes a source of a program, which must outlive it.
 inline MoveSource source_of(const Program& program) {
     return [&program, next = std::size_t(0)](Move& move) mutable {
         if (next == program.moves.size()) return false;
@@ -47,7 +47,7 @@ inline MoveSource source_of(const Program& program) {
     };
 }
 
-/// All that a stream has to give. @throws InputError
+/// Reads all that a stream has. @throws InputError
 inline Program read_all(MoveStream& stream, const std::string& file) {
     Program program;
     program.file = file;

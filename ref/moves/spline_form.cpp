@@ -39,7 +39,7 @@ std::vector<TangentArc> chords(const Cubic& cubic, double tolerance) {
     return lines;
 }
 
-/// The spline's auxiliary axes, stops and exact ends on what it became.
+/// Shares the spline's auxiliary axes, stops and exact ends among its pieces.
 void share(const Move& spline, std::vector<Move>& pieces) {
     double total = 0;
     for (const Move& piece : pieces) total += piece.length();
@@ -78,7 +78,7 @@ Replaced replace_splines(Program& program, SplineForm form, double tolerance) {
         } else {
             fit = {chords(move.cubic, within), within};
         }
-        // The cubic's ends are the move's but for roundings.
+        // The cubic's ends are the move's up to roundings.
         fit.arcs.front() = with_ends(fit.arcs.front(), move.start, fit.arcs.front().end);
         fit.arcs.back() = with_ends(fit.arcs.back(), fit.arcs.back().start, move.end);
         std::vector<Move> pieces;

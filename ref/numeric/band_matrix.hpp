@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Linear equations whose unknowns meet their next few neighbours only.
+// Linear equations whose unknowns are coupled to their next few neighbours only.
 #pragma once
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 
 namespace curvecore::ref {
 
-/// A symmetric positive definite matrix with kBands bands on each side: L D L^T in its own place.
+/// A symmetric positive definite matrix with kBands bands on each side: L D L^T in place.
 template <std::size_t kBands>
 class BandMatrix {
   public:
     explicit BandMatrix(std::size_t n) : row_(n) {}
 
     void clear() { std::fill(row_.begin(), row_.end(), std::array<double, kBands + 1>{}); }
-    /// Adds to element (i, j); what lies above the diagonal is left to its mirror.
+    /// Adds to element (i, j); an element above the diagonal is left to its mirror.
     void add(std::size_t i, std::size_t j, double value) {
         if (i >= j) row_[i][i - j] += value;
     }
@@ -39,11 +39,11 @@ class BandMatrix {
                 row[band] /= row_[i - band][0];
                 sum -= row[band] * product;
             }
-            row[0] = sum > 0 ? sum : 1e300;  // lost in rounding: this one stays
+            row[0] = sum > 0 ? sum : 1e300;  // lost in rounding: this unknown stays
         }
     }
 
-    /// x with (this) x = b, in b's place; after decompose().
+    /// Solves (this) x = b, x in b's place; after decompose().
     void solve(std::vector<double>& b) const {
         for (std::size_t i = 0; i < row_.size(); ++i) {
             for (std::size_t k = 1; k <= std::min(i, kBands); ++k) b[i] -= row_[i][k] * b[i - k];

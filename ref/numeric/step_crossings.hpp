@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// When an axis is due to step, in exact numbers.
+// The times at which an axis is due to step, in exact numbers.
 #pragma once
 
 #include <cstdint>
 
 namespace curvecore::ref {
 
-/// A place that goes straight from one sample to the next in a period crosses the middle between
-/// two whole steps.
+/// A crossing of the middle between two whole steps, by a place that moves linearly from one sample
+/// to the next in a period.
 struct StepCrossing {
     __extension__ using Wide = __int128;
     Wide part;   // of the period, part / whole in [0, 1]
     Wide whole;  // > 0
     bool back;
 
-    /// The first of `clocks` equal parts of the period, from 1, at whose end it is crossed.
+    /// Returns the first of `clocks` equal parts of the period, from 1, at whose end it is crossed.
     std::int64_t clock(std::int64_t clocks) const {
-        // Back, the middle itself still belongs to the step above.
+        // A backward motion: the middle itself still belongs to the step above.
         const Wide end = part * clocks;
         return static_cast<std::int64_t>(back ? end / whole + 1 : (end + whole - 1) / whole);
     }
-    /// The crossing itself, in clocks of the period.
+    /// Returns the time of the crossing in clocks of the period.
     double time(std::int64_t clocks) const {
         return static_cast<double>(part) / static_cast<double>(whole) * static_cast<double>(clocks);
     }
@@ -32,7 +32,7 @@ class StepCrossings {
     using Wide = StepCrossing::Wide;
     StepCrossings(std::int64_t steps, std::int64_t units) : steps_(steps), units_(units) {}
 
-    /// The whole step at a position: the nearest, of two the one above.
+    /// Returns the whole step at a position: the nearest, of two the one above.
     std::int64_t count(std::int64_t position) const {
         const Wide twice = 2 * Wide(position) * steps_ + units_;
         const Wide whole = 2 * Wide(units_);
@@ -50,7 +50,7 @@ class StepCrossings {
     }
 
   private:
-    /// From `from` to the middle above step n, in the measure of `whole`.
+    /// Distance from `from` to the middle above step n, in units of `whole`.
     Wide middle(std::int64_t n, std::int64_t from) const {
         return (2 * Wide(n) + 1) * units_ - 2 * Wide(from) * steps_;
     }

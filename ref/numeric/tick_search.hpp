@@ -16,18 +16,18 @@ namespace curvecore::ref {
 /// | mended   | the tick before         | |err| < tolerance | the frame's start                  |
 /// | summed   | the tick before         | |err| < tolerance | the tick before, taken to be right |
 ///
-/// `literal` and `signed` stop after the first step that goes too far, however far. `summed` is
-/// what the paper warns of: errors below the tolerance add up.
+/// `literal` and `signed` stop after the first step that goes too far. `summed` is the form that
+/// the paper warns of: errors below the tolerance add up.
 enum class SearchForm { kLiteral, kSigned, kMended, kSummed };
 
 class TickSearch {
   public:
     static constexpr int kMostIterations = 50;
 
-    /// `tolerance` of a length and of its quadrature, mm.
+    /// Searches with the `tolerance` of a length and of its quadrature, mm.
     TickSearch(const Cubic& cubic, SearchForm form, double tolerance);
 
-    /// The parameter at a length of `s` from the start (of the frame), mm; s grows.
+    /// Returns the parameter at a length of `s` from the start (of the frame), mm; s grows.
     double at(double s);
 
     double parameter() const { return t_; }
@@ -40,8 +40,8 @@ class TickSearch {
     SearchForm form_;
     double tolerance_;
     double t_ = 0;
-    double s_ = 0;      // that t_ is taken to be at
-    double asked_ = 0;  // s of the tick before
+    double s_ = 0;      // mm, path length taken for t_
+    double asked_ = 0;  // mm, s of the last tick
     int iterations_ = 0;
 };
 

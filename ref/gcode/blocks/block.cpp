@@ -15,7 +15,7 @@ constexpr double kLargestNumber = 1e9;
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
-/// What stands where a word should begin.
+/// Reports a character that cannot begin a word.
 [[noreturn]] void refuse_character(char c, const Place& place) {
     switch (c) {
         case '%':
@@ -25,7 +25,7 @@ bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
     }
 }
 
-/// Codes are whole numbers, or tenths for G.
+/// Returns a code, a whole number or, for G, tenths.
 int code_of(char letter, double number, const Place& place) {
     const std::optional<int> code =
         letter == 'G' ? near_whole(number * 10, 1e-3) : near_whole(number);
@@ -109,7 +109,7 @@ void Block::add_word(char letter, double number, const Place& place) {
         place.refuse(fmt::format("{} twice in one block", letter));
     }
     if (letter == 'N') {
-        used_.set('N' - 'A');  // line numbers are for people
+        used_.set('N' - 'A');  // line numbers have no meaning
     }
     given_.set(letter - 'A');
     value_[letter - 'A'] = number;

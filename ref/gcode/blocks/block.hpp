@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// One line of a program taken apart into words; knows letters and numbers, not their meaning.
+// One line of a program, split into words; knows letters and numbers, not their meaning.
 //
-// As in RS274/NGC: upper and lower case are the same, blanks may stand anywhere (also inside a
-// number), comments are (...) and ;..., numbers have no exponent and may be parameters, functions
-// and expressions. Parameters are assigned behind all other words of their line. A '/' at the start
-// of a line (block delete) is passed over: the switch is off.
+// RS274/NGC: upper and lower case are the same, blanks may stand anywhere (also inside a number),
+// comments are (...) and ;..., numbers have no exponent and may be parameters, functions and
+// expressions. Parameters are assigned after all other words of their line. A '/' at the start of a
+// line (block delete) is ignored: the switch is off.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ class ValueReader;
 class Block {
   public:
     /// @param words of words_of()
-    /// @throws InputError for anything that is not a word, and for a word that stands twice.
+    /// @throws InputError for anything that is not a word, and for a repeated word
     Block(const std::string& words, const Place& place, ProgramParameters& parameters);
 
     bool empty() const {
@@ -34,16 +34,16 @@ class Block {
     }
     bool has(char letter) const { return given_[letter - 'A']; }
     bool has_any(std::string_view letters) const;
-    /// The number behind `letter`, which counts as used from here on.
+    /// Returns the number behind `letter`, which counts as used from now on.
     double use(char letter);
-    /// As if it stood there.
+    /// Adds a word as if the line had it.
     void give(char letter, double number);
-    /// The number behind `letter`, which is in the block no more.
+    /// Returns the number behind `letter` and removes it.
     double take(char letter);
-    /// One of these M codes, which is in the block no more.
+    /// Returns one of these M codes and removes it.
     std::optional<int> take_m(std::initializer_list<int> codes);
     bool used(char letter) const { return used_[letter - 'A']; }
-    /// @throws InputError when a letter was given and not used
+    /// @throws InputError if a letter was given and not used
     void check_all_used(const Place& place) const;
 
     std::optional<double> polar_radius;  // @
@@ -56,7 +56,7 @@ class Block {
     void read_assignment(ValueReader& reader, ProgramParameters& parameters);
     void assign(ProgramParameters& parameters, const Place& place) const;
 
-    /// Of a parameter by its number or by its name.
+    /// Assignment of a parameter, by its number or by its name.
     struct Assignment {
         int number;
         std::string name;  // empty: by the number
@@ -69,10 +69,10 @@ class Block {
     std::vector<Assignment> assignments_;
 };
 
-/// `value` of a word that must be a whole number within a range. @throws InputError
+/// Returns `value` of a word that must be a whole number in a range. @throws InputError
 int whole_number(char letter, double value, int least, int most, const Place& place);
 
-/// "G59.1" of 591.
+/// Returns "G59.1" for 591.
 std::string g_name(int tenths);
 
 }  // namespace curvecore::ref

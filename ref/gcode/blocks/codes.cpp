@@ -145,7 +145,8 @@ Group m_group(int code) {
     }
 }
 
-/// Why a G code that LinuxCNC knows is not for this reader; empty if nobody knows it.
+/// Returns the reason why this reader refuses a G code that LinuxCNC knows; empty if LinuxCNC does
+/// not.
 std::string_view g_refusal(int code) {
     const int whole = code / 10;
     if (whole == 41 || whole == 42) {
@@ -166,8 +167,8 @@ std::string_view m_refusal(int code) {
     return "";
 }
 
-/// What LinuxCNC calls another controller's code. G70 and G71 are inches and mm to Mach3 and
-/// Siemens, and cycles of turning with these words; G31 is Fanuc's and Mach3's probing.
+/// Translates another controller's code to LinuxCNC's. G70 and G71 are inches and mm to Mach3 and
+/// Siemens, but turning cycles with these words; G31 is probing to Fanuc and Mach3.
 int as_linuxcnc(int code, const Block& block) {
     const bool cycle = block.has_any("PQRUWD");
     if (code == 700 && !cycle) return 200;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which G and M codes there are, which exclude each other, and why the others are refused.
+// The known G and M codes, their modal groups, and the reasons why others are refused.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace curvecore::ref {
 
-/// Modal groups of RS274/NGC: one code of each at most in a block, but for coolants and codes of
-/// the machine's own; G80 gives way to any other motion code.
+/// Modal groups of RS274/NGC: at most one code of each in a block, except coolants and the
+/// machine's own codes; G80 yields to any other motion code.
 enum class Group {
     kAction,  // G4 G10 G28 G30 G52 G53 G92.x: not modal, yet one at most
     kMotion,
@@ -32,7 +32,7 @@ enum class Group {
     kSpindle,
     kCoolant,
     kOverride,
-    kOwn,  // M100 .. M199 and what nobody knows
+    kOwn,  // M100 .. M199 and unknown codes
     kCount
 };
 
@@ -41,10 +41,10 @@ constexpr int kNoMotion = 800;  // G80
 /// The codes of a block by group (G codes in tenths).
 class Codes {
   public:
-    /// @throws InputError for unknown and unsupported G codes and for two of a group.
+    /// @throws InputError for unknown and unsupported G codes and for two of a group
     Codes(const Block& block, const Place& place);
 
-    /// Whether LinuxCNC knows the M code.
+    /// Returns true if LinuxCNC knows the M code.
     static bool known(int m_code);
     std::optional<int> of(Group group) const { return code_[static_cast<int>(group)]; }
 

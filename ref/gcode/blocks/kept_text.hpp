@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of a program that may run again, and where loops and subs end in them.
+// Lines of a program that may run again, with the ends of their loops and subs.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ struct KeptText {
     }
 };
 
-/// Lines `begin` to `end` of it, from the O-word on.
+/// The lines `begin` to `end`, from the O-word on.
 struct KeptPart {
     std::shared_ptr<const KeptText> text;
     std::size_t begin = 0;
@@ -31,20 +31,20 @@ struct KeptPart {
     int line() const { return text->lines[begin].number; }
 };
 
-/// Of subs, whose labels are other ones than those of loops and ifs.
+/// Returns true for subs; their labels are separate from those of loops and ifs.
 bool of_subs(OWord::Kind kind);
-/// What ends a loop or a sub.
+/// Returns the O-word that ends a loop or a sub.
 OWord last_of(const OWord& begin);
-/// Whether a later line is the last one. @throws InputError when it cannot stand there
+/// Returns true if a later line ends it. @throws InputError if that line is invalid there
 bool ends(const OWord& begin, const OWord& word, const Place& place);
 [[noreturn]] void refuse_unended(const OWord& begin, const Place& place);
 
-/// The sub, or the program of that number; nothing: there is none. @throws InputError
+/// Returns the sub, or the program of that number, if there is one. @throws InputError
 std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, const OWord& begin,
                                  const ProgramParameters& parameters);
 
-/// The file that a call means: NAME.ngc, or NAME with the program's own extension, in the
-/// program's folder; a number may be written as O100 and O0100, too. None: there is no such file.
+/// Returns the file that a call names: NAME.ngc, or NAME with the program's own extension, in the
+/// program's folder; a number may also be written as O100 and O0100. None: there is no such file.
 /// @throws InputError
 std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
                                             Dialect dialect);

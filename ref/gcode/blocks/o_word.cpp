@@ -13,7 +13,7 @@ namespace {
 
 using Kind = OWord::Kind;
 
-/// Longer names before those that they begin with.
+/// Keywords, longer ones before those that they begin with.
 constexpr std::pair<std::string_view, Kind> kKeywords[] = {
     {"SUB", Kind::kSub},
     {"ENDSUB", Kind::kEndsub},
@@ -32,7 +32,7 @@ constexpr std::pair<std::string_view, Kind> kKeywords[] = {
     {"CONTINUE", Kind::kContinue},
 };
 
-/// How many values there are at least and at most.
+/// Returns the least and the largest number of values.
 std::pair<std::size_t, std::size_t> values_of(Kind kind) {
     switch (kind) {
         case Kind::kCall:

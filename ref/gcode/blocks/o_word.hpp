@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line that begins with an O-word: its label, and what it is to do there.
+// A line that begins with an O-word: its label and its keyword.
 //
 //     O100 SUB | ENDSUB [value] | RETURN [value] | CALL [value] ..
 //     O100 IF [value] | ELSEIF [value] | ELSE | ENDIF
@@ -43,11 +43,11 @@ struct OWord {
     std::string name() const;  // "o100 while"
 };
 
-/// Nothing: the line has no O-word. @throws InputError
+/// Reads the O-word of a line; none if it has no O-word. @throws InputError
 std::optional<OWord> read_o_word(const std::string& words, const ProgramParameters& parameters,
                                  const Place& place);
 
-/// What stands in brackets behind it. @throws InputError
+/// Evaluates the brackets behind it. @throws InputError
 std::vector<double> o_word_arguments(const OWord& word, const std::string& words,
                                      const ProgramParameters& parameters, const Place& place);
 

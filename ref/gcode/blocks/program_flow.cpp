@@ -49,7 +49,7 @@ const ProgramLine* ProgramFlow::next() {
     }
 }
 
-/// The next line of what runs; false: it has none.
+/// Fetches the next line of what runs; returns false if there is none.
 bool ProgramFlow::fetch() {
     Run& run = runs_.back();
     if (run.text()) {
@@ -124,7 +124,7 @@ void ProgramFlow::obey(const OWord& word) {
     }
 }
 
-/// A branch was carried out, the others of this if are not.
+/// Ends a branch that was executed; the others of this if are skipped.
 void ProgramFlow::end_branch(const OWord& word) {
     std::vector<std::string>& ifs = runs_.back().ifs;
     if (ifs.empty() || ifs.back() != word.label) {
@@ -134,7 +134,7 @@ void ProgramFlow::end_branch(const OWord& word) {
     if (word.kind != Kind::kEndif) skip_branches(word, true);
 }
 
-/// To the branch that is to be carried out, or behind the endif. `done`: one of them was.
+/// Skips to the branch to be executed, or behind the endif. `done`: one of them was executed.
 void ProgramFlow::skip_branches(const OWord& begin, bool done) {
     const int line = line_.number;
     while (fetch()) {
@@ -155,7 +155,7 @@ void ProgramFlow::skip_branches(const OWord& begin, bool done) {
         fmt::format("{} lacks its o{} endif", begin.name(), begin.label));
 }
 
-/// Whether the word is the innermost loop's own, at its begin or its end.
+/// Returns true if the word is the innermost loop's own, at its begin or its end.
 bool ProgramFlow::in_loop(const OWord& word) const {
     const Run& run = runs_.back();
     return run.kind == Run::Kind::kLoop && run.word.label == word.label &&
@@ -176,7 +176,7 @@ void ProgramFlow::begin_loop(const OWord& word) {
     if (loop.left > 0) runs_.push_back(std::move(loop));
 }
 
-/// Of a loop or a sub that begins with the current line: what runs goes on behind it.
+/// Keeps the loop or sub that begins with the current line; execution continues behind it.
 KeptPart ProgramFlow::keep(const OWord& begin) {
     Run& outer = runs_.back();
     if (outer.text()) {
@@ -267,7 +267,7 @@ void ProgramFlow::define(const OWord& word) {
     if (sub.text != run.text() || sub.begin != run.at - 1) {
         place().refuse(fmt::format("{} is there already, in line {}", word.name(), sub.line()));
     }
-    run.at = sub.end;  // a call has found it
+    run.at = sub.end;  // found by a call
 }
 
 void ProgramFlow::end_sub(const OWord& word) {
@@ -334,7 +334,7 @@ bool ProgramFlow::return_from_number() {
     return true;
 }
 
-/// The sub, or the program of that number, that a call names.
+/// Returns the sub, or the program of that number, that a call names.
 ProgramFlow::Run ProgramFlow::run_of(const OWord& begin) {
     const bool sub = begin.kind == Kind::kSub;
     std::map<std::string, KeptPart>& known = sub ? subs_ : numbers_;

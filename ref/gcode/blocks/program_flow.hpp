@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines of a program in the order in which they are carried out: O-words, M98 and M99.
+// The lines of a program in the order of execution: O-words, M98 and M99.
 //
-// Text that runs once is read while it is carried out and then forgotten. What may run again is
+// Text that runs once is read while it is executed and then forgotten. Text that may run again is
 // kept: a loop while it runs, a sub from its definition on, and the rest of the text once a call
-// names what stands further on. A sub that the program does not have is a file beside it. As in
-// LinuxCNC conditions are evaluated when they are reached, calls go nine deep, M99 in the program
-// itself ends it, and break and continue name their loop; if, loops and subs must be nested whole.
+// names something further on. A sub that the program lacks is a file beside it. LinuxCNC's rules
+// hold: conditions are evaluated when they are reached, calls nest nine deep, M99 in the program
+// itself ends it, break and continue name their loop; if, loops and subs must be nested whole.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace curvecore::ref {
 
-/// Of loops and calls, as they run.
+/// Limit of loops and calls that run without a move.
 constexpr int kMostBlocksWithoutMove = 1'000'000;
 constexpr int kMostBlocksAgain = 10'000'000;
 
@@ -28,18 +28,19 @@ class ProgramFlow {
     ProgramFlow(const ProgramFlow&) = delete;
     ProgramFlow& operator=(const ProgramFlow&) = delete;
 
-    /// The next line that is no O-word; none: the program's text ends. It stays until the next one.
+    /// Returns the next line that is no O-word; none at the end of the program. It stays until the
+    /// next call.
     /// @throws InputError
     const ProgramLine* next();
-    /// Of that line.
+    /// Place of that line.
     Place place() const;
     Dialect dialect() const { return lines_.dialect(); }
 
-    /// M98 of that line: a program of that number, so many times. @throws InputError
+    /// Executes M98 of that line: the program of that number, `times` times. @throws InputError
     void call_number(int number, int times);
-    /// M99 of that line; false: the program ends with it. @throws InputError
+    /// Executes M99 of that line; returns false if the program ends with it. @throws InputError
     bool return_from_number();
-    /// Moves were made: loops may go on.
+    /// Notes that moves were made: loops may continue.
     void moved() { blocks_without_move_ = 0; }
 
     /// Called when a sub begins and when it ends.
@@ -47,16 +48,16 @@ class ProgramFlow {
     std::function<void()> on_return = [] {};
 
   private:
-    /// Lines that run: the program, a sub, a loop.
+    /// Running lines: the program, a sub, a loop.
     struct Run {
         enum class Kind { kProgram, kSub, kNumber, kLoop };
         Kind kind = Kind::kProgram;
         KeptPart part;                 // no text: lines_
         std::size_t at = 0;            // of the next line in it
-        OWord word;                    // what begins it
-        int called_in = 0;             // line of the program, where this is another file's
-        int left = 1;                  // times
-        std::vector<std::string> ifs;  // labels of those that are open
+        OWord word;                    // word that begins it
+        int called_in = 0;             // line of the program, if this is another file's
+        int left = 1;                  // remaining times
+        std::vector<std::string> ifs;  // labels of the open ones
 
         const std::shared_ptr<const KeptText>& text() const { return part.text; }
     };
@@ -89,9 +90,9 @@ class ProgramFlow {
     std::vector<Run> runs_;
     std::map<std::string, KeptPart> subs_;
     std::map<std::string, KeptPart> numbers_;
-    std::shared_ptr<const KeptText> text_;  // of the current line; none: the program's
+    std::shared_ptr<const KeptText> text_;  // text of the current line; none: the program's
     ProgramLine line_;
-    double value_ = 0;  // of the last sub
+    double value_ = 0;  // value of the last sub
     bool value_returned_ = false;
     int blocks_without_move_ = 0;
     int blocks_again_ = 0;

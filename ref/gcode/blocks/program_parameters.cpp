@@ -9,7 +9,7 @@
 namespace curvecore::ref {
 namespace {
 
-/// The tool in the spindle and its offset: codes set them, a program reads them.
+/// Returns true for the tool in the spindle and its offset: codes set them, a program reads them.
 bool of_the_tool(int number) { return number >= 5400 && number <= 5413; }
 
 bool is_global(const std::string& name) { return !name.empty() && name[0] == '_'; }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program's parameters as RS274/NGC has them: #1 .. #5601, #<local> and #<_global>.
+// A program's parameters in RS274/NGC: #1 .. #5601, #<local> and #<_global>.
 //
-// Numbers that were never set are 0. #1 .. #30 are arguments: a call sets all of them, and its
-// return brings the caller's back. Named ones exist once they are assigned to; names are in lower
+// Numbered ones are 0 until they are set. #1 .. #30 are arguments: a call sets all of them, and its
+// return restores the caller's. Named ones exist once they are assigned to; names are in lower
 // case, those that begin with '_' are the same everywhere, others belong to one call. Some of both
-// kinds are computed, as the position of #5420 and #<_x>: who knows the value gives a function.
+// kinds are computed by a function of their owner, as the positions #5420 and #<_x>.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@
 
 namespace curvecore::ref {
 
-/// What is wrong with the use of a parameter; who reads a line adds the place.
+/// Error in the use of a parameter; the reader of the line adds the place.
 class ParameterError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -34,25 +34,25 @@ class ProgramParameters {
     static bool exists(int number) { return number >= 1 && number <= kLast; }
     bool exists(const std::string& name) const;
 
-    /// @throws ParameterError beyond 1 .. 5601
+    /// @throws ParameterError outside 1 .. 5601
     double number(int number) const;
-    /// @throws ParameterError where there is none
+    /// @throws ParameterError if there is none
     double named(const std::string& name) const;
 
-    /// For a program: @throws ParameterError of what it may only read
+    /// Assigns a value in a program. @throws ParameterError for a read-only parameter
     void assign(int number, double value);
     void assign(const std::string& name, double value);
-    /// Makes it exist, with the value 0 if it is new.
+    /// Declares a parameter, with the value 0 if it is new.
     void declare(const std::string& name);
-    /// For what the program's codes do to parameters, as G28.1 does.
+    /// Sets a parameter on behalf of a code, as G28.1 does.
     void set(int number, double value) { numbered_.at(number) = value; }
 
-    /// From here on these values are asked for, and cannot be assigned.
+    /// Computes this parameter from now on; it cannot be assigned.
     void compute(int number, std::function<double()> value);
     void compute(const std::string& name, std::function<double()> value);
 
-    /// A subroutine begins, with names of its own and, unless it shares its caller's #1 .. #30,
-    /// with these arguments. @throws ParameterError beyond nine calls in each other
+    /// Begins a subroutine, with names of its own and, unless it shares its caller's #1 .. #30,
+    /// with these arguments. @throws ParameterError beyond nine nested calls
     void enter(const std::vector<double>& arguments);
     void enter_sharing();
     void leave();
@@ -62,7 +62,7 @@ class ProgramParameters {
     using Names = std::unordered_map<std::string, double>;
 
     struct Call {
-        std::vector<double> arguments;  // of the caller; empty: shared
+        std::vector<double> arguments;  // those of the caller; empty: shared
         Names names;
     };
 

@@ -10,9 +10,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kEqual = 1e-6;    // of EQ NE GE LE
-constexpr int kMostFigures = 100;  // no number so short leaves a double's range
-constexpr int kDeepest = 100;      // brackets and signs in each other
+constexpr double kEqual = 1e-6;    // tolerance of EQ NE GE LE
+constexpr int kMostFigures = 100;  // no number this short leaves a double's range
+constexpr int kDeepest = 100;      // nested brackets and signs
 constexpr double kDegree = M_PI / 180;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -26,7 +26,7 @@ struct Operator {
     double (*apply)(double left, double right);
 };
 
-/// Longer names before those that they begin with.
+/// Operators, longer names before those that they begin with.
 constexpr Operator kOperators[] = {
     {"**", 5, [](double a, double b) { return std::pow(a, b); }},
     {"*", 4, [](double a, double b) { return a * b; }},
@@ -105,7 +105,7 @@ double ValueReader::unchecked_value(const std::string& what) {
     const char next = at_ + 1 < words_.size() ? words_[at_ + 1] : '\0';
     if ((c == '+' || c == '-') &&
         (next == '[' || next == '#' || next == '+' || next == '-' || is_letter(next))) {
-        // A letter may begin the next word, which leaves this one without a number.
+        // A letter may begin the next word: then this one lacks its number.
         skip();
         return c == '-' ? -value(what) : value(what);
     }
@@ -208,7 +208,7 @@ double ValueReader::bracketed(const std::string& what) {
     return value;
 }
 
-/// Values and those operators between them that bind at least as much.
+/// Reads values joined by operators that bind at least as strongly.
 double ValueReader::operation(int least_binding) {
     double left = value("an expression");
     while (true) {

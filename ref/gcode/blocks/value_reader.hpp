@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values in a line of RS274/NGC: numbers, parameters, functions and expressions, as LinuxCNC
-// evaluates them.
+// Values in a line of RS274/NGC: numbers, parameters, functions and expressions, evaluated as in
+// LinuxCNC.
 //
 //     value       number | #parameter | [expression] | FUNCTION[expression] | ATAN[y]/[x]
 //                 | EXISTS[#parameter] | + value | - value
@@ -8,8 +8,9 @@
 //     expression  values between operators: ** binds most, then * / MOD, + -, EQ NE GT GE LT LE,
 //                 AND OR XOR; equal ones go from left to right; a sign belongs to its value
 //
-// Angles are in degrees. EQ, NE, GE and LE take what differs by less than 1e-6 for equal; a truth
-// is 1 or 0, and what is not 0 is true. FIX and FUP round down and up, ROUND away from 0 at a half.
+// Angles are in degrees. EQ, NE, GE and LE treat values that differ by less than 1e-6 as equal; a
+// truth value is 1 or 0, and any value but 0 is true. FIX and FUP round down and up, ROUND away
+// from 0 at a half.
 #pragma once
 
 #include <string>
@@ -26,18 +27,18 @@ class ValueReader {
         : words_(words), parameters_(parameters), place_(place) {}
 
     bool at_end() const { return at_ == words_.size(); }
-    /// 0 at the end.
+    /// Returns the next character, 0 at the end.
     char peek() const { return at_end() ? '\0' : words_[at_]; }
     void skip() { ++at_; }
-    /// Passes over `text` if it comes next.
+    /// Skips `text` if it comes next; returns true then.
     bool take(std::string_view text);
     std::string rest() const { return words_.substr(at_); }
 
-    /// A value; `what` wants it, for messages. @throws InputError
+    /// Reads a value; messages name `what`. @throws InputError
     double value(const std::string& what);
-    /// One that is whole to 1e-4. @throws InputError
+    /// Reads a value that is whole to 1e-4. @throws InputError
     int whole_value(const std::string& what);
-    /// What stands between '<' and '>', in lower case; '<' comes next. @throws InputError
+    /// Reads the name between '<' and '>', in lower case; '<' comes next. @throws InputError
     std::string name();
 
     [[noreturn]] void refuse(const std::string& reason) const { place_.refuse(reason); }
@@ -56,10 +57,10 @@ class ValueReader {
     const ProgramParameters& parameters_;
     const Place& place_;
     std::size_t at_ = 0;
-    int depth_ = 0;  // of brackets and signs
+    int depth_ = 0;  // of nested brackets and signs
 };
 
-/// `value` to 1e-4 of a whole number; nothing: it is none.
+/// Returns the whole number within 1e-4 of `value`, if there is one.
 std::optional<int> near_whole(double value, double tolerance = 1e-4);
 
 }  // namespace curvecore::ref

@@ -11,7 +11,7 @@ namespace {
 using Kind = CycleStep::Kind;
 
 constexpr double kPeckClearance = 0.254;  // mm, LinuxCNC's
-constexpr double kMostPecks = 20000;      // of one block
+constexpr double kMostPecks = 20000;      // pecks of one block
 constexpr std::string_view kOffsets = "IJK";
 
 const char* start_of(Turning turning) { return turning == Turning::kClockwise ? "M3" : "M4"; }
@@ -20,7 +20,7 @@ Turning reversed(Turning turning) {
     return turning == Turning::kClockwise ? Turning::kCounterClockwise : Turning::kClockwise;
 }
 
-/// @throws InputError when the cycle wants the spindle to turn as it does not
+/// @throws InputError if the spindle does not turn as the cycle needs
 void check_spindle(int g_code, Turning turning, const Place& place) {
     const bool tapping = g_code == 740 || g_code == 840;
     if (tapping) {
@@ -37,7 +37,7 @@ void check_spindle(int g_code, Turning turning, const Place& place) {
 
 }  // namespace
 
-/// At one place.
+/// A cycle at one place.
 struct CannedCycles::Drill {
     const CarryOut& carry_out;
     int normal;
@@ -78,7 +78,7 @@ struct CannedCycles::Drill {
         toggle(start_of(turning));
     }
 
-    /// From below: with the spindle beside the hole's axis by `aside` down and up.
+    /// Bores from below: down and up with the spindle `aside` of the hole's axis.
     void bore_back(const Point& aside, double middle) const {
         Drill beside = *this;
         for (int axis = 0; axis < 3; ++axis) beside.at[axis] += axis == normal ? 0 : aside[axis];
@@ -146,7 +146,7 @@ void CannedCycles::carry_out(int g_code, bool again, Block& block, const Coordin
     Point at = coordinates.program_position();
     double height = at[normal];
     if (!initial_) initial_ = height;
-    if (repeats == 0) return;  // the words are kept for blocks to come
+    if (repeats == 0) return;  // the words are kept for later blocks
     double initial = *initial_;
     Point step{};
     for (int axis = 0; axis < kMachineAxes; ++axis) {

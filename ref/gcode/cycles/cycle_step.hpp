@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cycle asks for, one after the other: its places are the program's own, in mm and degrees.
+// The steps of a cycle in order; their places are the program's own, in mm and degrees.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ struct CycleStep {
         kFeed,       // to a place, at the feed in force
         kThread,     // to a place, `value` mm per turn of the spindle
         kDwell,      // `value` s
-        kSwitch,     // the machine stands still, and `code` asks for more than motion
+        kSwitch,     // the machine stands still for `code`, which needs more than motion
         kExactPath,  // from here to the cycle's end
     };
 

@@ -19,7 +19,7 @@ constexpr int kMostPasses = 2000;
 struct Thread {
     Point start, end;
     double inwards = -1;
-    double peak = 0;            // |I|: of the thread's peak
+    double peak = 0;            // |I|: height of the thread's peak
     double first_cut = 0;       // J
     double height = 0;          // K
     double pitch = 0;           // P
@@ -72,7 +72,7 @@ class Passes {
         along_ = thread.end[2] > thread.start[2] ? -1 : 1;  // of the taper and the compound slope
     }
 
-    /// A pass at a depth from the drive line.
+    /// Cuts a pass at a depth from the drive line.
     void cut(double depth) const {
         const double shift = (depth - thread_.peak) * slope();
         const double from = thread_.start[2] - shift;
@@ -151,7 +151,7 @@ void carry_out_thread(int g_code, Block& block, const Coordinates& coordinates, 
     if (!(pitch > 0)) place.refuse(fmt::format("K of {} must be above 0", name));
     carry_out({Kind::kThread, end, pitch, ""});
     if (g_code == 330) return;
-    if (block.has('I')) block.use('I');  // how much faster the way back may be: it is not
+    if (block.has('I')) block.use('I');  // factor of the return speed: not used
     carry_out({Kind::kSwitch, {}, 0, ""});
     carry_out({Kind::kThread, start, pitch, ""});
     carry_out({Kind::kSwitch, {}, 0, ""});

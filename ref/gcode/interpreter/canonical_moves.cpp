@@ -14,11 +14,11 @@ namespace curvecore::ref {
 namespace {
 
 constexpr double kSecondsOfMinute = 60;
-constexpr double kUnitVector = 1e-6;  // how far a normal's length may be off 1
+constexpr double kUnitVector = 1e-6;  // largest error of a normal's length
 
 Aux aux(const Point& point) { return {point[3], point[4], point[5], point[6], point[7], point[8]}; }
 
-/// Groups of axes (X Y Z, A B C, U V W) that all but stand keep their place exactly.
+/// Keeps groups of axes (X Y Z, A B C, U V W) that all but stand exactly in place.
 Point without_trembling(Point to, const Point& at) {
     for (int group = 0; group < kMachineAxes; group += 3) {
         bool still = true;

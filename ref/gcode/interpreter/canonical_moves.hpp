@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a controller's own interpreter asks of the machine, call by call, to moves: everything is in
-// machine coordinates, mm, mm/s and s (degrees of A B C), offsets and compensations applied.
+// The canonical calls of a controller's own interpreter, made into moves: everything is in machine
+// coordinates, mm, mm/s and s (degrees of A B C), with offsets and compensations applied.
 #pragma once
 
 #include "ref/curve/fit/nurbs.hpp"
@@ -13,8 +13,8 @@ class CanonicalMoves {
   public:
     enum class PathControl { kExactStop, kExactPath, kContinuous };
 
-    /// Where a motion leads, which line asked for it, and how fast: of the path in X Y Z, else in
-    /// U V W, else in A B C; a rapid is as fast as the machine allows.
+    /// The target of a motion, the line that asked for it, and its speed along the path in X Y Z,
+    /// else in U V W, else in A B C; a rapid is as fast as the machine allows.
     struct Target {
         int line = 0;
         Point to{};
@@ -25,22 +25,23 @@ class CanonicalMoves {
     CanonicalMoves(const std::string& file, double fit_tolerance)
         : fit_tolerance_(fit_tolerance), moves_(file) {}
 
-    /// Where the machine stands before the first motion; 0 when nobody says. @throws InputError
+    /// Sets the machine's position before the first motion; 0 by default. @throws InputError
     void start(const Point& at);
-    /// All motions throw InputError for what cannot be drawn.
+    /// Adds a line. All motions throw InputError if they cannot be drawn.
     void line(const Target& target);
-    /// Counter-clockwise about `normal`, which goes through `centre`; as many turns as are begun.
+    /// Adds an arc, counter-clockwise about `normal` through `centre`; `turns` counts every begun
+    /// turn.
     void arc(const Target& target, const Vec3& centre, const Vec3& normal, int turns);
-    /// From the present place, its first point, to the target, its last.
+    /// Adds a NURBS from the present place, its first point, to the target, its last.
     void nurbs(const Target& target, const Nurbs& nurbs);
-    /// `tolerance`, mm, of the continuous path; 0: the usual one.
+    /// Sets the path mode; `tolerance` in mm applies to the continuous path, 0: the default.
     void set_path(PathControl control, double tolerance);
     void dwell(double seconds);
     void stop() { moves_.stop(); }
     void warn(const std::string& text, int line);
-    /// MoveList::leave_out()
+    /// Calls MoveList::leave_out().
     void leave_out(const std::string& code, int line, double value = 0);
-    /// The program is wrong. @throws InputError
+    /// Reports an invalid program. @throws InputError
     [[noreturn]] void refuse(const std::string& reason, int line) const;
 
     const Events& events() const { return moves_.events(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Modes, stops and the order within a block; the moves are made in interpreter_motion.cpp.
+// Modes, stops and the order within a block; interpreter_motion.cpp makes the moves.
 #include "ref/gcode/interpreter/interpreter.hpp"
 
 #include <fmt/format.h>
@@ -102,7 +102,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         modes_.speed = speed;
         moves_.leave_out("S", place, speed, true);
     }
-    if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its fastest
+    if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its limit
     if (block.has('T')) {
         selected_tool_ = whole_number('T', block.use('T'), 0, kLargestTool, place);
         moves_.leave_out("T", place, selected_tool_);
@@ -133,7 +133,7 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
     }
 }
 
-/// Words of M codes that ask for more than motion.
+/// Uses up the words of M codes that ask for more than motion.
 void Interpreter::use_leftovers(Block& block, const Place& place) {
     const auto takes_words = [](int m) { return m == 19 || m == 61 || (m >= 50 && m != 60); };
     if (std::any_of(block.m.begin(), block.m.end(), takes_words)) {
@@ -142,7 +142,7 @@ void Interpreter::use_leftovers(Block& block, const Place& place) {
     block.check_all_used(place);
 }
 
-/// P has many meanings; in one block it may have one.
+/// Reads P, which has many meanings, but only one in a block.
 double Interpreter::use_p(Block& block, const Place& place) {
     if (block.used('P')) {
         place.refuse("two codes of this block want P");

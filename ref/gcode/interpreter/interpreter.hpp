@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the blocks of a program mean, one after the other: modal state in, moves out.
+// The interpreter of a program's blocks: modal state in, moves out.
 //
-// A block is carried out in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets,
-// motion, stop. One difference: an F word is read in the units of its own block (G20 F10 is
-// 10 inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90
-// G91.1 G94 G99 and no motion mode; stored positions (G28, G30), offsets
-// and lengths of tools are those of its ProgramStart.
+// A block is executed in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets, motion,
+// stop. There is one difference: an F word is read in the units of its own block (G20 F10 is 10
+// inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90 G91.1
+// G94 G99 and no motion mode; stored positions (G28, G30), offsets and lengths of tools are those
+// of its ProgramStart.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ namespace curvecore::ref {
 
 class Interpreter {
   public:
-    /// @param parameters outlives this object, whose values it can ask for afterwards
+    /// @param parameters outlives this object, whose values it can query afterwards
     Interpreter(const std::string& file, double fit_tolerance, ProgramParameters& parameters,
                 const ProgramStart& start = {});
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
-    /// What M70 keeps and M72 brings back: all modes but that of motion.
+    /// Modal state that M70 saves and M72 restores: all but the motion mode.
     struct State {
         Modes modes;
         Coordinates::Modes coordinates;
@@ -42,16 +42,17 @@ class Interpreter {
         coordinates_.restore(state.coordinates);
     }
 
-    /// Carries out a block; false when it ends the program. @throws InputError
+    /// Executes a block; returns false if it ends the program. @throws InputError
     bool execute(Block block, const Place& place);
-    /// A code of another dialect that asks for more than motion; the machine may stand still at it.
+    /// Notes a code of another dialect that asks for more than motion; `waits`: the machine stands
+    /// still at it.
     void note(const std::string& code, bool waits, const Place& place);
     void warn(const std::string& text, const Place& place) { moves_.warn(text, place); }
     const Events& events() const { return moves_.events(); }
-    /// Moves in order, which leave the program: the `last` one as well, for which a stop or a dwell
-    /// may still come.
+    /// Hands over moves in order; also the `last` one, behind which a stop or a dwell may still
+    /// come.
     std::vector<Move> take(bool last) { return moves_.take(last); }
-    /// What is left of the program, with all of its warnings.
+    /// Returns the rest of the program, with all of its warnings.
     /// @throws InputError when it has no moves, an arc lacks its end point or a NURBS its G5.3.
     Program finish();
 
@@ -70,7 +71,7 @@ class Interpreter {
     void set_system(Block& block, const Place& place);
     void set_tool_table(int kind, Block& block, const Place& place);
     Point tool_offset(int tool, const Place& place);
-    /// Offsets and stored positions are parameters, too: those of nine axes from a number on.
+    /// Returns nine axes from a parameter on: offsets and stored positions are parameters, too.
     Point parameters_from(int number) const;
     void set_parameters_from(int number, const Point& point);
     void take_system(int number);
@@ -105,10 +106,10 @@ class Interpreter {
     Move move_to(const Point& target, const Place& place) const;
     void add(Move move, const Point& target, const Place& place);
     void add_curve(const std::vector<Cubic>& cubics, const Point& target, const Place& place);
-    /// Feed of a move that is a part, or all, of a block's path of this length.
+    /// Returns the feed of a move that is a part, or all, of a block's path of this length.
     double feed_on(const Move& move, double length, const Place& place) const;
 
-    /// A point that a G2.4 arc goes through, waiting for the block with its end point.
+    /// A point on a G2.4 arc that waits for the block with the end point.
     struct Middle {
         Point start;
         Vec3 point;
@@ -116,7 +117,7 @@ class Interpreter {
         std::optional<double> feed;  // F of that block, for G93
     };
 
-    /// A curve begun by G5.2, waiting for G5.3.
+    /// A curve that G5.2 began and that waits for G5.3.
     struct OpenNurbs {
         Nurbs curve;
         Point last;  // control point
@@ -133,8 +134,8 @@ class Interpreter {
     int motion_ = kNoMotion;  // G code in tenths
     ToolTable tools_;
     int selected_tool_ = 0;
-    int tool_ = 0;                         // in the spindle
-    double parameter_unit_;                // mm: that of the machine
+    int tool_ = 0;                         // tool in the spindle
+    double parameter_unit_;                // mm, the machine's unit
     std::optional<double> arc_tolerance_;  // mm
     CannedCycles canned_cycles_;
     std::optional<Middle> middle_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter's cycles: what canned_cycles and thread_cycles ask for becomes moves.
+// The interpreter's cycles: steps of canned_cycles and thread_cycles become moves.
 #include "ref/gcode/cycles/thread_cycles.hpp"
 #include "ref/gcode/interpreter/interpreter.hpp"
 

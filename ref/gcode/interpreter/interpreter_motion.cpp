@@ -23,7 +23,7 @@ constexpr int kProbeTripped = 5070;
 
 bool is_probing(int motion) { return motion >= 382 && motion <= 385; }
 
-/// G5 P.., G5.1 Q.. of Fanuc.
+/// Returns true for Fanuc's look-ahead codes G5 P.. and G5.1 Q..
 bool is_look_ahead(Block& block, int code) {
     if (!is_spline(code) || block.has_any("XYZABCUVWIJK")) return false;
     const char letter = code == 50 ? 'P' : 'Q';
@@ -194,7 +194,7 @@ ArcTolerance Interpreter::arc_tolerance() const {
     return tolerance;
 }
 
-/// Refuses a centre that does not fit both ends, with one that does.
+/// Refuses a centre that does not fit both ends, and names one that does.
 void Interpreter::check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
                               const Eigen::Vector2d& centre, const Place& place) const {
     const ArcTolerance tolerance = arc_tolerance();

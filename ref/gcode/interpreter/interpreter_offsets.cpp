@@ -9,13 +9,13 @@
 namespace curvecore::ref {
 namespace {
 
-// Numbers of LinuxCNC's parameters; nine axes each.
+// LinuxCNC's parameter numbers; nine axes each.
 constexpr int kStoredByG28 = 5161;
 constexpr int kStoredByG30 = 5181;
 constexpr int kIsShifted = 5210;
 constexpr int kShift = 5211;
 constexpr int kSystemInForce = 5220;
-constexpr int kSystems = 5221;  // of G54; its rotation behind the axes, the next one 20 further
+constexpr int kSystems = 5221;  // G54 and its rotation behind the axes; 20 numbers each
 constexpr int kNextSystem = 20;
 constexpr int kSystemCount = 9;
 
@@ -142,7 +142,7 @@ void Interpreter::set_system(Block& block, const Place& place) {
     give_system(system == 0 ? coordinates_.modes().system : system - 1);
 }
 
-/// By rapids, the first to where the axis words lead.
+/// Moves home by rapids, the first to where the axis words lead.
 void Interpreter::go_home(const Point& stored, Block& block, const Place& place) {
     const Point by_way_of = coordinates_.target(block, false, place);
     for (const Point& target : {by_way_of, coordinates_.home(block, by_way_of, stored)}) {
@@ -150,8 +150,8 @@ void Interpreter::go_home(const Point& stored, Block& block, const Place& place)
     }
 }
 
-/// G10 L1: the offset of a tool; L10, L11: such that the present place gets these numbers, in the
-/// system in force, in G59.3.
+/// Executes G10 L1, the offset of a tool, and L10 and L11, with which the present place gets these
+/// numbers in the system in force or in G59.3.
 void Interpreter::set_tool_table(int kind, Block& block, const Place& place) {
     if (!block.has('P')) place.refuse(fmt::format("G10 L{} without P (the tool)", kind));
     const int tool = whole_number('P', use_p(block, place), 1, kLargestTool, place);

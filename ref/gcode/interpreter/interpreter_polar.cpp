@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// @ and ^: X and Y by their distance from the program's zero and their angle there. What is missing
-// of both is that of the present place, and in G91 they add to those of the present place.
+// The polar words @ and ^: X and Y by their distance from the program's zero and their angle there.
+// A missing one is that of the present place; in G91 they are added to it.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter's splines, as LinuxCNC means them: G5 (cubic), G5.1 (quadratic) and the NURBS of
-// G5.2 .. G5.3, all in the XY plane. Of our own: G5 and G5.2 in space, with Z at every point, and K
+// The interpreter's splines, as in LinuxCNC: G5 (cubic), G5.1 (quadratic) and the NURBS of G5.2 ..
+// G5.3, all in the XY plane. Our extensions: G5 and G5.2 in space, with Z at every point, and K
 // beside I J, R beside P Q.
 //
 // I J and P Q are offsets also with G90.1. With G91 the control points of a NURBS count from its
 // start, where the machine still stands. Its weights (P) are 1 and its order (L) is 3 unless given.
-// Its knots are LinuxCNC's, or those of K, our own: one of them in each block from G5.2 on, and the
-// rest in blocks of K alone behind the last point, as Fanuc's G06.2 has them.
+// Its knots are LinuxCNC's, or those of K, our extension: one of them in each block from G5.2 on,
+// and the rest in blocks of K alone behind the last point, as in Fanuc's G06.2.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

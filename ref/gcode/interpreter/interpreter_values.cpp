@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program may ask the interpreter for: positions and modes, as parameters.
+// The interpreter's positions and modes as parameters that a program can read.
 #include <string_view>
 #include <utility>
 

@@ -7,7 +7,7 @@ namespace curvecore::ref {
 
 std::string bare_code(std::string_view text) {
     std::string code;
-    int depth = 0;  // of comments in each other
+    int depth = 0;  // nested comments
     for (const char c : text) {
         if (c == ';' && depth == 0) break;
         if (c == '(') ++depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A line as letters with numbers behind them, for those who look at it before it is a block.
+// A line as letters with numbers behind them, for readers that see it before it is a block.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@ namespace curvecore::ref {
 
 struct CodeWord {
     char letter;
-    std::string number;  // as it is written; empty: there is none
+    std::string number;  // as written; empty: there is none
 };
 
-/// A line without (..), ;.. and blanks, in upper case, whatever stands in it.
+/// Returns a line without (..), ;.. and blanks, in upper case, whatever it holds.
 std::string bare_code(std::string_view text);
 
-/// Its words but N, up to what is no word, as a check sum.
+/// Returns its words except N, up to text that is no word, as a check sum.
 std::vector<CodeWord> code_words(std::string_view code);
 
 std::string text_of(const std::vector<CodeWord>& words);

@@ -17,7 +17,7 @@ bool one_of(std::string_view code, std::initializer_list<std::string_view> codes
     return false;
 }
 
-/// An E behind a blank: in X1e3 it is what others write for a power of ten.
+/// Returns true for an E behind a blank: in X1e3 it is a power of ten to others.
 bool has_extruder(std::string_view text) {
     for (std::size_t i = 1; i < text.size() && text[i] != ';' && text[i] != '('; ++i) {
         const bool blank = text[i - 1] == ' ' || text[i - 1] == '\t';

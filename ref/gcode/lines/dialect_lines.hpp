@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of another dialect made RS274/NGC.
+// Lines of another dialect, translated to RS274/NGC.
 #pragma once
 
 #include <memory>
@@ -14,20 +14,20 @@ namespace curvecore::ref {
 struct ProgramLine {
     int number = 0;  // in its file, from 1
     std::string words;
-    std::string note;     // a code that asks for more than motion, in the words' place
+    std::string note;     // a code that asks for more than motion, instead of words
     bool waits = false;   // the machine stands still at the note
-    std::string warning;  // what the user should know of it
+    std::string warning;  // message to the user about it
 };
 
-/// Remembers what earlier lines have set.
+/// A translator that remembers what earlier lines have set.
 class DialectLines {
   public:
     virtual ~DialectLines() = default;
-    /// Fills all of the line but its number. @throws InputError
+    /// Fills all of the line except its number. @throws InputError
     virtual void read(std::string_view text, ProgramLine& line, const Place& place) = 0;
 };
 
-/// @throws InputError for IF [..] GOTO, WHILE [..] DO and G65, which Fanuc's macros are made of
+/// @throws InputError for IF [..] GOTO, WHILE [..] DO and G65, the statements of Fanuc's macros
 void refuse_macro(std::string_view words, const Place& place);
 
 std::unique_ptr<DialectLines> lines_in(Dialect dialect);

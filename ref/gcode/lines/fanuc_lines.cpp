@@ -32,7 +32,7 @@ void scale(CodeWord& word, double unit) {
     word.number = fmt::format("{:.7f}", std::atoi(word.number.c_str()) * unit);
 }
 
-/// P of 5 to 8 figures: how many times, and the program's number.
+/// Splits P of 5 to 8 figures: the number of times, and the program's number.
 void part_call(std::vector<CodeWord>& words) {
     for (CodeWord& word : words) {
         if (word.letter != 'P' || !is_integer(word.number) || word.number.size() < 5) continue;
@@ -43,10 +43,10 @@ void part_call(std::vector<CodeWord>& words) {
     }
 }
 
-/// Haas' smoothing and limits of looking ahead.
+/// Returns true for Haas' smoothing and limits of look-ahead.
 bool is_setting(const CodeWord& word) { return is_code(word, 'G', 187) || is_code(word, 'G', 103); }
 
-/// `#1 = #2 + 1` wants brackets in RS274/NGC.
+/// Puts `#1 = #2 + 1` into the brackets that RS274/NGC needs.
 void put_brackets(std::string& words) {
     const std::size_t equals = words.find('=');
     if (words.empty() || words[0] != '#' || equals == std::string::npos) return;
@@ -54,7 +54,7 @@ void put_brackets(std::string& words) {
     words += ']';
 }
 
-/// The number of a radius that nobody asks for: `G43 H1 D1`. @return whether it was there
+/// Drops the number of a radius that is not used: `G43 H1 D1`. @return true if it was there
 bool drop_radius(std::vector<CodeWord>& words) {
     const auto has = [&words](char letter) {
         return std::any_of(words.begin(), words.end(),
@@ -103,7 +103,7 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         } else if (cycle && word.letter == 'P') {
             if (is_integer(word.number)) scale(word, 1e-3);
         } else if (cycle && word.letter == 'K') {
-            word.letter = 'L';  // how often
+            word.letter = 'L';  // number of times
         } else if (is_integer(word.number) && std::atoi(word.number.c_str()) != 0) {
             const bool length = kLengths.find(word.letter) != std::string_view::npos;
             const bool angle = kAngles.find(word.letter) != std::string_view::npos;

@@ -12,7 +12,7 @@ class FanucLines : public DialectLines {
     void read(std::string_view text, ProgramLine& line, const Place& place) override;
 
   private:
-    /// Behind G80 the motion from before the cycle is in force again. @return whether words changed
+    /// Restores after G80 the motion from before the cycle. @return true if words changed
     bool end_cycle(std::vector<CodeWord>& words);
 
     bool inches_ = false;

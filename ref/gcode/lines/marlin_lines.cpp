@@ -16,7 +16,7 @@ bool holds(std::initializer_list<int> codes, int code) {
     return std::find(codes.begin(), codes.end(), code) != codes.end();
 }
 
-/// Those for which the machine waits: heaters, empty queues, users, probes.
+/// Returns true for codes at which the machine waits: heaters, empty queues, users, probes.
 bool waits(char letter, int code) {
     return letter == 'T' || (letter == 'G' && !holds({10, 11}, code)) ||
            holds({0, 1, 109, 116, 190, 191, 226, 303, 400, 600}, code);
@@ -41,7 +41,7 @@ std::string first_name(std::string_view text) {
         text.substr(begin, std::min(text.find_first_of(" \t;", begin) - begin, kLongest)));
 }
 
-/// Without an exponent.
+/// Prints a number without an exponent.
 std::string text_of(double number) { return fmt::format("{:.9f}", number); }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marlin's lines: one command each, with words that may lack their number.
 //
-// E becomes A, in mm, whose zero is never moved: what G92 E says is taken into account here. G0 is
-// G1, with a feed of 25 mm/s until there is an F. Arguments of M codes mean nothing to the path.
+// E becomes A, in mm, whose zero never moves: G92 E is applied here. G0 is G1, with a feed of 25
+// mm/s until there is an F. Arguments of M codes do not affect the path.
 #pragma once
 
 #include "ref/gcode/lines/code_words.hpp"

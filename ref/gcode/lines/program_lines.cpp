@@ -9,7 +9,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
-constexpr int kLinesToRecognise = 200;  // that have words
+constexpr int kLinesToRecognise = 200;  // lines that have words
 constexpr std::size_t kMostLinesAhead = 10000;
 
 }  // namespace

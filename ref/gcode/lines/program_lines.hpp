@@ -13,7 +13,7 @@
 
 namespace curvecore::ref {
 
-/// A line without comments and blanks, in upper case. @throws InputError: it is not text
+/// Returns a line without comments and blanks, in upper case. @throws InputError: it is not text
 std::string words_of(std::string_view text, const Place& place);
 
 class ProgramLines {
@@ -22,7 +22,8 @@ class ProgramLines {
     /// @param dialect none: recognised from the first lines
     ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
 
-    /// The next line that has words or a note, up to the '%' that ends a program which '%' began.
+    /// Returns the next line that has words or a note, up to the '%' that ends a program which '%'
+    /// began.
     /// @throws InputError
     std::optional<ProgramLine> next();
     Dialect dialect() const { return dialect_; }
@@ -35,7 +36,7 @@ class ProgramLines {
     const std::string& file_;
     Dialect dialect_ = Dialect::kLinuxcnc;
     std::unique_ptr<DialectLines> reader_;
-    std::deque<std::string> first_;  // lines that were looked at
+    std::deque<std::string> first_;  // lines that were read to recognise the dialect
     std::string text_;
     int number_ = 0;
     bool framed_ = false;

@@ -18,7 +18,7 @@ void check_range(char letter, double value, const Place& place) {
     }
 }
 
-/// About Z; not at all where the angle is 0.
+/// Turns a point about Z; an angle of 0 leaves it exactly as it is.
 Point turn(Point point, double degrees) {
     if (degrees == 0) return point;
     const double c = std::cos(degrees * kDegree);
@@ -73,7 +73,7 @@ Point Coordinates::target(Block& block, bool machine, const Place& place) const 
     return point;
 }
 
-/// Groups of axes that all but stand keep their place.
+/// Keeps groups of axes that all but stand exactly in place.
 void Coordinates::keep_still(Point& point) const {
     for (int first = 0; first < kMachineAxes; first += 3) {
         const double travel =

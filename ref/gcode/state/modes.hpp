@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holds in a program until it says otherwise, besides the motion code and the coordinates.
+// Modal state of a program besides the motion code and the coordinates.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ enum class Turning { kNo, kClockwise, kCounterClockwise };
 
 /// | field          | unit  | remark                                                 |
 /// |----------------|-------|--------------------------------------------------------|
-/// | normal_axis    |       | of the plane: 2 of G17, 1 of G18, 0 of G19             |
+/// | normal_axis    |       | of the plane: 2 for G17, 1 for G18, 0 for G19          |
 /// | path_tolerance | mm    | of G64                                                 |
 /// | feed           |       | F as written: per minute, of degrees or of `feed_unit` |
 /// | feed_unit      | mm    |                                                        |
-/// | speed          | 1/min | of the spindle, without its sign                       |
+/// | speed          | 1/min | of the spindle, without a sign                         |
 /// | retract_to_r   |       | G99: canned cycles end at R, not where the first began |
 struct Modes {
     int normal_axis = 2;

@@ -15,7 +15,7 @@ constexpr double kSlowestFeed = 1e-3 / 60;  // mm/s
 constexpr double kFastestFeed = 1e9 / 60;
 constexpr std::size_t kNamedLines = 3;  // of each code that is left out
 
-/// "S in lines 3, 4, 5 and 20 more"
+/// Returns "S in lines 3, 4, 5 and 20 more".
 std::string with_lines(const std::string& code, const std::vector<int>& lines, int count) {
     const auto named = static_cast<int>(lines.size());
     std::string text = fmt::format("{} in line{} {}", code, count > 1 ? "s" : "", lines.front());
@@ -102,7 +102,7 @@ void MoveList::leave_out(const std::string& code, const Place& place, double val
     if (all.lines.size() < kNamedLines) all.lines.push_back(place.program_line);
 }
 
-/// Before the next move: those that changed hold from here on.
+/// Notes before the next move which values have changed: they hold from here on.
 void MoveList::note_values(bool stopped) {
     value_changed_ = false;
     for (auto& [code, left_out] : left_out_) {
@@ -111,7 +111,7 @@ void MoveList::note_values(bool stopped) {
     }
 }
 
-/// In the order of their first lines; the warning stands at the first of them.
+/// Warns of codes in the order of their first lines; the warning names the first of them.
 void MoveList::warn_of_left_out() {
     std::vector<std::pair<std::string, LeftOut>> all(left_out_.begin(), left_out_.end());
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program's moves while they are made, whichever reader makes them: the stops and dwells behind
+// The list of a program's moves while they are made, for every reader: stops and dwells behind
 // them, curves in pieces, warnings that are counted.
 #pragma once
 
@@ -23,31 +23,31 @@ class MoveList {
 
     const std::string& file() const { return program_.file; }
 
-    /// Whether the move has a length; if not, a warning says that it is left out.
+    /// Returns true if the move has a length; if not, a warning reports that it is left out.
     bool moves(const Move& move, const Place& place);
     void append(const Move& move);
-    /// A curve in pieces; `whole` has all that is the same for each.
-    /// @throws InputError when nothing is left of it
+    /// Cuts a curve into pieces; `whole` has all that is the same for each.
+    /// @throws InputError if nothing is left of it
     std::vector<Move> pieces_of(const std::vector<Cubic>& cubics, const Move& whole,
                                 const Place& place);
-    /// Behind the last move.
+    /// Stops behind the last move.
     void stop();
-    /// Rest behind the last move; before the first one it is left out, with a warning.
+    /// Rests behind the last move; before the first one it is left out, with a warning.
     void dwell(double seconds, const Place& place);
     void warn(const std::string& text, const Place& place);
-    /// A code that asks for more than motion, such as M3, is an event; one warning names all of
-    /// them. It also says of which a value that holds `along_path`, as that of S, changes where the
+    /// Records a code that asks for more than motion, such as M3, as an event; one warning names
+    /// all of them. It also names those whose value, as S, holds `along_path` and changes where the
     /// path goes on.
     void leave_out(const std::string& code, const Place& place, double value = 0,
                    bool along_path = false);
 
     const Events& events() const { return events_; }
 
-    /// Moves in order, which leave the list: the `last` one as well, for which a stop or a dwell
-    /// may still come.
+    /// Hands over moves in order; also the `last` one, behind which a stop or a dwell may still
+    /// come.
     std::vector<Move> take(bool last);
-    /// What is left of the program, with all of its warnings. @throws InputError when it has no
-    /// moves.
+    /// Returns the rest of the program, with all of its warnings. @throws InputError if it has no
+    /// moves
     Program finish();
 
   private:
@@ -72,10 +72,10 @@ class MoveList {
     std::map<std::string, Warning> warnings_;
     std::map<std::string, LeftOut> left_out_;
     double length_ = 0;           // mm, of all moves
-    bool value_changed_ = false;  // of one of them, since the last move
+    bool value_changed_ = false;  // one of them has, since the last move
 };
 
-/// A feed in mm/s of one in mm/min. @throws InputError out of range
+/// Converts a feed in mm/min to mm/s. @throws InputError out of range
 double feed_of(double per_minute, const Place& place);
 
 }  // namespace curvecore::ref

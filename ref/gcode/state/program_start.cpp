@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "5161 0.5" a line.
+/// Reads lines of the form "5161 0.5".
 std::map<int, double> read_parameters(const std::string& file) {
     std::map<int, double> parameters;
     std::ifstream text = open_text_file(file);
@@ -31,7 +31,7 @@ std::map<int, double> read_parameters(const std::string& file) {
     return parameters;
 }
 
-/// A file that the .ini names, if it is there.
+/// Returns a file that the .ini names, if it exists.
 std::optional<std::string> file_of(const IniFile& ini, const char* section, const char* name) {
     const std::optional<IniEntry> entry = ini.find(section, name);
     if (!entry) return std::nullopt;

@@ -17,7 +17,7 @@ constexpr std::string_view kWords = "TPXYZABCUVWDIJQ";
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-/// The number of a word, at whose letter `at` stands; moves behind it.
+/// Reads the number of the word whose letter is at `at`, and moves behind it.
 double read_number(std::string_view line, std::size_t& at, const Place& place) {
     const char letter = line[at++];
     const std::size_t begin = at < line.size() && line[at] == '+' ? at + 1 : at;

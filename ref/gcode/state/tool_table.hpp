@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lengths of tools, from LinuxCNC's tool table: a tool a line, as "T3 P12 Z51.7 D6 ;end mill".
+// Lengths of tools from LinuxCNC's tool table: a tool a line, as "T3 P12 Z51.7 D6 ;end mill".
 #pragma once
 
 #include <map>
@@ -13,17 +13,17 @@ constexpr int kLargestTool = 99999;
 
 class ToolTable {
   public:
-    /// One that says nothing of any tool.
+    /// Makes an empty table.
     ToolTable() = default;
-    /// @param unit mm of its X Y Z U V W
+    /// @param unit mm per unit of its X Y Z U V W
     /// @throws InputError
     ToolTable(const std::string& file, double unit);
 
-    /// As messages call it; empty: there is none.
+    /// Name of the file in messages; empty: there is none.
     const std::string& file() const { return file_; }
     /// Offset of a tool, mm and degrees; null: the table has no such tool.
     const Point* find(int tool) const;
-    /// G10 L1: from here on.
+    /// Executes G10 L1: the offset holds from now on.
     void set(int tool, const Point& offset) { tools_[tool] = offset; }
 
   private:
