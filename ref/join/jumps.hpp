@@ -15,8 +15,8 @@ constexpr double kGravity = 9806.65;  // mm/s^2
 
 /// Course of the speed from v0 to v1 along the move, x = s / length:
 ///
-///     even     v^2 = v0^2 + (v1^2 - v0^2) x            constant acceleration, which jumps at both
-///     ends smooth   v = v0 + (v1 - v0) (10 x^3 - 15 x^4 + 6 x^5)    acceleration 0 at both ends
+///     even     v^2 = v0^2 + (v1^2 - v0^2) x                  constant acceleration, jumps at ends
+///     smooth   v = v0 + (v1 - v0) (10 x^3 - 15 x^4 + 6 x^5)  acceleration 0 at both ends
 enum class SpeedLaw { kSmooth, kEven };
 constexpr std::array<std::string_view, 2> kSpeedLawNames = {"smooth", "even"};
 

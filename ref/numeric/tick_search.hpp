@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parameter of the next tick by search along the arc: [Obukhov] Fig. 1, steps 1 to 4.
 //
-//     err = S - s      dt = err / |r'(t)|      t += dt, s += arc(t, t + dt)      until err <
-//     tolerance
+//     err = S - s     dt = err / |r'(t)|     t += dt, s += arc(t, t + dt)     until err < tolerance
 #pragma once
 
 #include "ref/numeric/simpson.hpp"

@@ -43,7 +43,7 @@ std::optional<Eigen::Vector2d> legs(const MovePlace& a, const MovePlace& b, cons
     return std::nullopt;
 }
 
-/// Worst distance of pairs, and what may lie between them.
+/// Bounds the worst distance of pairs, and of the curves between them.
 double deviation(const Cubic& cubic, const Move& before, const Move& after, double reach,
                  double bend) {
     double worst = 0;
@@ -54,7 +54,7 @@ double deviation(const Cubic& cubic, const Move& before, const Move& after, doub
             way > 0 ? place_on(before, before.length() - way) : place_on(after, -way);
         worst = std::max(worst, (cubic.position(u) - place.position).norm());
     }
-    const double speed = 3 * reach;  // of the pairs, by u; its change is at most twice that
+    const double speed = 3 * reach;  // of the pairs, by u; its change is at most twice this
     const double second = std::max(cubic.acceleration(0).norm(), cubic.acceleration(1).norm()) +
                           bend * speed * speed + 2 * speed;
     return worst + second / (8.0 * 4 * kPlaces * kPlaces);

@@ -9,30 +9,31 @@
 
 namespace curvecore::ref {
 
-/// In the place of what lies within `reach` of a joint, with the tangents and the curvatures that
-/// the moves have there.
+/// A cubic that replaces the path within `reach` of a joint, with the tangents and the curvatures
+/// that the moves have there.
 ///
-/// Of two lines it is [v - d t1, v, v, v + d t2], both inner points on the joint v: the path of two
-/// overlapping ramps of constant jerk, whose best speed dips in the middle as for a stop and never
-/// reaches 0. With p = -d t1 and r = d t2, u <= 1/2 is paired with v + p ((1 - u)^3 - u^3): they
-/// differ by u^3 (p + r), so each path keeps |p + r| / 8 = d sin(turn / 2) / 4 from the other.
+/// Two lines give [v - d t1, v, v, v + d t2], both inner points on the joint v: the path of two
+/// overlapping ramps of constant jerk, whose best speed dips in the middle but never reaches 0.
+/// With p = -d t1 and r = d t2, u <= 1/2 is paired with v + p ((1 - u)^3 - u^3): they differ by u^3
+/// (p + r), so each path keeps |p + r| / 8 = d sin(turn / 2) / 4 from the other.
 ///
-/// With an arc in the same plane the inner points move along the tangents until the curvatures fit.
-/// The same pairs, by path length, are compared at many places; what is between them is at most
-/// h^2 / 8 of the difference's second derivative.
+/// An arc in the same plane moves them: the inner points go along the tangents until the curvatures
+/// fit. The same pairs, by path length, are compared at many places; the error between them is at
+/// most h^2 / 8 of the difference's second derivative.
 struct Corner {
     double reach = 0;  // d, mm of either move
     Bezier points{};
     double deviation = 0;  // mm, a bound
 };
 
-/// Reach whose deviation is the tolerance, of two lines, for a turn in rad.
+/// Reach, mm, at which the deviation for two lines is the tolerance; the turn is in rad.
 double corner_reach(double turn, double tolerance);
 
-/// Lines and arcs that meet at an angle; none where the moves lie in no plane, or bend too much.
+/// Rounds lines and arcs that meet at an angle; none if the moves lie in no plane, or bend too
+/// much.
 std::optional<Corner> corner_of(const Move& before, const Move& after, double reach);
 
-/// The longest one, up to `most`, that keeps the tolerance.
+/// Returns the longest corner, up to `most`, that keeps the tolerance.
 std::optional<Corner> longest_corner(const Move& before, const Move& after, double tolerance,
                                      double most);
 

@@ -10,9 +10,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kStraight = 1e-9;  // mm: a cubic that is a line
+constexpr double kStraight = 1e-9;  // mm: a straighter cubic is a line
 constexpr double kCutTurn = 0.1;    // rad: sharper places are no cuts
-constexpr double kNothing = 1e-9;   // mm: what is left between two curves is part of one
+constexpr double kNothing = 1e-9;   // mm: a shorter rest between two curves is part of one
 
 bool is_straight(const Bezier& points) {
     const Vec3 chord = (points[3] - points[0]).normalized();
@@ -58,7 +58,7 @@ std::vector<Move> Drawing::finish() {
     return std::move(drawn_);
 }
 
-/// Whether what lies before and after a move is drawn apart.
+/// Returns true if the path before and after a move is drawn apart.
 bool Drawing::free(std::size_t move) const {
     const auto apart = [this](std::size_t joint) {
         return joints_[joint].kind == PathJoint::Kind::kCorner ||
@@ -118,7 +118,7 @@ TubeEnd Drawing::end_at(double s, std::size_t move, bool stop) const {
     return {stop, place.position, place.tangent, place.curvature};
 }
 
-/// The curve goes on over short moves; where it would end, joints that are straight are none.
+/// Extends the curve over short moves; straight joints where it would end are no joints.
 std::size_t Drawing::last_of_curve(std::size_t first) const {
     std::size_t last = first;
     const std::size_t end = cut_ && cut_->curve ? cut_->joint : joints_.count();
@@ -130,7 +130,7 @@ std::size_t Drawing::last_of_curve(std::size_t first) const {
     return last;
 }
 
-/// From joint `first` on; the last joint that is drawn.
+/// Draws the curve from joint `first` on; returns the last joint that is drawn.
 std::size_t Drawing::draw_curve(std::size_t first) {
     const std::size_t last = last_of_curve(first);
     if (last == first && first > 0 && joints_.lines(first) && !joints_.joined(first - 1) &&
@@ -140,7 +140,7 @@ std::size_t Drawing::draw_curve(std::size_t first) {
     }
     const TubeTask task = task_of(first, last);
     const std::vector<TubePiece> pieces = tube_run(joints_.path(), task, pace_);
-    if (pieces.empty()) return last;  // stays as it is
+    if (pieces.empty()) return last;  // unchanged
     copy_to(task.from);
     std::size_t move = first > 0 ? first - 1 : 0;
     for (const TubePiece& piece : pieces) {
@@ -153,7 +153,7 @@ std::size_t Drawing::draw_curve(std::size_t first) {
     return last;
 }
 
-/// Where the task begins.
+/// Sets the start of the task.
 void Drawing::begin(TubeTask& task, std::size_t first) const {
     if (first == 0) {
         task.from = 0;
@@ -194,7 +194,7 @@ TubeTask Drawing::task_of(std::size_t first, std::size_t last) const {
     return task;
 }
 
-/// The programmed path up to s, as it is.
+/// Copies the programmed path up to s unchanged.
 void Drawing::copy_to(double s) {
     while (copied_ < joints_.count() && reached_ < s) {
         const double from = joints_[copied_].s;
@@ -211,7 +211,7 @@ void Drawing::copy_to(double s) {
     }
 }
 
-/// A cubic with the words of a programmed move.
+/// Appends a cubic with the words of a programmed move.
 void Drawing::append(const Move& programmed, Bezier points, double deviation) {
     if (!drawn_.empty()) points[0] = drawn_.back().end;
     Move move;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn in the place of a group of programmed moves, or of its first part.
+// The drawn path of a group of programmed moves, or of its first part.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@
 
 namespace curvecore::ref {
 
-/// Where a group is cut: after `s` mm of its path, in front of a joint or within the move that
-/// begins there; `curve`: within a curve, that passes the joint like this.
+/// A cut of a group: after `s` mm of its path, in front of a joint or within the move that begins
+/// there; `curve`: a cut within a curve, which passes the joint in this state.
 struct PathCut {
     std::size_t joint = 0;
     double s = 0;
@@ -21,16 +21,16 @@ struct PathCut {
 
 class Drawing {
   public:
-    /// @param begun in the path of these joints, of which the first is the one of that cut
+    /// @param begun cut at the first of these joints, in their path
     Drawing(const PathJoints& joints, const Pace& pace, const std::optional<PathCut>& begun,
             Smoothed& report);
 
-    /// Where a group of which more is to come is best cut, in its second half; none: nowhere.
+    /// Returns the best cut in the second half of a group that goes on; none if there is none.
     std::optional<PathCut> best_cut() const;
 
-    /// Up to a cut, or all of it.
+    /// Draws up to a cut, or all of it.
     std::vector<Move> run(const std::optional<PathCut>& cut);
-    /// The same part as it is programmed; one of the two is called, and once.
+    /// Copies the same part as programmed; one of the two is called, once.
     std::vector<Move> run_as_programmed(const std::optional<PathCut>& cut);
 
   private:
@@ -53,7 +53,7 @@ class Drawing {
     Smoothed& report_;
     std::optional<PathCut> cut_;
     std::vector<Move> drawn_;
-    double reached_ = 0;      // of the path
+    double reached_ = 0;      // mm of the path
     std::size_t copied_ = 0;  // moves that are drawn
 };
 

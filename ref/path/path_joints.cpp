@@ -12,19 +12,19 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kReversal = 2.6;      // rad: beyond it a joint stops
-constexpr double kMeantCorner = 0.35;  // rad: a corner between long moves is rounded on its own
-constexpr double kCornerShare = 0.45;  // of a move, that a corner may take
-constexpr double kArcCorner = 3.4;     // reaches of a corner of lines, with an arc: six spans
+constexpr double kReversal = 2.6;      // rad: a sharper joint is a stop
+constexpr double kMeantCorner = 0.35;  // rad: above it a corner of long moves is rounded alone
+constexpr double kCornerShare = 0.45;  // share of a move that a corner may take
+constexpr double kArcCorner = 3.4;     // times a corner of lines, with an arc: six spans
 constexpr double kStepReach = 10.5;    // sqrt(tolerance / step of the curvature): six spans
 constexpr double kBendReach = 3;       // turn / curvature
 constexpr double kThirdReach = 3;      // turn / third derivative, of its square
 constexpr double kMiddle = 1.2;        // reaches in a move that keeps its middle
-constexpr double kLongMove = 25e-3;    // s: a move beside a joint that is no part of a curve
+constexpr double kLongMove = 25e-3;    // s: a longer move beside a joint is not part of a curve
 constexpr double kNoTurn = 1e-9;       // rad
 constexpr double kNoStep = 1e-9;       // 1/mm
-constexpr double kOneLine = 1e-10;     // mm: what lines in one direction are off by
-constexpr double kArcError = 0.01;     // of the tolerance, of an arc's cubics
+constexpr double kOneLine = 1e-10;     // mm: largest error of lines in one direction
+constexpr double kArcError = 0.01;     // share of the tolerance for the error of an arc's cubics
 
 bool one_line(const Move& a, const Move& b) {
     if (a.kind != Move::Kind::kLine || b.kind != Move::Kind::kLine || a.feed != b.feed) {
@@ -67,7 +67,7 @@ double PathJoints::feed(std::size_t move) const {
     return moves_[move].rapid ? most : std::min(most, moves_[move].feed);
 }
 
-/// Of a feed, what the axes allow.
+/// Speed that the axes allow of a feed, mm/s.
 double PathJoints::speed(std::size_t move) const {
     const Move& on = moves_[move];
     const bool line = on.kind == Move::Kind::kLine;
@@ -83,14 +83,13 @@ bool PathJoints::joined(std::size_t move) const {
     return length(move) <= kMiddle * (joints_[move].reach + joints_[move + 1].reach);
 }
 
-/// Whether both moves last so long that they are no parts of one curve.
+/// Returns true if both moves last too long to be parts of one curve.
 bool PathJoints::is_long(std::size_t joint) const {
     return std::min(length(joint - 1) / speed(joint - 1), length(joint) / speed(joint)) > kLongMove;
 }
 
-/// Whether a joint may be passed as fast as the feed asks: over the joint time
-/// (ref/limits/limits.hpp) the change of velocity asks for no more than the jerk that is allowed,
-/// nor that of v^2 r''.
+/// Returns true if a joint may be passed at the feed: over the joint time (ref/limits/limits.hpp)
+/// neither the change of velocity nor that of v^2 r'' asks for more than the allowed jerk.
 bool PathJoints::passed(std::size_t joint, const Change& change) const {
     const double v = std::max(speed(joint - 1), speed(joint));
     const double t = pace_.joint_time;
@@ -134,7 +133,7 @@ double PathJoints::curve_reach(std::size_t i, double turn, const Change& change)
     return step > kNoStep ? std::max(reach, kStepReach * std::sqrt(tolerance_ / step)) : reach;
 }
 
-/// What a corner needs for the feed: its curvature is 4/3 turn / reach at most, its third
+/// Reach that a corner needs for the feed: its curvature is 4/3 turn / reach at most, its third
 /// derivative 2.64 turn / reach^2.
 double PathJoints::asked_reach(std::size_t i, double turn, const Change& change) const {
     const double v = std::max(speed(i - 1), speed(i));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the programmed path is not smooth, and how much of its moves a smooth one may take.
+// The places where the programmed path is not smooth, and the reach of a smooth one there.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace curvecore::ref {
 
-/// Between two moves of a group, or at its ends.
+/// A joint between two moves of a group, or at its ends.
 ///
 /// | kind    | remark                                                     |
 /// |---------|------------------------------------------------------------|
@@ -25,21 +25,21 @@ struct PathJoint {
     double reach = 0;  // mm to both sides
 };
 
-/// Whether the machine stands still at the ends of a group.
+/// Standstill of the machine at the ends of a group.
 struct Rest {
     bool before;
     bool after;
 };
 
-/// A group: lines and arcs that follow each other with one tolerance, all rapid or none, without a
-/// stop. Lines in one direction are one move here.
+/// A group: consecutive lines and arcs with one tolerance, all rapid or none, without a stop. Lines
+/// in one direction are one move here.
 class PathJoints {
   public:
-    /// @param first where the group was cut before: the joint at its start as it was seen there
+    /// @param first joint at the start as it was seen before the group was cut there
     PathJoints(const std::vector<Move>& moves, double tolerance, Rest rest,
                const std::optional<PathJoint>& first, const Pace& pace);
 
-    std::size_t count() const { return moves_.size(); }  // of moves; one joint more
+    std::size_t count() const { return moves_.size(); }  // number of moves; one joint more
     const Move& move(std::size_t i) const { return moves_[i]; }
     const PathJoint& operator[](std::size_t i) const { return joints_[i]; }
     const ProgrammedPath& path() const { return path_; }
@@ -47,13 +47,13 @@ class PathJoints {
 
     double length(std::size_t move) const { return joints_[move + 1].s - joints_[move].s; }
     double feed(std::size_t move) const;
-    /// Whether a joint is of two lines.
+    /// Returns true for a joint of two lines.
     bool lines(std::size_t joint) const;
-    /// Whether a move between two joints is drawn with both.
+    /// Returns true if a move between two joints is drawn with both.
     bool joined(std::size_t move) const;
 
   private:
-    /// At a joint: the direction before it, by how much it turns, and how the curvature steps.
+    /// Change at a joint: the direction before it, its turn, and the step of the curvature.
     struct Change {
         Vec3 direction, turn, step;
     };

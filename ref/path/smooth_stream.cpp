@@ -65,7 +65,7 @@ void SmoothStream::read_ahead() {
     if (ahead_) ++report_.moves;
 }
 
-/// Until a group has so many moves, or ends.
+/// Reads until a group has `count` moves, or ends.
 void SmoothStream::read_group(std::size_t count) {
     while (more_ && group_.size() < count) {
         more_ = ahead_ && (group_.empty() || together(group_.back(), *ahead_));
@@ -89,7 +89,7 @@ void SmoothStream::draw() {
     }
 }
 
-/// All of it, or up to a cut; false: there is no place for one, unless it `must`.
+/// Draws all of it, or up to a cut; returns false if there is no place for one, unless it `must`.
 bool SmoothStream::draw_group(bool must) {
     const Rest rest{!before_ || stops(*before_, group_.front()),
                     !more_ && (!ahead_ || stops(group_.back(), *ahead_))};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programmed moves in, a smooth path out, as it is read: in bounded memory.
+// A stream of programmed moves made a smooth path while it is read, in bounded memory.
 //
-// Moves are looked at in groups. One that is longer than a window is cut: within a move that stays
-// as it is, or between two corners; where all of it is one curve, at the straightest place, which
-// the curve then passes in the direction and with the bend that chords see there.
+// Moves are processed in groups. A group longer than a window is cut within an unchanged move or
+// between two corners. If all of it is one curve, the cut is at the straightest place, which the
+// curve then passes with the direction and the bend of the chords there.
 #pragma once
 
 #include <deque>
@@ -18,24 +18,24 @@
 
 namespace curvecore::ref {
 
-/// Whether core and machine can have these moves.
+/// Returns true if core and machine can make these moves.
 using MovesCheck = std::function<bool(const std::vector<Move>&)>;
 
 class SmoothStream {
   public:
-    /// @param share of each tolerance that is used
-    /// @param carried what it refuses of a group is drawn as programmed; none: all is carried
-    /// @param window moves of a group that are looked at
+    /// @param share of each tolerance to be used
+    /// @param carried parts of a group that it refuses are drawn as programmed; none: accepts all
+    /// @param window number of a group's moves in memory
     SmoothStream(MoveSource source, const Machine& machine, double share = 1,
                  MovesCheck carried = {}, std::size_t window = 2000);
 
-    /// The next move; false: there is none.
-    /// @throws InputError of the source, after all that it gave before
+    /// Gives the next move; returns false if there is none.
+    /// @throws InputError of the source, after all moves before it
     bool next(Move& move);
 
-    /// Of what was given out.
+    /// Report on the moves that were given out.
     const Smoothed& report() const { return report_; }
-    /// Whether a part was refused.
+    /// Returns true if a part was refused.
     bool refused() const { return refused_; }
 
   private:
@@ -52,13 +52,13 @@ class SmoothStream {
     std::size_t window_;
     bool refused_ = false;
     bool begun_reading_ = false;
-    std::exception_ptr error_;    // of the source, after what it gave
-    std::optional<Move> ahead_;   // read, not yet of a group
+    std::exception_ptr error_;    // error of the source, after its moves
+    std::optional<Move> ahead_;   // read, not yet part of a group
     std::optional<Move> before_;  // the group, as programmed
     std::vector<Move> group_;
-    bool more_ = true;                // of the group may come
-    std::optional<PathCut> begun_;    // where the group was cut, by its path now
-    std::optional<PathJoint> first_;  // of this cut
+    bool more_ = true;                // more of the group may come
+    std::optional<PathCut> begun_;    // cut of the group, by its path now
+    std::optional<PathJoint> first_;  // joint of this cut
     std::deque<Move> drawn_;
     Smoothed report_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact curve of a plan for who asks at every sample, in the order of the path.
+// The exact curve of a plan, sample by sample in the order of the path.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace curvecore::ref {
 
-/// exact_position() and the curvature, with the table of a spline's path length kept as long as the
-/// segment stays the same; its ends need none.
+/// Evaluates exact_position() and the curvature; the table of a spline's path length is kept while
+/// the segment stays the same; its ends need none.
 ///
 /// | function  | unit    | error                                     |
 /// |-----------|---------|-------------------------------------------|
@@ -20,7 +20,7 @@ namespace curvecore::ref {
 /// | curvature | 1/units | of |r''|; roundings. Infinite at a cusp   |
 class CurveFollower {
   public:
-    /// s: units, local to the segment, which must outlive the calls that follow.
+    /// Position at s: units, local to the segment, which must outlive the calls that follow.
     Vec3 position(const Segment& segment, double s) {
         if (segment.kind != Segment::Kind::kSpline) return exact_position(segment, s);
         const double u = parameter(segment, s);

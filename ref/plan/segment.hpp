@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a core is loaded with, in real numbers: the planner's output, the quantiser's input.
+// The content of a core's queues in real numbers: the planner's output, the quantiser's input.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -43,7 +43,7 @@ struct Segment {
     double cos_pitch = 0;         // 0 for lines
     double radius = 0;            // 0 for lines
     Vec3 advance = Vec3::Zero();  // per unit of path
-    Vec3 a = Vec3::Zero();        // of a spline, with the next four
+    Vec3 a = Vec3::Zero();        // of splines, with the next four
     Vec3 b = Vec3::Zero();
     Vec3 c = Vec3::Zero();
     int lambda = 0;
@@ -54,10 +54,9 @@ struct Segment {
     Aux aux_turned{};       // whole turns of a rotary axis that its words leave out, units
     int step_exponent = 0;  // k: an integration step is 2^k units
     double bound = 0;       // derived bound of the error per axis, before the final rounding, units
-    std::uint32_t ticks =
-        0;              // of the profile, in which it is drawn: a program's add up to its pieces'
-    bool last = false;  // of the program
-    double feed_start = 0;  // mm/s along the path, planned
+    std::uint32_t ticks = 0;  // of the profile while it is drawn: a program's sum is its pieces'
+    bool last = false;        // of the program
+    double feed_start = 0;    // mm/s along the path, planned
     double feed_end = 0;
 };
 
@@ -83,8 +82,8 @@ struct ProfilePiece {
     bool final = false;               // last piece of the program
 };
 
-/// So many ticks in each of which the slope of time's rate changes by `change`, 2^-32 per tick, and
-/// the rate then moves by its slope.
+/// A step of `ticks` ticks, in each of which the slope of time's rate changes by `change`, 2^-32
+/// per tick, and the rate then by its slope.
 struct StopStep {
     std::uint32_t ticks = 1;
     std::int32_t change = 0;
@@ -98,24 +97,24 @@ struct PlannedBranch {
     std::vector<StopStep> steps;
 };
 
-/// What all parts of a plan have.
+/// Properties that all parts of a plan share.
 struct PlanFrame {
     double unit_mm = 1e-6;
     double tick_s = 1e-4;
     int aux_axes = 0;
     std::uint32_t hold_acceleration = 1;  // a: second difference of r32 per tick^2
     std::uint32_t hold_slope_steps = 1;   // nmax: largest slope = nmax * a
-    std::uint32_t stop_ticks = 0;         // of the profile, that a stop needs at most
+    std::uint32_t stop_ticks = 0;         // ticks of the profile that a stop needs at most
 };
 
-/// Moves that the core cannot have as fast as feed and machine would (ref/feed/core_slowed.hpp).
+/// Moves that the core cannot make as fast as feed and machine allow (ref/feed/core_slowed.hpp).
 ///
 /// | field         | unit | remark                                |
 /// |---------------|------|---------------------------------------|
 /// | moves         | 1    |                                       |
-/// | lost_s        | s    | by all of them, about                 |
-/// | line          |      | of the one that loses most            |
-/// | most_s        | s    | that it loses                         |
+/// | lost_s        | s    | by all of them, an estimate           |
+/// | line          |      | of the move that loses most           |
+/// | most_s        | s    | its loss                              |
 /// | speed, asked  | mm/s | its own, and without the core's limit |
 struct CoreSlowed {
     std::size_t moves = 0;
@@ -139,7 +138,7 @@ struct Plan : PlanFrame {
     std::vector<ProfilePiece> pieces;
     std::vector<PlannedBranch> branches;  // by their pieces, none twice
     double duration_s = 0;
-    std::size_t slowed_moves = 0;  // so that what is queued outlasts a stop
+    std::size_t slowed_moves = 0;  // so that queued words outlast a stop
     int slowed_line = 0;           // of the first of them
     CoreSlowed core_slowed;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact curve of a plan's segment, sample by sample: what the cores' output is compared with.
+// The exact curve of a plan's segment, sample by sample, with which the cores' output is compared.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline Cubic to_cubic(const Segment& segment) {
             segment.c * (unit * beta), segment.start};
 }
 
-/// Closed form in length units, from the segment's real numbers as they stand.
+/// Position in closed form, length units, from the segment's real numbers.
 ///
 /// | quantity | symbol     | shape | unit  | domain and remark                                   |
 /// |----------|------------|-------|-------|-----------------------------------------------------|
@@ -35,7 +35,8 @@ inline Cubic to_cubic(const Segment& segment) {
 /// about eight operations, measured below 0.6 2^-50 max(|start|, s): below 1e-6 units for |start|,
 /// s <= 2.1e9 units and any radius.
 ///
-/// A spline is its cubic at the parameter of s, by quadrature: slow. Who asks at every sample keeps
+/// A spline is its cubic at the parameter of s, by quadrature: slow. A caller that needs every
+/// sample keeps
 /// an ArcLength of to_cubic(segment). Error: 1e-13 of the length.
 inline Vec3 exact_position(const Segment& segment, double s) {
     if (segment.kind == Segment::Kind::kSpline) {
@@ -53,14 +54,14 @@ inline Vec3 exact_position(const Segment& segment, double s) {
     return linear + (segment.tangent * cos_half - segment.normal * sin_half) * chord;
 }
 
-/// The same for auxiliary axis `axis`, linear in s; its unit is the plan's.
+/// Position of auxiliary axis `axis`, linear in s; its unit is the plan's.
 inline double exact_aux(const Segment& segment, std::size_t axis, double s) {
     return segment.aux_start[axis] + segment.aux_advance[axis] * s;
 }
 
 using AxisPoint = std::array<double, kMachineAxes>;
 
-/// All axes, X Y Z being known; rotary axes with all their turns, as the program has them.
+/// Position of all axes, given X Y Z; rotary axes with all their turns, as in the program.
 inline AxisPoint exact_point(const Segment& segment, const Vec3& xyz, double s) {
     AxisPoint point{xyz.x(), xyz.y(), xyz.z()};
     for (std::size_t axis = 0; axis < kAuxAxes; ++axis) {

@@ -11,9 +11,9 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kPlaces = 64;
-constexpr int kBits = 26;  // of the place of a minimum: half a double's
+constexpr int kBits = 26;  // bits of a minimum's place: half a double's
 
-/// The parameter of the largest curvature.
+/// Returns the parameter of the largest curvature.
 double sharpest(const Cubic& cubic) {
     const auto bend = [&cubic](double u) { return -curvature(cubic, u); };
     int best = 0;

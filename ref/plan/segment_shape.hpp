@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What preparing a frame gives besides its coefficients, [Obukhov] "data preparation": derivatives
-// at both ends, the sharpest place.
+// Results of a frame's preparation besides its coefficients, [Obukhov] "data preparation": the
+// derivatives at both ends, the sharpest place.
 #pragma once
 
 #include "ref/plan/segment.hpp"
@@ -23,7 +23,7 @@ struct SegmentShape {
     double most_at = 0;
 };
 
-/// Error of `most`: 1e-6 of it; of a spline by search between 64 places.
+/// Shape of a segment. Error of `most`: 1e-6 of it; for a spline by search between 64 places.
 SegmentShape segment_shape(const Segment& segment);
 
 }  // namespace curvecore::ref

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How G-code is read.
+// Options of the G-code reader.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace curvecore::ref {
 
 struct GcodeOptions {
-    double fit_tolerance = kFitTolerance;  // mm, of NURBS that are no cubics
+    double fit_tolerance = kFitTolerance;  // mm, for NURBS that are no cubics
     std::optional<Dialect> dialect;        // none: recognised from the program
     ProgramStart start;
 };

@@ -48,7 +48,7 @@ bool GcodeStream::read() {
     return true;
 }
 
-/// M70 keeps, M71 forgets, M72 brings back, M73 keeps and brings back when the call returns.
+/// Executes M70 save, M71 forget, M72 restore, M73 save and restore when the call returns.
 void GcodeStream::keep_modes(int code, const Place& place) {
     Kept& kept = kept_.back();
     if (code == 72) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// G-code to moves while it is read: in constant memory but for loops and calls.
+// G-code to moves while it is read, in constant memory except for loops and calls.
 #pragma once
 
 #include "ref/gcode/blocks/program_flow.hpp"
@@ -18,7 +18,7 @@ class GcodeStream : public BlockStream {
     Events events() const override { return interpreter_.events(); }
 
   private:
-    /// What a call, or the program itself, has kept of the modes.
+    /// Modes that a call, or the program itself, has saved.
     struct Kept {
         std::optional<Interpreter::State> state;
         bool restores = false;  // when it returns

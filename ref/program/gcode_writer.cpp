@@ -23,7 +23,7 @@ std::string aux_words(const Move& move) {
     return text;
 }
 
-/// G2 or G3 in one of the three planes.
+/// Writes G2 or G3 in one of the three planes.
 std::string plane_arc(const Move& move, int axis, const std::string& feed) {
     const bool clockwise = move.normal[axis] < 0;
     const Vec3 centre = move.centre - move.start;
@@ -40,8 +40,8 @@ std::string plane_arc(const Move& move, int axis, const std::string& feed) {
     return text + aux_words(move) + feed + (axis == 2 ? "\n" : "\nG17\n");
 }
 
-/// G3.4 through points of the arc, half a turn at most each: any plane. Where the radii at both
-/// ends differ, the arcs through these points are farther off than 1e-9 mm, but less than that
+/// Writes G3.4 through points of the arc, half a turn at most each: any plane. Where the radii at
+/// both ends differ, the arcs through these points are farther off than 1e-9 mm, but less than that
 /// difference.
 std::string space_arc(const std::string& file, const Move& move, const std::string& feed) {
     const int parts = static_cast<int>(std::ceil(move.angle / M_PI - 1e-12));
@@ -62,12 +62,12 @@ std::string space_arc(const std::string& file, const Move& move, const std::stri
     return text;
 }
 
-/// What LinuxCNC's documentation promises.
+/// Tolerance that LinuxCNC's documentation promises.
 constexpr ArcTolerance kWrittenTolerance = arc_tolerance(0.005, 0);
 
-/// Parts of an arc whose radii at both ends differ by more than a program in mm may say. Of a part
-/// the reader makes the travel within the plane that is not along the end's radius a turning: off
-/// by an eighth of that travel times the part's angle.
+/// Cuts an arc whose radii at both ends differ by more than a program in mm may state. The reader
+/// turns a part's travel within the plane across the end's radius into rotation: an error of an
+/// eighth of that travel times the part's angle.
 std::vector<Move> readable(const Move& move) {
     constexpr double kOff = 1e-6;  // mm
     const double radius = (move.start - move.centre).norm();

@@ -26,7 +26,7 @@ Aux aux_of(const PointRow& row) {
     return aux;
 }
 
-/// Derivatives are where the fit reads them, and nowhere else.
+/// Checks that derivatives are where the fit reads them, and nowhere else.
 void check_derivatives(const PointTable& table, const std::string& file,
                        const PointsOptions& options) {
     for (const bool first : {true, false}) {
@@ -85,10 +85,10 @@ std::vector<FitPoint> fit_input(const PointTable& table, const std::string& file
     return points;
 }
 
-/// The moves from one point to the next.
+/// Appends the moves from one point to the next.
 void append(Program& program, const std::vector<Cubic>& chain, const PointRow& from,
             const PointRow& to, double feed) {
-    std::vector<double> reached;  // path length at the end of each
+    std::vector<double> reached;  // mm, path length at the end of each
     double length = 0;
     for (const Cubic& cubic : chain) {
         for (const Vec3& point : to_bezier(cubic)) {
@@ -121,7 +121,7 @@ void append(Program& program, const std::vector<Cubic>& chain, const PointRow& f
     }
 }
 
-/// Second derivatives that are not those of a C2 spline leave corners at the points.
+/// Warns of second derivatives that are not those of a C2 spline: they leave corners at the points.
 void warn_of_corners(Program& program, const std::vector<std::vector<Cubic>>& chains,
                      const PointTable& table) {
     constexpr double kNoCorner = 1e-6;  // rad

@@ -40,7 +40,7 @@ class Reader {
     }
 
   private:
-    /// inf and nan are no numbers to us but no names either.
+    /// Returns true for a name; inf and nan are neither numbers nor names here.
     static bool is_name(std::string_view cell) {
         return !cell.empty() && std::isalpha(static_cast<unsigned char>(cell[0])) != 0 &&
                !cell_number(cell);
@@ -95,7 +95,7 @@ class Reader {
         }
         PointRow row;
         row.line = place.line;
-        row.cell[2] = 0;  // where there is no z
+        row.cell[2] = 0;  // if there is no z
         for (std::size_t i = 0; i < cells.size(); ++i) {
             row.cell[order_[i]] = number(order_[i], cells[i], place);
         }
@@ -128,7 +128,7 @@ class Reader {
     const std::string& file_;
     PointTable table_;
     std::vector<int> order_;  // column of every cell
-    int first_line_ = 0;      // that fixed the columns
+    int first_line_ = 0;      // line that fixed the columns
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a file of points; knows columns and cells, not what they are for.
+// The numbers of a file of points; knows columns and cells, not their purpose.
 #pragma once
 
 #include <optional>
@@ -29,9 +29,10 @@ struct PointTable {
     std::vector<PointRow> rows;
 };
 
-/// Without a column z it is 0. Positions and auxiliary axes stand in every row and lie within
+/// Reads the table. A missing column z is 0. Positions and auxiliary axes stand in every row and
+/// lie within
 /// kFarthest; a derivative stands for all three axes or none.
-/// @throws InputError: unknown, missing or doubled columns, ragged rows, what is not a number
+/// @throws InputError: unknown, missing or doubled columns, ragged rows, invalid numbers
 PointTable read_point_table(std::string_view text, const std::string& file_name);
 
 }  // namespace curvecore::ref

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part's file, whatever its kind, as a whole.
+// A part's file of any kind, read as a whole.
 #pragma once
 
 #include "ref/program/program_stream.hpp"
 
 namespace curvecore::ref {
 
-/// As ProgramStream reads it. @throws InputError
+/// Reads a file as ProgramStream does. @throws InputError
 Program read_program(const std::string& file, const PointsOptions& points,
                      const OpenProgram& open = {}, const GcodeOptions& gcode = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part's file, whatever its kind, move by move: G-code in constant memory, points as a whole.
+// A part's file of any kind, move by move: G-code in constant memory, points as a whole.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace curvecore::ref {
 
-/// The name of the file that is read from standard input, as G-code.
+/// Name of the file that means standard input, as G-code.
 constexpr const char* kStandardInput = "-";
 
 /// Extensions of G-code.
@@ -21,25 +21,25 @@ constexpr std::array<std::string_view, 14> kProgramKinds{".ngc", ".nc",  ".gcode
                                                          ".cnc", ".eia", ".mpf",   ".txt", ".gco",
                                                          ".gc",  ".g",   ".iso",   ".din"};
 
-/// Whether the extension is .csv, in upper or lower case.
+/// Returns true if the extension is .csv, in upper or lower case.
 bool is_points_file(const std::string& file);
 
-/// Reads G-code from a file by somebody else's interpreter. @throws InputError
+/// Opens G-code with another interpreter. @throws InputError
 using OpenProgram = std::function<std::unique_ptr<MoveStream>(const std::string& file)>;
 
 class ProgramStream : public MoveStream {
   public:
-    /// By the extension, in upper or lower case: .csv as points with `points`, kProgramKinds and
-    /// none as G-code, as `gcode` says; or kStandardInput. With `open`,
-    /// G-code is read by that. @throws InputError
+    /// Opens a file by its extension, in upper or lower case: .csv as points with `points`,
+    /// kProgramKinds and none as G-code with `gcode`, or kStandardInput. `open` reads G-code if it
+    /// is given. @throws InputError
     ProgramStream(const std::string& file, const PointsOptions& points,
                   const OpenProgram& open = {}, const GcodeOptions& gcode = {});
-    /// Of one that is there.
+    /// Makes a stream of a whole program.
     explicit ProgramStream(Program program);
 
     bool next(Move& move) override;
 
-    /// As it is called in messages.
+    /// Name of the file in messages.
     const std::string& file() const { return file_; }
     std::optional<Dialect> dialect() const override;
     int aux_axes() const override;
@@ -50,7 +50,7 @@ class ProgramStream : public MoveStream {
     std::string file_;
     std::unique_ptr<std::istream> text_;
     std::unique_ptr<MoveStream> gcode_;
-    Program whole_;  // where there is no such stream
+    Program whole_;  // the program if there is no such stream
     std::size_t next_ = 0;
 };
 

@@ -6,8 +6,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kRounding = 1 + 1e-9;  // of sums of many costs
-constexpr double kSeveral = 4;          // changes: moves that follow may be short themselves
+constexpr double kRounding = 1 + 1e-9;  // share of sums of many costs
+constexpr double kSeveral = 4;          // changes: the next moves may be short themselves
 
 }  // namespace
 

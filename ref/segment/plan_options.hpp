@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plan is made for: the core, its time and queues, and how the feed is planned.
+// Options of a plan: the core, its time and queues, and the way in which the feed is planned.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace curvecore::ref {
 
 class KnownCuts;  // ref/segment/spline_cut.hpp
 
-/// Seconds that a core takes for the start of a step within its segment, and of a segment.
+/// Time of a core for the start of a step within its segment, and of a segment, s.
 struct CurveTime {
     double step = 0;
     double segment = 0;
@@ -24,9 +24,9 @@ struct CurveTime {
 /// | field         | unit | remark                                                              |
 /// |---------------|------|---------------------------------------------------------------------|
 /// | arc, spline   | s    | beyond the time of a sample                                         |
-/// | ahead         |      | true: while samples of the step before are taken; false: in turn    |
-/// | sample        | s    | that a sample keeps the core from making steps; 0 with ahead        |
-/// | samples_ahead | 1    | that the core makes ahead of the one that is due                    |
+/// | ahead         |      | true: during the samples of the last step; false: in turn           |
+/// | sample        | s    | time of a sample in which the core makes no steps; 0 with ahead     |
+/// | samples_ahead | 1    | samples that the core makes ahead of the one that is due            |
 struct CoreTime {
     CurveTime arc{2e-6, 2e-6};
     CurveTime spline{4e-6, 4e-6};
@@ -39,13 +39,13 @@ struct CoreTime {
     }
 };
 
-/// How the feed is planned: by rules, one bound for each move and ramps between; or as the fastest
-/// motion under the same limits on the true path (ref/feed/optimum/time_optimum.hpp).
+/// Method of planning the feed: by rules, one bound for each move and ramps between; or as the
+/// fastest motion under the same limits on the true path (ref/feed/optimum/time_optimum.hpp).
 enum class Effort { kRules, kOptimum };
 constexpr std::array<std::string_view, 2> kEffortNames = {"rules", "optimum"};
 
-/// How a hold from the rate 1 stops: on a branch that was planned for the place, which costs the
-/// host words; or by the bounds of the whole program.
+/// Method of stopping from the rate 1: on a branch planned for the place, which costs the host
+/// words; or by the bounds of the whole program.
 enum class Holds { kBranches, kBounds };
 constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 
@@ -53,18 +53,18 @@ constexpr std::array<std::string_view, 2> kHoldNames = {"branches", "bounds"};
 /// |------------------------|--------|------------------------------------------------------------|
 /// | unit_mm                | mm     | the length unit                                            |
 /// | sample_period_s        | s      |                                                            |
-/// | samples_per_tick       | 1      | 2^n; a tick, the profile's clock, is so many samples       |
+/// | samples_per_tick       | 1      | 2^n; a tick is the profile's clock                         |
 /// | format                 |        | word widths and order of the core                          |
 /// | aux_axes               | 1      | auxiliary axes of the core; more in a program are refused  |
 /// | error_limit            | units  | every segment's derived bound stays below it               |
-/// | core                   |        | seconds that the core takes: feed/places/step_speed.hpp    |
-/// | segment_queue_words    | 1      | queues of the core: what waits in them outlasts a stop     |
+/// | core                   |        | times of the core: feed/places/step_speed.hpp              |
+/// | segment_queue_words    | 1      | queues of the core: their words outlast a stop             |
 /// | profile_queue_words    | 1      |                                                            |
 /// | max_pieces             | 1      | segments of one move; one that needs more is refused       |
-/// | effort                 |        | how the feed is planned                                    |
+/// | effort                 |        | method of planning the feed                                |
 /// | holds                  |        | by stop branches, with an optimum; or by bounds alone      |
 /// | window                 | 1      | moves that are planned at once, 2 at least                 |
-/// | advise                 |        | a refusal says which width would do: takes many plans      |
+/// | advise                 |        | a refusal names a width that suffices: takes many plans    |
 /// | cuts                   |        | of cubics that were cut before; none: they are not kept    |
 struct PlanOptions {
     double unit_mm = 1e-6;

@@ -7,7 +7,7 @@
 namespace curvecore::ref {
 namespace {
 
-// A window of moves (PlanOptions) and the group after it that is checked.
+// Cuts kept: those of a window of moves (PlanOptions) and of the group after it that is checked.
 constexpr std::size_t kRecent = 4096;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cubic is cut into, wherever on the path it lies: found once and kept, since checks and
-// windows ask for the same cubics again.
+// The cut of a cubic, independent of its place on the path: found once and kept, since checks and
+// windows need the same cubics again.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ namespace curvecore::ref {
 /// | field   | unit  | remark                                                     |
 /// |---------|-------|------------------------------------------------------------|
 /// | pieces  |       | from 0 <= u <= 1 in order; s_start is not set              |
-/// | lengths | units | theirs, not rounded                                        |
+/// | lengths | units | of the pieces, not rounded                                 |
 struct SplineCut {
     std::vector<Segment> pieces;
     std::vector<double> lengths;
 };
 
-/// The pieces of split_spline() (ref/segment/spline_segment.hpp), which places them; with a
+/// Makes the pieces of split_spline() (ref/segment/spline_segment.hpp), which places them; with a
 /// least_last_step(), units, some more of them (ref/segment/last_step.hpp).
-/// @throws std::domain_error as that does
+/// @throws std::domain_error as split_spline() does
 SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                      const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
-/// The cuts that were asked for last, some thousands of them, of one core and limit.
+/// The last cuts, some thousands of them, of one core and limit.
 class KnownCuts {
   public:
-    /// cut_spline() of the same; valid up to the next call.
+    /// Returns cut_spline() of the same arguments; valid up to the next call.
     const SplineCut& of(const Cubic& cubic, const CoreParameters& format, double limit,
                         const Aux& aux_advance, int max_pieces, double least_last_step = 0);
 
@@ -50,7 +50,7 @@ class KnownCuts {
     double limit_ = 0;
     int max_pieces_ = 0;
     Cuts recent_;
-    Cuts before_;  // those that were recent before these
+    Cuts before_;  // cuts older than these
 };
 
 }  // namespace curvecore::ref

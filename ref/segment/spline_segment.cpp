@@ -16,21 +16,22 @@ namespace {
 constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
 
-/// Roundings of the cubic's words and of what is made of them.
+/// Roundings of the cubic's words and of the words made from them.
 double hair(const CoreParameters& format) { return std::ldexp(1.0, 6 - format.coef_bits); }
 
 /// Room below 1 for the |V| of a v that has drifted along the path, and so for Newton's m.
 constexpr double kRoom = 1.0 / 1024;
 
-/// What stands for |V| = 1.
+/// Scale that stands for |V| = 1.
 double with_room(double fastest, const CoreParameters& format) {
     return fastest * (1 + kRoom + hair(format));
 }
 
-/// A tip sharper than a step of one unit can follow: pieces of a few units at most, as lines.
+/// A tip too sharp for a step of one unit: pieces of a few units at most, as lines.
 constexpr double kLongestLine = 4;
 
-/// A short piece as a line. With m = chord / length, the mean tangent, the curve leaves the line by
+/// Makes a line of a short piece. With m = chord / length, the mean tangent, the curve leaves the
+/// line by
 ///
 ///     |r(s) - line(s)| <= length / 2 sqrt(1 - m^2)
 ///
@@ -106,7 +107,7 @@ struct Splitter {
             }
         }
         if (length <= kLongestLine && middle == (from + to) / 2) {
-            double aside = 0;  // of the curve; the rest is for the words
+            double aside = 0;  // share for the curve; the rest is for the words
             const Segment line = short_line(part, length, format, aux_advance, aside);
             if (aside <= 0.4 * limit && line.bound <= limit) {
                 found.lengths.push_back(length);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a cubic to the pieces that a core can draw.
+// Pieces of a cubic that a core can draw.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace curvecore::ref {
 
-/// A cubic of 0 <= u <= 1, in length units, in a core's scale: v = beta u, lengths over 2^lambda.
+/// Scales a cubic of 0 <= u <= 1, in length units, for a core: v = beta u, lengths over 2^lambda.
 ///
 ///     beta = max |dr/du| / 2^lambda (a little more, so that |V| < 1)       lambda >= 0, least
 ///
@@ -28,18 +28,18 @@ namespace curvecore::ref {
 /// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
 Segment spline_segment(const Cubic& piece, const CoreParameters& format);
 
-/// Longest step exponent with which every word keeps its range, the derived bound stays within the
-/// limit, and within half of it
-/// along the path (two samples' distance keeps the limit), into step_exponent and bound. False, and
-/// the segment unchanged, when there is none.
+/// Finds the longest step exponent with which every word keeps its range and the derived bound
+/// stays within the limit, and within half of it along the path (two samples' distance keeps the
+/// limit); sets step_exponent and bound. Returns false, with the segment unchanged, if there is
+/// none.
 bool choose_step(const CoreParameters& format, double limit, Segment& segment);
 
-/// The pieces of a cubic that begins at `path`, program-wide and in units, moved to its end: a
-/// piece's length is the difference of two rounded sums.
+/// Places the pieces of a cubic that begins at `path`, program-wide and in units, moved to its end:
+/// a piece's length is the difference of two rounded sums.
 std::vector<Segment> placed(SplineCut cut, long double& path);
 
-/// The pieces of a cubic, cut in halves of u until each fits and keeps the limit. Tips of a few
-/// units' radius, and cusps, are drawn by lines of a few units (kind kArc).
+/// Cuts a cubic in halves of u until each fits and keeps the limit. Tips of a few units' radius,
+/// and cusps, are drawn by lines of a few units (kind kArc).
 ///
 /// `path` is that of placed(). Auxiliary axes share the bound.
 /// @throws std::domain_error when halving does not help, the limit is below four half guard bits,
@@ -48,7 +48,7 @@ std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& form
                                   long double& path, const Aux& aux_advance = {},
                                   int max_pieces = 1 << 16);
 
-/// The same from s_start (quanta) on.
+/// Cuts the same cubic from s_start (quanta) on.
 std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   std::uint64_t s_start = 0);
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An arithmetic that carries errors: what the interpreter draws a network's words with.
+// An arithmetic that carries errors, in which the interpreter draws a network's words.
 #pragma once
 
 #include <cmath>
 
 namespace curvecore::ref {
 
-/// A number, and how far the real number that a word stands for may be from it.
+/// A number, and a bound of its distance from the real number that a word stands for.
 ///
 /// | field    | meaning                                                                        |
 /// |----------|--------------------------------------------------------------------------------|
@@ -25,7 +25,7 @@ struct Enclosed {
 
     double error() const { return rounding + drift; }
     double size() const { return std::abs(value); }
-    /// The word is at most so large.
+    /// Bound of the word's size.
     double reach() const { return size() + error(); }
 
     Enclosed& operator+=(const Enclosed& more) {

@@ -29,7 +29,8 @@ class ExactPath {
         if constexpr (std::is_floating_point_v<Real>) {
             return guess;
         } else {
-            // Twice: the first correction is of 1e-13, the second of its square.
+            // Newton's method runs twice: the first correction is of 1e-13, the second of its
+            // square.
             for (const Real& target : {Real(guess), Real(0)}) {
                 const Real next = target > 0 ? target : Real(u_ + (s - s_) / speed(u_));
                 s_ += integral(u_, next, rule(u_, next), 40);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws what any network table says, to any order, in any arithmetic.
+// The interpreter of network tables, to any order, in any arithmetic.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace curvecore::ref {
 
-/// x_0 .. x_P of a node; no memory is asked for up to such an order.
+/// Coefficients x_0 .. x_P of a node; no memory is allocated up to such an order.
 template <class Real>
 using Series = boost::container::small_vector<Real, 20>;
 
-/// Numbers as they are: what expand() makes of rates and coefficients unless it is told otherwise.
+/// Numbers as they are: the default treatment of rates and coefficients by expand().
 struct Exact {
     bool asks(std::size_t /*node*/, int /*order*/) const { return true; }
     template <class Real>
@@ -74,8 +74,8 @@ class Interpreter {
     int order() const { return order_; }
 
     /// x_0 .. x_P of every node, in the table's order. Each rate and each coefficient passes
-    /// through `words`, once made and before it is read; what these do not ask for stays what it
-    /// was.
+    /// through `words`, after it is made and before it is read; those that `words` does not ask for
+    /// stay.
     template <class Words = Exact>
     const std::array<Series<Real>, Nodes>& expand(const State& state, Words&& words = {}) {
         for (std::size_t n = 0; n < Nodes; ++n) {
@@ -92,10 +92,10 @@ class Interpreter {
         return series_;
     }
 
-    /// Those of the last expand().
+    /// Series of the last expand().
     const std::array<Series<Real>, Nodes>& series() const { return series_; }
 
-    /// The state a step h farther on.
+    /// Returns the state a step h farther on.
     State step(const State& state, const Real& h) {
         expand(state);
         State next;
@@ -110,7 +110,7 @@ class Interpreter {
     }
 
   private:
-    /// D_i, from rates of other nodes up to i and series up to i - 1.
+    /// Rate D_i, from rates of other nodes up to i and series up to i - 1.
     Real rate(std::size_t n, int order) const {
         const auto& node = wiring_.nodes[n];
         const auto i = static_cast<std::size_t>(order);
@@ -134,7 +134,7 @@ class Interpreter {
         return gains_[n] * sum;
     }
 
-    /// x_i.
+    /// Coefficient x_i.
     Real coefficient(std::size_t n, int order) const {
         const auto& node = wiring_.nodes[n];
         const auto i = static_cast<std::size_t>(order);

@@ -80,8 +80,8 @@ struct Network {
     }
 };
 
-/// Whether `node` reads order i of `output` to make its own order i. Integrands are read up to
-/// order i-1 only, so they close no loop.
+/// Returns true if `node` reads order i of `output` to make its own order i. Integrands are read up
+/// to order i-1 only, so they close no loop.
 constexpr bool needs_same_order(const Node& node, std::string_view output) {
     switch (node.kind) {
         case NodeKind::kRiemann:
@@ -96,8 +96,8 @@ constexpr bool needs_same_order(const Node& node, std::string_view output) {
     return false;
 }
 
-/// Nodes in an order in which every order i of the series can be computed: a topological sort on
-/// the integrating variables and addends, stable in the table's order.
+/// Returns the nodes in an order in which every order i of the series can be computed: a
+/// topological sort on the integrating variables and addends, stable in the table's order.
 /// @throws std::logic_error for a network that no wiring can realise: an output twice, an input
 ///         that nothing drives, a Riemann integrator off the independent variable, a loop
 template <std::size_t Nodes, std::size_t Parameters>
@@ -148,7 +148,7 @@ constexpr std::array<std::size_t, Nodes> evaluation_order(
     return order;
 }
 
-/// A network by numbers: places of nodes and parameters instead of names.
+/// A network by numbers: indices of nodes and parameters instead of names.
 template <std::size_t Nodes>
 struct Wiring {
     static constexpr std::size_t kNone = Nodes;

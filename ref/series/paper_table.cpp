@@ -14,7 +14,7 @@ namespace mp = boost::multiprecision;
 using Real = mp::number<mp::cpp_bin_float<100>, mp::et_off>;
 using Spherical = Interpreter<Real, kSpherical.size(), 1>;
 
-// x, F, y, G, z, H on the plane with the normal B = (2, -2, 1) / 3.
+// State x, F, y, G, z, H on the plane with the normal B = (2, -2, 1) / 3.
 Spherical::State start_state(const Real& radius) {
     const Real third = radius / 3;
     return {third, -2 * third, 2 * third, -third, 2 * third, 2 * third};
@@ -85,7 +85,7 @@ Real theta_of(double feed_m_min, double tick_ms) {
     return Real(feed_m_min) / 60 * Real(tick_ms) / kPaperRadiusMm;
 }
 
-// Distance from the exact place after `ticks` of them and a part of one.
+// Distance from the exact place after `ticks` ticks and a part of one.
 double error_after(int order, const Real& theta, long ticks, const Real& part) {
     const Complex drawn = power(turn(order, theta), ticks) * turn(order, part);
     const Real angle = ticks * theta + part;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the paper claims of its spherical interpolator, measured: error by order and feed.
+// Measurement of the paper's claims about its spherical interpolator: error by order and feed.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ struct PaperRow {
     double circle_mm;
 };
 
-/// In 100 decimal digits, by the network of Fig. 8 in a tilted plane; order by order, feeds inside.
+/// Rows in 100 decimal digits, by the network of Fig. 8 in a tilted plane; order by order, feeds
+/// inside.
 std::vector<PaperRow> paper_table();
 
 /// | field        | unit | remark                                                    |
@@ -49,11 +50,11 @@ constexpr std::array<double, 3> kOrderTicksMs{10, 1, 0.1};
 constexpr std::array<double, 3> kOrderTolerancesMm{1e-3, 1e-6, 1e-9};
 constexpr int kManyCircles = 1000;
 
-/// Tolerance by tolerance, ticks inside. A step multiplies x + i F by the series of e^(i theta) cut
-/// after its order, which is taken to the power of the ticks.
+/// Rows tolerance by tolerance, ticks inside. A step multiplies x + i F by the series of e^(i
+/// theta) cut after its order, raised to the power of the ticks.
 std::vector<OrderRow> minimal_orders();
 
-/// The same after `circles` full circles, mm: what paper_table() has of one.
+/// Error after `circles` full circles, mm, as paper_table() has it for one.
 double circles_error(int order, double feed_m_min, double tick_ms, int circles);
 
 }  // namespace curvecore::ref

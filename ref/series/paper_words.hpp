@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's scheme in fixed point: one integration per tick over a whole cubic, all sixteen
+// The paper's scheme in fixed point: one integration per tick over a whole cubic, with all sixteen
 // variables of Fig. 10 carried from tick to tick in words.
 #pragma once
 
@@ -12,17 +12,17 @@
 namespace curvecore::ref {
 
 /// Every rate, coefficient and state is a word of `coef_bits`, rounded once, to nearest, from its
-/// sum of products in full; 6a is one too. Lengths are in units of the tick's path, so that the
-/// network's step is 1. The binary point of each variable is where its largest value on the exact
-/// cubic, or its largest rate, leaves one bit to spare: as a host would scale this cubic.
+/// full sum of products; so is 6a. Lengths are in units of the tick's path, so that the network's
+/// step is 1. The binary point of each variable is where its largest value on the exact cubic, or
+/// its largest rate, leaves one bit to spare: as a host would scale this cubic.
 ///
 /// Source: [Chikurov] (30).
 class PaperWords {
   public:
-    /// From u0 on, in ticks of `step` along the path.
+    /// Starts at u0, with ticks of `step` along the path.
     PaperWords(const Cubic& cubic, int order, int coef_bits, double u0, double step);
 
-    /// False: a word left its range.
+    /// Makes a step; returns false if a word left its range.
     bool step();
 
     Vec3 position() const;
@@ -35,7 +35,7 @@ class PaperWords {
     using State = SplineState<Real>;
     using Axes = std::array<Real, 3>;
 
-    /// Rounds what it is given, node by node, and notes what is too large for its word.
+    /// Rounds numbers node by node, and notes those that are too large for their words.
     struct Words : Exact {
         std::array<int, kSpline.size()> frac{};
         Real limit;  // 2^(coef_bits - 1)

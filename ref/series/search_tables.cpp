@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kCube = 10;  // mm
 
-/// Visits the places of all ticks but the end: number, path.
+/// Visits the places of all ticks except the end: number, path.
 template <class Visit>
 void each_tick(double length, double ds, Visit visit) {
     for (long k = 1; static_cast<double>(k) * ds < length; ++k) visit(static_cast<double>(k) * ds);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to draw a cubic at constant path speed step by step, the paper's among them.
+// Methods that draw a cubic at constant path speed step by step, the paper's among them.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class SplineFollower {
   public:
     using State = SplineState<Real>;
 
-    /// `order` is that of the series; Runge-Kutta's is 4.
+    /// Starts at u0; `order` is that of the series, Runge-Kutta's is 4.
     SplineFollower(const Cubic& cubic, SplineMethod method, int order, const Real& u0)
         : cubic_(cubic),
           method_(method),
@@ -43,7 +43,7 @@ class SplineFollower {
         return {state_[spline_node::kX], state_[spline_node::kX + 1], state_[spline_node::kX + 2]};
     }
 
-    /// A step h along the path.
+    /// Makes a step h along the path.
     void step(const Real& h) {
         switch (method_) {
             case SplineMethod::kRungeKutta:
@@ -86,7 +86,7 @@ class SplineFollower {
         }
     }
 
-    /// d/ds of every node: each integrand times the rate of its integrating variable.
+    /// Returns d/ds of every node: each integrand times the rate of its integrating variable.
     State rates(const State& at) const {
         namespace node = spline_node;
         State rate{};

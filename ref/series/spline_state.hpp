@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start values of the spline network that agree with each other, and what restores the agreement.
+// Start values of the spline network that agree with each other, and the restoration of agreement.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace curvecore::ref {
 template <class Real>
 using SplineState = std::array<Real, kSpline.size()>;
 
-/// Where the nodes of an axis lie in a SplineState: axis k is the k-th node from the first.
+/// Nodes of an axis in a SplineState: axis k is the k-th node from the first.
 namespace spline_node {
 constexpr std::size_t kU = kSpline.node("u");
 constexpr std::size_t kW = kSpline.node("Wx");
@@ -33,7 +33,7 @@ std::array<Real, 3> spline_parameters(const Cubic& cubic) {
     return {6 * Real(cubic.a[0]), 6 * Real(cubic.a[1]), 6 * Real(cubic.a[2])};
 }
 
-/// W, V, x, Px.. and P from u: the part of the state that the polynomial knows.
+/// Sets W, V, x, Px.. and P from u: the part of the state that the polynomial determines.
 template <class Real>
 void anchor_to_curve(const Cubic& cubic, SplineState<Real>& state) {
     namespace node = spline_node;
@@ -51,7 +51,7 @@ void anchor_to_curve(const Cubic& cubic, SplineState<Real>& state) {
     }
 }
 
-/// Q and R from phi: with them the invariants Q + phi^3 and R + 3 phi^2 are 0.
+/// Sets Q and R from phi: the invariants Q + phi^3 and R + 3 phi^2 become 0.
 template <class Real>
 void derive_from_phi(SplineState<Real>& state) {
     namespace node = spline_node;
@@ -73,8 +73,9 @@ SplineState<Real> spline_state(const Cubic& cubic, const Real& u0) {
     return state;
 }
 
-/// After a step: the curve's part from the polynomial, phi by one Newton step for 1 / |V|, Q and R
-/// from it. A relative error e of phi becomes -1.5 e^2; beyond 0 < phi^2 2 P < 3 it grows instead.
+/// Restores agreement after a step: the curve's part from the polynomial, phi by one Newton step
+/// for 1 / |V|, Q and R from it. A relative error e of phi becomes -1.5 e^2; beyond 0 < phi^2 2 P <
+/// 3 it grows instead.
 ///
 ///     phi := phi (3/2 - P phi^2)
 template <class Real>

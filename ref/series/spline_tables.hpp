@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What integrating a spline's sixteen variables comes to: the paper's claims, measured.
+// Measurement of the paper's claims about a spline's sixteen variables.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ constexpr double kSplineTickMs = 10;
 constexpr double kSplineFeedsMetresPerMinute[] = {1.5, 2.0};
 constexpr double kSplineToleranceMm = 1e-3;
 
-// How every way is judged: from so many phases of the first tick, lost so far off the curve.
+// Criteria for every method: this many phases of the first tick, and this distance off the curve.
 constexpr int kSplinePhases = 5;
 constexpr double kSplineLostMm = 1000;
 
@@ -36,7 +36,7 @@ struct TestSpline {
 Cubic hairpin(double radius, double depth = 20);
 std::vector<TestSpline> test_splines();
 
-/// Largest over the whole curve and five phases of the first tick.
+/// Largest deviations over the whole curve and five phases of the first tick.
 ///
 /// | field    | unit | remark                                                              |
 /// |----------|------|---------------------------------------------------------------------|
@@ -49,20 +49,21 @@ struct Deviation {
     bool blow_up = false;
 };
 
-/// A spline drawn from one end to the other in steps of `step` mm: in double, and again in 40
+/// Draws a spline from one end to the other in steps of `step` mm: in double, and again in 40
 /// digits where double's roundings would show, below 1e-9 mm.
 Deviation follow(const Cubic& cubic, SplineMethod method, int order, double step);
 
-/// The largest step in mm that keeps every position within kSplineToleranceMm: the first that does
-/// on a falling scale of factors 1.1, then bisected to 0.1 %; 0 if none does down to 1e-4 mm. The
-/// largest period of an interrupt is that over the feed.
+/// Returns the largest step in mm that keeps every position within kSplineToleranceMm: the first
+/// that does on a falling scale of factors 1.1, then bisected to 0.1 %; 0 if none does down to 1e-4
+/// mm. Divided by the feed it is the longest period of an interrupt.
 double largest_step(const Cubic& cubic, SplineMethod method, int order);
 
-/// The local error in mm of one step from the vertex of hairpin(radius), in 40 digits; the step is
-/// `share` of the radius of convergence pi/4 radius.
+/// Returns the local error, mm, of one step from the vertex of hairpin(radius), in 40 digits; the
+/// step is `share` of the radius of convergence pi/4 radius.
 double vertex_error(double radius, double share, int order);
 
-/// After hundreds of thousands of short steps without interruption, order 8, at the curve's end.
+/// Drift over hundreds of thousands of short steps without interruption, order 8, at the curve's
+/// end.
 ///
 /// | field    | unit | remark                                       |
 /// |----------|------|----------------------------------------------|

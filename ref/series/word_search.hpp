@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [Obukhov]'s search in words: what it costs in hardware, beside the sixteen integrators.
+// [Obukhov]'s search in words: its cost in hardware, beside the sixteen integrators.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class WordSearch {
         tolerance_ = tolerance / scale_;
     }
 
-    /// The parameter at a length of `s` mm from the start.
+    /// Returns the parameter at a length of `s` mm from the start.
     double at(double s) {
         const double wanted = word(s / scale_);
         double err = wanted - s_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one way in which input is refused: FILE:LINE: error: reason.
+// The one form in which input is refused: FILE:LINE: error: reason.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace curvecore::ref {
 
-/// what() is "FILE:LINE: error: reason", or "FILE: error: reason" when line is 0.
+/// Error whose what() is "FILE:LINE: error: reason", or "FILE: error: reason" if line is 0.
 class InputError : public std::runtime_error {
   public:
     InputError(const std::string& file, int line, const std::string& reason)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in the input something stands.
+// A place in the input.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace curvecore::ref {
 struct Place {
     const std::string& file;
     int line;
-    int program_line = line;  // of the program that calls this file, if it is another
+    int program_line = line;  // line of the program that calls this file, if it is another
 
     [[noreturn]] void refuse(const std::string& reason) const {
         throw InputError(file, line, reason);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A text file, and its lines whatever ends them (LF, CR LF, CR).
+// A text file, and its lines with any line end (LF, CR LF, CR).
 #pragma once
 
 #include <fstream>
@@ -10,20 +10,20 @@
 
 namespace curvecore::ref {
 
-/// @throws InputError when the file is missing, not a regular file or unreadable.
+/// @throws InputError if the file is missing, not a regular file or unreadable
 std::ifstream open_text_file(const std::string& file);
 
-/// All of it. @throws InputError, also when it is above 1 GiB.
+/// Reads all of it. @throws InputError, also above 1 GiB
 std::string read_text_file(const std::string& file);
 
 class TextLines {
   public:
-    /// A byte order mark at the start is passed over. `text` must outlive this object.
+    /// Reads lines; a byte order mark at the start is skipped. `text` must outlive this object.
     explicit TextLines(std::istream& text);
 
-    /// Stays until the next one is asked for.
+    /// Returns the next line, valid until the next call.
     std::optional<std::string_view> next();
-    int number() const { return number_; }  // of the line last returned, from 1
+    int number() const { return number_; }  // number of the last line, from 1
 
   private:
     std::streambuf& text_;

@@ -10,8 +10,8 @@
 
 namespace curvecore::ref {
 
-/// m spans between knots k_0 < .. < k_m, m + 3 control points. Its polar form (blossom) f is
-/// symmetric, affine in each argument, and f(s, s, s) = r(s); control point i is
+/// The spline has m spans between knots k_0 < .. < k_m, m + 3 control points. Its polar form
+/// (blossom) f is symmetric, affine in each argument, and f(s, s, s) = r(s); control point i is
 /// f(t_{i+1}, t_{i+2}, t_{i+3}) of the knots t with both ends four times.
 class CubicSpline {
   public:
@@ -28,11 +28,10 @@ class CubicSpline {
     /// t_{i+1}, t_{i+2}, t_{i+3} of control point i.
     const double* arguments(std::size_t point) const { return &t_[point + 1]; }
 
-    /// f(x, y, z) of the cubic of a span is the sum of these times its four control points, which
-    /// begin with that of the span's index.
+    /// Weights of a span's four control points, the first with the span's index, in f(x, y, z).
     std::array<double, 4> weights(std::size_t span, double x, double y, double z) const {
         std::array<double, 4> result{};
-        for (std::size_t i = 0; i < 4; ++i) {  // de Boor, of a unit control point
+        for (std::size_t i = 0; i < 4; ++i) {  // de Boor, for a unit control point
             std::array<double, 4> d{};
             d[i] = 1;
             const std::array<double, 3> at{x, y, z};

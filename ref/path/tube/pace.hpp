@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine does along a path, for choices alone: nothing that must hold follows from it.
+// Estimates of a machine's motion along a path, for choices alone: no guarantee rests on them.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace curvecore::ref {
 
-/// A limit of the path and of X, Y and Z. Of a vector's share of each, the largest counts: only the
-/// limits that bind do.
+/// A limit of the path and of X, Y and Z. The largest of a vector's shares counts: only limits that
+/// bind have an effect.
 struct PaceLimit {
     double path;
     Vec3 axes;
@@ -19,31 +19,31 @@ struct PaceLimit {
     double load(const Vec3& vector) const {
         return std::max(vector.norm() / path, vector.cwiseAbs().cwiseQuotient(axes).maxCoeff());
     }
-    /// What it allows of a vector in this direction; without one, in any.
+    /// Limit of a vector in this direction; without one, in any.
     double along(const Vec3& direction) const {
         const double size = direction.norm();
         return size > 0 ? size / load(direction) : std::min(path, axes.norm());
     }
 };
 
-/// Speed, mm/s, at a place of the path, mm, that runs in a direction.
+/// Speed, mm/s, at a place of the path, mm, with its direction.
 struct PacePlace {
     double s;
     Vec3 direction;
     double speed;
 };
 
-/// Velocities whatever the feeds, which are low where nothing is hard; of acceleration and jerk
-/// what plans take.
+/// Velocities independent of feeds, which are low where nothing is hard; accelerations and jerks
+/// are those that plans take.
 struct Pace {
     explicit Pace(const Machine& machine);
 
     PaceLimit velocity, acceleration, jerk;  // mm, s
     double joint_time;                       // s
 
-    /// Speed that the path's direction, curvature and third derivative allow.
+    /// Speed that the path's direction, curvature and third derivative allow, mm/s.
     double at(const Vec3& direction, const Vec3& bend, const Vec3& swerve) const;
-    /// Speeds lowered until the acceleration that a ramp from the slower place reaches joins them.
+    /// Lowers speeds until the acceleration that a ramp from the slower place reaches joins them.
     void sweep(std::vector<PacePlace>& places) const;
 };
 

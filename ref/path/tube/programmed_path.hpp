@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The programmed path by its own length s: what a smoother path is held against.
+// The programmed path by its own length s, with which a smoother path is compared.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace curvecore::ref {
 
-/// Moves in a row, lines exactly, arcs as cubics that are off by `error` at most.
+/// Moves in a row: lines exact, arcs as cubics with an error of `error` at most.
 ///
 /// | field  | unit | remark                                                     |
 /// |--------|------|------------------------------------------------------------|
@@ -32,7 +32,7 @@ class ProgrammedPath {
         }
     };
 
-    /// The next move, a line or an arc; arcs in parts that are off by `error` mm at most.
+    /// Adds a move, a line or an arc; arcs in parts with an error of `error` mm at most.
     void add(const Move& move, double error);
 
     const std::vector<Piece>& pieces() const { return pieces_; }
@@ -40,7 +40,7 @@ class ProgrammedPath {
     double length() const { return pieces_.empty() ? 0 : pieces_.back().end(); }
     double error() const { return error_; }
 
-    /// Index of the piece at s; at a joint the later one.
+    /// Returns the index of the piece at s; at a joint the later one.
     std::size_t piece_at(double s) const;
     Vec3 position(double s) const;
 

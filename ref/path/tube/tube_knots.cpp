@@ -11,12 +11,12 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSpanTime = 3.5e-3;  // s: how long a cubic lasts, r''' being constant
+constexpr double kSpanTime = 3.5e-3;  // s, time of a cubic with constant r'''
 constexpr double kSpanTurn = 0.5;     // rad
 constexpr double kSlope = 0.6;        // of the width of spans by s
 constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span beside a corner
-constexpr double kReach = 3;          // tolerances: chords that turns are seen by
-constexpr std::array<double, 3> kChords{12, 48, 200};  // tolerances: those that bends are seen by
+constexpr double kReach = 3;          // tolerances: length of chords for turns
+constexpr std::array<double, 3> kChords{12, 48, 200};  // tolerances: lengths of chords for bends
 constexpr double kLeastSpans = 6;                      // three points are given at each end
 
 double turn_at(const ProgrammedPath& path, double s, double reach) {
@@ -98,7 +98,7 @@ std::vector<Site> tube_sites(const ProgrammedPath& path, double from, double to,
     std::vector<PacePlace> paced;
     std::vector<double> bends;
     for (const double s : places) {
-        // Least of what chords of several lengths see: a joint of the path is no curvature.
+        // Takes the least of chords of several lengths: a joint of the path is no curvature.
         SeenBend seen = seen_bend(path, s, tolerance);
         const double turn = seen_turn(path, s, tolerance);
         const double own = turn / (kReach * tolerance);
@@ -144,7 +144,7 @@ std::vector<double> tube_knots(const std::vector<Site>& sites, const std::vector
     std::vector<double> ends = fixed;
     ends.push_back(sites.back().s);
     std::size_t i = 0;
-    for (const double end : ends) {  // one section after the other, evenly
+    for (const double end : ends) {  // section by section, evenly
         const std::size_t first = i;
         double sum = 0;
         for (; i + 1 < sites.size() && sites[i + 1].s <= end; ++i) {

@@ -10,13 +10,13 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kRefinements = 24;
-constexpr std::size_t kMostKnots = 50;  // times those at first
-constexpr double kUneven = 4;           // neighbouring spans
-constexpr double kStrongTurn = 0.3;     // rad: spans are cut there
-constexpr double kFull = 0.97;          // of the tolerance
-constexpr double kChange = 0.35;        // of the jerk limit: by how much r''' v^3 jumps at a knot
-constexpr double kLongest = 12e-3;      // s: a span where r''' hardly changes
-// Newton's stages: by the speeds of the programmed path, then by those of the curve itself.
+constexpr std::size_t kMostKnots = 50;  // times the first number
+constexpr double kUneven = 4;           // ratio of neighbouring spans
+constexpr double kStrongTurn = 0.3;     // rad: spans are cut at sharper turns
+constexpr double kFull = 0.97;          // share of the tolerance
+constexpr double kChange = 0.35;        // of the jerk limit: jump of r''' v^3 at a knot
+constexpr double kLongest = 12e-3;      // s, a span where r''' hardly changes
+// Newton's stages: first with the speeds of the programmed path, then with those of the curve.
 constexpr TubeSpline::Stages kRough{0, 2};
 constexpr TubeSpline::Stages kFine{1, 3};
 
@@ -93,8 +93,8 @@ std::vector<double> speeds_of(const CubicSpline& spline, const Pace& pace) {
     return smooth;
 }
 
-/// Places for knots on the curve as it is: r''' is constant between them, so they are close where
-/// it changes much at the speed that the machine has there.
+/// Places for knots on the present curve: r''' is constant between them, so they are close where it
+/// changes much at the machine's speed there.
 std::vector<Site> change_sites(const CubicSpline& spline, const std::vector<double>& speeds,
                                const Pace& pace) {
     std::vector<Vec3> thirds;
@@ -116,7 +116,7 @@ std::vector<Site> change_sites(const CubicSpline& spline, const std::vector<doub
     return sites;
 }
 
-/// A spline within the tube, with more knots where it needs them; or none.
+/// Returns a spline within the tube, with more knots where it needs them; none if there is none.
 std::optional<TubeSpline> kept(const ProgrammedPath& path, const TubeTask& task,
                                const std::vector<Site>& sites, std::vector<double> knots) {
     std::optional<TubeSpline> tube;

@@ -9,7 +9,7 @@
 
 namespace curvecore::ref {
 
-/// A cubic in the place of the programmed path from `s0` to `s1`.
+/// A cubic that replaces the programmed path from `s0` to `s1`.
 struct TubePiece {
     double s0;
     double s1;
@@ -21,7 +21,7 @@ struct TubePiece {
 /// |-----------|------|-------------------------------------------|
 /// | from, to  | mm   | of the programmed path                    |
 /// | tolerance | mm   | > 0                                       |
-/// | knots     | mm   | where there is one in any case, ascending |
+/// | knots     | mm   | places of required knots, ascending       |
 struct TubeTask {
     double from;
     double to;
@@ -31,7 +31,7 @@ struct TubeTask {
     std::vector<double> knots;
 };
 
-/// The chain, C2 inside; empty when no spline was found.
+/// Returns the chain, C2 inside; empty if no spline was found.
 std::vector<TubePiece> tube_run(const ProgrammedPath& path, const TubeTask& task, const Pace& pace);
 
 }  // namespace curvecore::ref

@@ -10,11 +10,11 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kStart = 0.97;                         // of the limit: what a start may take
-constexpr int kWeightings = 6;                          // of least squares
-constexpr std::array<double, 3> kStages{1, 0.2, 0.04};  // barrier, of the energy
-constexpr int kSteps = 6;                               // Newton's, of a stage
-constexpr double kWorth = 0.02;                         // of the barrier: what one must promise
+constexpr double kStart = 0.97;                         // share of the limit that a start may take
+constexpr int kWeightings = 6;                          // weightings of least squares
+constexpr std::array<double, 3> kStages{1, 0.2, 0.04};  // barrier, as a share of the energy
+constexpr int kSteps = 6;                               // Newton's steps of a stage
+constexpr double kWorth = 0.02;                         // of the barrier: least promise of a step
 constexpr int kHalvings = 30;
 
 }  // namespace
@@ -160,7 +160,7 @@ double TubeSpline::energy() const {
     return sum / 2;
 }
 
-/// What Newton's method makes less; infinite outside the tube.
+/// Value of the barrier that Newton's method minimises; infinite outside the tube.
 double TubeSpline::barrier(double mu) const {
     double product = 1;
     double sum = 0;
@@ -213,7 +213,7 @@ TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
     return sum;
 }
 
-/// Whether it got anywhere.
+/// Makes a Newton step; returns true if it lowered the barrier.
 bool TubeSpline::newton_step(double mu) {
     constexpr int kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
     const std::size_t n = last_ - first_;
@@ -243,7 +243,7 @@ bool TubeSpline::newton_step(double mu) {
     std::vector<double> slope = step;
     matrix.decompose();
     matrix.solve(step);
-    double gain = 0;  // that the quadratic model promises, twice
+    double gain = 0;  // gain that the quadratic model promises, twice
     for (std::size_t i = 0; i < step.size(); ++i) gain += slope[i] * step[i];
     if (!(gain > 0)) return false;
     const double before = barrier(mu);

@@ -6,7 +6,7 @@
 // its four Bezier points: these are the rows below. The parameter pairs both paths from end to end,
 // so each keeps the distance from the other (Frechet), also where they cross themselves.
 //
-// Of the curves with |e| < tolerance the one of least jerk at the speeds v is wanted,
+// The solution is the curve with |e| < tolerance and the least jerk at the speeds v,
 //
 //     sum over spans of (v / h)^5 |d3|^2,   d3 = h^3 r''' / 6     (integral of (r''' v^3)^2 dt)
 //
@@ -22,7 +22,7 @@
 
 namespace curvecore::ref {
 
-/// What is given at an end: the position alone, or r' and r'' by s as well.
+/// Condition at an end: the position alone, or r' and r'' by s as well.
 struct TubeEnd {
     bool at_rest = false;  // the position alone
     Vec3 position = Vec3::Zero();
@@ -34,17 +34,18 @@ struct TubeEnd {
 
 class TubeSpline {
   public:
-    /// Knots ascend within the path, with six spans at least.
+    /// Makes a spline of knots that ascend within the path, with six spans at least.
     TubeSpline(const ProgrammedPath& path, double tolerance, const std::vector<double>& knots,
                const TubeEnd& start, const TubeEnd& end);
 
-    /// Least squares, with weights that grow where the tube is left. Whether it is kept.
+    /// Fits by least squares, with weights that grow outside the tube. Returns true if the tube is
+    /// kept.
     bool fit();
-    /// Of three: how far the barrier is to come down, from 1 / 25 of where the first one has it.
+    /// Stages of three, in which the barrier is lowered from 1 / 25 of its first value.
     struct Stages {
         std::size_t first, end;
     };
-    /// Least jerk at these speeds, one of each span; after fit() was true.
+    /// Minimises the jerk at these speeds, one for each span; after fit() returned true.
     void smooth(const std::vector<double>& speeds, const Stages& stages);
 
     const CubicSpline& spline() const { return spline_; }
@@ -72,12 +73,12 @@ class TubeSpline {
     bool newton_step(double mu);
 
     CubicSpline spline_;
-    double limit_;  // mm: the tolerance without what the path's cubics are off by
+    double limit_;  // mm: the tolerance less the error of the path's cubics
     double path_error_;
     std::size_t first_;  // free control points
     std::size_t last_;
     std::vector<Row> rows_;
-    std::vector<std::size_t> row_of_span_;      // the first; and the end
+    std::vector<std::size_t> row_of_span_;      // first row of each; and the end
     std::vector<std::array<double, 4>> third_;  // d3 of spans
     std::vector<double> jerk_weight_;
 };
