@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Clocks of the cores, as functions of their parameters. The RTL is held to them by the latency
-// tests of tb/unit; planner, choose, run and the benches of tb/hls ask them.
+// Clocks of the cores as functions of their parameters. The latency tests of tb/unit hold the RTL
+// to them; planner, choose, run and the benches of tb/hls use them.
 //
-// No clock depends on the values of words. Segment words are taken to come without a pause.
+// No clock depends on the values of words. Segment words are assumed to come without a pause.
 #pragma once
 
 #include <algorithm>
@@ -33,9 +33,9 @@ struct Clocks {
     int sample, step, segment;
 };
 
-/// Samples that a core makes ahead of the one that is taken, if requests wait, at least: the serial
-/// core holds so many, the parallel one more. With auxiliary axes, which a sample's frames make
-/// last, it is one less.
+/// Least number of samples that a core makes ahead of the one that is taken, if requests wait: the
+/// serial core holds this many, the parallel one more. With auxiliary axes, which a sample's frames
+/// send last, it is one less.
 constexpr int samples_ahead(const TimedCore& core) {
     return core.serial && core.aux_axes > 0 ? 1 : 2;
 }
@@ -46,12 +46,12 @@ constexpr int load_clocks(const TimedCore& core) { return 19 + 3 * core.aux_axes
 /// Digits of two bits of a weight: rtl/multiplier/digit_multiplier.sv.
 constexpr int weight_digits(const TimedCore& core) { return (core.coef_bits + 1) / 2; }
 
-/// A step of rtl/sine_cosine_interpolator.sv, from one start to the next.
+/// Clocks of a step of rtl/sine_cosine_interpolator.sv, from one start to the next.
 constexpr int sine_cosine_step_clocks(const TimedCore& core) {
     return core.order * (weight_digits(core) + 3) + 5;
 }
 
-/// A step of rtl/hyperbola_interpolator.sv, from one start to the next; `fresh`: of a load's.
+/// Clocks of a step of rtl/hyperbola_interpolator.sv, from start to start; `fresh`: after a load.
 constexpr int hyperbola_step_clocks(const TimedCore& core, bool fresh) {
     const int order = core.order;
     const int last_y = 16 + (order - 1) * (weight_digits(core) + 16) + 2 * order * (order + 1);
@@ -59,12 +59,12 @@ constexpr int hyperbola_step_clocks(const TimedCore& core, bool fresh) {
     return (core.anchor ? last_y : last_z) + 1;
 }
 
-/// A step of rtl/network/spherical_steps.sv, from one start to the next.
+/// Clocks of a step of rtl/network/spherical_steps.sv, from one start to the next.
 constexpr int arc_step_clocks(const TimedCore& core) {
     return core.order * (weight_digits(core) + 3) + 7;
 }
 
-/// rtl/control/spline_sequencer.sv, from start_i to done_o.
+/// Clocks of rtl/control/spline_sequencer.sv, from start_i to done_o.
 constexpr int spline_network_clocks(const TimedCore& core) {
     const int order = core.order;
     const int digits = weight_digits(core);
@@ -77,20 +77,21 @@ constexpr int spline_network_clocks(const TimedCore& core) {
            1;
 }
 
-/// A step of rtl/network/spline_steps.sv, from start_i to done_o; `fresh`: of a segment's first.
+/// Clocks of a step of rtl/network/spline_steps.sv, from start_i to done_o; `fresh`: the segment's
+/// first.
 constexpr int spline_step_clocks(const TimedCore& core, bool fresh) {
     return (core.anchor || fresh ? 92 : 3) + spline_network_clocks(core);
 }
 
 constexpr int kNextSplineStep = 2;  // from done_o to the next start_i
 
-/// rtl/arithmetic/horner.sv.
+/// Clocks of rtl/arithmetic/horner.sv.
 constexpr int horner_clocks(const TimedCore& core, int passes) {
     return core.sample_interval == 1 ? passes * 6 + 1
                                      : passes * (core.sample_interval == 2 ? 7 : 9);
 }
 
-/// From tau to a displacement: rtl/sampler/curve_sampler.sv.
+/// Clocks from tau to a displacement: rtl/sampler/curve_sampler.sv.
 constexpr int sampler_clocks(const TimedCore& core) {
     if (core.series) return horner_clocks(core, core.order);
     if (!core.splines) {
@@ -99,13 +100,13 @@ constexpr int sampler_clocks(const TimedCore& core) {
     return horner_clocks(core, core.order) + horner_clocks(core, 3) + (core.arcs ? 1 : 0);
 }
 
-/// Parallel build, from a request to its sample; up to sample_interval - 1 more.
+/// Clocks of the parallel build from a request to its sample; up to sample_interval - 1 more.
 constexpr int sample_latency(const TimedCore& core) {
     return 12 + 3 * core.sample_interval + sampler_clocks(core);
 }
 
-/// Serial build: everything goes in rotations of nine clocks (rtl/serial/serial_sequencer.sv). A
-/// sample is so many of them, one for every frame of its program.
+/// Rotation of the serial build, in which everything runs (rtl/serial/serial_sequencer.sv). A
+/// sample takes one rotation for every frame of its program.
 constexpr int kRotation = 9;
 constexpr int aux_frames(const TimedCore& core) { return (core.aux_axes + 2) / 3; }
 constexpr int sample_frames(const TimedCore& core, bool spline) {
@@ -115,16 +116,16 @@ constexpr int sample_frames(const TimedCore& core, bool spline) {
            aux_frames(core);
 }
 
-/// Three samples at a time share the multiplier; the fewest clocks are those from request to tau.
+/// Clocks of a sample; three at a time share the multiplier, and request to tau is the minimum.
 constexpr int serial_sample_clocks(const TimedCore& core, bool spline) {
     return std::max(aux_frames(core) < 2 ? 21 : 27, 3 * (sample_frames(core, spline) + 1));
 }
 
-/// At most: a sample of auxiliary axes goes to the output while points of the next one are read.
+/// Upper bound of a delay: auxiliary axes' samples go out while the next one's points are read.
 constexpr int late_clocks(const TimedCore& core) { return std::min(core.aux_axes, 4); }
 
-/// Reached by arcs' steps in every configuration, but for late_clocks; a segment's words end within
-/// a rotation, so its bound is up to two of them above the clocks.
+/// Clocks of arcs; steps reach them in every configuration, except for late_clocks; a segment's
+/// words end within a rotation, so its bound is up to two of them above the clocks.
 constexpr Clocks serial_arc_clocks(const TimedCore& core) {
     const int order = core.order;
     const int sample = kRotation * sample_frames(core, false);
@@ -146,28 +147,28 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
             network + sample + 3 * core.aux_axes + 162 + late_clocks(core)};
 }
 
-/// Serial build, rtl/path/path_sequencer.sv: from a tick of time to the next, at most. A product
-/// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 where a piece begins. A
+/// Upper bound from tick to tick of time in the serial build, rtl/path/path_sequencer.sv. A product
+/// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 at the start of a piece. A
 /// jump costs a clock.
 constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 32;
 
-/// Serial build, rtl/time/time_scaler_serial.sv: from a tick's target to its rate, at most. The
-/// tick before is evaluated meanwhile.
+/// Upper bound from a tick's target to its rate in the serial build,
+/// rtl/time/time_scaler_serial.sv. The last tick is evaluated meanwhile.
 constexpr int kSerialScaleClocks = 58;
 
-/// From a tick of time to the next.
+/// Clocks from a tick of time to the next.
 constexpr int tick_clocks(const TimedCore& core) {
     return core.serial ? std::max(kSerialScaleClocks, kSerialTickClocks) : core.sample_interval;
 }
 
-/// Along lines, arcs and helices.
+/// Clocks along lines, arcs and helices.
 constexpr Clocks arc_clocks(const TimedCore& core) {
     if (core.serial) return serial_arc_clocks(core);
     const int step = arc_step_clocks(core);
     return {core.sample_interval, step, std::max(step, load_clocks(core))};
 }
 
-/// Along splines.
+/// Clocks along splines.
 constexpr Clocks spline_clocks(const TimedCore& core) {
     if (core.serial) return serial_spline_clocks(core);
     return {core.sample_interval, spline_step_clocks(core, false) + kNextSplineStep,

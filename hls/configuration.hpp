@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A configuration of the cores: the parameters that change words. Same names and ranges as the RTL.
+// A configuration of the cores: the parameters that change words. Names and ranges are those of the
+// RTL.
 //
 // Kernels are templates on such a format C, which they inherit: C::kOrder is a constant of the type
 // here, or a value of the object where widths are known at run time only (RunTimeFormat,
@@ -24,7 +25,7 @@ inline namespace CURVECORE_STORAGE {
 
 enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 
-/// Their ranges and meanings: ref/format/parameters.def.
+/// A format; ranges and meanings of its parameters: ref/format/parameters.def.
 template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode,
           bool Anchor = true, int TurnBits = 0, int ParameterGuard = 0>
 struct Configuration {
@@ -58,7 +59,7 @@ struct Configuration {
     static constexpr int kCoefFrac = CoefBits - 2;  // coefficients and unit vectors: |x| < 2
     static constexpr int kUnitFrac = CoefBits - 1;  // tau, theta, weights: 0 <= x < 1
     static constexpr bool kSeries = Mode == SamplerMode::kSeries;
-    static constexpr int kTop = Anchor ? Order - 1 : Order;  // of a spline: highest phi_i needed
+    static constexpr int kTop = Anchor ? Order - 1 : Order;  // of splines: highest phi_i needed
 
     static constexpr int kMostOrder = kOrder;
     static constexpr int kMostAxes = kAxes;
@@ -74,7 +75,7 @@ struct Configuration {
 using DefaultConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>;
 using DefaultSplineConfiguration = Configuration<6, 36, 32, 10, 0, SamplerMode::kPolynomial>;
 
-/// Formats that no parameter changes; some of them the planner knows too.
+/// Formats that no parameter changes; the planner knows some of them too.
 using ref::kBusLengthBits;
 using ref::kMaxStepExponent;
 using ref::kPathFrac;

@@ -33,7 +33,7 @@ class CurveKernel {
     SplineKernel<C> spline_;
 };
 
-/// A stream of segments of both kinds.
+/// The kernel of a stream of segments of both kinds.
 template <class C>
 using MotionKernel = InterpolatorKernel<C, CurveKernel<C>>;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words and the one rounding. Twin: rtl/curvecore_pkg.sv, rtl/arithmetic/.
+// Words and their one rounding. Twin: rtl/curvecore_pkg.sv, rtl/arithmetic/.
 //
-// A word is a two's complement integer; its format is in its user's comment, its storage that of
-// hls/storage.hpp.
+// A word is a two's complement integer; its user's comment states its format, hls/storage.hpp its
+// storage.
 #pragma once
 
 #include <cstdint>
@@ -46,12 +46,12 @@ inline std::int64_t to_int(_BitInt(Bits) word) {
 #elif defined(CURVECORE_CHECKED)
 __extension__ using Wide = __int128;
 
-/// Arithmetic is that of a wide integer; what is put into a word must fit.
+/// A word with the arithmetic of a wide integer; values put into it must fit.
 template <int Bits>
 class Word {
   public:
     Word() = default;
-    /// @throws std::range_error
+    /// @throws std::range_error if the value does not fit
     Word(Wide value) : value_(value) {
         const Wide limit = Wide(1) << (Bits - 1);
         if (value < -limit || value >= limit) {
@@ -84,20 +84,20 @@ using Word = typename detail::Native<(Bits > 64)>::Type;
 inline std::int64_t to_int(std::int64_t word) { return word; }
 #endif
 
-/// floor(value / 2^shift + 1/2): to nearest, ties towards +infinity. The only rounding there is.
-/// The word holds 2^shift and the sum.
+/// Returns floor(value / 2^shift + 1/2): to nearest, ties towards +infinity. No other rounding
+/// exists. The word holds 2^shift and the sum.
 template <class T>
 inline T round_shift(const T& value, int shift) {
     return T((value + ((T(1) << shift) >> 1)) >> shift);
 }
 
-/// Product in full, in a word that holds it, rounded once.
+/// Returns a full product, in a word that holds it, rounded once.
 template <class Product, class T>
 inline T rounded_product(const T& a, const T& b, int shift) {
     return T(round_shift(Product(Product(a) * Product(b)), shift));
 }
 
-/// round(2^frac / i): the constants of Riemann's weights.
+/// Returns round(2^frac / i): the constants of Riemann's weights.
 constexpr std::int64_t reciprocal(int i, int frac) {
     return ((std::int64_t(1) << (frac + 1)) / i + 1) / 2;
 }

@@ -4,8 +4,8 @@
 //
 //     dy = z dt        dz = -2 k y dy        z = -k y^2
 //
-// For a step of h, y is carried as h k y = h / (t0 + t), z as h^2 k z, and time as tau = t / h. So
-// no number but the start word is in the equations:
+// In a step of h, y is carried as h k y = h / (t0 + t), z as h^2 k z, and time as tau = t / h. So
+// the equations have no number but the start word:
 //
 //     dy = z dtau      dz = -2 y dy          y(tau) = y / (1 + y tau)
 //
@@ -14,9 +14,9 @@
 //   | y    | CoefBits      | [0, 1/2)   | y_i = z_{i-1} / i, at most 2^-(i+1)                     |
 //   | z    | CoefBits      | (-1/4, 0]  | z_i = -sum y_j y_{i-j}, j = 0 .. i, at most 1/4         |
 //
-// Legal: 0 < y < 1/2 at the start, t0 > 2 h; then y falls and no word leaves its range. Where y is
-// below 2^-b, b bits of it are lost, and y^2 has 2 b: y stands still when its square rounds to 0.
-// So h should be a good part of t0 + t.
+// Legal: 0 < y < 1/2 at the start, t0 > 2 h; then y falls and no word leaves its range. A y below
+// 2^-b loses b bits, and y^2 loses 2 b: y stops when its square rounds to 0. So h should be a good
+// part of t0 + t.
 //
 // (15)'s integral of y dy is half the square: z_i has no product by 1/i. Rounding: one for each
 // word, to nearest, ties up; y_1 = z_0 has none.
@@ -33,8 +33,8 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// The steps of one hyperbola; y[i] for i in [0, Order], z[i] to Order - 1, with Anchor = 0 to
-/// Order.
+/// The steps of one hyperbola; y[i] for i in [0, Order], z[i] to Order - 1, or to Order with
+/// Anchor = 0.
 template <class C>
 struct HyperbolaKernel : private C {
     using Coef = typename C::Coef;
@@ -52,7 +52,7 @@ struct HyperbolaKernel : private C {
         expand();
     }
 
-    /// Goes on to the next step.
+    /// Moves on to the next step.
     void step() {
         y[0] = sum(y);
         z[0] = C::kAnchor ? minus_square(0) : sum(z);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stream of segments, followed along the path: which segment, which step, which sample.
+// A stream of segments, followed along the path: the present segment, step and sample.
 // Twin: rtl/sampler/step_tracker.sv (and the landing in rtl/spherical_interpolator.sv).
 //
 // A step covers [m 2^k, (m+1) 2^k) of the segment's path, the last one [m 2^k, length]: a segment
-// is left when the path goes beyond its length, the rest goes into the next segment. A sample at
-// the segment's length exactly is its end word: that is how stops land without error.
+// is left when the path goes beyond its length, the rest goes into the next segment. A sample
+// exactly at the segment's length is its end word: stops land without error.
 #pragma once
 
 #include "hls/spherical_kernel.hpp"
@@ -13,7 +13,7 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// Kernel: load(words), step(), sample(sigma, out), as SphericalKernel has them.
+/// The interpolator over a kernel with load(words), step(), sample(sigma, out), as SphericalKernel.
 template <class C, class Kernel = SphericalKernel<C>>
 class InterpolatorKernel : private C {
   public:
@@ -50,7 +50,8 @@ class InterpolatorKernel : private C {
         }
     }
 
-    /// Steps and segments begun so far, and segments consumed because they had no length.
+    /// Number of steps and segments begun so far, and of segments consumed because they had no
+    /// length.
     std::int64_t steps() const { return steps_; }
     std::int64_t segments() const { return segments_; }
     std::int64_t empty_segments() const { return empty_segments_; }
@@ -58,7 +59,7 @@ class InterpolatorKernel : private C {
   private:
     bool last_step() const { return rest_ == step_length_; }
 
-    /// The next segment with a length; the others are consumed and counted.
+    /// Returns the next segment with a length; the others are consumed and counted.
     template <class NextSegment>
     void open(NextSegment&& next_segment) {
         segment_ = next_segment();
@@ -88,7 +89,7 @@ class InterpolatorKernel : private C {
     std::int64_t empty_segments_ = 0;
 };
 
-/// A fine position as the output word: whole length units, rounded once.
+/// Rounds a fine position to the output word, whole length units, once.
 template <class C>
 inline typename C::Position to_position(const typename C::Fine& fine, const C& c = C()) {
     return typename C::Position(round_shift(fine, c.kGuardBits));

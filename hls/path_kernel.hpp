@@ -12,14 +12,14 @@
 namespace curvecore {
 namespace hls {
 
-/// Ticks without a program behind which nothing is under way: as many as are ever on their way from
-/// the time scaler to the path generator.
+/// Number of ticks without a program after which nothing is under way: the most that are ever on
+/// their way from the time scaler to the path generator.
 constexpr int kIdleTicks = 16;
 
 inline namespace CURVECORE_STORAGE {
 
-/// s(tau) - s0 of a piece at `time` ticks (16 fraction bits), in quanta. Rounding: one per product,
-/// one to quanta.
+/// Path s(tau) - s0 of a piece at `time` ticks (16 fraction bits), in quanta. Rounding: one per
+/// product, one to quanta.
 inline Word<kLengthBits + 1> piece_path(const ProfileWords& piece, std::int64_t time) {
     using Coef = Word<kProfileBits>;
     constexpr int kTauFrac = kProfileBits - 1;
@@ -48,9 +48,10 @@ class PathKernel {
         return increment;
     }
 
-    /// A piece is in progress: not at rest before a program or after its final piece.
+    /// Returns true while a piece is in progress: not at rest before a program or after its final
+    /// piece.
     bool active() const { return active_; }
-    /// Nothing is under way: there was no program in the last ticks.
+    /// Returns true if nothing is under way: the last ticks had no program.
     bool idle() const { return idle_ticks_ == kIdleTicks; }
 
   private:
@@ -79,7 +80,7 @@ class PathKernel {
                 begin_piece(time_ - end);
             }
         }
-        // The words round; the path neither goes back nor beyond the piece's end.
+        // Words are rounded; the path goes neither back nor beyond the piece's end.
         Length path = time_ >= std::int64_t(piece_.ticks) << kRateFrac ? piece_.ds
                                                                        : piece_path(piece_, time_);
         path = path < walked_ ? walked_ : path;
@@ -102,14 +103,14 @@ class PathKernel {
     Length walked_ = 0;      // of the piece's ds
 };
 
-/// Shares a tick's increment among 2^n samples: after j of them, floor(j ds / 2^n) is gone.
+/// Shares a tick's increment among 2^n samples: after j of them floor(j ds / 2^n) is gone.
 class SampleShare {
   public:
     using Length = Word<kLengthBits + 1>;
 
     explicit SampleShare(int n) : n_(n) {}
 
-    /// The next sample needs a new tick first.
+    /// Returns true if the next sample needs a new tick first.
     bool needs_tick() const { return index_ == 0; }
     void tick(const Length& ds) { ds_ = ds; }
 

@@ -10,8 +10,9 @@ namespace hls {
 
 constexpr int kStepFraction = 16;  // of places, in steps
 
-/// A position of fine_bits bits in 2^-16 step, rounded down; scale: how many are in 2^fine_bits
-/// units of the position. Exact as the hardware adds it: bits that fall off are never needed again.
+/// Converts a position of fine_bits bits to 2^-16 step, rounded down; scale: their number in
+/// 2^fine_bits units of the position. It is exact as the hardware adds: dropped bits are never
+/// needed again.
 inline std::int64_t place(std::int64_t position, std::int64_t scale, int fine_bits) {
     std::int64_t sum = 0;
     for (int bit = 0; bit < fine_bits; ++bit) {
@@ -21,7 +22,7 @@ inline std::int64_t place(std::int64_t position, std::int64_t scale, int fine_bi
     return sum;
 }
 
-/// What an axis is told once per sample.
+/// Command of an axis for one sample.
 struct StepRate {
     std::int64_t rate = 0;  // 2^-16 step per period
     bool fresh = false;     // the axis stands at this place: the rate is its fraction of a step

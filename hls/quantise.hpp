@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plan -> words: where a real number becomes a word, but for the pieces of a profile and the steps
-// of stops, which the planner rounds (ref/feed/pieces/profile_words.hpp says why).
+// Plan to words: the place where real numbers become words, except pieces of a profile and steps of
+// stops, which the planner rounds (ref/feed/pieces/profile_words.hpp says why).
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// value * 2^frac to nearest, as a word of `bits`.
-/// @throws std::range_error when the word cannot hold it: the planner has promised that it can.
+/// Returns value * 2^frac to nearest, as a word of `bits`.
+/// @throws std::range_error if the word cannot hold it: the planner guarantees that it can
 inline std::int64_t quantise(double value, int frac, int bits) {
     const double scaled = std::floor(std::ldexp(value, frac) + 0.5);
     const double limit = std::ldexp(1.0, bits - 1);
@@ -24,14 +24,14 @@ inline std::int64_t quantise(double value, int frac, int bits) {
     return static_cast<std::int64_t>(scaled);
 }
 
-/// Unsigned, of `bits`.
-/// @throws std::range_error when the word cannot hold it
+/// Returns an unsigned word of `bits`.
+/// @throws std::range_error if the word cannot hold it
 inline std::int64_t whole(std::uint64_t value, int bits) {
     if (value >> bits != 0) throw std::range_error("a planned length does not fit its word");
     return static_cast<std::int64_t>(value);
 }
 
-/// What only a spline has.
+/// Sets the words that only a spline has.
 template <class C>
 inline void spline_words(const ref::Segment& segment, const C& c, SegmentWords<C>& words) {
     words.kind = SegmentKind::kSpline;
@@ -78,7 +78,7 @@ inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
     return words;
 }
 
-/// A piece is of integers already.
+/// Copies a piece, which has integers already.
 inline StopStep to_words(const ref::StopStep& step, bool last) {
     return {static_cast<std::int32_t>(step.ticks), step.change, last};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From path to tau, and from a displacement to a position: what all curves' samplers share.
+// Path to tau, and displacement to position: the common part of all curves' samplers.
 // Twins: rtl/sampler/sample_offset.sv, rtl/arithmetic/fine_scale.sv.
 #pragma once
 
@@ -9,7 +9,8 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// Displacement d (CoefBits, in units of 2^k) as a position word with GuardBits fraction bits.
+/// Converts displacement d (CoefBits, in units of 2^k) to a position word with GuardBits fraction
+/// bits.
 template <class C>
 inline typename C::Fine to_fine(const C& c, const typename C::Coef& d, int k) {
     const int top = kMaxStepExponent + c.kGuardBits - c.kCoefFrac;
@@ -18,8 +19,8 @@ inline typename C::Fine to_fine(const C& c, const typename C::Coef& d, int k) {
     return typename C::Fine(round_shift(wide, left - top + kMaxStepExponent - k));
 }
 
-/// tau of an offset sigma (quanta, 0 <= sigma <= 2^(k+16)) into a step: the low bits, cut to
-/// CoefBits-1. An offset of a full step gives 0: the lander draws that point.
+/// Returns tau of an offset sigma (quanta, 0 <= sigma <= 2^(k+16)) into a step: the low bits, cut
+/// to CoefBits-1. An offset of a full step gives 0: the lander draws that point.
 template <class C>
 inline typename C::Coef to_tau(const C& c, const Word<kLengthBits + 1>& sigma, int k) {
     constexpr int kStepBits = kMaxStepExponent + kPathFrac;

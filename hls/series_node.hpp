@@ -15,7 +15,7 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-/// Sum of u[j] ds[i - j] for j in [0, i), rounded once. At most 13 products.
+/// Returns the sum of u[j] ds[i - j] for j in [0, i), rounded once. At most 13 products.
 template <class Product, class T>
 inline T convolve(const T* u, const T* ds, int i, int shift) {
     Product sum = 0;
@@ -25,8 +25,8 @@ inline T convolve(const T* u, const T* ds, int i, int shift) {
     return T(round_shift(sum, shift));
 }
 
-/// D_i / i with `drop` fraction bits less: a product by the word of 1/i, bits - 1 fraction bits. An
-/// order that is a power of two is a shift; the product gives the same bits.
+/// Returns D_i / i with `drop` fraction bits less: a product by the word of 1/i, bits - 1 fraction
+/// bits. An order that is a power of two is a shift; the product gives the same bits.
 template <class Product, class T>
 inline T over_order(const T& d, int i, int bits, int drop) {
     if (i == 1) {
@@ -35,7 +35,8 @@ inline T over_order(const T& d, int i, int bits, int drop) {
     return rounded_product<Product>(d, T(reciprocal(i, bits - 1)), bits - 1 + drop);
 }
 
-/// A word with `lift` more fraction bits, divided by 2^shift, shift in [0, 57], rounded once.
+/// Returns a word with `lift` more fraction bits, divided by 2^shift, shift in [0, 57], rounded
+/// once.
 template <class Out, class T>
 inline Out scaled_down(const T& x, int lift, int shift) {
     return Out(round_shift(Word<64>(Word<64>(x) * (1 << lift)), shift));

@@ -7,7 +7,7 @@
 //
 //     dn = phi t ds        dt = -phi n ds
 //
-// For a step of h = 2^k length units, theta = h phi. Coefficients of order i >= 1 are scaled by the
+// A step of h = 2^k length units has theta = h phi. Coefficients of order i >= 1 are scaled by the
 // step, not by the radius (N_i = n_i / theta), so that a coefficient never exceeds 1 and the
 // displacement's series in tau = s/h has just these coefficients, in units of 2^k:
 //
@@ -35,8 +35,8 @@ struct Oscillator {
     Coef y_coef[C::kMostOrder + 1];  // [1 .. Order]
     Coef z_coef[C::kMostOrder + 1];
 
-    /// weight[i] = theta / i for i in [2, Order], weight[1] = theta; the words are those of `of_y`
-    /// and `of_z`.
+    /// Expands the series with weight[i] = theta / i for i in [2, Order], weight[1] = theta; the
+    /// words are those of `of_y` and `of_z`.
     void expand(const C& c, const Coef* weight, Variable of_y, Variable of_z) {
         y = c.keep(of_y, 0, y);
         z = c.keep(of_z, 0, z);
@@ -97,7 +97,7 @@ class SphericalKernel : private C {
         expand();
     }
 
-    /// Goes on to the next integration step.
+    /// Moves on to the next integration step.
     void step() {
         for (int axis = 0; axis < C::kAxes; ++axis) {
             Coef sum = axis < 3 ? Coef(0) : advance_[axis];
@@ -112,7 +112,7 @@ class SphericalKernel : private C {
         expand();
     }
 
-    /// Fine position at an offset of sigma quanta into the present step.
+    /// Returns the fine position at an offset of sigma quanta into the present step.
     void sample(const Word<kLengthBits + 1>& sigma, Fine* out) const {
         const Coef tau = to_tau<C>(*this, sigma, k_);
         if (C::kSeries) {
@@ -143,7 +143,7 @@ class SphericalKernel : private C {
         }
     }
 
-    /// Series mode: Horner in tau on the displacement's series.
+    /// Draws a sample in series mode: Horner in tau on the displacement's series.
     void sample_series(const Coef& tau, Fine* out) const {
         for (int axis = 0; axis < 3; ++axis) {
             Coef d = 0;
@@ -154,14 +154,14 @@ class SphericalKernel : private C {
         }
     }
 
-    /// tau with the bits that stage i of a core has; its sums fit theirs
+    /// Returns tau with the bits that stage i of a core has; its sums fit theirs
     /// (ref/format/order_words.hpp).
     Coef tau_of(const Coef& tau, int i) const {
         const int cut = C::kCoefBits - ref::tau_bits(C::kCoefBits, C::kTurnBits, i);
         return Coef(Coef(tau >> cut) << cut);
     }
 
-    /// Polynomial mode: r0 cos + f0 sin, from the two series of the angle in tau2 = tau^2:
+    /// Draws a sample in polynomial mode: r0 cos + f0 sin, from the two series in tau2 = tau^2:
     ///     d = (t (y_1 + y_3 tau2 + ..) + advance) tau + n (z_2 tau2 + z_4 tau2^2 + ..)
     void sample_polynomial(const Coef& tau, Fine* out) const {
         const int odd = C::kOrder % 2 == 1 ? C::kOrder : C::kOrder - 1;

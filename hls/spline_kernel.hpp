@@ -5,13 +5,13 @@
 //     r(v) = start + 2^lambda ((a v + b) v + c) v        0 <= v < 1
 //
 // The planner guarantees 1/2 < |V| < 1 for V = dr/dv / 2^lambda, |3a v + b| < 2, |a| < 2/3, and
-// steps so short that the network's words keep their ranges (hls/spline_network.hpp) and m below
-// 1, which the phi of the step before may exceed where |V| comes near 1.
-// Between steps v is the only state with Anchor = 1: position, V, W and phi are made from it. It
-// adds up with G = ParameterGuard fraction bits more than the products have of it.
+// steps so short that the network's words keep their ranges (hls/spline_network.hpp) and m below 1,
+// which the last step's phi may exceed where |V| comes near 1. With Anchor = 1 v is the only state
+// between steps: position, V, W and phi are made from it. It accumulates with G = ParameterGuard
+// fraction bits more than in products.
 //
-// Every step, with A = CoefBits-2 and U = CoefBits-1 fraction bits, s = lambda - k, each line one
-// rounding (to nearest, ties up) of a full product or sum:
+// The words of every step, with A = CoefBits-2 and U = CoefBits-1 fraction bits, s = lambda - k,
+// each line one rounding (to nearest, ties up) of a full product or sum:
 //
 //   |  1 | a' = a / 4^s (U), 6a' = 6 a / 4^s (CoefBits+1)     at load; 3a = a + 2a (A), exact     |
 //   |  2 | B = b + 3a v (A)                                  half of dV/dv                       |
@@ -31,9 +31,9 @@
 //     Order           4    6    8   12      S as its full sum; every weight 1/i, i > 1, counted
 //     products       85  180  311  681      series mode: + 3 P (P + 1) / 2 + 3 P
 //
-// In the longest chain: 2 4 7 8 8 8 9 9 of the table, then for each order the last products of DV,
-// DP and Dphi, and phi's weight unless the order is a power of two; at last q_P's weight. Order 6:
-// 8 + 17 + 1 products, one after the other. Line 6 is off the chain.
+// The longest chain: 2 4 7 8 8 8 9 9 of the table, then for each order the last products of DV, DP
+// and Dphi, and phi's weight unless the order is a power of two; at last q_P's weight. Order 6: 8 +
+// 17 + 1 products, one after the other. Line 6 is off the chain.
 //
 // With Anchor = 0 lines 2..4 and 7..9 work at load only; V W phi Q R (and the position in series
 // mode) go on by the sums of their words.
@@ -89,7 +89,7 @@ class SplineKernel : private C {
         expand();
     }
 
-    /// Goes on to the next integration step.
+    /// Moves on to the next integration step.
     void step() {
         const Coef moved = Network::sum(net_.q, 1, C::kOrder);
         fine_v_ = FineParameter(
@@ -107,7 +107,7 @@ class SplineKernel : private C {
         expand();
     }
 
-    /// Fine position at an offset of sigma quanta into the present step.
+    /// Returns the fine position at an offset of sigma quanta into the present step.
     void sample(const Word<kLengthBits + 1>& sigma, Fine* out) const {
         const Coef tau = to_tau<C>(*this, sigma, k_);
         if (C::kSeries) {
@@ -140,7 +140,7 @@ class SplineKernel : private C {
         }
     }
 
-    /// Everything that the polynomial gives at v, and phi pulled onto 1 / |V|.
+    /// Makes everything that the polynomial gives at v, and pulls phi onto 1 / |V|.
     void anchor() {
         const int bits = C::kCoefBits;
         Product norm = 0;
@@ -150,7 +150,7 @@ class SplineKernel : private C {
                 C::keep(Variable::kSlope, 0, Coef(b_[axis] + round_shift(bend, bits - 1)));
             const Coef mean =
                 C::keep(Variable::kSlope, 1, Coef(b_[axis] + round_shift(bend, bits)));
-            // 2 M v alone may be beyond 1: it wraps, and V does so back.
+            // The term 2 M v alone may be beyond 1: it wraps, and V wraps back.
             const Product change = Product(Product(mean) * Product(v_));
             const Coef velocity = Coef(2 * advance_[axis] + round_shift(change, bits - 3));
             net_.V[axis][0] = velocity;
@@ -163,7 +163,7 @@ class SplineKernel : private C {
         place_origin();
     }
 
-    /// One Newton step of phi -> 1 / sqrt(norm): phi (3 - norm phi^2) / 2.
+    /// Makes one Newton step of phi -> 1 / sqrt(norm): phi (3 - norm phi^2) / 2.
     Coef polished(const Coef& phi, const Coef& norm) const {
         const int bits = C::kCoefBits;
         const Coef speed = coef(norm, phi);

@@ -57,7 +57,7 @@ struct SplineNetwork : private C {
     Coef V[3][C::kMostOrder + 1] = {};
     Coef x[3][C::kMostOrder + 1] = {};  // x[axis][1 ..], series mode
 
-    /// Q and R of phi: -phi^3 and -3 phi^2.
+    /// Makes Q and R of phi: -phi^3 and -3 phi^2.
     void derivatives_of_phi() {
         const Coef s =
             C::keep(Variable::kS, 0, rounded_product<Product>(phi[0], phi[0], C::kCoefBits - 1));
@@ -91,8 +91,8 @@ struct SplineNetwork : private C {
         }
     }
 
-    /// The state a step farther on: the sum of a series' orders first .. last. What it is on the
-    /// way may wrap in a register of CoefBits: the sum is the same.
+    /// Returns the state a step farther on: the sum of a series' orders first .. last. Partial sums
+    /// may wrap in a register of CoefBits: the sum is the same.
     static Coef sum(const Coef* series, int first, int last) {
         Product total = 0;
         for (int i = first; i <= last; ++i) {
@@ -105,7 +105,7 @@ struct SplineNetwork : private C {
     static Coef minus_three(const Coef& s) {
         return Coef(round_shift(Product(Product(s) * -3), 2));
     }
-    /// With CoefBits - `less` fraction bits fewer than the products.
+    /// Returns a sum with CoefBits - `less` fraction bits fewer than the products.
     Coef sum_of_products(const Coef* u, const Coef* ds, int i, int less) const {
         return convolve<Product>(u, ds, i, C::kCoefBits - less);
     }

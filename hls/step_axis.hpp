@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One axis of the step generator, clock by clock. Twins: rtl/pulse/step_phase.sv, step_pulse.sv and
-// step_axis.sv, which explain it; clock() is one rising edge, what it returns is seen after it.
+// step_axis.sv, which explain it; clock() is one rising edge, its result the state after it.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 namespace curvecore {
 namespace hls {
 
-/// When steps are due.
+/// The phase of an axis: the times at which steps are due.
 class StepPhase {
   public:
     explicit StepPhase(int period_log2)
         : one_(std::int64_t(1) << (kStepFraction + period_log2)), phase_(one_ / 2) {}
 
-    /// `load` is null in clocks without one; `none`: a load without a rate.
+    /// Advances by a clock; `load` is null in clocks without one; `none`: a load without a rate.
     void clock(const StepRate* load, bool none) {
         if (moves_) back_ = rate_ < 0;
         const std::int64_t sum = phase_ + rate_;
@@ -47,7 +47,7 @@ class StepPhase {
     bool back_ = false;
 };
 
-/// Times of the drives, in clocks; 0 counts as 1.
+/// Times of the drives, clocks; 0 counts as 1.
 struct PulseTimes {
     int steplen = 1;
     int stepspace = 1;
@@ -55,7 +55,7 @@ struct PulseTimes {
     int dirhold = 1;
 };
 
-/// Steps as pulses.
+/// Steps made pulses.
 class StepPulse {
   public:
     static constexpr int kMostWaiting = 3;  // in each direction
@@ -95,8 +95,8 @@ class StepPulse {
     static int at_least_1(int time) { return time < 1 ? 1 : time; }
 
     int waiting_[2] = {0, 0};
-    std::int64_t age_ = 0;  // since the last pulse's beginning or turn, as in the next clock
-    bool long_ = false;     // which times are over
+    std::int64_t age_ = 0;  // clocks since the last pulse's start or turn, as in the next clock
+    bool long_ = false;     // times that are over
     bool space_ = true;
     bool hold_ = true;
     bool set_ = true;

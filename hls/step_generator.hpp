@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples into steps of all axes, clock by clock. Twin: rtl/pulse/step_generator.sv, from the clock
+// Samples made steps of all axes, clock by clock. Twin: rtl/pulse/step_generator.sv, from the clock
 // in which it has taken a sample.
 #pragma once
 
@@ -26,14 +26,14 @@ class StepGenerator {
     void set_scale(int axis, std::int64_t scale) { scalers_[axis].set_scale(scale); }
     void set_times(const PulseTimes& times) { times_ = times; }
 
-    /// The next sample says where the axis stands.
+    /// Makes the next sample state where the axis stands.
     void reference(int axis) { fresh_[axis] = true; }
 
-    /// From outside, as the synchroniser shows it.
+    /// Stops an axis from outside, behind the synchroniser.
     void stop(int axis, bool stop) { stopped_[axis] = stop; }
 
-    /// A sample was taken: of the period after the next tick. One for each period at most.
-    /// `begins`: a program's first.
+    /// Takes the sample of the period after the next tick, at most one a period. `begins`: a
+    /// program's first.
     void sample(const std::int64_t* positions, bool begins = false) {
         moving_ = false;
         for (std::size_t a = 0; a < axes_.size(); ++a) {
@@ -44,7 +44,7 @@ class StepGenerator {
         valid_ = true;
     }
 
-    /// One rising edge.
+    /// Advances by one rising edge.
     void clock() {
         late_ = count_ == last_ && !valid_ && moved_ &&
                 std::any_of(axes_.begin(), axes_.end(),

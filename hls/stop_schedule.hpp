@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stop branches as they pass: which of them a stop may take, and when it begins. Twin:
+// Stop branches as they pass: the one that a stop may take, and the time when it begins. Twin:
 // rtl/time/stop_memory.sv.
 //
-// A branch stands before a piece. Where that begins in a tick of rate 1, the branch is the next
-// one: due kStopLead ticks later, when every tick that was on its way has been taken. At other
-// rates it cannot be taken, but tells, as late, how long it is until the next one. So does a
-// program's first piece if it has none: what was before the program counts no more. What comes
-// before the last was due is left out.
+// A branch stands before a piece. If the piece begins in a tick of rate 1, the branch is the next
+// one: due kStopLead ticks later, when every tick on its way has been taken. At other rates it
+// cannot be taken, but reports, as late, the time until the next one. So does a program's first
+// piece without a branch: branches before the program no longer count. A branch before the last
+// one's due time is left out.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ using ref::kStopSteps;  // longer branches overwrite their start
 
 class StopSchedule {
   public:
-    /// Words of the branch before the next piece.
+    /// Loads the first words of the branch before the next piece.
     void load_wait(std::int32_t wait) {
         loaded_ = true;
         count_ = 0;
@@ -32,19 +32,19 @@ class StopSchedule {
         banks_[write_][static_cast<std::size_t>(count_++ % kStopSteps)] = step;
     }
 
-    /// Once per tick, before its rate is made.
+    /// Returns what is due, once per tick, before its rate is made.
     StopDue due() {
         if (gap_ <= kStopLead) ++gap_;
         if (due_ == 0 || --due_ > 0) return {};
         return next_;
     }
 
-    /// The next step of the branch that was due last.
+    /// Returns the next step of the branch that was due last.
     StopStep next_step() {
         return banks_[1 - write_][static_cast<std::size_t>(read_++ % kStopSteps)];
     }
 
-    /// The next piece begins in a tick of this rate; `first`: of a program.
+    /// Begins the next piece in a tick of this rate; `first`: of a program.
     void begin_piece(std::int32_t rate, bool first) {
         if ((loaded_ || first) && gap_ > kStopLead) {
             const bool begins = loaded_ && rate == 1 << 16;

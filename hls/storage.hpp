@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a word is stored in, chosen once for all kernels of a translation unit:
+// Storage of a word, chosen once for all kernels of a translation unit:
 //
 //   | macro             | storage                                                               |
 //   |-------------------|-----------------------------------------------------------------------|
-//   | (none)            | native integers, the fast one: what leaves a word's range stays        |
+//   | (none)            | native integers, the fast one: values out of range stay as they are   |
 //   | CURVECORE_CHECKED | native integers that throw std::range_error when a value leaves its   |
 //   |                   | word's range                                                          |
 //   | CURVECORE_AC_INT  | ac_int                                                                |
@@ -11,7 +11,7 @@
 //   | CURVECORE_BIT_INT | _BitInt, as clang has it; with -fwrapv                                 |
 //
 // All give the same bits while every value is within its word's range. Each has an inline namespace
-// of its own, so that one program may draw with two of them.
+// of its own, so that one program may use two of them.
 #pragma once
 
 #if defined(CURVECORE_AC_INT)

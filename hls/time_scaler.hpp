@@ -3,17 +3,17 @@
 // and second differences. Twin: rtl/time/time_scaler.sv.
 //
 // r has 32 fraction bits. Per tick its slope changes by at most `acceleration` and never exceeds
-// `slope`; r slows down in time to meet the target without overshoot. Where nothing is under way
-// nothing moves, and r is its target at once: before the first tick that is not held, and when no
-// program was under way for kIdleTicks ticks, but for a stop that a branch makes: it goes on.
+// `slope`; r slows down in time to meet the target without overshoot. While nothing is under way r
+// equals its target at once: before the first tick that is not held, and after kIdleTicks ticks
+// without a program, except for a stop on a branch, which goes on.
 //
 // Near 1 a plan leaves little of the limits, below 7/8 a third and more: r^2 a, r^3 j. So from 7/8
 // on an eighth of both bounds holds, and r rests on 7/8 when it goes from one side to the other.
 //
-// Where a plan has stop branches, a stop from r = 1 waits for the next of them and is then made of
-// its steps, r'' each, which end at r = 0; the bounds serve all other changes. How long it may wait
-// is told by the branches that pass, in ticks at r = 1: only those are counted. A stop always waits
-// as long as a branch may be on its way, kStopLead ticks.
+// If a plan has stop branches, a stop from r = 1 waits for the next of them and then takes its
+// steps, r'' each, which end at r = 0; the bounds serve all other changes. The branches that pass
+// report the longest wait, in ticks at r = 1, the only ones counted. A stop always waits kStopLead
+// ticks, the time that a branch may be on its way.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,15 @@
 namespace curvecore {
 namespace hls {
 
-/// So many ticks in which the slope changes by `change`, 2^-32 per tick.
+/// A step of `ticks` ticks, in each of which the slope changes by `change`, 2^-32 per tick.
 struct StopStep {
     std::int32_t ticks = 1;  // [1, 2047]
     std::int32_t change = 0;
     bool last = false;  // of its branch: then the rate is 0
 };
 
-/// What a tick begins with: a stop waits for the next branch for so many ticks from here on, 0: as
-/// before; a branch begins, with these.
+/// Events at the start of a tick: a stop waits for the next branch for `wait` ticks from here on,
+/// 0: as before; a branch begins, with these.
 struct StopDue {
     StopDue() = default;
     StopDue(std::int32_t ticks, bool is_branch) : wait(ticks), begins(is_branch) {}
@@ -42,8 +42,8 @@ struct StopDue {
 
 class TimeScaler {
   public:
-    /// acceleration in [8, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. What does not fit
-    /// is not obeyed: rtl/time/motion_settings.sv.
+    /// Checks acceleration in [8, 2^31], slope in [acceleration, 2^32]; 2^-32 per tick. Other
+    /// values are refused: rtl/time/motion_settings.sv.
     static constexpr bool fits(std::int64_t acceleration, std::int64_t slope) {
         return acceleration >= 1 << ref::kFineShift && acceleration <= std::int64_t(1) << 31 &&
                slope >= acceleration && slope <= std::int64_t(1) << 32;
@@ -52,21 +52,21 @@ class TimeScaler {
     TimeScaler(std::int64_t acceleration, std::int64_t slope)
         : acceleration_(acceleration), max_slope_(slope) {}
 
-    /// Whether the next tick is on its target at once; idle: PathKernel::idle() before it. Where
-    /// the rate has its target anyway there is nothing to do.
+    /// Returns true if the next tick is on its target at once; idle: PathKernel::idle() before it.
+    /// A rate that has its target anyway needs nothing.
     bool lands(std::int32_t target, bool idle) const {
         return (idle || fresh_) && (unsettled_ || target != asked_) && !stopping_;
     }
 
-    /// A branch makes a stop, with the next tick too.
+    /// Returns true while a branch makes a stop, with the next tick too.
     bool stopping() const { return stopping_; }
 
-    /// One tick towards target (0 .. 2^16 = 1.0); returns the new rate, 0 .. 2^16.
+    /// Makes one tick towards target (0 .. 2^16 = 1.0); returns the new rate, 0 .. 2^16.
     std::int32_t tick(std::int32_t target, bool idle = false) {
         return tick(target, idle, StopDue(), [] { return StopStep{1, 0, true}; });
     }
 
-    /// The same with branches; next_step() gives the steps of the one that began last.
+    /// Makes a tick with branches; next_step() gives the steps of the one that began last.
     template <class NextStep>
     std::int32_t tick(std::int32_t target, bool idle, const StopDue& due, NextStep&& next_step) {
         const bool now = lands(target, idle);
@@ -93,7 +93,7 @@ class TimeScaler {
     }
 
   private:
-    /// wait_ after a tick, in which a stop waits, or time runs on at the rate 1.
+    /// Counts wait_ after a tick in which a stop waits, or time runs at the rate 1.
     void count(std::int32_t told, bool waits, bool runs) {
         if (told > 0) {
             wait_ = told;
@@ -124,7 +124,7 @@ class TimeScaler {
         return rate_ >> 32 != 0 ? 0xffff : static_cast<std::int32_t>(rate_ >> 16);  // below 1
     }
 
-    /// As many bits as the hardware has.
+    /// Cuts a rate to the bits of the hardware.
     static std::int64_t to_rate(std::int64_t rate) { return rate & ((std::int64_t(1) << 33) - 1); }
 
     std::int32_t land(std::int32_t target) {
@@ -181,16 +181,16 @@ class TimeScaler {
     std::int64_t max_slope_;
     bool fresh_ = true;       // no tick came that was not held
     bool unsettled_ = true;   // the target changed since a tick was on it at once
-    std::int32_t asked_ = 0;  // target of the last tick, whatever was obeyed
+    std::int32_t asked_ = 0;  // target of the last tick, obeyed or not
     bool fine_ = false;       // the bounds are those from 7/8 on
     std::int64_t rate_ = 0;
     std::int64_t slope_ = 0;    // n a: of the last tick, towards rising_
-    std::int64_t braking_ = 0;  // a n (n-1) / 2: what r still moves when it brakes now
+    std::int64_t braking_ = 0;  // a n (n-1) / 2: r still moves by this if it brakes now
     bool rising_ = true;
     bool settling_ = false;  // the last tick moved less than a slope step: rest one tick, or a
                              // reversal would change the slope by more than `acceleration`
 
-    std::int32_t target_ = 0;                 // of the last tick, as it was obeyed
+    std::int32_t target_ = 0;                 // of the last tick, as obeyed
     bool arrived_ = false;                    // at rest, on it or on 7/8
     bool at_one_ = false;                     // at rest on 1, again
     std::int32_t wait_ = ref::kStopLead - 1;  // ticks at the rate 1 until a branch is due, at most

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The variables of both networks, for whoever looks at what their words hold.
+// The variables of both networks, for observers of their words.
 #pragma once
 
 #include "hls/storage.hpp"
@@ -8,7 +8,7 @@ namespace curvecore {
 namespace hls {
 inline namespace CURVECORE_STORAGE {
 
-constexpr int kMostOrder = 12;  // of any configuration
+constexpr int kMostOrder = 12;  // largest of any configuration
 
 enum class Variable {
     kWeight,     // arcs: theta / i

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The check that words carry of themselves and of all before them, since their program began: a
-// CRC of 16 bits, its bytes' sum in each word that has room for it. A word that is lost, doubled,
-// swapped, changed or of other frames leaves another one, and so do whole frames whose numbers fit.
-// It begins with the digest of the configuration that the words are made for: those of another one
-// fail the first check or the second, in their first frame. Twin: rtl/queue/frame_entry.sv.
+// The check of words over themselves and all words before them in their program: a CRC of 16 bits,
+// its bytes' sum in each word that has room for it. A word that is lost, doubled, swapped, changed
+// or of other frames changes the check, and so do whole frames whose numbers fit. The CRC begins
+// with the digest of the configuration that the words are made for: words for another one fail the
+// first check or the second, in their first frame. Twin: rtl/queue/frame_entry.sv.
 //
 //   check' = 2^8 check + [15:0] + [31:16] + [43:32]    of the word, modulo x^16 + x^3 + 1
 //
-// The word's check, if it has one, is the sum (xor) of both bytes of check', so one tells every bit
-// that changed alone, two every change of the sum before. A frame's number and the check itself are
-// left out, so frames may be numbered anew.
+// A word's check is the sum (xor) of both bytes of check': one detects every single changed bit,
+// two every change of the sum before. A frame's number and the check itself are left out, so frames
+// may be renumbered.
 #pragma once
 
 #include <cstddef>
@@ -23,10 +23,10 @@ class WordCheck {
   public:
     explicit WordCheck(std::uint16_t digest = 0) : digest_(digest), check_(digest) {}
 
-    /// Words [43:36]: the number of their frame, their check, or neither.
+    /// Content of a word's bits [43:36]: the number of its frame, its check, or neither.
     enum class Above { kNumber, kCheck, kNeither };
 
-    /// What the next word's check is, or would be.
+    /// Returns the check of the next word, whether it has one or not.
     std::uint64_t of(std::uint64_t word, Above above) const {
         const std::uint64_t check = after(word, above);
         return (check >> 8 ^ check) & mask(kCheckField);

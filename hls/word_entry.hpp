@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which words may enter a core's queues: whole frames, each word one that can be, frame after
-// frame, each segment from where the one before ended, made for the digest that is asked for. The
-// first word that is not cuts the stream.
+// The rule of entry into a core's queues: whole frames of valid words, frame after frame, each
+// segment from the end of the last one, made for the required digest. The first other word cuts the
+// stream.
 // Twins: rtl/queue/segment_entry.sv, rtl/queue/piece_entry.sv.
 #pragma once
 
@@ -10,32 +10,33 @@
 namespace curvecore {
 namespace hls {
 
-/// What becomes of a word.
+/// Result of a word at the entry.
 enum class Entry {
     kPassed,     // it is in the queue
     kCompleted,  // and ends its frame
-    kBadWord,    // it cannot be here: the stream is cut
+    kBadWord,    // invalid here: the stream is cut
     kBadOrder,   // a frame is missing, came twice or is foreign: the stream is cut
     kDropped     // the stream is cut
 };
 
 namespace detail {
 
-/// The low `bits` of a field of `field_bits`, sign-extended: all bits above the sign are like it.
+/// Returns true if the low `bits` of a field of `field_bits` are sign-extended: all bits above
+/// equal the sign.
 inline bool sign_extended(std::uint64_t word, int bits, int field_bits) {
     const std::uint64_t above =
         (word & ((std::uint64_t(1) << field_bits) - 1)) >> static_cast<unsigned>(bits - 1);
     return above == 0 || above == (std::uint64_t(1) << (field_bits - bits + 1)) - 1;
 }
 
-/// What both streams share: the place in a frame, the frame's number, the check, the cut.
+/// The state that both streams share: the place in a frame, the frame's number, the check, the cut.
 class FrameEntry {
   public:
     bool cut() const { return cut_; }
 
   protected:
-    /// Of a word: the number of its frame stands in it; it follows on the frame before; it ends its
-    /// frame.
+    /// Properties of a word: it has the number of its frame; it follows on the frame before; it
+    /// ends its frame.
     struct Place {
         bool numbered;
         bool follows;
@@ -62,7 +63,7 @@ class FrameEntry {
         return Entry::kCompleted;
     }
 
-    Tag tag_;            // that the next word must have
+    Tag tag_;            // tag that the next word must have
     bool last_ = false;  // the frame under way ends its program
 
     FrameEntry(Tag first, std::uint16_t digest) : tag_(first), check_(digest) {}
@@ -75,7 +76,7 @@ class FrameEntry {
 
 }  // namespace detail
 
-/// Segments for a core with or without splines.
+/// The entry of segments for a core with or without splines.
 template <class C>
 class SegmentEntry : public detail::FrameEntry, private C {
   public:
@@ -132,7 +133,7 @@ class SegmentEntry : public detail::FrameEntry, private C {
                (spline_ ? lambda <= kMaxStepExponent && k_ <= lambda : lambda == 0);
     }
 
-    /// It starts where the segment before ended.
+    /// Returns true if it starts where the last segment ended.
     bool follows(std::uint64_t word) const {
         if (tag_ != Tag::kStart || any_start_ || (other_turn_ && axis_ >= 3)) return true;
         return get(kPointField, word) == ends_[axis_];
@@ -197,7 +198,7 @@ class PieceEntry : public detail::FrameEntry {
                ticks >= 1 && ticks <= (std::uint64_t(1) << m) && get({32, 4}, word) == 0;
     }
 
-    bool stop_ = false;  // the next piece has a branch already
+    bool stop_ = false;  // the next piece already has a branch
 };
 
 }  // namespace hls

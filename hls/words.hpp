@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What travels to the cores: segment and profile words. THE word formats: kernel and host read the
-// fields here, and rtl/queue/words_pkg.sv is made from them.
+// The words that travel to the cores, for segments and profile. THE word formats: kernel and host
+// read the fields here, and rtl/queue/words_pkg.sv is made from them.
 //
 // Every bus word has 48 bits: a tag [47:44] that says which word of a frame it is, and 44 bits.
-// Fields fill up from bit 0; bits without a field are 0.
+// Fields are filled from bit 0; bits without a field are 0.
 //
 // Segment:
 //
@@ -79,9 +79,9 @@ struct SegmentWords {
     typename C::Coef theta = 0;  // of a spline: phi
     int step_exponent = 0;
     int lambda = 0;           // 0 for arcs
-    std::uint32_t ticks = 0;  // of the profile, in which it is drawn
+    std::uint32_t ticks = 0;  // of the profile while it is drawn
     bool last = false;        // of its program
-    bool other_turn = false;  // the words of auxiliary axes leave other turns out than before
+    bool other_turn = false;  // auxiliary axes' words leave other turns out than before
     typename C::Fine start[C::kMostAxes] = {};
     typename C::Fine end[C::kMostAxes] = {};
     typename C::Coef tangent[3] = {};             // of a spline: a
@@ -104,7 +104,7 @@ struct ProfileWords {
     Word<kProfileBits> c[3] = {};
 };
 
-/// Bits [low + bits - 1 : low] of a bus word.
+/// A field: bits [low + bits - 1 : low] of a bus word.
 struct Field {
     int low;
     int bits;
@@ -162,14 +162,14 @@ namespace detail {
 inline std::uint64_t bus_word(Tag tag, Field field, std::int64_t value) {
     return put(kTagField, static_cast<int>(tag)) | put(field, value);
 }
-/// The low `bits` of a bus word, as a signed value.
+/// Returns the low `bits` of a bus word as a signed value.
 inline std::int64_t signed_bits(std::uint64_t word, int bits) {
     return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
 }
 }  // namespace detail
 
-/// A segment as the bus and the memory file carry it, but for its checks (hls/word_check.hpp):
-/// 17 + 3 AuxAxes words to `out`.
+/// Packs a segment as the bus and the memory file carry it, without its checks
+/// (hls/word_check.hpp): 17 + 3 AuxAxes words to `out`.
 template <class C>
 inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_t* out,
                  const C& c = C()) {
@@ -194,7 +194,7 @@ inline void pack(const SegmentWords<C>& segment, unsigned sequence, std::uint64_
     }
 }
 
-/// The same undone, but for sequence and ticks; next() gives a bus word.
+/// Unpacks a segment without sequence and ticks, the inverse; next() gives a bus word.
 template <class C, class Next>
 inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
     const auto coef = [&c](std::uint64_t word) {
@@ -224,7 +224,7 @@ inline SegmentWords<C> unpack_segment(Next&& next, const C& c = C()) {
     return segment;
 }
 
-/// A profile piece as the bus and the memory file carry it, but for its checks; `out` has
+/// Packs a profile piece as the bus and the memory file carry it, without its checks; `out` has
 /// kProfileBusWords words.
 inline void pack(const ProfileWords& piece, unsigned sequence, std::uint64_t* out) {
     out[0] = put(kTagField, static_cast<int>(Tag::kPiece)) | put(kPieceTicksField, piece.ticks) |
@@ -253,7 +253,7 @@ inline StopStep unpack_step(std::uint64_t word) {
     return step;
 }
 
-/// The same undone, but for the sequence.
+/// Unpacks a piece without the sequence, the inverse.
 template <class Next>
 inline ProfileWords unpack_piece(Next&& next) {
     ProfileWords piece;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A position as a scan head takes it, XY2-100. Twin: rtl/pulse/xy2_100.sv, which explains it.
+// A position in the frame of a scan head, XY2-100. Twin: rtl/pulse/xy2_100.sv, which explains it.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 namespace curvecore {
 namespace hls {
 
-/// 20 bits, the first one on top, of a position of `fine_bits`.
+/// Returns a frame of 20 bits, the first one on top, for a position of `fine_bits`.
 inline std::uint32_t xy2_frame(std::int64_t position, int fine_bits) {
     const std::int64_t half = std::int64_t(1) << (fine_bits - 17);
     std::int64_t rounded = (position + half) >> (fine_bits - 16);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Top of the HLS of hls/hyperbola_kernel.hpp, as a function without a state: every call begins a
-// hyperbola and goes on by CFG_Steps integration steps.
+// hyperbola and makes CFG_Steps integration steps.
 //
 //     start       y at the first step's start
 //     y_coef      orders 0 .. Order of the last step
-//     z_coef      of its derivative: those that are made of it
+//     z_coef      orders of its derivative that are made of it
 //     next_y      y a step farther on
 #include "hls/hyperbola_kernel.hpp"
 #include "hls/top/top_configuration.hpp"

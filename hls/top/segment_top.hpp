@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A kernel of segments as a function without a state, for an HLS compiler: every call loads the
-// segment, goes on by CFG_Steps integration steps and draws one sample of that step.
+// segment, makes CFG_Steps integration steps and draws one sample of the last.
 //
 //     words    the segment as the bus carries it (hls/words.hpp)
 //     sigma    offset into the step, in quanta: 0 .. 2^(k + 16)
@@ -25,7 +25,7 @@ inline void draw_sample(const SegmentFrame& words, const Word<kLengthBits + 1>& 
     for (int step = 0; step < CFG_Steps; ++step) {
         kernel.step();
     }
-    FinePosition drawn;  // out of what the compiler must take for the inputs' place
+    FinePosition drawn;  // not in place: the compiler could reuse the inputs
     kernel.sample(sigma, drawn);
     for (int axis = 0; axis < TopConfiguration::kAxes; ++axis) {
         fine[axis] = drawn[axis];

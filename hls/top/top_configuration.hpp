@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The configuration that an HLS compiler is asked for: CFG_<Name> is a parameter of the cores.
+// The configuration of an HLS run: CFG_<Name> is a parameter of the cores.
 #pragma once
 
 #include "hls/configuration.hpp"
