@@ -15,7 +15,7 @@ class Channel {
   public:
     explicit Channel(std::size_t depth) : depth_(depth) {}
 
-    /// Waits for room; false: closed, the value is dropped.
+    /// Waits for room. Returns false if the channel is closed; the value is then discarded.
     bool push(T value) {
         std::unique_lock<std::mutex> lock(mutex_);
         changed_.wait(lock, [this] { return queue_.size() < depth_ || closed_; });
@@ -25,7 +25,7 @@ class Channel {
         return true;
     }
 
-    /// Waits for a value; none once closed and empty.
+    /// Waits for a value. Returns none once the channel is closed and empty.
     std::optional<T> pop() {
         std::unique_lock<std::mutex> lock(mutex_);
         changed_.wait(lock, [this] { return !queue_.empty() || closed_; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// fault_o of rtl/motion_interpolator.sv, bit by bit and in words.
+// Faults: the bits of fault_o of rtl/motion_interpolator.sv and their texts.
 #pragma once
 
 #include <string>

@@ -35,7 +35,7 @@ void Feeder::turn(std::vector<Sample>& samples) {
     write_segments();
     write_profile();
     std::uint64_t covered = std::min(this->covered(), samples_);
-    // A timer goes on once it has begun: the host must keep up with it.
+    // A timer does not stop once it has begun: the host must keep up with it.
     if (board_.paced() && covered > 0) covered = samples_;
     if (covered > requested_) {
         board_.request(covered - requested_);

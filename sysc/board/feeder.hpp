@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host of a board: keeps its queues fed with a plan's words and asks for the samples.
+// The host of a board: keeps its queues filled with a plan's words and requests the samples.
 #pragma once
 
 #include "sysc/board/board.hpp"
@@ -8,31 +8,32 @@
 
 namespace curvecore::sysc {
 
-/// The settings of a board that draws a job's plan, of which the first part is there.
+/// Settings of a board that draws a job's plan, of which the first part is available.
 BoardSettings board_settings(const Job& job);
 
 class Feeder {
   public:
     Feeder(const Job& job, std::uint64_t samples, Board& board);
 
-    /// Writes what fits, asks for what the words cover and lets the board work. Appends the samples
-    /// that came.
-    /// @throws std::runtime_error when the board has stopped giving samples
+    /// Writes the words that fit, requests the samples that they cover and lets the board work.
+    /// Appends the samples that came.
+    /// @throws std::runtime_error when the board no longer returns samples
     void turn(std::vector<Sample>& samples);
 
     bool done() const { return received_ == samples_; }
 
   private:
     static constexpr std::uint64_t kPatience = 1'000'000;  // turns without a sample
-    /// Ticks that are asked for and not yet counted by the board, and some more.
+    /// Bound on ticks that are requested but not yet counted by the board, with a margin.
     static constexpr std::int64_t kOnTheWay = 64;
 
-    /// The words of one segment or piece, as far as they have gone.
+    /// The words of one segment or piece, and how many of them are sent.
     class Outbox {
       public:
         explicit Outbox(Stream stream) : stream_(stream) {}
         void load(std::vector<std::uint64_t> words, std::uint32_t ticks);
-        /// Sends what the board takes; true: all of it has gone. `last`: nothing follows.
+        /// Sends the words that the board takes. Returns true if all are sent. `last`: none
+        /// follows.
         bool send(Board& board, bool last);
         std::int64_t ticks() const { return ticks_; }
         bool complete() const { return complete_; }
@@ -42,14 +43,15 @@ class Feeder {
         std::vector<std::uint64_t> words_;
         std::size_t sent_ = 0;
         std::uint32_t loaded_ticks_ = 0;
-        std::int64_t ticks_ = 0;  // of all that has gone
+        std::int64_t ticks_ = 0;  // ticks of all that is sent
         bool complete_ = false;
     };
 
     void write_segments();
     void write_profile();
-    /// Samples that the words on the board cover, from the first: those that came, and one for each
-    /// share of a tick that is left. An override below 1 leaves more than one a sample.
+    /// Returns the number of samples that the words on the board cover, from the first: those that
+    /// came, and one for each remaining share of a tick. An override below 1 leaves more than one
+    /// sample a share.
     std::uint64_t covered() const;
     std::uint64_t covered(const Outbox& outbox, Stream stream) const;
 
@@ -62,7 +64,8 @@ class Feeder {
     std::size_t next_piece_ = 0;
     std::uint64_t requested_ = 0;
     std::uint64_t received_ = 0;
-    std::uint64_t walked_ = 0;  // time that these took of the plan: 2^-16 of a sample at rate 1
+    std::uint64_t walked_ =
+        0;  // time of the plan that these samples took: 2^-16 of a sample at rate 1
     std::uint64_t waited_ = 0;
 };
 

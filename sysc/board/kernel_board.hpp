@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernel as a board: the words of hls/, any legal configuration, no clock.
+// The kernel as a board: the words of hls/ in any legal configuration, without a clock.
 #pragma once
 
 #include <deque>
@@ -14,7 +14,7 @@
 
 namespace curvecore::sysc {
 
-/// Words of 48 bits.
+/// Depths of both queues in words of 48 bits.
 struct QueueDepths {
     int segments = ref::kBoardSegmentWords;
     int profile = ref::kBoardProfileWords;
@@ -28,7 +28,7 @@ class KernelBoard : public Board {
     std::size_t write(Stream stream, const std::uint64_t* words, std::size_t count) override;
     bool full(Stream stream) const override;
     void request(std::uint64_t samples) override { requested_ += samples; }
-    /// One sample, if its words are there.
+    /// Draws one sample if its words are there.
     void work(std::vector<Sample>& samples) override;
     BoardStatus status() const override;
 
@@ -45,12 +45,14 @@ class KernelBoard : public Board {
     };
 
     Queue& queue(Stream stream) { return stream == Stream::kSegments ? segments_ : profile_; }
-    /// The next request's path increment; false: no request, or its tick has no words yet.
+    /// Takes the next request's path increment. Returns false if there is no request, or its tick
+    /// has no words yet.
     bool move();
-    /// The next piece is queued; stop branches before it go to stops_.
+    /// Returns true if the next piece is queued; stop branches before it are moved to stops_.
     bool piece_queued();
     bool next_piece(hls::ProfileWords& words);
-    /// Takes segments off the queue as far as the increment reaches; false: there are too few.
+    /// Takes segments off the queue until they cover the increment. Returns false if there are too
+    /// few.
     bool cover();
     void draw(Sample& sample);
 
@@ -71,8 +73,8 @@ class KernelBoard : public Board {
     bool final_ = false;   // the last piece is under way
     std::int32_t rate_ = 0;
     std::int64_t ds_ = 0;
-    std::deque<RunSegment> ahead_;  // taken off the queue, not reached yet
-    std::uint64_t covered_ = 0;     // path length of all that was taken off, quanta
+    std::deque<RunSegment> ahead_;  // segments taken off the queue, not reached yet
+    std::uint64_t covered_ = 0;     // path length of all segments taken off the queue, quanta
     std::uint64_t walked_ = 0;
     std::uint64_t empty_segments_ = 0;
 };

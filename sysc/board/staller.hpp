@@ -9,12 +9,13 @@ namespace curvecore::sysc {
 
 class Staller {
   public:
-    /// Without a seed it never stalls. Handshakes with different streams stall independently.
+    /// Creates a staller; without a seed it never stalls. Handshakes with different streams stall
+    /// independently.
     Staller(std::optional<std::uint64_t> seed, std::uint64_t stream)
         : on_(seed.has_value()),
           state_((seed.value_or(0) + 1) * 0x9E3779B97F4A7C15u + stream * 0xD1B54A32D192ED03u) {}
 
-    /// May the handshake go on in this clock?
+    /// Returns true if the handshake may go on in this clock.
     bool go() {
         if (!on_) return true;
         if (pause_ > 0) {
@@ -27,7 +28,7 @@ class Staller {
     }
 
   private:
-    /// splitmix64
+    /// The generator splitmix64.
     std::uint64_t next() {
         std::uint64_t z = (state_ += 0x9E3779B97F4A7C15u);
         z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;

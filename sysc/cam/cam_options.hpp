@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line asks of a cam.
+// Options of `curvecore cam`.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@ namespace curvecore::sysc {
 struct CamOptions {
     Options common;
     ref::SurfaceKind kind;
-    double kappa = 0;     // half-turns per pitch of the sections; 0: from scallop and cutter
+    double kappa = 0;     // half-turns per section pitch; 0: derived from scallop and cutter
     double scallop = 0;   // mm
-    double cutter = 0;    // radius, mm; 0: not said
+    double cutter = 0;    // radius, mm; 0: not given
     double delta = 5e-3;  // mm
     ref::CamEnds ends = ref::CamEnds::kTurn;
-    double feed = 0;      // over the surface, mm/s
-    std::string against;  // a finer table; empty: the table's own tensor surface
+    double feed = 0;      // feed over the surface, mm/s
+    std::string against;  // file of a finer table; empty: the table's own tensor surface
 };
 
 /// The command line as text; empty: not given.
@@ -32,10 +32,10 @@ struct RawCamOptions {
     std::string ends;
 };
 
-/// @throws UsageError with the option's name and the reason
+/// Converts the texts into `options`.
 void interpret(const RawCamOptions& raw, CamOptions& options);
 
-/// The helix on a table of so many angles, a section every dx mm.
+/// Returns the helix on a table of `angles` angles with a section every dx mm.
 /// @throws UsageError: kappa n / 2 is not whole
 ref::CamHelix helix_of(const CamOptions& options, int angles, double dx);
 

@@ -15,7 +15,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Below a picometre it is rounding.
+/// Length as text in um; below a picometre the value is rounding and shown as 0.
 std::string um(double mm) { return fmt::format("{:.4g} um", mm < 1e-9 ? 0 : mm * 1e3); }
 
 void map(fmt::memory_buffer& text, const char* name, const std::vector<double>& cells) {

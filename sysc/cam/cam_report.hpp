@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is shown of a cam: cam.json, cam.html and its rows of the summary.
+// Report of a cam: cam.json, cam.html and its rows of the summary.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,15 +12,15 @@
 
 namespace curvecore::sysc {
 
-/// Of the helix as it was cut into pieces.
+/// The helix as it was cut into pieces.
 struct CamCut {
     ref::CamHelix helix;
-    double pitch = 0;  // of the helix, mm a turn
+    double pitch = 0;  // pitch of the helix, mm a turn
     double turns = 0;
     std::size_t pieces = 0;
-    double deviation = 0;         // mm: the worst piece from the surface, jumps left out
-    double jump = 0;              // mm: the greatest on the path
-    std::vector<float> jumps{0};  // of every move, mm; the first goes to the start
+    double deviation = 0;  // mm: greatest distance of a piece from the surface, jumps left out
+    double jump = 0;       // mm: greatest jump on the path
+    std::vector<float> jumps{0};  // jump of every move, mm; the first move goes to the start
 };
 
 struct CamReport {
@@ -30,18 +30,18 @@ struct CamReport {
     const CamWatch& watch;
     double duration_s;
 
-    /// Every sample as near to the surface as it has to be.
+    /// Returns true if every sample is as near to the surface as required.
     bool held() const { return watch.of_allowed() <= 1; }
     nlohmann::ordered_json json() const;
-    /// Name and value, a row each.
+    /// Returns the rows of the summary, name and value.
     std::vector<std::pair<std::string, std::string>> table() const;
     std::string html() const;
 
   private:
-    double scallop() const;       // mm; 0: no cutter was said
+    double scallop() const;       // mm; 0: no cutter given
     double asymptotic() const;    // pieces a turn, mean over the sections
-    double radii() const;         // of the table
-    double linear_radii() const;  // of a table that is read linearly, for the same error
+    double radii() const;         // radii of the table
+    double linear_radii() const;  // radii of a table read linearly, for the same error
 };
 
 }  // namespace curvecore::sysc

@@ -52,7 +52,7 @@ void CamWatch::draws(const Job& job) {
     unit_ = job.plan.unit_mm;
 }
 
-/// A sample at a piece's end may be read on the next one's side of the jump.
+/// Returns the allowed jump: a sample at a piece's end may be read on the next piece's side of it.
 double CamWatch::jump_at(std::size_t move) const {
     const double here = jumps_[move];
     return move + 1 < jumps_.size() ? std::max<double>(here, jumps_[move + 1]) : here;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawn cam against surfaces: every sample, back from the core's positions to (x, theta, rho).
+// Checks a drawn cam against surfaces: maps every sample from the core's positions to (x, theta,
+// rho).
 #pragma once
 
 #include "ref/cam/cam_shape.hpp"
@@ -40,18 +41,19 @@ class ErrorMap {
 /// | the truth    | a finer table, or the table's tensor surface: an error, shown                |
 class CamWatch {
   public:
-    /// `jumps`: of every move of the program, mm: of the surface, where the move begins.
+    /// Creates the check; `jumps` holds for every move the surface's jump where the move begins,
+    /// mm.
     CamWatch(const ref::CamShape& surface, const ref::CamShape& truth, double delta,
              const std::vector<float>& jumps);
 
-    /// The moves that segments belong to. Before the first sample.
+    /// Sets the job whose segments name the moves; to be called before the first sample.
     void draws(const Job& job);
     void sample(std::size_t segment, const std::int64_t* position);
 
     std::uint64_t samples() const { return samples_; }
     const SurfaceError& from_surface() const { return from_surface_; }
     const SurfaceError& from_truth() const { return from_truth_; }
-    /// Worst error from the surface as a share of what is allowed; the check.
+    /// Returns the worst error from the surface as a share of the allowed error: the check.
     double of_allowed() const { return of_allowed_; }
     const ErrorMap& surface_map() const { return surface_map_; }
     const ErrorMap& truth_map() const { return truth_map_; }

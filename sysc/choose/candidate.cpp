@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLeastLimit = 1e-3;  // units: below it no segment can be planned
 
-/// The values that choose tries, by the table or more coarsely; the later one varies faster.
+/// Values of one parameter that choose tries, all of the table's or fewer; a later parameter varies
+/// faster.
 struct Tried {
     int CoreParameters::*value;
     std::vector<int> values;
@@ -38,7 +39,7 @@ const std::vector<Tried>& all_tried() {
     return kAll;
 }
 
-/// Every core that is built, of the values from the n-th on.
+/// Visits every core that is built, with the values of the parameters from the n-th on.
 template <class Visit>
 void each_core(CoreParameters& parameters, std::size_t n, Visit visit) {
     if (n == all_tried().size()) {

@@ -15,9 +15,9 @@ constexpr std::array<double, 4> kUnits{1e-3, 1e-4, 1e-5, 1e-6};  // mm
 /// |------------|----------------------------------------------------------------------------|
 /// | parameters | PositionBits as few as the travel needs, with MultiplierForm of the device |
 /// | unit_mm    | length unit                                                                |
-/// | limit      | units: what the planner must keep each segment's bound below, so that with |
-/// |            | half a unit for the rounding of the output the error keeps the requirement | |
-/// size       | share of the device, CostEstimate::size()                                  |
+/// | limit      | units: bound that the planner keeps for each segment; with half a unit for |
+/// |            | the rounding of the output the error keeps the requirement                 |
+/// | size       | share of the device, CostEstimate::size()                                  |
 struct Candidate {
     Core core = Core::kSpherical;
     CoreParameters parameters;
@@ -27,18 +27,18 @@ struct Candidate {
     double size = 0;
 };
 
-/// Of one set of widths: all but size and cost. Nothing when the unit is too coarse for the error
-/// or too fine for the travel.
+/// Makes the candidate of one set of widths, all but size and cost. Returns none if the unit is too
+/// coarse for the error or too fine for the travel.
 std::optional<Candidate> make_candidate(const Requirement& requirement,
                                         const CoreParameters& parameters, double unit_mm);
 
-/// Of the core, or of the whole board. Nothing where it is not known.
+/// Returns the cost of the core, or of the whole board; none where it is not known.
 std::optional<CostEstimate> cost_of(const Requirement& requirement, const Candidate& candidate);
 
-/// Every configuration that the device holds, smallest first.
+/// Returns every configuration that fits the device, smallest first.
 std::vector<Candidate> all_candidates(const Requirement& requirement);
 
-/// Whether there are measured runs of any build for the device.
+/// Returns true if runs of any build were measured for the device.
 bool cost_is_known(const Requirement& requirement);
 
 }  // namespace curvecore::sysc

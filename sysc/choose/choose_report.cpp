@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "CoefBits: data rate, Order: latency"; what is at its least, or binds nothing, is left out.
+/// Text such as "CoefBits: data rate, Order: latency"; parameters that are at their least, or that
+/// nothing binds, are left out.
 std::string binds_text(const Choice& choice) {
     std::string text;
     for (const auto& [name, reason] : choice.binds) {
@@ -35,7 +36,7 @@ Json binds_json(const Choice& choice) {
     return json;
 }
 
-/// Worst error of a position as the core gives it, mm.
+/// Worst error of a position as the core returns it, mm.
 double proven_error(const Choice& choice) {
     const Candidate& candidate = choice.candidate;
     return (choice.demand.bound() + candidate.parameters.rounding()) * candidate.unit_mm;

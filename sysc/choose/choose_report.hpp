@@ -13,14 +13,14 @@ namespace curvecore::sysc {
 
 struct ChooseReport {
     const Requirement& requirement;
-    std::vector<Choice> choices;          // the winner first; empty: none keeps the requirement
-    std::vector<Relaxation> relaxations;  // then
+    std::vector<Choice> choices;          // the winner first; empty: none meets the requirement
+    std::vector<Relaxation> relaxations;  // found if `choices` is empty
     std::optional<Confirmation> confirmation;
     double seconds = 0;
 
     std::string text() const;
     nlohmann::ordered_json json() const;
-    /// The winner, which must be there.
+    /// Returns the winner, which must exist.
     CoreFile core() const;
 };
 

@@ -11,13 +11,13 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr int kMostLookedAt = 40;  // that keep the requirement, for runners-up
+constexpr int kMostLookedAt = 40;  // valid configurations searched for runners-up
 
 constexpr std::array<int CoreParameters::*, 4> kShrinkable{
     &CoreParameters::coef_bits, &CoreParameters::guard_bits, &CoreParameters::order,
     &CoreParameters::parameter_guard};
 
-/// Of the widths, few enough to try all of them many times.
+/// Returns true for a coarse subset of the widths, small enough to try all of it many times.
 bool coarse(const CoreParameters& parameters) {
     const int order = parameters.order;
     return (order <= 4 || order % 2 == 0) &&
@@ -25,7 +25,8 @@ bool coarse(const CoreParameters& parameters) {
            parameters.guard_bits % 3 == 0;
 }
 
-/// Worth its larger size: a fifth less of what the other needs of the host or of the clock.
+/// Returns true if a choice is worth its larger size: it needs a fifth less of the host or of the
+/// clock.
 bool better_somehow(const Choice& choice, const Choice& smaller) {
     constexpr double kWorthwhile = 0.8;
     return choice.demand.segments() < kWorthwhile * smaller.demand.segments() ||
@@ -63,7 +64,7 @@ Chooser::Group Chooser::group(const Candidate& candidate) {
     return {candidate.unit_mm, values};
 }
 
-/// The largest load that a build can serve at this clock and the host can send.
+/// Returns the largest load that a build can serve at this clock and the host can send.
 Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
     int step = std::numeric_limits<int>::max();
     if (requirement_.arcs()) step = change_clocks(candidate.parameters, false).step;
@@ -75,8 +76,8 @@ Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
     return most;
 }
 
-/// More segments than the host can send with wider words: no need to look. Narrower words never
-/// need fewer.
+/// Returns true if wider words already need more segments than the host can send. Narrower words
+/// never need fewer.
 bool Chooser::hopeless(const Candidate& candidate, const Load& most) {
     Candidate wider = candidate;
     wider.parameters.guard_bits = ref::parameter_of(&CoreParameters::guard_bits).high;
@@ -154,7 +155,7 @@ void Chooser::find_binds(Choice& choice) {
 
 std::vector<Choice> Chooser::smallest(std::size_t count) {
     std::vector<Choice> choices;
-    std::optional<Choice> other;  // the smallest of the other build
+    std::optional<Choice> other;  // smallest choice of the other build
     int looked_at = 0;
     for (const Candidate& candidate : all_candidates(requirement_)) {
         const bool same_build = choices.empty() || candidate.parameters.build ==
@@ -170,7 +171,7 @@ std::vector<Choice> Chooser::smallest(std::size_t count) {
             other = choice;
             continue;
         }
-        // With a finer parameter the same core stands there again.
+        // A finer parameter lists the same core again.
         if (candidate.parameters.parameter_guard == 0) ++looked_at;
         if (std::all_of(choices.begin(), choices.end(),
                         [&](const Choice& smaller) { return better_somehow(choice, smaller); })) {

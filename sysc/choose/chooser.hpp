@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The smallest configuration that is proven to keep a requirement.
+// Search for the smallest configuration that is proven to meet a requirement.
 #pragma once
 
 #include <map>
@@ -10,14 +10,14 @@
 
 namespace curvecore::sysc {
 
-/// What a configuration fails by, or would with one bit less.
+/// Why a configuration fails, or would fail with one bit less.
 ///
 ///   kAccuracy   no segment's derived bound is below the limit
-///   kDataRate   the segments are more than the host can send
+///   kDataRate   there are more segments than the host can send
 ///   kLatency    integration steps take longer than the path through them at this clock
 ///   kClock      the sample rate needs more clocks, or the device does not reach the clock
 ///   kArea       the device is too small
-///   kLeast      the parameter is the least that the cores have
+///   kLeast      the parameter has the least value that the cores allow
 enum class Reason { kNone, kAccuracy, kDataRate, kLatency, kClock, kArea, kLeast };
 
 const char* reason_name(Reason reason);
@@ -26,8 +26,8 @@ const char* reason_name(Reason reason);
 /// |-----------|------|--------------------------------------------------------------------------|
 /// | candidate |      |                                                                          |
 /// | demand    |      | bounds, segments and steps                                               |
-/// | need      | Hz   | clocks that these need                                                   |
-/// | clock_hz  | Hz   | there is: the requirement's, or the estimate less its error              |
+/// | need      | Hz   | clocks that the demand needs                                             |
+/// | clock_hz  | Hz   | clock available: the requirement's, or the estimate less its error       |
 /// | binds     |      | what keeps each parameter from being smaller by one                      |
 struct Choice {
     Candidate candidate;
@@ -42,23 +42,24 @@ class Chooser {
     explicit Chooser(const Requirement& requirement)
         : requirement_(requirement), model_(requirement) {}
 
-    /// Smallest first; each of the `count` needs a fifth less of the host or of the clock than the
-    /// smaller ones; then the smallest of the other build. Empty: none keeps the requirement.
+    /// Returns up to `count` choices, smallest first, each of which needs a fifth less of the host
+    /// or of the clock than the smaller ones; then the smallest of the other build. Empty: none
+    /// meets the requirement.
     std::vector<Choice> smallest(std::size_t count);
 
-    /// Whether a configuration keeps the requirement; of a coarse choice of them, so that "no" may
-    /// be wrong by a little.
+    /// Returns true if a configuration meets the requirement. Only a coarse subset is tried, so
+    /// "no" may be slightly wrong.
     bool possible();
 
-    /// kNone: it keeps the requirement.
+    /// Judges a candidate; kNone: it meets the requirement.
     Reason judge(const Candidate& candidate, Choice& choice);
 
   private:
-    /// The unit, and all that the samples depend on but the widths of Known.
+    /// The unit, and all parameters that the samples depend on but the widths of Known.
     using Group = std::pair<double, std::vector<int>>;
     struct Known {
         int coef_bits, guard_bits;
-        Load most;  // within which it was looked for
+        Load most;  // load within which the search was made
         Demand demand;
     };
 

@@ -6,8 +6,8 @@
 
 namespace curvecore::sysc {
 
-/// Least clock frequencies, Hz. `samples`: for the sample rate alone. `steps`: that no sample waits
-/// for an integration step or a segment.
+/// Least clock frequencies, Hz. `samples`: for the sample rate alone. `steps`: such that no sample
+/// waits for an integration step or a segment.
 ///
 ///   parallel   samples: SampleInterval clocks each
 ///              steps:   a step while the path goes through the one before; a segment's words while

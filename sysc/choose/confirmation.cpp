@@ -22,7 +22,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-/// What a command prints on stdout; its stderr is ours.
+/// Runs a command and returns its stdout; its stderr is that of this program.
 std::string output_of(const std::string& command, int& status) {
     FILE* const pipe = popen(command.c_str(), "r");
     if (pipe == nullptr) throw ConfirmationError("cannot start a shell");
@@ -35,7 +35,7 @@ std::string output_of(const std::string& command, int& status) {
     return text;
 }
 
-/// scripts/synth.sh of the source tree in which this program was built.
+/// Path of scripts/synth.sh in the source tree in which this program was built.
 fs::path synth_script() {
     if (const char* const other = std::getenv("CURVECORE_SYNTH")) return other;
     std::error_code error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The winner through place and route.
+// Place and route of the winner.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace curvecore::sysc {
 
-/// Place and route that did not run, or failed: what() says why.
+/// Place and route did not run, or failed: what() gives the reason.
 class ConfirmationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

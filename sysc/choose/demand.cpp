@@ -17,7 +17,7 @@ namespace curvecore::sysc {
 namespace {
 
 constexpr int kRangesPerOctave = 2;
-constexpr double kShortSplines = 30;  // times shorter than the longest
+constexpr double kShortSplines = 30;  // factor by which they are shorter than the longest
 constexpr double kQuanta = 65536;
 
 ref::Machine machine_of(const Requirement& requirement) {
@@ -27,7 +27,7 @@ ref::Machine machine_of(const Requirement& requirement) {
     return machine;
 }
 
-/// Fastest along an arc of this radius, mm, in any plane.
+/// Greatest speed along an arc of this radius, mm, in any plane.
 double arc_speed(const ref::Machine& machine, double radius) {
     ref::PathShape shape;
     shape.length = radius;
@@ -55,7 +55,7 @@ double DemandModel::Curve::time(double path) const {
 
 DemandModel::DemandModel(const Requirement& requirement) : requirement_(requirement) {
     if (!requirement.splines()) return;
-    // What is looked at first is soon refused: straight at full feed, and little work.
+    // A straight line at full feed comes first: little work, and soon refused.
     for (const double length : {requirement.length_mm / kShortSplines, requirement.length_mm}) {
         SplineMaker maker(1);
         for (const SplineShape shape :
@@ -113,7 +113,7 @@ Load DemandModel::arc_load(const CoreParameters& format, double unit_mm, double 
             return load;
         }
         load.bound = std::max(load.bound, proof.bound);
-        // The planner's bound of one radius is a little lower: its pieces may be longer.
+        // The planner's bound for one radius is a little lower: its pieces may be longer.
         const double speed = arc_speed(machine, high) / unit_mm;
         const ref::ArcCover own = ref::arc_cover(format, high / unit_mm, high / unit_mm, limit);
         for (const ref::ArcCover& cover : {proof, own}) {

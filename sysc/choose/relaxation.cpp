@@ -13,15 +13,16 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kFarthest = 1e4;    // times what was asked, or one part of so many
-constexpr double kPrecision = 1.05;  // of a factor
+constexpr double kFarthest = 1e4;    // factor on the asked value, or its inverse
+constexpr double kPrecision = 1.05;  // of a factor, relative
 
 using Change = std::function<void(Requirement& requirement, double factor)>;
 
 bool possible(const Requirement& requirement) { return Chooser(requirement).possible(); }
 
-/// The factor nearest to 1 between 1 and `farthest` with which the requirement is possible; 0: none
-/// is. Farther away another limit may hold again, so the search goes out step by step.
+/// Returns the factor nearest to 1, between 1 and `farthest`, with which the requirement is
+/// possible; 0 if there is none. Farther out another limit may bind again, so the search goes out
+/// step by step.
 double nearest(const Requirement& requirement, double farthest, const Change& change) {
     const auto with = [&](double factor) {
         Requirement changed = requirement;
@@ -46,7 +47,7 @@ double nearest(const Requirement& requirement, double farthest, const Change& ch
     return good;
 }
 
-/// Of a size, and of the travel with it, as far as the `other` size lets it.
+/// Changes a size, and the travel with it, as far as the `other` size allows.
 Change reach(double Requirement::*size, double Requirement::*other) {
     return [size, other](Requirement& requirement, double factor) {
         const double spare = requirement.travel_mm / (requirement.*size);
@@ -63,7 +64,8 @@ class Search {
                 const std::function<std::string(double)>& text) {
         const double factor = nearest(requirement_, farthest, change);
         if (factor == 0) return;
-        // Rounded to three digits away from what was asked, so that what is said is possible.
+        // Rounded to three digits away from the asked value, so that the reported value is
+        // possible.
         const double exact = asked * factor;
         const double digit = std::pow(10.0, std::floor(std::log10(exact)) - 2);
         const double said =
@@ -101,7 +103,7 @@ class Search {
         }
     }
 
-    /// What the smallest core needs, or reaches.
+    /// Adds the clock that the smallest core needs, or reaches.
     void clock() {
         if (!requirement_.clock_hz) return;
         Requirement other = requirement_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What to give up of a requirement that no configuration keeps.
+// Relaxations of a requirement that no configuration meets.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace curvecore::sysc {
 
-/// One requirement alone given up so far that a configuration keeps the others.
+/// One value of a requirement relaxed until a configuration meets the others.
 ///
 /// | field    | meaning                                                                   |
 /// |----------|---------------------------------------------------------------------------|
-/// | name     | of the option, without dashes                                             |
-/// | asked    | in mm, mm/s, Hz or words a second, as the option; a device's LUT4         |
-/// | possible | the same: to about a twentieth, on the safe side                          |
+/// | name     | option without dashes                                                     |
+/// | asked    | in mm, mm/s, Hz or words a second, as the option; LUT4 of a device        |
+/// | possible | same unit, to about a twentieth, on the safe side                         |
 /// | text     | "error 1.3 um instead of 1 um"                                            |
 struct Relaxation {
     std::string name;
@@ -24,11 +24,11 @@ struct Relaxation {
     std::string text;
 };
 
-/// Of error, unit, radius, length, least radius, feed, sample rate, clock, host, device: those that
-/// help alone.
+/// Relaxes error, unit, radius, length, least radius, feed, sample rate, clock, host and device;
+/// returns those that help alone.
 std::vector<Relaxation> relaxations(const Requirement& requirement);
 
-/// "1.3 um", "10 m/min", "24 MHz"
+/// Length as text: "1.3 um"; the functions below give "10 m/min", "24 MHz".
 std::string length_text(double mm);
 std::string feed_text(double mm_per_s);
 std::string frequency_text(double hz);

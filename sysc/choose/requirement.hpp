@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of a core.
+// Requirements on a core.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ namespace curvecore::sysc {
 
 /// | field           | unit    | meaning                                                          |
 /// |-----------------|---------|------------------------------------------------------------------|
-/// | error_mm        | mm      | worst error of a position as the core gives it, on any axis      |
+/// | error_mm        | mm      | worst error of a position as the core returns it, on any axis    |
 /// | unit_mm         | mm      | length unit; none: any of kUnits                                 |
-/// | radius_mm       | mm      | arcs and helices of up to this radius, and lines; 0: none        |
-/// | least_radius_mm | mm      | and from this radius up                                          |
-/// | length_mm       | mm      | splines of up to this length; 0: none                            |
+/// | radius_mm       | mm      | largest radius of arcs and helices, and lines; 0: none           |
+/// | least_radius_mm | mm      | smallest radius of arcs and helices                              |
+/// | length_mm       | mm      | greatest length of splines; 0: none                              |
 /// | feed            | mm/s    | along the path, where the machine's acceleration and jerk let it |
-/// | travel_mm       | mm      | positions within so far of the origin                            |
+/// | travel_mm       | mm      | greatest distance of a position from the origin, on any axis     |
 /// | sample_period_s | s       |                                                                  |
-/// | clock_hz        | Hz      | that the core must run at; none: any that it reaches             |
+/// | clock_hz        | Hz      | clock that the core must reach; none: any                        |
 /// | host_words      | 1/s     | bus words of segments that the host can send, 48 bits each       |
 /// | whole_board     |         | the device holds a motion_board with its UART, not a core alone  |
 /// | machine         |         | acceleration and jerk                                            |

@@ -14,17 +14,17 @@ namespace curvecore::sysc {
 
 class ChildProcess {
   public:
-    /// Starts it; what it writes to stderr goes into a file. @throws std::runtime_error
+    /// Starts the program; its stderr goes into a file. @throws std::runtime_error
     ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& errors);
-    /// Ends it if it still runs.
+    /// Ends the program if it still runs.
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
-    /// The next line without its end; none: no more will come. A last line that no end of line
-    /// closes is none.
+    /// Returns the next line without its end; none: no more will come. A last line without an end
+    /// of line is discarded.
     std::optional<std::string> line();
-    /// Waits for its end: "exit status 1", "signal 11 (Segmentation fault)".
+    /// Waits for the end and describes it: "exit status 1", "signal 11 (Segmentation fault)".
     std::string end();
 
   private:

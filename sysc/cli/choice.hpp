@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One of a list of names on the command line.
+// Choices: one of a list of names on the command line.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,14 +14,14 @@
 
 namespace curvecore::sysc {
 
-/// Whether two names are the same, whatever their case.
+/// Returns true if two names are equal, ignoring case.
 inline bool same_name(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                       [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-/// Index of a name. @throws UsageError that names `option`
+/// Returns the index of a name. @throws UsageError that names `option`
 template <std::size_t Count>
 int choice(const std::string& option, const std::string& text,
            const std::array<std::string_view, Count>& known) {

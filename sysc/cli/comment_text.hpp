@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Somebody's text in a comment of a file that is written.
+// Foreign text in a comment of a file that is written.
 #pragma once
 
 #include <string>
 
 namespace curvecore::sysc {
 
-/// A file's name for a comment line: it may hold a line break, which would end it.
+/// Makes a file's name safe for a comment line: a line break in the name would end the comment.
 inline std::string comment_safe(std::string text) {
     for (char& c : text) {
         if (static_cast<unsigned char>(c) < ' ') c = '?';

@@ -14,7 +14,7 @@ std::string html_page(std::string_view page, std::string_view json) {
     const std::size_t mark = page.find(kMark);
     std::string filled(page.substr(0, mark));
     for (const char letter : json) {
-        if (letter == '<') {  // only texts have it: of </script>, of <!--
+        if (letter == '<') {  // occurs only in texts: in </script>, in <!--
             filled += "\\u003c";
         } else {
             filled += letter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C during a run: the unfinished output goes, as after any other failure.
+// Interruption of a run (Ctrl-C): the unfinished output is removed, as after any other failure.
 #pragma once
 
 #include <csignal>
@@ -12,7 +12,7 @@ class Interrupted : public std::runtime_error {
     Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Catches SIGINT and SIGTERM while it lives; a second one ends the program at once.
+/// Catches SIGINT and SIGTERM during its lifetime; a second signal ends the program at once.
 class InterruptGuard {
   public:
     InterruptGuard() {
@@ -24,7 +24,7 @@ class InterruptGuard {
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// @throws Interrupted
+    /// @throws Interrupted if a signal has come
     static void check() {
         if (noted_ != 0) throw Interrupted();
     }

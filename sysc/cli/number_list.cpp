@@ -11,7 +11,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// One list's text, and how to complain about it.
+/// Reader of one list, which names the list in its errors.
 class ListReader {
   public:
     ListReader(const std::string& option, const std::string& text) : option_(option), text_(text) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bar on long work: on a terminal only, on stderr, gone when done.
+// A progress bar for long work: on a terminal only, on stderr, removed when done.
 #pragma once
 
 #include <chrono>

@@ -16,7 +16,7 @@ const std::vector<Suffix> kSpeeds{{"", 0},         {"mm/min", 0}, {"m/min", 3}, 
                                   {"mm/s", 0, 60}, {"m/s", 3, 60}};
 const std::vector<Suffix> kFrequencies{{"Hz", 0}, {"kHz", 3}, {"MHz", 6}, {"GHz", 9}};
 
-/// "ns, us, ms or s"
+/// Names as text: "ns, us, ms or s".
 std::string suffix_names(const std::vector<Suffix>& suffixes) {
     std::string text;
     for (std::size_t i = 0; i < suffixes.size(); ++i) {
@@ -28,7 +28,7 @@ std::string suffix_names(const std::vector<Suffix>& suffixes) {
 }
 
 double scaled(double value, const Suffix& suffix) {
-    // By division, 100us is the double nearest to 1e-4.
+    // Division keeps 100us the double nearest to 1e-4.
     const double power = std::pow(10.0, std::abs(suffix.power));
     return suffix.times * (suffix.power < 0 ? value / power : value * power);
 }

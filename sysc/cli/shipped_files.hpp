@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the files lie that the program takes along: sources of cores, scripts.
+// Files that are shipped with the program: sources of cores, scripts.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 namespace curvecore::sysc {
 
 struct ShippedFiles {
-    std::filesystem::path folder;  // laid out as the source tree
-    bool installed = false;        // beside the program; else it is the source tree
+    std::filesystem::path folder;  // has the layout of the source tree
+    bool installed = false;  // true: the files lie beside the program; false: in the source tree
 };
 
 ShippedFiles shipped_files();

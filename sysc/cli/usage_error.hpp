@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A command line that cannot be served: what() is the reason.
+// An invalid command line: what() gives the reason.
 #pragma once
 
 #include <stdexcept>

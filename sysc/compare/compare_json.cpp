@@ -31,8 +31,8 @@ Json optional_json(const std::optional<double>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
-/// By variable: the word's limits, and by order the range met and the bits that its word has to
-/// spare; below 0 so many are missing.
+/// Value ranges by variable: the word's limits, and for each order the range met and the bits to
+/// spare in its word; a negative number counts missing bits.
 Json ranges_json(const ValueRanges& ranges) {
     Json json = Json::object();
     for (std::size_t v = 0; v < kVariables; ++v) {

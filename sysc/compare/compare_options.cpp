@@ -84,7 +84,7 @@ bool has(const std::vector<Scheme>& schemes, Scheme scheme) {
     return std::find(schemes.begin(), schemes.end(), scheme) != schemes.end();
 }
 
-/// Each scheme once for what it depends on.
+/// Adds a scheme once for each combination of the values that it depends on.
 void add_ticked(Scheme scheme, bool words, const CompareOptions& options, double tick, double feed,
                 std::vector<TickedSetting>& ticked) {
     const std::size_t first = ticked.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line of `curvecore compare` asks for.
+// Options of `curvecore compare`.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ struct CompareOptions {
     Options common;  // file (empty: built-in curves), folder, machine, points, unit, quiet
     CurveSet curves = CurveSet::kAll;
     std::vector<CoreParameters> settings;
-    std::vector<CoreParameters> drawn;  // those that our segments and steps draw
-    bool schemes = false;               // --scheme is given
+    std::vector<CoreParameters> drawn;  // configurations that our segments and steps draw
+    bool schemes = false;               // --scheme was given
     SweepOptions sweep;
 };
 
-/// What is compared without --core, where --set says nothing else.
+/// Values that are compared without --core, unless --set gives others.
 constexpr std::array<const char*, 3> kComparedSets{"Order=4:8:2", "CoefBits=20:36:4", "Mode=0,1"};
 
 constexpr const char* kComparedDevice = "ecp5-85";
@@ -29,22 +29,22 @@ struct RawCompareOptions {
     std::string curves = "all";
     std::string scheme;
     std::string tick;
-    std::string feed;         // without --scheme: along points, an option of `common`
-    bool core_given = false;  // --core, of the common options
+    std::string feed;         // without --scheme: an option of `common`, along points
+    bool core_given = false;  // --core was given, of the common options
     std::vector<std::string> set;
     std::string segments = "4";
     std::string samples = "100000";
 };
 
-/// `options.common` is interpreted already.
+/// Converts the texts; `options.common` is already converted.
 /// @throws UsageError with the option's name and the reason
 void interpret(const RawCompareOptions& raw, CompareOptions& options);
 
-/// Gives the settings the axes of the program, and splines where it has them.
-/// @throws UsageError: one of them is not built
+/// Gives the settings the axes of the program, and splines if the program has them.
+/// @throws UsageError: a setting is not built
 void complete_settings(const ref::Program& program, std::vector<CoreParameters>& settings);
 
-/// @throws ref::InputError: an arc or a line, which the schemes of --tick do not draw; UsageError:
+/// Checks that the schemes of --tick can draw the program.
 ///         too many ticks
 void check_ticked(const ref::Program& program, const CompareOptions& options);
 

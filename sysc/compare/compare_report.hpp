@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `curvecore compare` found, as text and data.
+// Report of `curvecore compare`, as text and data.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,15 +14,15 @@ struct CompareReport {
     const ref::Program& program;
     const SweepResult& result;
 
-    bool held() const;  // every row within its bound, every end exact
+    bool held() const;  // true: every row within its bound, every end exact
     nlohmann::ordered_json json() const;
     std::string csv() const;
-    /// A line for each row.
+    /// Returns the table, a line for each row.
     std::string table() const;
-    /// With --scheme: the worst distance on every curve, a line for each.
+    /// Returns the worst distance on every curve, a line for each; only with --scheme.
     std::string curves_table() const;
     std::string html() const;
-    /// Rows asked for.
+    /// Returns the number of rows that were asked for.
     std::size_t asked() const;
 
   private:
@@ -31,11 +31,12 @@ struct CompareReport {
     int axes() const { return 3 + program.aux_axes; }
 };
 
-/// Least worst error for what it costs: rows that no other row beats in both, by rising cost.
-/// Rows that are no core (bits missing, not drawn) do not count.
+/// Returns the rows that no other row beats in both worst error and cost, by rising cost. Rows that
+/// are no core (bits missing, not drawn) do not count.
 std::vector<std::size_t> pareto_front(const std::vector<Row>& rows);
 
-/// Worst of any axis, as the core puts it out; the other figures of the same axes.
+/// Returns the worst errors of any axis, as the core puts them out; the other figures are of the
+/// same axes.
 ErrorFigures worst_axis(const PositionFigures& figures);
 
 }  // namespace curvecore::sysc

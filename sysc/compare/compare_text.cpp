@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// compare.csv, and the table on the terminal.
+// Text forms of a comparison: compare.csv, and the table on the terminal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string number(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "";
 }
 
-/// A field of a .csv file that has no quotes: not every reader knows them.
+/// A field of a .csv file without quotes, which not every reader knows.
 std::string field(std::string text) {
     std::replace(text.begin(), text.end(), ',', ';');
     text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
@@ -45,7 +45,7 @@ std::string note(const Row& row, const SweepOptions& options) {
     return text;
 }
 
-/// "paper, double".
+/// Name such as "paper, double".
 std::string name_of(const Row& row) {
     if (!row.ticks)
         return scheme_name(row.setting.anchor != 0 ? Scheme::kAnchored : Scheme::kPropagated);
@@ -58,7 +58,7 @@ std::string feed_text(const TickScheme& ticks) {
     return fmt::format("{:.4g} m/min", ticks.feed * 60e-3);
 }
 
-/// A parameter of a row; empty where the scheme has none such.
+/// Value of a parameter of a row; empty where the scheme has no such parameter.
 std::string value_of(const Row& row, const ref::Parameter& one) {
     const bool used = !row.ticks || row.ticks->uses(one);
     return used ? fmt::format("{}", row.setting.*one.value) : "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One configuration's words against the exact curve.
+// Comparison of one configuration's words with the exact curve.
 #pragma once
 
 #include <functional>
@@ -14,18 +14,18 @@
 
 namespace curvecore::sysc {
 
-/// | field          | unit  | meaning                                                        |
-/// |----------------|-------|----------------------------------------------------------------|
-/// | output         | units | positions as they leave the core, rounded                      |
-/// | fine           | units | before the final rounding                                      |
-/// | landing        | units | worst last position of a move less the move's own              |
-/// | speed_error    | units | worst chord between samples less the exact curve's, unrounded  |
-/// | speed_relative | 1     | the same by the chord, of those of kSpeedChord units or more   |
-/// | bound          | units | derived, of any segment; none of splines with Anchor 0         |
-/// | of_bound       | 1     | worst unrounded error / its segment's bound                    |
-/// | steps          |       | integration steps                                              |
-/// | missing_bits   |       | that a word of the networks lacks; above 0 it is no core       |
-/// | cost           |       | of any device                                                  |
+/// | field          | unit  | meaning                                                          |
+/// |----------------|-------|------------------------------------------------------------------|
+/// | output         | units | positions as they leave the core, rounded                        |
+/// | fine           | units | positions before the final rounding                              |
+/// | landing        | units | worst last position of a move less the move's own                |
+/// | speed_error    | units | worst chord between samples less the exact curve's, unrounded    |
+/// | speed_relative | 1     | speed_error by the chord, for chords of kSpeedChord units or more |
+/// | bound          | units | derived, of any segment; none for splines with Anchor 0          |
+/// | of_bound       | 1     | worst unrounded error / its segment's bound                      |
+/// | steps          |       | integration steps                                                |
+/// | missing_bits   |       | bits that a word of the networks lacks; above 0 it is no core    |
+/// | cost           |       | on any device                                                    |
 /// | estimate       |       | on Subject's device; none: no measured runs                      |
 /// | ticks          |       | of a scheme that steps once a tick: then `steps` are ticks,      |
 /// |                |       | `segments` curves, and there is no bound, landing or cost        |
@@ -38,7 +38,7 @@ struct Row {
     std::vector<double> by_move;
     double limit = 0;
     std::string refused;
-    bool drawn = false;  // or not drawable at all
+    bool drawn = false;  // false: not drawable at all
     std::size_t segments = 0;
     std::uint64_t steps = 0;
     std::uint64_t samples = 0;
@@ -55,22 +55,22 @@ struct Row {
     ValueRanges ranges{36};
 
     bool has_figures() const { return drawn && blow_ups == 0; }
-    /// Within the derived bound, every end exact.
+    /// Returns true if the row is within the derived bound and every end is exact.
     bool held() const { return landing == 0 && of_bound.value_or(0) <= 1; }
 };
 
-/// What all configurations share.
+/// Data that all configurations share.
 struct Subject {
     const ref::Program& program;
     double unit_mm;
-    bool arcs;  // or lines
+    bool arcs;  // false: lines
     bool splines;
     ExactSamples exact;
-    const Device* device = nullptr;  // whose cost is estimated; none: nobody's
-    bool by_move = false;            // Row::by_move is asked for
+    const Device* device = nullptr;  // device of the cost estimate; null: no estimate
+    bool by_move = false;            // Row::by_move is requested
 };
 
-/// `progress(n)`: n more samples are done.
+/// Compares one configuration; `progress(n)` reports n more samples done.
 /// @throws what progress throws
 Row compare_setting(const Subject& subject, const CoreParameters& setting,
                     const SegmentedProgram& segmented,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schemes that `curvecore compare` draws splines by.
+// Schemes by which `curvecore compare` draws splines.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace curvecore::sysc {
 /// | scheme     | draws                                                       | in words, double |
 /// |------------|-------------------------------------------------------------|------------------|
 /// | anchored   | our segments and steps, Anchor 1                            | words            |
-/// | propagated | the same, Anchor 0                                          | words            |
+/// | propagated | our segments and steps, Anchor 0                            | words            |
 /// | paper      | [Chikurov]: one integration a tick over the whole cubic,    | both             |
 /// |            | its end value only, all sixteen variables carried           |                  |
 /// | rk4        | the sixteen variables by Runge-Kutta, once a tick           | double           |
@@ -38,7 +38,7 @@ struct TickScheme {
     double feed = 0;
 
     double step() const { return tick * feed; }  // mm
-    /// Runge-Kutta has neither Order nor words.
+    /// Returns false for Runge-Kutta, which has neither Order nor words.
     bool has_order() const { return scheme == Scheme::kPaper; }
     bool uses(const ref::Parameter& one) const {
         return (one.value == &CoreParameters::order && has_order()) ||

@@ -25,7 +25,7 @@ bool same_plan(const CoreParameters& a, const CoreParameters& b) {
     return a == other;
 }
 
-/// Workers take group after group of settings; the caller's thread draws the bar.
+/// Workers that take group after group of settings; the caller's thread draws the bar.
 class Workers {
   public:
     Workers(const Subject& subject, const Segmenter& segmenter,
@@ -96,7 +96,7 @@ class Workers {
     const Subject& subject_;
     const Segmenter& segmenter_;
     const std::vector<CoreParameters>& settings_;
-    std::vector<std::size_t> groups_;  // first of each, and the end
+    std::vector<std::size_t> groups_;  // first setting of each group, and the end
     std::vector<std::optional<Row>> rows_;
     std::atomic<std::size_t> next_{0};
     std::atomic<std::int64_t> done_{0};
@@ -107,7 +107,7 @@ class Workers {
     std::exception_ptr failure_;
 };
 
-/// On the caller's thread.
+/// Draws the schemes of --tick on the caller's thread.
 void draw_ticked(const Subject& subject, const SweepOptions& options, ProgressBar& bar,
                  SweepResult& result) {
     std::uint64_t ticks = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many configurations against one program, on all processors.
+// A sweep: many configurations against one program, on all processors.
 #pragma once
 
 #include "sysc/compare/comparison.hpp"
@@ -15,7 +15,7 @@ struct TickedSetting {
 struct SweepOptions {
     double unit_mm = 1e-6;
     double limit = 0.1;      // units: derived bound that the plans keep
-    int times_segments = 4;  // of those that the widest words need
+    int times_segments = 4;  // multiple of the segments that the widest words need
     std::int64_t samples = 100000;
     const Device* device = nullptr;
     std::vector<TickedSetting> ticked;
@@ -33,8 +33,8 @@ struct SweepResult {
     double seconds = 0;
 };
 
-/// Settings that follow each other in the list and differ in what no plan depends on share one.
-/// An interruption (InterruptGuard) ends it with the rows that are finished.
+/// Compares all settings. Neighbours in the list that differ only in what no plan depends on share
+/// a plan. An interruption (InterruptGuard) ends the sweep with the rows that are finished.
 /// @throws ref::InputError, as Segmenter does
 SweepResult sweep(const ref::Program& program, const ref::Machine& machine,
                   const std::vector<CoreParameters>& settings, const SweepOptions& options);

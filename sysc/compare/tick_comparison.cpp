@@ -25,7 +25,7 @@ ref::SplineMethod method_of(Scheme scheme) {
     }
 }
 
-/// What draws in double.
+/// A follower that draws in double.
 struct DoubleFollower {
     ref::SplineFollower<double> follower;
     double h;
@@ -46,7 +46,7 @@ class TickComparison {
                    const std::function<void()>& progress)
         : subject_(subject), step_(ticks.step()), row_(row), progress_(progress) {}
 
-    /// `make(cubic, u0)`: a follower from there.
+    /// Follows every cubic; `make(cubic, u0)` makes a follower that starts there.
     template <class Make>
     void run(const Make& make) {
         for (const ref::Move& move : subject_.program.moves) {
@@ -67,7 +67,7 @@ class TickComparison {
     }
 
   private:
-    /// Worst distance, mm; infinite: blown up.
+    /// Returns the worst distance, mm; infinite: blown up.
     template <class Follower>
     double follow(const ref::Cubic& cubic, Follower follower, ref::ExactPath<double>& path,
                   double start) {
