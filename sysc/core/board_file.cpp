@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".json";
 
-/// The file of a board of this name, or the name of a file.
+/// Name of the file of a board of this name; a file's name is returned as given.
 std::string file_of(const std::string& name) {
     if (fs::path(name).extension() == kExtension) return name;
     const fs::path folder = shipped_files().folder / "scripts/boards";
@@ -38,7 +38,7 @@ std::string file_of(const std::string& name) {
                                  fmt::join(names, ", ")));
 }
 
-/// What a module has where a board's file says nothing.
+/// Defaults of a module's parameters, for values that a board's file does not give.
 std::map<std::string, int> defaults_of(const fs::path& module) {
     const std::string text = ref::read_text_file(module.string());
     static const std::regex kParameter(R"(parameter int (\w+)\s*=\s*(\d+))");

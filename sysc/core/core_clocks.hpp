@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A core's clocks (hls/clocks.hpp) for whoever plans for it.
+// Clocks of a core (hls/clocks.hpp) for planning.
 #pragma once
 
 #include "hls/clocks.hpp"
@@ -10,21 +10,21 @@ namespace curvecore::sysc {
 
 hls::TimedCore timed_core(const CoreParameters& parameters);
 
-/// Of steps along arcs and lines, or along splines.
+/// Clocks of steps along arcs and lines, or along splines.
 hls::Clocks core_clocks(const CoreParameters& parameters, bool spline);
 
-/// Clocks by which the start of a step, or of a segment, keeps the next sample waiting beyond a
-/// sample's own; of the parallel build those that it takes beside the samples.
+/// Clocks by which the start of a step, or of a segment, delays the next sample beyond a sample's
+/// own clocks; for the parallel build, those that it takes beside the samples.
 hls::Clocks change_clocks(const CoreParameters& parameters, bool spline);
 
-/// The same in seconds.
+/// The change clocks in seconds.
 ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz);
 
-/// Fewest clocks in a sample period with which a program can keep time, however slow it is.
+/// Least number of clocks in a sample period with which any program keeps time, however slow it is.
 double least_period_clocks(const CoreParameters& parameters, bool splines,
                            int samples_per_tick = 1);
 
-/// @throws UsageError: the period is shorter than that
+/// @throws UsageError if the period is shorter than least_period_clocks()
 void check_period(const CoreParameters& parameters, bool splines, double period_s, double clock_hz,
                   int samples_per_tick = 1);
 

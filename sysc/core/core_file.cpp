@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is there must be a number above 0.
+/// Reads a value that must be a number above 0 if it is present.
 std::optional<double> positive(const Json& json, const char* name) {
     if (!json.contains(name) || json[name].is_null()) return std::nullopt;
     const double value = json[name].get<double>();

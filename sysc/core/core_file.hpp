@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// core.json: a core with all that it was chosen for, as `choose` writes it and --core takes it.
+// The file core.json: a core and what it was chosen for, as `choose` writes it and --core reads it.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,11 +12,11 @@ namespace curvecore::sysc {
 
 /// | field           | unit | meaning                                                          |
 /// |-----------------|------|------------------------------------------------------------------|
-/// | core            |      | as scripts/synth.sh has it; empty: not said                      |
+/// | core            |      | name as scripts/synth.sh has it; empty: not given                |
 /// | parameters      |      | those not in the file have their defaults                        |
-/// | device          |      | whose clock and multipliers it has; empty: any                   |
-/// | error_mm        | mm   | worst error of a position as the core gives it                   |
-/// | clock_hz        | Hz   | that it runs at                                                  |
+/// | device          |      | device that gives clock and multipliers; empty: any              |
+/// | error_mm        | mm   | worst error of a position as the core returns it                 |
+/// | clock_hz        | Hz   | clock that the core runs at                                      |
 struct CoreFile {
     std::string core;
     CoreParameters parameters;
@@ -29,9 +29,8 @@ struct CoreFile {
     nlohmann::ordered_json json() const;
 };
 
-/// @throws ref::InputError: no such file, no core in it, an unknown parameter, a value out of
-/// range,
-///         a combination that is not built
+/// @throws ref::InputError: no such file, no core in it, an unknown parameter, a value out of its
+///         range, a combination that is not built
 CoreFile read_core_file(const std::string& file);
 
 }  // namespace curvecore::sysc

@@ -11,7 +11,7 @@
 namespace curvecore::sysc {
 
 struct RunTimeFormat {
-    /// `axes`: 3 + AuxAxes, or fewer; without `ranges` for packing only.
+    /// Creates the format; `axes`: at most 3 + AuxAxes; without `ranges` for packing only.
     RunTimeFormat(const CoreParameters& core, int axes, ValueRanges* ranges = nullptr)
         : kOrder(core.order),
           kCoefBits(core.coef_bits),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the system around a core is like: `--system NAME=VALUE`.
+// Settings of the system around a core: `--system NAME=VALUE`.
 #pragma once
 
 #include <array>
@@ -9,10 +9,11 @@
 
 namespace curvecore::sysc {
 
-/// What makes the blocks of the system that the RTL has.
+/// Implementation of the system's blocks that exist in RTL.
 enum class BlockKind { kKernel, kRtl };
 constexpr std::array<std::string_view, 2> kBlockNames{"kernel", "rtl"};
-/// kPins: the RTL as a SystemC module, whose pins are signals.
+/// Implementation of the step generator; kPins: the RTL as a SystemC module, whose pins are
+/// signals.
 enum class StepsKind { kKernel, kRtl, kPins };
 constexpr std::array<std::string_view, 3> kStepsNames{"kernel", "rtl", "pins"};
 
@@ -29,24 +30,24 @@ struct AxisSettings {
     double frequency_hz = 50;
     double damping = 0.7;
     double friction = 20;      // mm/s^2
-    double encoder_mm = 1e-3;  // from count to count
+    double encoder_mm = 1e-3;  // mm from count to count
 };
 
 struct SystemSettings {
     BlockKind interpolator = BlockKind::kKernel;
     StepsKind steps = StepsKind::kKernel;
-    double host_s = 1e-3;     // from one look of the host to the next
-    double jitter_s = 0;      // and up to so much later
-    double word_s = 1e-6;     // of a word of 48 bits on the bus
-    double step_mm = 2.5e-3;  // degrees of a rotary axis
+    double host_s = 1e-3;     // period at which the host looks, s
+    double jitter_s = 0;      // random delay added to it, up to this, s
+    double word_s = 1e-6;     // time of a word of 48 bits on the bus, s
+    double step_mm = 2.5e-3;  // mm a step; degrees on a rotary axis
     PinTimes pins;
     AxisSettings axis;
 };
 
-/// NAME=VALUE into the settings. @throws UsageError
+/// Sets one of the settings from NAME=VALUE. @throws UsageError
 void set_system(SystemSettings& settings, const std::string& text);
 
-/// The names, each with what it takes and its default.
+/// Returns the names, each with its values and its default.
 std::string system_names();
 
 }  // namespace curvecore::sysc

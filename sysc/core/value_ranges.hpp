@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the words of a network were seen to hold, variable by variable and order by order.
+// Ranges of values that the words of a network held, variable by variable and order by order.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace curvecore::sysc {
 using hls::Variable;
 constexpr std::size_t kVariables = static_cast<std::size_t>(Variable::kCount);
 
-/// Name as the report shows it, and the word's fraction bits: CoefBits + `frac`.
+/// Name in the report, and the word's fraction bits: CoefBits + `frac`.
 struct VariableFormat {
     const char* name;
     bool spline;
@@ -34,7 +34,7 @@ struct ValueRange {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    /// Width of the least two's complement word that holds it, 1 for nothing but 0 and -1.
+    /// Width of the least two's complement word that holds the range, 1 for only 0 and -1.
     int bits() const;
 };
 
@@ -42,7 +42,7 @@ class ValueRanges {
   public:
     explicit ValueRanges(int coef_bits) : coef_bits_(coef_bits) {}
 
-    /// Notes a value and returns it as the word keeps it: what does not fit is cut off.
+    /// Notes a value and returns it as the word keeps it: bits beyond the width are cut off.
     std::int64_t keep(Variable variable, int order, std::int64_t value) {
         at(variable, order).add(value);
         const int left = 64 - coef_bits_;
@@ -53,7 +53,7 @@ class ValueRanges {
         return ranges_[static_cast<std::size_t>(variable)][static_cast<std::size_t>(order)];
     }
     int coef_bits() const { return coef_bits_; }
-    /// Bits that the worst word lacks; 0 when all hold their values.
+    /// Number of bits that the worst word lacks; 0 when all hold their values.
     int missing() const;
 
   private:

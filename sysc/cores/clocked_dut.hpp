@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Verilated module with one clock: clock, reset, trace and a limit on cycles.  Knows no protocol.
+// A Verilated module with one clock: clock, reset, trace and a limit on cycles. It knows no
+// protocol.
 //
 //     ClockedDut<Vriemann_integrator> dut;
 //     dut.reset();
@@ -54,13 +55,13 @@ class ClockedDut {
     /// Lets outputs follow inputs within the cycle.
     void settle() { model_->eval(); }
 
-    /// One rising edge.  @throws std::runtime_error past the limit on cycles.
+    /// Advances by one rising edge. @throws std::runtime_error past the limit on cycles
     void tick() {
         rise();
         fall();
     }
 
-    /// The halves of tick(), for speed: inputs that change before fall() need no settle().
+    /// Does the halves of tick(), for speed: inputs that change before fall() need no settle().
     void rise() {
         if (++cycle_ > cycle_limit_) {
             throw std::runtime_error("the limit of " + std::to_string(cycle_limit_) +
@@ -78,7 +79,7 @@ class ClockedDut {
         while (cycles-- > 0) tick();
     }
 
-    /// Holds the reset for two edges, which every module takes; for a core one is enough.
+    /// Holds the reset for two edges, which suffice for every module; a core needs only one.
     void reset(uint64_t edges = 2) {
         model_->rst_ni = 0;
         tick(edges);
@@ -117,7 +118,7 @@ class ClockedDut {
     VerilatedContext context_;
     std::unique_ptr<Model> model_;
     std::unique_ptr<VerilatedFstC> trace_;
-    double half_ps_ = 0;  // of a clock
+    double half_ps_ = 0;  // half a clock, ps
     uint64_t cycle_ = 0;
     uint64_t cycle_limit_ = 1'000'000'000;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One Verilated core as a board: compiled once for each model, by curvecore_program().
+// A Verilated core as a board: compiled once for each model, by curvecore_program().
 #include "ref/format/queues.hpp"
 #include "sysc/cores/rtl_board.hpp"
 #include CFG_HEADER

@@ -14,8 +14,8 @@ struct CompiledCore {
 
 const std::vector<CompiledCore>& compiled_cores();
 
-/// The core for options.core, or null. One that can do more will do for what --set did not ask
-/// for: more auxiliary axes, splines.
+/// Finds the core for options.core; null: none. A core that can do more is taken where --set leaves
+/// it open: more auxiliary axes, splines.
 const CompiledCore* find_core(const Options& options);
 
 }  // namespace curvecore::sysc

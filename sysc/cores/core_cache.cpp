@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A core's folder <build>-<digest> holds core.so and core.sum, the digest of core.so's bytes: an
-// entry that has been cut short or changed is made again.
+// The cache of cores: a core's folder <build>-<digest> holds core.so and core.sum, the digest of
+// core.so's bytes. A truncated or changed entry is made again.
 #include "sysc/cores/core_cache.hpp"
 
 #include <dlfcn.h>
@@ -32,14 +32,14 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// FNV-1a of 64 bits: tells files apart, and keeps no secret.
+/// FNV-1a of 64 bits: it tells files apart, but is not cryptographic.
 class Digest {
   public:
     void add(const std::string& text) {
         for (const char c : text) {
             state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3u;
         }
-        state_ = (state_ ^ 0x100u) * 0x100000001B3u;  // "ab" "c" is not "a" "bc"
+        state_ = (state_ ^ 0x100u) * 0x100000001B3u;  // so that "ab" "c" differs from "a" "bc"
     }
     std::string text() const { return fmt::format("{:016x}", state_); }
 
@@ -53,7 +53,7 @@ std::string digest_of(const fs::path& file) {
     return digest.text();
 }
 
-/// Held while one run looks at a core's folder or fills it.
+/// A lock, held while one run looks at a core's folder or fills it.
 class Lock {
   public:
     Lock(const fs::path& file, bool quiet)
@@ -80,7 +80,7 @@ bool in_path(const std::string& tool) {
     return false;
 }
 
-/// What a command prints; its stderr goes with it.
+/// Runs a command and returns its stdout and stderr.
 std::string output_of(const std::string& command) {
     FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("cannot start a shell");
@@ -92,7 +92,7 @@ std::string output_of(const std::string& command) {
     return text;
 }
 
-/// A core is made with the tools that the program was made with.
+/// Checks that the tools are those that the program was made with; cores need the same.
 void check_tools() {
     for (const char* tool : {"verilator", "make", CURVECORE_CXX}) {
         const std::string name = fs::path(tool).filename();
@@ -111,7 +111,7 @@ void check_tools() {
     }
 }
 
-/// Status of a program with arguments, its output in a file.
+/// Runs a program with its output in a file. Returns its exit status.
 int run(const std::vector<std::string>& arguments, const fs::path& log) {
     const pid_t child = fork();
     if (child == 0) {
@@ -131,7 +131,7 @@ int run(const std::vector<std::string>& arguments, const fs::path& log) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// What went wrong by a tool's output: its first line with an error, or its last.
+/// Reason of a failure from a tool's output: its first line with an error, or its last line.
 std::string reason_in(const fs::path& log) {
     std::ifstream lines(log);
     std::string last;

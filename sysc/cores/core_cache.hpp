@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Verilated cores that are made when they are asked for, and kept.
+// A cache of Verilated cores, which are built on demand.
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@ namespace curvecore::sysc {
 
 class CoreCache {
   public:
-    /// Installed, the cores' sources are in share/curvecore beside the program's bin, else in the
-    /// source tree. Cores are kept in $CURVECORE_CORES, or $XDG_CACHE_HOME/curvecore if installed,
-    /// else in the source tree's build/cores.
+    /// Finds the folders. Sources of cores are in share/curvecore beside the installed program's
+    /// bin, otherwise in the source tree. Cores are kept in $CURVECORE_CORES, or
+    /// $XDG_CACHE_HOME/curvecore if installed, otherwise in the source tree's build/cores.
     CoreCache();
 
-    /// The core of these parameters, made if it is not there; another run that makes it is waited
-    /// for. Says on stderr what it does, unless quiet.
+    /// Opens the core with these parameters, and builds it if it is not in the cache; waits for
+    /// another run that builds it. Reports its work on stderr, unless quiet.
     /// @throws UsageError without Verilator, std::runtime_error when it fails
     MakeBoard* open(const CoreParameters& parameters, bool quiet) const;
 
   private:
-    /// Of all that a core is made from.
+    /// Digest of all files and parameters that the core is made from.
     std::string digest(const CoreParameters& parameters) const;
     void make(const CoreParameters& parameters, const std::filesystem::path& folder,
               bool quiet) const;

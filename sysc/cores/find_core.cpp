@@ -7,7 +7,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// What --set leaves open, the simpler first.
+/// Rank of a core by parameters that --set leaves open, the simpler core first.
 std::pair<int, int> open_parameters(const CompiledCore& core) {
     return {core.parameters.splines, core.parameters.aux_axes};
 }

@@ -36,12 +36,12 @@ class Arrangement {
     Arrangement(std::string head, WaveformSignals signals)
         : signals_(std::move(signals)), text_(std::move(head)) {}
 
-    /// Signals of the instance `at`, "" or with a dot at its end.
+    /// Shows signals of the instance `at`, which is "" or ends with a dot.
     void show(const std::string& at, const Signals& signals) {
         for (const Signal& signal : signals) show(signal.show, at + signal.name);
     }
 
-    /// A group of which this core has nothing is left out.
+    /// Shows a group; a group without signals in this core is left out.
     void group(const char* name, const std::string& at, const Signals& signals) {
         const auto there = [&](const Signal& signal) {
             return signals_.count(kTop + at + signal.name) != 0;
@@ -55,7 +55,7 @@ class Arrangement {
     const std::string& text() const { return text_; }
 
   private:
-    /// A signal that this core does not have is left out.
+    /// Shows a signal; a signal that this core does not have is left out.
     void show(Show how, const std::string& name) {
         const std::string full = kTop + name;
         const auto found = signals_.find(full);
@@ -172,7 +172,7 @@ void positions(Arrangement& view, const CoreParameters& core) {
 
 std::string gtkw_head(const std::string& folder, const std::string& wave, const std::string& save,
                       double start, double span, double marker) {
-    // A zoom of z is 2^-z units of time for 200 of the 1000 pixels that the signals leave.
+    // A zoom of z shows 2^-z units of time in 200 of the 1000 pixels that the signals leave.
     constexpr double kFrames = 1000 / 200.0;
     const std::filesystem::path at = std::filesystem::absolute(folder).lexically_normal();
     return fmt::format(
@@ -191,7 +191,7 @@ std::string gtkw(const CoreParameters& core, const std::string& fst_file, const 
                  const FirstSample& first) {
     constexpr double kBefore = 40;  // clocks
     constexpr double kSpan = 200;
-    constexpr double kReset = 3;  // clocks, before the first that is counted
+    constexpr double kReset = 3;  // clocks before the first that is counted
     const double clock_ps = 1e12 / first.clock_hz;
     const double at = static_cast<double>(first.clock) + kReset;
     const std::string head =

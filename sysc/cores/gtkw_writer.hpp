@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// waves.gtkw: GTKWave opens waves.fst with the signals in groups, in the order of the data's flow.
+// The file waves.gtkw: GTKWave opens waves.fst with signals in groups, in the order of the data
+// flow.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +10,18 @@
 
 namespace curvecore::sysc {
 
-/// Where the picture opens: at the clock that gave the first sample.
+/// The place where the picture opens: the clock that returned the first sample.
 struct FirstSample {
     double clock_hz;
     std::uint64_t clock;
 };
 
-/// The arrangement of `fst_file`; `folder` is where both files will stand.
+/// Arranges the signals of `fst_file`; `folder` is where both files will stand.
 std::string gtkw(const CoreParameters& core, const std::string& fst_file, const std::string& folder,
                  const FirstSample& first);
 
-/// The head of a save file: `wave` and it stand in `folder`, `save` is its name, and it opens on
-/// `span` ps of time from `start` on, with the marker at `marker`.
+/// Writes the head of a save file: `wave` and it stand in `folder`, `save` is its name, and it
+/// opens on `span` ps of time from `start` on, with the marker at `marker`.
 std::string gtkw_head(const std::string& folder, const std::string& wave, const std::string& save,
                       double start, double span, double marker);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words across the Verilator boundary, the one place where they change sign or width.
+// Words across the Verilator boundary: the one place where they change sign or width.
 //
 // A port is unsigned, and its bits above its width must be zero; a vector of more than 64 bits is
 // an array of 32-bit words.  All functions take ports of either kind.
@@ -44,7 +44,7 @@ uint64_t field(const Port& port, int low, int bits) {
     }
 }
 
-/// The same as a signed value.
+/// Bits [low + bits - 1 : low] of a port as a signed value.
 template <class Port>
 int64_t signed_field(const Port& port, int low, int bits) {
     return from_port(field(port, low, bits), bits);

@@ -26,7 +26,7 @@ class RtlBoard : public Board {
         drive(setup.settings);
         if (!setup.waveform.empty()) dut_.trace_to(setup.waveform, setup.clock_hz);
         dut_.reset();
-        dut_.tick();  // a reset lasts a clock longer: a queue that refuses a word then is not full
+        dut_.tick();  // a reset lasts a clock longer: a queue that refuses a word now is not full
         first_clock_ = dut_.cycle();
     }
 
@@ -42,7 +42,7 @@ class RtlBoard : public Board {
         return !(stream == Stream::kSegments ? segments_ : profile_).waiting;
     }
 
-    /// While an entry counts a frame it takes no word, either.
+    /// Clocks during which an entry counts a frame and takes no word.
     static constexpr int kCounts = 4;
     bool full(Stream stream) const override {
         return (stream == Stream::kSegments ? segments_ : profile_).refused > kCounts;
@@ -66,7 +66,7 @@ class RtlBoard : public Board {
   private:
     static constexpr int kFineBits = PositionBits + GuardBits;
 
-    /// A word on its way into a queue. Once valid it stays so until it is taken.
+    /// A word on its way into a queue; once valid it stays valid until it is taken.
     struct Inlet {
         Inlet(std::optional<std::uint64_t> seed, std::uint64_t stream) : stall(seed, stream) {}
 
@@ -74,7 +74,7 @@ class RtlBoard : public Board {
         std::uint64_t word = 0;
         bool waiting = false;
         bool valid = false;
-        int refused = 0;  // by so many clocks up to the last one
+        int refused = 0;  // number of clocks, up to the last one, in which the word was refused
 
         void offer() { valid = valid || (waiting && stall.go()); }
         void answer(bool ready) {

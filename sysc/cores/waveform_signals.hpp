@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The signals of a waveform file.
+// Signals of a waveform file.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace curvecore::sysc {
 
-/// Full name -> its range, "[31:0]" or nothing.
+/// Map from full name to range, "[31:0]" or empty.
 using WaveformSignals = std::map<std::string, std::string>;
 
 WaveformSignals waveform_signals(const std::string& fst_file);

@@ -33,7 +33,7 @@ std::vector<PlacedBoard> placed_boards() {
     return placed;
 }
 
-/// One of this build and family. Null: none.
+/// Finds a placed board of this build and family; null: none.
 const PlacedBoard* placed_board(Build build, const Device& device) {
     static const std::vector<PlacedBoard> kPlaced = placed_boards();
     const auto found = std::find_if(kPlaced.begin(), kPlaced.end(), [&](const PlacedBoard& board) {

@@ -19,7 +19,7 @@ enum Base {
     kCoefBits,
     kFineBits,
     kAxes,
-    kSamples,  // a clock
+    kSamples,  // samples a clock
     kArcs,
     kSplines,
     kWide,
@@ -115,7 +115,7 @@ const ModelFile& model_file() {
     return file;
 }
 
-/// Of one build: LUT4, flip-flops and period.
+/// Models of one build: LUT4, flip-flops and period.
 struct BuildModels {
     const Model* lut4;
     const Model* ff;

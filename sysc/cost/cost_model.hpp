@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a core costs in a device, without place and route.
+// Cost of a core in a device, without place and route.
 //
 // DSP and RAM blocks are counted from the RTL's structure and are exact. LUT4, flip-flops and the
 // clock period are linear in a few features of the widths; scripts/fit_cost_model.py fits their
-// coefficients to runs of scripts/synth.sh and writes sysc/cost/cost_model.json, which is
-// compiled in. Whatever they say is an estimate: `error` is that of the model on runs it was not
-// fitted to.
+// coefficients to runs of scripts/synth.sh and writes sysc/cost/cost_model.json, which is compiled
+// in. They are estimates: `error` is the model's error on runs that it was not fitted to.
 #pragma once
 
 #include <array>
@@ -19,17 +18,17 @@ namespace curvecore::sysc {
 
 enum class Core { kSpherical, kSpline, kCurve };
 
-/// "spherical", "spline" or "curve", as scripts/synth.sh has it.
+/// Name of a core as scripts/synth.sh has it: "spherical", "spline" or "curve".
 const char* core_name(Core core);
 
-/// The core for these curves; the serial build has none for splines alone.
+/// Returns the core for these curves; the serial build has none for splines alone.
 Core core_for(bool arcs, bool splines, Build build);
 
-/// | field        | meaning                                                                |
-/// |--------------|------------------------------------------------------------------------|
-/// | lut4, ff     | estimates, of the core alone                                           |
+/// | field        | meaning                                                                 |
+/// |--------------|-------------------------------------------------------------------------|
+/// | lut4, ff     | estimates, of the core alone                                            |
 /// | mhz          | estimate of what place and route reaches, at most the DSP blocks' limit |
-/// | dsp, ram     | exact                                                                  |
+/// | dsp, ram     | exact                                                                   |
 /// | lut4_error.. | relative error of the estimate: root mean square over runs left out, or |
 /// |              | over those of the device's family where that is more                    |
 struct CostEstimate {
@@ -45,27 +44,28 @@ struct CostEstimate {
     bool fits(const Device& device) const;
     /// Shares of the device: the larger of LUT4 and flip-flops, DSP blocks, RAM blocks.
     std::array<double, 3> shares(const Device& device) const;
-    /// Their sum. What "smallest" means.
+    /// Sum of the shares, by which "smallest" is meant.
     double size(const Device& device) const;
-    /// The largest of them.
+    /// Largest of the shares.
     double fullest(const Device& device) const;
 };
 
-/// Whether there were runs of this build in the device's family.
+/// Returns true if runs of this build were measured in the device's family.
 bool cost_is_known(Build build, const Device& device);
 
-/// Nothing when there were none.
+/// Estimates the cost; none if no runs were measured.
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
                                      const Device& device);
 
-/// Wide multipliers of the sampler, and 18 x 18 ones of the spline's network in the parallel build.
+/// Number of wide multipliers of the sampler, and of 18 x 18 ones of the spline's network in the
+/// parallel build.
 struct MultiplierCount {
     int wide = 0;
     int narrow = 0;
 };
 MultiplierCount count_multipliers(Core core, const CoreParameters& parameters);
 
-/// Where the fit came from, for reports: "fitted to 17 runs, ...".
+/// Origin of the fit, for reports: "fitted to 17 runs, ...".
 std::string cost_model_source();
 
 }  // namespace curvecore::sysc

@@ -13,8 +13,9 @@ constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a bl
 
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
-/// rtl/multiplier/multiplier_portable.sv as Yosys maps it: a product of the high halves, 18 bits
-/// signed, and one for every pair with a low half, which is unsigned and what is above 18 bits.
+/// Blocks of rtl/multiplier/multiplier_portable.sv as Yosys maps it: a product of the high halves,
+/// 18 bits signed, and one for every pair with a low half, which is unsigned and takes the bits
+/// above 18.
 int portable(int a_bits, int b_bits, const Device& device) {
     const int a_low = a_bits - 18;
     const int b_low = b_bits - 18;
@@ -30,14 +31,14 @@ int portable(int a_bits, int b_bits, const Device& device) {
     return 0;
 }
 
-/// rtl/multiplier/multiplier.sv.
+/// Blocks of rtl/multiplier/multiplier.sv.
 int multiplier(int a_bits, int b_bits, const Device& device) {
     if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
     if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
     return portable(a_bits, b_bits, device);
 }
 
-/// Each order's word in a sampler of arcs with a width for each.
+/// Visits each order's word in a sampler of arcs with a width for each.
 template <class Visit>
 void each_stage(const CoreParameters& p, Visit visit) {
     for (int i = 1; i <= p.order; ++i) {
@@ -107,8 +108,8 @@ bool wide_block(const CoreParameters& parameters, const Device& device) {
 
 int count_ram(Core core, const CoreParameters& parameters, const Device& device) {
     if (parameters.build == Build::kParallel) return 0;  // its memories are distributed
-    // Three copies of the words, the program and, where there is no distributed memory, two of
-    // points. Of the program's 61 bits some are alike.
+    // Three copies of the words, the program and, where there is no distributed memory, two copies
+    // of points. Some of the program's 61 bits are alike.
     const bool splines = core == Core::kCurve;
     if (device.family != "up5k" && device.family != "hx8k") return 3 + 2;  // words of 36 bits
     const int words = blocks(parameters.coef_bits, splines ? 8 : 16);

@@ -10,9 +10,9 @@ int count_dsp(Core core, const CoreParameters& parameters, const Device& device)
 /// Multipliers of CoefBits as wide in all as those that there are: the same count but with
 /// TurnBits.
 double mean_wide(Core core, const CoreParameters& parameters);
-/// Of the serial build's multiplier: pairs of bits, one of each operand, that LUTs multiply.
+/// Pairs of bits, one of each operand, that LUTs multiply in the serial build's multiplier.
 int soft_bits(const CoreParameters& parameters, const Device& device);
-/// Whether it takes blocks of more than 18 x 18 bits, which are slower.
+/// Returns true if the multiplier takes blocks of more than 18 x 18 bits, which are slower.
 bool wide_block(const CoreParameters& parameters, const Device& device);
 int count_ram(Core core, const CoreParameters& parameters, const Device& device);
 

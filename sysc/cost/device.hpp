@@ -8,7 +8,7 @@
 
 namespace curvecore::sysc {
 
-/// A row of the table, which says what its fields are.
+/// A row of the table; the table describes its fields.
 struct Device {
     std::string_view name;
     std::string_view family;
@@ -25,12 +25,12 @@ inline constexpr std::array kDevices{
 #include "sysc/cost/devices.def"
 };
 
-/// "up5k, hx8k, ..."
+/// Names as text: "up5k, hx8k, ...".
 std::string device_names();
 
-/// Null: there is none of this name.
+/// Finds a device by its name; null: none.
 const Device* find_device(const std::string& name);
-/// @throws UsageError that lists them: there is none of this name
+/// Returns the device of this name. @throws UsageError that lists the names if there is none
 const Device* device_of(const std::string& name);
 
 }  // namespace curvecore::sysc

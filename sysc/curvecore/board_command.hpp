@@ -21,7 +21,7 @@ struct BoardOptions {
 
 void add_board(CLI::App& command, BoardOptions& options);
 
-/// Until it is interrupted.
+/// Runs the board until it is interrupted.
 int board_command(const BoardOptions& options);
 
 }  // namespace curvecore::sysc

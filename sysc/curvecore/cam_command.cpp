@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore cam`: a table of radii becomes a program, which runs as any part does; what it draws
-// is held against the cam's surface.
+// `curvecore cam`: converts a table of radii into a program, which runs as any part does, and
+// checks the drawn positions against the cam's surface.
 #include "sysc/curvecore/cam_command.hpp"
 
 #include <fmt/format.h>
@@ -32,14 +32,14 @@ std::vector<std::string> remarks(const CamOptions& options, const ref::CamHelix&
             "X radius of the cutter's centre, Z along the axis (mm), A angle (degrees)"};
 }
 
-/// Section by section from the table into the program; `read`: all of them, for what holds the
-/// drawn cam against its surface.
+/// Cuts the table, section by section, into the program; `read` receives all sections, for the
+/// check of the drawn cam against its surface.
 CamCut cut_table(const CamOptions& options, const std::string& program,
                  std::vector<ref::CamSection>& read) {
     CamCut cut;
     std::ifstream in = ref::open_cam(options.common.file);
     ref::CamTable table(in, options.common.file);
-    // The pitch of the sections comes with the second.
+    // The pitch of the sections is known with the second one.
     for (int i = 0; i < 2; ++i) read.push_back(*table.next());
     const double dx = read[1].x - read[0].x;
     cut.helix = helix_of(options, table.angles(), dx);

@@ -6,7 +6,7 @@
 
 namespace curvecore::sysc {
 
-/// The exit status: 0 every check held, 1 one failed.
+/// Returns the exit status: 0 every check held, 1 one failed.
 int cam_command(const CamOptions& options);
 
 }  // namespace curvecore::sysc

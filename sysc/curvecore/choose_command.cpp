@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore choose`: the smallest configuration that is proven to keep a requirement.
+// `curvecore choose`: the smallest configuration that is proven to meet a requirement.
 #include "sysc/curvecore/choose_command.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ int choose_command(const ChooseOptions& options) {
     std::optional<OutputFolder> folder;
     if (!options.folder.empty()) {
         folder.emplace(options.folder);
-    } else if (options.confirm) {  // never committed
+    } else if (options.confirm) {  // not committed
         folder.emplace((std::filesystem::temp_directory_path() / "curvecore-choose").string());
     }
     const auto begin = std::chrono::steady_clock::now();

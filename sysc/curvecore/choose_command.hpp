@@ -8,8 +8,8 @@ namespace curvecore::sysc {
 
 constexpr int kImpossible = 3;  // exit status
 
-/// Returns the exit status: 0; 1 --confirm failed, or placed and routed too slow for the
-/// requirement; 3 no configuration keeps the requirement.
+/// Returns the exit status: 0; 1 --confirm failed, or the placed and routed core is too slow for
+/// the requirement; 3 no configuration meets the requirement.
 int choose_command(const ChooseOptions& options);
 
 }  // namespace curvecore::sysc

@@ -6,8 +6,8 @@
 
 namespace curvecore::sysc {
 
-/// Returns the exit status: 0; 1 an error beyond its bound, or an end that is missed; 130
-/// interrupted, the finished configurations are written.
+/// Returns the exit status: 0; 1 an error beyond its bound, or a missed end; 130 interrupted, with
+/// the finished configurations written.
 /// @throws ref::InputError
 int compare_command(CompareOptions options);
 

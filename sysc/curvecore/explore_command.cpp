@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore explore`: the shortest queues that a program does not outrun, host by host.
+// `curvecore explore`: the shortest queues that a program does not outrun, for each host.
 #include "sysc/curvecore/explore_command.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::vector<std::string> items_of(const char* option, const std::string& list) {
     return items;
 }
 
-/// Each item as the option of one value reads it; ascending, each once.
+/// Reads each item as the option of one value does; ascending, each once.
 template <class Value, class Read>
 std::vector<Value> list_of(const char* option, const std::string& list, Read&& read) {
     std::vector<Value> values;
@@ -49,7 +49,7 @@ std::vector<double> times_of(const char* name, const std::string& list,
     });
 }
 
-/// An option's values, each read as of one value.
+/// Reads the values of an option, each as its single value is read.
 template <class Value>
 std::vector<Value> values_of(const char* option, const RawOptions& raw,
                              std::string RawOptions::*text, const Options& options,

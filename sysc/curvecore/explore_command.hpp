@@ -8,17 +8,17 @@
 
 namespace curvecore::sysc {
 
-/// Lists as text.
+/// The command line as text, with lists.
 struct RawExplore {
     RawExplore();
 
-    RawOptions common;  // with lists of sample periods and queues
+    RawOptions common;  // options with lists of sample periods and queues
     std::string host = "1ms,20ms,100ms,500ms";
     std::string word = "1us,500us";
     std::string jitter = "0ms";
 };
 
-/// Beside the common options.
+/// Adds the options besides the common ones.
 void add_explore(CLI::App& command, RawExplore& explore);
 
 /// @throws UsageError, ref::InputError

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kHelpAll = "--help-all";
 
-/// Three of each command, as a user would type them.
+/// Three examples of each command, as a user would type them.
 const std::map<std::string, std::vector<const char*>> kExamples{
     {"run",
      {"part.ngc -o out", "part.ngc --build serial --device ecp5-25 -o small",
@@ -68,7 +68,7 @@ bool has(const std::vector<std::string>& arguments, const char* name) {
                        [name](const std::string& argument) { return is(argument, name); });
 }
 
-/// As the user types them, "--output"; those of a hidden group, too.
+/// Names of options as the user types them, "--output"; also those of a hidden group.
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
     for (const CLI::Option* option : command.get_options()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What --help shows, and what a mistyped name may have meant.
+// Help texts, and suggestions for mistyped names.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace curvecore::sysc {
 
-/// Groups of options in a command's help. Those that are rarely wanted are shown by --help-all.
+/// Groups of options in a command's help. Rarely used ones are shown by --help-all.
 namespace group {
 constexpr const char* kInput = "Input";
 constexpr const char* kCore = "Core";
@@ -18,17 +18,18 @@ constexpr const char* kOutput = "Output";
 constexpr const char* kRare = "More";
 }  // namespace group
 
-/// Options that are added to the command from here on stand in this group.
+/// Puts the options that are added to the command from here on into this group.
 void begin_group(CLI::App& command, const char* group);
 
-/// Before any command is added: -h, --help and --help-all, and names in any case.
+/// Adds -h, --help and --help-all, and makes names independent of case. To be called before any
+/// command is added.
 void begin_help(CLI::App& app);
 
-/// After all of them: examples below each help; the rare options are hidden unless one of the
-/// arguments is --help-all.
+/// Adds examples below each help; rare options are hidden unless one of the arguments is
+/// --help-all. To be called after all commands are added.
 void finish_help(CLI::App& app, const std::vector<std::string>& arguments);
 
-/// `help run` asks for `run --help`.
+/// Rewrites `help run` as `run --help`.
 std::vector<std::string> asked_help(std::vector<std::string> arguments);
 
 /// Refuses a first word that is no command, and an option that the command does not have.

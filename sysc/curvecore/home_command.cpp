@@ -16,7 +16,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Those of the machine that are asked for.
+/// Home settings of the machine's axes that were named.
 std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& machine,
                                   int board_axes) {
     std::vector<AxisHome> homes = read_homes(machine);
@@ -43,7 +43,7 @@ std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& ma
     return homes;
 }
 
-/// The limit switch that is its home switch.
+/// The limit switch that serves as the axis' home switch.
 std::uint32_t limit_of(const AxisHome& home) { return home.ignore_limits ? 1U << home.axis : 0; }
 
 }  // namespace
@@ -80,7 +80,7 @@ int home_command(Options options, const RawHomeOptions& raw) {
                       static_cast<int>(std::ceil(silence / build.sample_period_s)), console,
                       [] { InterruptGuard::check(); });
         int exit = 0;
-        // Any axis may stand on its switch until it is homed.
+        // Any axis may stand on its limit switch until it is homed.
         std::uint32_t limits = 0;
         for (const AxisHome& home : homes) limits |= limit_of(home);
         try {

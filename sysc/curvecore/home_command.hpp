@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore home`: the axes of a board's machine to their switches.
+// `curvecore home`: drives the axes of a board's machine to their switches.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,8 +17,8 @@ struct RawHomeOptions {
 
 void add_home(CLI::App& command, RawHomeOptions& raw, Options& options);
 
-/// Exit status: 0 homed; 1 a switch was not found, the board ended it or was lost; 130 stopped by
-/// the operator.
+/// Returns the exit status: 0 homed; 1 a switch was not found, the board ended the run or was lost;
+/// 130 stopped by the operator.
 int home_command(Options options, const RawHomeOptions& raw);
 
 }  // namespace curvecore::sysc

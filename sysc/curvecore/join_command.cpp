@@ -20,7 +20,7 @@ namespace {
 
 using ref::Program;
 
-constexpr double kSame = 1e-6;   // mm, 1: ends of a loaded move and of the programs
+constexpr double kSame = 1e-6;   // mm, 1: equal ends of a loaded move and of the programs
 constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
 
 Program working_path(const std::string& name, bool before, const Options& options,
@@ -35,7 +35,7 @@ Program working_path(const std::string& name, bool before, const Options& option
     return program;
 }
 
-/// The programs' ends meet: there is a way to go, and auxiliary axes have none.
+/// Checks that the programs' ends are apart, and that auxiliary axes stand still between them.
 void check_ends(const Program& a, const Program& b) {
     const ref::Move& last = a.moves.back();
     const ref::Move& first = b.moves.front();

@@ -8,7 +8,7 @@
 
 namespace curvecore::sysc {
 
-/// The command line as text; empty: not given, so --load says it, or the default stands.
+/// The command line as text; empty: not given, so --load gives it, or the default stands.
 struct RawJoinOptions {
     std::string a, b;
     std::string load;

@@ -3,8 +3,8 @@
 // parts through the cores, from the command line.
 //
 // Exit status: 0 done and every check held; 1 a check failed; 2 the input or the command line is
-// wrong, and nothing was written; 3 choose, explore: nothing keeps what is asked; 130 interrupted,
-// nothing written (compare: what was finished).
+// invalid, and nothing was written; 3 choose, explore: no configuration meets the request; 130
+// interrupted, nothing written (compare: the finished rows are).
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

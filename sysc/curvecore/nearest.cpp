@@ -10,7 +10,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Letters to insert, delete, change or swap with the next one.
+/// Number of letters to insert, delete, change or swap with the next one.
 std::size_t distance(std::string a, std::string b) {
     for (std::string* text : {&a, &b}) {
         std::transform(text->begin(), text->end(), text->begin(),

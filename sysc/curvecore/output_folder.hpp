@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The folder that a command writes: all of it, or nothing.
+// The folder that a command writes, completely or not at all.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ class OutputFolder {
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// Where to write a file of this name now.
+    /// Path at which a file of this name is written now.
     std::string path(const std::string& name) const { return (temporary_ / name).string(); }
 
     void write(const std::string& name, const std::string& text) const;
@@ -27,12 +27,12 @@ class OutputFolder {
   private:
     [[noreturn]] void refuse(const std::string& reason) const;
 
-    std::string given_;  // as the user named it
+    std::string given_;  // name as the user gave it
     std::filesystem::path folder_;
     std::filesystem::path temporary_;
 };
 
-/// A file of the folder that grows.
+/// A growing file of the folder.
 class OutputFile {
   public:
     OutputFile(const OutputFolder& folder, const std::string& name);

@@ -14,11 +14,11 @@ namespace curvecore::sysc {
 namespace {
 
 struct Foreseen {
-    double period;  // the least of a sample, clocks
+    double period;  // least sample period, clocks
     LimitLoads limits;
 };
 
-/// What the samples will show, from the exact curve.
+/// Predicts the samples from the exact curve.
 Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     PredictedPace pace(job.plan, job.options.core, job.options.samples_per_tick);
     PathSource source(job.plan, job.options.samples_per_tick_log2(), job.options.override_word());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a command needs before it draws or writes anything.
+// Planning and checks that a command does before it draws or writes anything.
 #pragma once
 
 #include "sysc/job/job_stream.hpp"
 
 namespace curvecore::sysc {
 
-/// Plans all of a job for its core, which is known by now, with the clock of its device, and looks
-/// at every word of the plan.
+/// Plans a whole job for its core, which is known by now, with the clock of its device, and checks
+/// every word of the plan.
 /// @throws UsageError, ref::InputError: take_device(), JobStream::all(), check_words()
 Job plan_and_check(JobStream& stream);
 

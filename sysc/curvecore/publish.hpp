@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `plan` and `run` leave behind: segments.json, report.json, report.html, and the summary.
+// Results of `plan` and `run`: segments.json, report.json, report.html, and the summary.
 #pragma once
 
 #include "sysc/curvecore/output_folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line of `curvecore choose` asks for.
+// Options of `curvecore choose`.
 #pragma once
 
 #include "sysc/choose/requirement.hpp"
@@ -31,7 +31,8 @@ struct RawRequirement {
     std::string build;
 };
 
-/// @throws UsageError with the option's name and the reason; ref::InputError of the machine's file
+/// Converts the texts. @throws UsageError with the option's name and the reason; ref::InputError of
+/// the machine's file
 void interpret(const RawRequirement& raw, ChooseOptions& options);
 
 }  // namespace curvecore::sysc

@@ -18,7 +18,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// `make`: of a Verilated core, null for the kernel.
+/// Makes the board; `make` is that of a Verilated core, null for the kernel.
 std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::string& waveform,
                                   const std::string& pins) {
     const Options& options = job.options;

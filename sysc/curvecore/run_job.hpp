@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A job drawn by a board into a folder: what `run` does, and every command that makes a program.
+// A job drawn by a board into a folder, for `run` and for every command that makes a program.
 #pragma once
 
 #include <functional>
@@ -11,27 +11,29 @@
 
 namespace curvecore::sysc {
 
-/// What a command wants of a run besides its report.
+/// Extra work of a command on its run.
 struct RunExtras {
-    TakeSample sample;  // in a thread of the run's own
-    /// Before the folder is published: writes more files; false: a check of the command's failed.
+    TakeSample sample;  // called in a thread of the run
+    /// Writes more files before the folder is published; returns false if a check of the command
+    /// failed.
     std::function<bool(const Report& report, OutputFolder& folder)> finish;
 };
 
 class Runner {
   public:
-    /// Plans the job and finds or makes its core.
+    /// Plans the job and finds or builds its core.
     /// @throws ref::InputError, UsageError
     explicit Runner(Options options);
 
     const Job& job() const { return job_; }
 
-    /// Draws the job, checks every sample, writes and publishes the folder. The exit status.
+    /// Draws the job, checks every sample, writes and publishes the folder. Returns the exit
+    /// status.
     int run(OutputFolder& folder, const RunExtras& extras = {});
 
   private:
     Job job_;
-    MakeBoard* make_ = nullptr;  // of a Verilated core, null for the kernel
+    MakeBoard* make_ = nullptr;  // of a Verilated core; null: the kernel
 };
 
 }  // namespace curvecore::sysc

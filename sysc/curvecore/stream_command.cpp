@@ -23,7 +23,7 @@ namespace {
 constexpr double kQuantaPerUnit = 65536;
 constexpr auto kStatusPeriod = std::chrono::milliseconds(200);
 
-/// One line on a terminal, gone when done.
+/// A status line on a terminal, removed when done.
 class StatusLine {
   public:
     explicit StatusLine(bool quiet) : on_(!quiet && isatty(STDERR_FILENO) == 1) {}
@@ -64,13 +64,13 @@ double mm_of(std::uint64_t quanta, const Options& options) {
     return static_cast<double>(quanta) / kQuantaPerUnit * options.unit_mm;
 }
 
-/// Words a second that the link carries; null where that is not known, as of UDP.
+/// Words a second that the link carries; null where the rate is unknown, as for UDP.
 nlohmann::ordered_json link_words(const RemoteMachine& machine) {
     if (machine.words_per_s() == 0) return nullptr;
     return machine.words_per_s();
 }
 
-/// What was planned and what the board saw.
+/// Report of what was planned and of the board's state.
 nlohmann::ordered_json report(const Options& options, const RemoteMachine& machine,
                               const WireStream& stream, const std::vector<std::int32_t>& steps,
                               const std::vector<Following>& following, double seconds,

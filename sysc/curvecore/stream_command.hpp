@@ -11,7 +11,8 @@ namespace curvecore::sysc {
 
 void add_wire(CLI::App& command, RawWireOptions& raw);
 
-/// Exit status: 0 drawn to its end; 1 the board ended it or was lost; 130 stopped by the operator.
+/// Returns the exit status: 0 drawn to its end; 1 the board ended it or was lost; 130 stopped by
+/// the operator.
 int stream_command(Options options, const RawWireOptions& wire);
 
 }  // namespace curvecore::sysc

@@ -6,10 +6,10 @@
 
 namespace curvecore::sysc {
 
-/// The program's warnings, to stderr.
+/// Prints the program's warnings to stderr.
 void print_warnings(const Job& job);
 
-/// Warnings and failed checks to stderr, the table to stdout; with -q only the former.
+/// Prints warnings and failed checks to stderr, the table to stdout; with -q only the former.
 void print_summary(const Report& report);
 
 }  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore words`: memory files that $readmemh reads, and what a test bench needs besides.
+// `curvecore words`: memory files for $readmemh, and further data for a test bench.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -126,7 +126,7 @@ class WordFiles {
                            {"words", profile_words_}};
         json["queue_words"] = {{"segments", job.options.segment_queue_words},
                                {"profile", job.options.profile_queue_words}};
-        // Ports of motion_interpolator, and of DIGEST of motion_system
+        // Ports of motion_interpolator, and the register DIGEST of motion_system
         const MadeFor words = made_for(job.options, job.machine);
         json["digest"] = words.digest();
         json["digest_register"] = words.host;
@@ -170,7 +170,7 @@ class WordFiles {
     double path_mm(const Job& job) const {
         return std::ldexp(static_cast<double>(path_), -16) * job.plan.unit_mm;
     }
-    /// Of both streams.
+    /// Bits of both streams for each mm of path.
     double bits_per_mm(const Job& job) const {
         const std::size_t words = segment_words(job) + profile_words_;
         return kBusBits * static_cast<double>(words) / path_mm(job);
@@ -189,7 +189,7 @@ class WordFiles {
     std::uint64_t path_ = 0;
 };
 
-/// What failed after the first words: they end at rest before it.
+/// Writes where planning failed after the first words; these end at rest before the failure.
 void write_incomplete(const OutputFolder& folder, const ref::InputError& error) {
     folder.write("INCOMPLETE", std::string(error.what()) + "\n");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `curvecore compare` draws when it is not given a part: seeded curves of every size.
+// Built-in curves of `curvecore compare`, used when no part is given: seeded curves of every size.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ constexpr std::array<std::string_view, 4> kCurveSets{"all", "arcs", "splines", "
 
 enum class CurveSet { kAll, kArcs, kSplines, kPapers };
 
-/// Moves that do not join, mm: for ref::make_geometry, not for a feed profile.
+/// Makes moves that do not join, mm: for ref::make_geometry, not for a feed profile.
 ///   arcs     R = 10 um, 100 um, .. 1 m in any plane; helices; lines
 ///   splines  random cubics of 20 um .. 1 m; hairpins of 3 um, 100 um, 1 mm; S bends, inflexions,
 ///            near cusps
-///   papers   those that the papers' schemes are measured on (ref/series/spline_tables.hpp)
+///   papers   the curves that the papers measure their schemes on (ref/series/spline_tables.hpp)
 ref::Program built_in_curves(CurveSet set);
 
-/// Of a move of CurveSet::kPapers.
+/// Name of a move of CurveSet::kPapers.
 std::string paper_curve_name(std::size_t move);
 
-/// Travels as far as the position words go.
+/// A machine whose travel is that of the position words.
 ref::Machine unlimited_machine();
 
 }  // namespace curvecore::sysc

@@ -17,8 +17,8 @@ struct ErrorFigures {
     double most = 0;  // 99.9 % of the errors are no larger
 };
 
-/// The 99.9 % point is the upper edge of its bin: bins are 1/64 of an octave to 1/32 wide, so it is
-/// at most 1.6 % too large.
+/// Counts errors in bins of 1/64 to 1/32 of an octave. The 99.9 % point is the upper edge of its
+/// bin, so it is at most 1.6 % too large.
 class ErrorCount {
   public:
     void add(double error) {
@@ -36,7 +36,7 @@ class ErrorCount {
         if (count_ == 0) return figures;
         figures.worst = static_cast<double>(worst_);
         figures.rms = std::sqrt(squares_ / static_cast<double>(count_));
-        const std::uint64_t above = count_ / 1000;  // so many may be larger
+        const std::uint64_t above = count_ / 1000;  // number of errors that may be larger
         std::uint64_t seen = 0;
         for (std::uint32_t i = kBins; i-- > 0;) {
             seen += bins_[i];
@@ -52,7 +52,7 @@ class ErrorCount {
     }
 
   private:
-    // A float's exponent and six bits of its fraction.
+    // Bits of a float that are dropped; its exponent and six bits of its fraction are kept.
     static constexpr int kDropped = 17;
     static constexpr std::uint32_t kBins = 1U << (31 - kDropped);
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kQuanta = 65536;
 
-/// Plans put a move's ends a few quanta apart: by the rounding of their sums, and of lengths of
-/// cubics.
+/// Margin, quanta, for a move's ends: plans shift them by the rounding of their sums, and of
+/// lengths of cubics.
 std::int64_t margin(long double path) {
     return 16 + static_cast<std::int64_t>(1e-12L * path * kQuanta);
 }
 
-/// A move in units, by path length in units.
+/// A move in units, parametrised by path length in units.
 class ExactMove {
   public:
     ExactMove(const ref::Move& move, double unit_mm) : move_(move), unit_(unit_mm) {
@@ -54,7 +54,7 @@ class ExactMove {
             position = cubic_.position(u);
             direction = cubic_.velocity(u);
         } else {
-            // Sines of half the angle: a far centre costs no digits.
+            // Sines of half the angle keep all digits for a far centre.
             const double angle = twist_ * s;
             const double half_sine = std::sin(angle / 2);
             const double sine = std::sin(angle);

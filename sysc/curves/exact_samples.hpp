@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on a program's path the configurations are compared, and where the exact curve is there:
-// evaluated once for all of them, from the moves, whatever a plan cuts them into.
+// Places on a program's path where configurations are compared, with the exact curve there:
+// evaluated once for all configurations, from the moves, however a plan cuts them.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace curvecore::sysc {
 /// | tangent  | 1      | dr/ds over its length; 0 where only auxiliary axes move             |
 /// | chord    | units  | from the sample before on the same move; 0 for a move's first one   |
 ///
-/// Error: that of ref::exact_position, below 1e-6 units; of a cubic 1e-13 of its length.
+/// Error: that of ref::exact_position, below 1e-6 units; for a cubic 1e-13 of its length.
 struct ExactSample {
     std::int64_t s = 0;
     double position[3] = {};
@@ -33,8 +33,9 @@ struct ExactSamples {
     std::vector<double> aux;  // aux_axes for each sample, units
 };
 
-/// About `count` places at random distances: one half spread evenly over the path, the other half
-/// evenly over the moves, so that short ones count. `keep_going(done)` is asked now and then.
+/// Chooses about `count` places at random distances: half of them spread evenly over the path, the
+/// other half evenly over the moves, so that short moves count. `keep_going(done)` is called now
+/// and then.
 /// @throws what keep_going throws
 ExactSamples exact_samples(const ref::Program& program, double unit_mm, std::int64_t count,
                            const std::function<void(std::int64_t)>& keep_going);

@@ -23,7 +23,7 @@ ref::PlanOptions plan_options(const ref::Program& program, const CoreParameters&
     return options;
 }
 
-/// "FILE:LINE: error: reason" as "line LINE: reason".
+/// Rewrites "FILE:LINE: error: reason" as "line LINE: reason".
 std::string reason(const std::string& file, const std::string& refusal) {
     const std::string mark = ": error: ";
     const std::size_t at = refusal.find(mark, file.size());
@@ -76,7 +76,7 @@ bool Segmenter::fits(const CoreParameters& format, double limit,
 SegmentedProgram Segmenter::segment(const CoreParameters& format) const {
     SegmentedProgram segmented;
     if (fits(format, limit_, segmented)) return segmented;
-    int low = 0;  // refused
+    int low = 0;  // limit that was refused
     int high = kMostDoublings;
     if (!fits(format, std::ldexp(limit_, high), segmented)) return segmented;
     while (high - low > 1) {

@@ -9,15 +9,15 @@
 
 namespace curvecore::sysc {
 
-/// Narrow words can be bought with very many segments. So that configurations compare, each may
-/// have `most_segments` in all; one that needs more for the limit asked for is refused it, and gets
-/// the least of the limits 2, 4, 8 .. times as large with which it can be planned.
+/// Narrow words can be bought with very many segments. To make configurations comparable, each may
+/// have `most_segments` in all; a configuration that needs more for the requested limit gets the
+/// least of the limits 2, 4, 8 .. times as large with which it can be planned.
 ///
 /// | field    | unit  | meaning                                                             |
 /// |----------|-------|---------------------------------------------------------------------|
 /// | segments |       | none: not drawable with any limit                                   |
 /// | limit    | units | every segment's derived bound is below it                           |
-/// | refused  |       | why it is not the limit asked for; empty: it is                     |
+/// | refused  |       | why the limit is not the requested one; empty: it is                |
 struct SegmentedProgram {
     std::vector<ref::Segment> segments;
     double limit = 0;
@@ -26,14 +26,14 @@ struct SegmentedProgram {
 
 class Segmenter {
   public:
-    /// @throws ref::InputError: the widest words there are cannot draw the program either, or the
-    ///         machine cannot
+    /// @throws ref::InputError: the widest words that exist cannot draw the program either, or the
+    /// machine cannot
     Segmenter(const ref::Program& program, const ref::Machine& machine, double unit_mm,
               double limit, int times_segments);
 
     SegmentedProgram segment(const CoreParameters& format) const;
 
-    /// With Order 12, CoefBits 36, GuardBits 12, and how many there may be.
+    /// Number of segments with Order 12, CoefBits 36, GuardBits 12.
     std::size_t reference_segments() const { return reference_segments_; }
     std::size_t most_segments() const { return most_segments_; }
 

@@ -31,7 +31,7 @@ Json json_of(const std::vector<ExplorePoint>& points) {
     return all;
 }
 
-/// Why no pair fits.
+/// Reasons why no pair fits.
 std::string fates_text(const std::vector<ExplorePoint>& points) {
     std::string text;
     for (const Fate fate : {Fate::kSlows, Fate::kHolds, Fate::kNeverBegins}) {

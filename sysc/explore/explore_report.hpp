@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `curvecore explore` found: a table, explore.json, explore.html.
+// Report of `curvecore explore`: a table, explore.json, explore.html.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,14 +14,14 @@ struct ExploreReport {
     const ExploreGrid& grid;
     const std::vector<ExploreRow>& rows;
 
-    /// For one host and bus at least.
+    /// Returns true if at least one host and bus has a pair that fits.
     bool answered() const;
     std::string table() const;
     nlohmann::ordered_json json() const;
     std::string html() const;
 };
 
-/// A time as --host and --word take it: 100us, 2.5ms.
+/// Time as --host and --word take it: 100us, 2.5ms.
 std::string short_time(double seconds);
 
 }  // namespace curvecore::sysc

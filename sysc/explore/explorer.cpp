@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSlower = 1.01;
 
-/// Until it is drawn, or the first hold.
+/// Draws the job to its end, or to the first hold.
 Fate draw_job(const Job& job, std::uint64_t samples) {
     const Options& options = job.options;
     const QueueDepths depths{options.segment_queue_words, options.profile_queue_words};
@@ -23,7 +23,7 @@ Fate draw_job(const Job& job, std::uint64_t samples) {
         job, std::make_unique<KernelBoard>(options.core, board_settings(job), depths), nullptr);
     Feeder feeder(job, samples, *board);
     std::vector<Sample> batch;
-    // By then the host has filled the queues and asked for the first sample, and it is there.
+    // By then the host has filled the queues, requested the first sample and received it.
     const double beginning = 3 + std::ceil(options.sample_period_s / options.system.host_s);
     bool begun = false;
     for (double turn = 0; !feeder.done(); ++turn) {

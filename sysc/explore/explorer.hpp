@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long queues have to be: a program drawn by systems with the kernel, one for each queue, host,
-// bus and sample period.
+// Search for the shortest queues: a program drawn by systems with the kernel, one for each queue,
+// host, bus and sample period.
 #pragma once
 
 #include <functional>
@@ -25,13 +25,13 @@ struct ExploreGrid {
     }
 };
 
-/// How a program fares with two queues. It slows where it takes over a hundredth longer than with
+/// Result of a program with two queues. It slows where it takes over a hundredth longer than with
 /// the longest queues, because moves that do not outlast a stop in them are planned slower. It
-/// holds where one of them runs low; it never begins where a full one does not last for a stop.
+/// holds where one of them runs low; it never begins where a full queue does not last for a stop.
 enum class Fate { kFits, kSlows, kHolds, kNeverBegins };
 constexpr std::array<std::string_view, 4> kFateNames{"fits", "slows", "holds", "never begins"};
 
-/// What stays as it is while the queues are swept.
+/// Values that stay the same while the queues are swept.
 struct Surroundings {
     double sample_s;
     double word_s;
@@ -42,22 +42,23 @@ struct ExplorePoint {
     int segment_queue;
     int profile_queue;
     Fate fate;
-    double duration_s;  // as planned
-    double stop_s;      // that a hold takes at most: fewer stop branches fit shorter queues
+    double duration_s;  // planned duration
+    double stop_s;      // longest stop of a hold: fewer stop branches fit shorter queues
 };
 
-/// All pairs of queues, each the longest first.
+/// A row of all pairs of queues, the longest of each first.
 struct ExploreRow {
     Surroundings surroundings;
     std::vector<ExplorePoint> points;
 
-    /// The fewest words that fit.
+    /// Returns the fitting pair with the fewest words.
     std::optional<ExplorePoint> answer() const;
 };
 
 class Explorer {
   public:
-    /// `options`: what draws the program; `progress` is called with the share that is done.
+    /// Creates the search; `options` tell what draws the program; `progress` is called with the
+    /// finished share.
     Explorer(const Options& options, const ExploreGrid& grid,
              std::function<void(double share)> progress);
 
@@ -66,7 +67,7 @@ class Explorer {
 
   private:
     std::vector<ExploreRow> explore_period(double sample_s);
-    /// One more point of each row.
+    /// Adds one more point to each row.
     void explore_queues(int segment_queue, int profile_queue, std::vector<ExploreRow>& rows);
 
     const Options& options_;

@@ -20,12 +20,13 @@ namespace {
 constexpr double kMostCounts =
     CURVECORE_ENCODER_RATIO0_COUNTS_MASK >> CURVECORE_ENCODER_RATIO0_COUNTS_LOW;
 constexpr double kMostSteps = 32767;  // signed
-/// A ratio that is so far off moves an axis by a micrometre in a metre.
+/// Relative error of a ratio that counts as equal: a micrometre in a metre.
 constexpr double kSameRatio = 1e-6;
-/// The sum behind a limit has 32 bits and goes on by a count's or a step's weight at a time.
+/// Greatest limit: the sum behind a limit has 32 bits and changes by a count's or a step's weight
+/// at a time.
 constexpr double kMostLimit = 2147483648.0 - 131072;
 
-/// Until axes stand where they are to.
+/// Time in which axes settle at their place.
 constexpr auto kSettles = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -50,7 +51,7 @@ std::vector<AxisEncoder> read_encoders(const std::string& machine_file) {
     return encoders;
 }
 
-/// The last convergent of the continued fraction that fits.
+/// Returns the last convergent of the continued fraction that fits.
 EncoderRatio ratio_of(double counts_per_mm, double steps_per_mm) {
     const double wanted = std::abs(counts_per_mm) / steps_per_mm;
     std::pair<double, double> before{0, 1};
@@ -61,7 +62,7 @@ EncoderRatio ratio_of(double counts_per_mm, double steps_per_mm) {
                                              whole * best.second + before.second};
         if (next.first > kMostCounts || next.second > kMostSteps) break;
         before = std::exchange(best, next);
-        // What is left of a ratio of whole numbers is noise.
+        // The remainder of a ratio of whole numbers is noise.
         if (std::abs(best.first / best.second - wanted) < 1e-12 * wanted) break;
         rest = 1 / (rest - whole);
     }

@@ -17,7 +17,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Of the travel: a switch may be beyond its end.
+/// Search distance as a multiple of the travel: a switch may be beyond its end.
 constexpr double kReach = 1.25;
 constexpr double kLastInTurn = 1e9;
 

@@ -12,7 +12,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// A switch that opens elsewhere than it closes: by no more than this.
+/// Greatest distance between the places where a switch opens and closes.
 constexpr double kHysteresis = 5;  // mm
 
 }  // namespace
@@ -42,8 +42,8 @@ ref::Program Homing::line(int axis, double way_mm, double speed) const {
     return program;
 }
 
-/// A straight way from wherever the axis stands: its travel is not known yet. True: the switch was
-/// as it was to be. The machine stands, its queues are empty.
+/// Drives a straight line from where the axis stands, as its travel is not known yet. Returns true
+/// if the switch reached the wanted state. The machine stands, its queues are empty.
 bool Homing::drive(int axis, double way_mm, double speed, Until until) {
     Options options = options_;
     options.exact_path = true;

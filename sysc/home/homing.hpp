@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Axes towards their switches, one after the other, until it is known where the machine stands.
+// Homing: drives axes to their switches, one after the other, until their places are known.
 //
 //   switch      ______|^^^^^^^^      closed at the end of the travel
 //   off it        <-----             if it is closed at the beginning
 //   search        -------->          fast; the board holds where it closes
 //   back          <-------           until it opens
-//   latch           -->              slowly; where it closes is HOME_OFFSET
+//   latch           -->              slowly; HOME_OFFSET is where it closes
 //   home      <-------
 //
-// Each is a line of its own, planned as any program is; the board notes the steps at the edge.
+// Each is a separate line, planned as any program is; the board notes the steps at the edge.
 #pragma once
 
 #include <functional>
@@ -20,13 +20,13 @@
 
 namespace curvecore::sysc {
 
-/// An axis that cannot be homed, and why.
+/// An axis cannot be homed; what() gives the reason.
 class HomingError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The operator ended it; the machine stands.
+/// The operator ended the homing; the machine stands.
 class HomingStopped : public std::runtime_error {
   public:
     HomingStopped() : std::runtime_error("stopped") {}
@@ -34,12 +34,12 @@ class HomingStopped : public std::runtime_error {
 
 class Homing {
   public:
-    /// `options` as of a program for this machine; it is prepared. `turn` is called again and
-    /// again.
+    /// Creates the homing; `options` are those of a program for this machine, which is prepared.
+    /// `turn` is called repeatedly.
     Homing(RemoteMachine& machine, const Options& options, const Drives& drives,
            int watchdog_samples, Console& console, std::function<void()> turn);
 
-    /// Steps of the axis where its switch is.
+    /// Returns the steps of the axis at its switch.
     /// @throws HomingError, HomingStopped, BoardLost, what `turn` throws
     std::int32_t home(const AxisHome& axis);
 

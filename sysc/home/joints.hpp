@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which joints of a machine's .ini move which axes.
+// Joints of a machine's .ini and the axes that they move.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ namespace curvecore::sysc {
 struct Joint {
     int axis = 0;
     std::string section;
-    double unit_mm = 1;  // of lengths; of an angular axis degrees
+    double unit_mm = 1;  // mm a unit of length; degrees on an angular axis
 };
 
-/// In the order of [TRAJ] COORDINATES.
+/// Returns the joints in the order of [TRAJ] COORDINATES.
 std::vector<Joint> joints_of(const ref::IniFile& ini);
 
 }  // namespace curvecore::sysc

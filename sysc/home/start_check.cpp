@@ -12,7 +12,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Of a step: a program that begins so near begins there.
+/// Tolerance in steps: a program whose start is nearer begins where the machine stands.
 constexpr double kSameStep = 0.501;
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a program begins where the machine stands.
+// Check that a program begins where the machine stands.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace curvecore::sysc {
 
-/// Axes of which it is not known where they stand are taken to stand where the program begins; but
-/// those that have a home switch in the machine's file must be homed. `start` in mm.
+/// Checks the start, mm. An axis of unknown place is assumed to stand where the program begins, but
+/// an axis with a home switch in the machine's file must be homed.
 /// @throws UsageError, ref::InputError of the machine's file
 void check_start(RemoteMachine& machine, const std::array<double, kBoardAxes>& start,
                  const Drives& drives, const std::string& machine_file);

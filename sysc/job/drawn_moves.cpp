@@ -10,7 +10,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Of G64's tolerance, for what is made smooth, where arcs take the rest of it.
+/// Share of G64's tolerance for smoothing, where arcs take the rest.
 constexpr double kShareBesideArcs = 0.5;
 
 }  // namespace
@@ -56,7 +56,7 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
                     [this](const std::vector<ref::Move>& moves) { return carried(moves); });
 }
 
-/// Travel and segments.
+/// Checks travel and segments.
 bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
     ref::Program drawn;
     drawn.moves = moves;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole plan as it is drawn, part by part onto the disk: what is read of it again passes through
-// little memory.
+// A whole plan as it is drawn, written part by part to the disk; reading it needs little memory.
 #pragma once
 
 #include <array>
@@ -14,39 +13,39 @@ namespace curvecore::sysc {
 
 class DrawnPlan : public ref::PlanFrame {
   public:
-    /// Of so many samples the plan takes some megabytes, however short its segments are.
+    /// Number of samples whose plan takes some megabytes, however short its segments are.
     static constexpr std::uint64_t kSamplesHeld = 100'000;
 
-    FileList<ref::Move> moves;  // of the path that is drawn, all of them before they are planned
+    FileList<ref::Move> moves;  // moves of the drawn path, complete before they are planned
     FileList<ref::Segment> segments;
     FileList<ref::ProfilePiece> pieces;
 
     double duration_s = 0;
-    std::size_t slowed_moves = 0;  // by what the queues cover
-    int slowed_line = 0;           // of the first
+    std::size_t slowed_moves = 0;  // moves slowed to the time that the queues cover
+    int slowed_line = 0;           // line of the first of them
     ref::CoreSlowed core_slowed;
     std::size_t branches = 0;
     std::uint64_t longest_stop = 0;  // ticks from a hold at the rate 1 to rest, with branches
-    std::size_t stops = 0;           // that the profile plans
+    std::size_t stops = 0;           // stops in the profile
 
-    /// Its words, all of them, are made for this.
+    /// Sets the digest that all words carry.
     void made_for(std::uint16_t digest) { writer_ = ProfileWriter(digest); }
-    /// The next part, whose moves there are.
+    /// Appends the next part, whose moves are complete.
     void append(const ref::Plan& part);
 
-    /// Of the whole path, quanta.
+    /// Length of the whole path, quanta.
     std::uint64_t path_length() const { return segments.back().s_start + segments.back().length; }
-    /// Of both streams, in all, for a core with so many auxiliary axes.
+    /// Number of words of both streams, for a core with `core_axes` auxiliary axes.
     std::size_t words(int core_axes) const;
-    /// Words of a piece, and how many; those of a stop branch come first.
+    /// Returns the words of a piece and their number; those of a stop branch come first.
     std::pair<const std::uint64_t*, std::size_t> words_of(std::size_t piece) const;
-    /// Of the segments of a kind.
+    /// Number of segments of a kind.
     std::size_t count(ref::Segment::Kind kind) const { return kinds_[index(kind)].count; }
     double bound(ref::Segment::Kind kind) const { return kinds_[index(kind)].bound; }
 
-    /// Memory that the lists hold goes; what is read comes back.
+    /// Releases the memory of the lists; data that is read comes back.
     void let_go() const;
-    /// visit(segment, index) for all of them, in little memory.
+    /// Calls visit(segment, index) for all segments, in little memory.
     template <class Visit>
     void each_segment(Visit visit) const {
         constexpr std::size_t kHeld = 8192;
@@ -60,21 +59,22 @@ class DrawnPlan : public ref::PlanFrame {
   private:
     struct OfKind {
         std::size_t count = 0;
-        double bound = 0;  // worst derived one of the error before rounding, units
+        double bound = 0;  // worst derived bound of the error before rounding, units
     };
 
     static std::size_t index(ref::Segment::Kind kind) { return static_cast<std::size_t>(kind); }
     void append(const ref::Segment& segment);
 
     ProfileWriter writer_;
-    FileList<std::uint64_t> profile_words_;  // of all pieces
-    FileList<std::size_t> first_word_;       // of each
-    std::array<OfKind, 2> kinds_;            // by Segment::Kind
-    std::uint64_t wait_ = ref::kStopLead;    // ticks from the last branch on
+    FileList<std::uint64_t> profile_words_;  // words of all pieces
+    FileList<std::size_t> first_word_;       // first word of each piece
+    std::array<OfKind, 2> kinds_;            // figures by Segment::Kind
+    std::uint64_t wait_ = ref::kStopLead;    // ticks since the last branch
     bool stop_behind_ = false;               // the last segment that has a length ends at rest
 };
 
-/// Whether the path is at rest where a segment ends: words round, a stop ends a little above zero.
+/// Returns true if the path is at rest where a segment ends: a stop's word is rounded, so it ends
+/// slightly above zero.
 inline bool ends_at_rest(const ref::Segment& segment) { return segment.feed_end < 1e-6; }
 
 }  // namespace curvecore::sysc

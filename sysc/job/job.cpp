@@ -14,9 +14,9 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kWorthAWarning = 0.01;  // of a plan's time
+constexpr double kWorthAWarning = 0.01;  // share of a plan's time
 
-/// Of the path with the widest words.
+/// Number of segments of the path with the widest words.
 std::size_t fewest_segments(const Job& job) {
     constexpr std::size_t kBatch = 500;
     ref::PlanOptions options = job.options.plan_options();

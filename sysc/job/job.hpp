@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program read and planned: what every command starts from.
+// A job: a program read and planned, the start of every command.
 #pragma once
 
 #include "ref/feed/pieces/limit_report.hpp"
@@ -13,64 +13,63 @@ namespace curvecore::sysc {
 
 struct Job {
     Options options;
-    ref::Program program;                 // its moves: of read_job() alone
-    std::optional<ref::Dialect> dialect;  // of G-code that this program's own reader has read
-    ref::Events events;                   // what it asks for besides motion
+    ref::Program program;                 // moves are filled by read_job() alone
+    std::optional<ref::Dialect> dialect;  // dialect of G-code; none: another reader
+    ref::Events events;                   // actions besides motion
     ref::Machine machine;
     DrawnPlan plan;
     ref::LimitReport limits;
-    ref::Smoothed off;                      // how far the drawn path is from the programmed one
+    ref::Smoothed off;                      // deviation of the drawn path from the programmed one
     std::optional<ref::Smoothed> smoothed;  // unless the exact path is asked for
-    std::optional<FormCost> exact;          // what that would cost, where it is another
-    std::optional<AsArcs> as_arcs;          // where arcs took the splines' place
+    std::optional<FormCost> exact;          // cost of the exact path, if the drawn one differs
+    std::optional<AsArcs> as_arcs;          // set where arcs replaced splines
 
-    /// Of what its words are made for.
+    /// Digest of the settings that its words are made for.
     std::uint16_t digest() const;
-    /// "spherical", or "curve": the one that draws splines as well.
+    /// Name of the core: "spherical", or "curve", which draws splines as well.
     const char* core_name() const;
-    /// Whether a bound is derived for segments of this kind: none of splines with Anchor 0, which
-    /// are planned with that of Anchor 1.
+    /// Returns true if a bound is derived for segments of this kind: none for splines with Anchor
+    /// 0, which are planned with that of Anchor 1.
     bool bounded(ref::Segment::Kind kind) const;
-    /// For every segment.
+    /// Returns true if a bound is derived for every segment.
     bool bounded() const;
     /// Worst derived bound of any segment, length units before the final rounding.
     double bound() const;
-    /// Of both streams, in all.
+    /// Number of words of both streams.
     std::size_t words() const { return plan.words(options.core.aux_axes); }
-    /// Whether the path that is drawn is not the programmed one.
+    /// Returns true if the drawn path differs from the programmed one.
     bool is_smooth() const;
 };
 
-/// The machine that the options name, or the built-in one. @throws ref::InputError
+/// Reads the machine that the options name, or the built-in one. @throws ref::InputError
 ref::Machine machine_of(const Options& options);
 
-/// Reads program and machine, for what draws moves by itself; the core has the program's auxiliary
-/// axes, and splines if the program does, unless --set says otherwise.
-/// @throws ref::InputError, also for splines where --set says that there are none
+/// Reads program and machine, for commands that draw moves themselves; the core gets the program's
+/// auxiliary axes, and splines if the program has them, unless --set says otherwise.
+/// @throws ref::InputError, also for splines where --set excludes them
 Job read_job(const Options& options);
 
-/// The whole program, planned (sysc/job/job_stream.hpp).
+/// Reads and plans the whole program (sysc/job/job_stream.hpp).
 /// @throws UsageError: a sample period shorter than the core's own clocks
 /// @throws ref::InputError, also when the program does not move
 Job plan_job(const Options& options);
 
-/// Standard input is read once: all of it, for what reads a program again.
+/// Reads all of standard input once, for commands that read a program again.
 /// @throws ref::InputError
 void hold_input(Options& options);
 
-/// The feed of a move that an override above 100 % asks for.
+/// Raises the feed of a move for an override above 100 %.
 void raise_feed(ref::Move& move, const Options& options);
 
-/// The core draws splines if the program has one, in this line.
-/// @throws ref::InputError where it cannot
+/// Makes the core draw splines if the program has one, in this line.
+/// @throws ref::InputError where the core cannot
 void set_splines(Job& job, const std::optional<int>& line);
 
-/// Adds a job's warnings: of a path that is not smooth, of a finished plan that takes so long: what
-/// is slower than asked and for another reason than the machine's limits names line and cause.
+/// Add a job's warnings: that the path is not smooth; and for a finished plan, line and cause of
+/// motion that anything but the machine's limits slows.
 void warn_of_exact_path(Job& job);
 void warn_of_plan(Job& job, bool bounded, double duration_s);
-/// Of a plan whose moves are all there: narrow words are bought with segments, which the host has
-/// to send.
+/// Adds warnings of a finished plan: narrow words cost segments, which the host has to send.
 void warn_of_segments(Job& job);
 
 }  // namespace curvecore::sysc
