@@ -64,8 +64,7 @@ class Feeder {
     std::size_t next_piece_ = 0;
     std::uint64_t requested_ = 0;
     std::uint64_t received_ = 0;
-    std::uint64_t walked_ =
-        0;  // time of the plan that these samples took: 2^-16 of a sample at rate 1
+    std::uint64_t walked_ = 0;  // plan time that these took: 2^-16 of a sample at rate 1
     std::uint64_t waited_ = 0;
 };
 

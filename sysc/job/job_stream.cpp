@@ -14,7 +14,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Travel and segments of moves, some at a time.
+/// Check of travel and segments, a batch of moves at a time.
 class Looker {
   public:
     explicit Looker(const Job& job)
@@ -22,7 +22,7 @@ class Looker {
         batch_.file = job.program.file;
     }
 
-    /// @throws ref::InputError, of one of the last moves
+    /// Adds a move. @throws ref::InputError, of one of the last moves
     void add(const ref::Move& move) {
         constexpr std::size_t kBatch = 500;
         batch_.moves.push_back(move);
@@ -51,10 +51,10 @@ bool is_spline(const ref::Move& move) { return move.kind == ref::Move::Kind::kCu
 
 }  // namespace
 
-/// What a program, or its first moves, ask of the core.
+/// Demands that a program, or its first moves, put on the core.
 struct JobStream::Seen {
     int aux_axes = 0;
-    std::optional<int> spline;  // line of the first
+    std::optional<int> spline;  // line of the first spline
     double fastest = 0;         // mm/s
 
     void add(const ref::Move& move) {
@@ -81,7 +81,7 @@ JobStream::JobStream(const Options& options, ref::Machine machine,
     } catch (const ref::InputError&) {
         const std::exception_ptr programmed = std::current_exception();
         try {
-            look_at_drawn();  // it may still do
+            look_at_drawn();  // it may still draw as programmed
         } catch (const ref::InputError&) {
             std::rethrow_exception(programmed);
         }
@@ -89,14 +89,14 @@ JobStream::JobStream(const Options& options, ref::Machine machine,
     moves_.emplace(job_.options, job_.machine, form_);
 }
 
-/// With the feed that an override above 100 % asks for.
+/// Reads a move, with the feed raised for an override above 100 %.
 bool JobStream::read(DrawnMoves& moves, ref::Move& move) const {
     if (!moves.next(move)) return false;
     raise_feed(move, job_.options);
     return true;
 }
 
-/// In constant memory: what it draws is looked at again while it is drawn.
+/// Checks the whole program in constant memory: it is checked again while it is drawn.
 void JobStream::look_at_program() {
     ref::ProgramStream program = open_program(job_.options);
     job_.program.file = program.file();
@@ -112,7 +112,7 @@ void JobStream::look_at_program() {
     use(seen);
 }
 
-/// A core draws all splines or none of them.
+/// Line of the first spline that is drawn: a core draws all splines or none of them.
 std::optional<int> JobStream::first_drawn_spline(std::optional<int> programmed) const {
     const bool splines = form_of(job_.options, form_) == ref::SplineForm::kSpline;
     if (!splines && job_.options.arc_tolerance) return {};
@@ -137,7 +137,7 @@ void JobStream::look_at_drawn() {
     use(seen);
 }
 
-/// As far as the first window of the plan.
+/// Checks standard input up to the first window of the plan.
 void JobStream::look_at_input() {
     moves_.emplace(job_.options, job_.machine, form_);
     job_.program.file = moves_->program().file();
@@ -168,7 +168,7 @@ bool JobStream::take(ref::Move& move) {
     return true;
 }
 
-/// Of standard input the first moves have said what the core has.
+/// Takes a move; the first moves of standard input were read to configure the core.
 bool JobStream::take_next(ref::Move& move) {
     if (taken_ < first_.size()) {
         move = first_[taken_++];
@@ -227,7 +227,7 @@ void JobStream::begin() {
                   job_.machine, options);
 }
 
-/// The core is too slow for splines, which the program may not have.
+/// Draws the program as written: the core is too slow for splines, which the program may lack.
 void JobStream::draw_as_programmed() {
     job_.options.exact_path = true;
     if (!job_.options.splines_set) job_.options.core.splines = 0;
@@ -269,7 +269,7 @@ Job JobStream::all(const LookAtPart& look) {
     return std::move(job_);
 }
 
-/// The part's moves are all that it needs.
+/// Watches the limits of a part; its moves are all that the check needs.
 void JobStream::watch(const ref::Plan& part, ref::LimitWatch& limits) const {
     const std::size_t first = part.segments.front().move;
     ref::Program moves;

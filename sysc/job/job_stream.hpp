@@ -13,30 +13,31 @@ namespace curvecore::sysc {
 
 class JobStream {
   public:
-    /// Looks at a file, move by move: blocks, travel and segments. Where the core or the machine
-    /// cannot have the smooth path it is drawn as programmed. Of standard input the first moves say
-    /// what the core must have.
-    /// @param form of its splines; none: as core and options want them
+    /// Checks a file, move by move: blocks, travel and segments. If the core or the machine cannot
+    /// draw the smooth path, the program is drawn as written. The first moves of standard input
+    /// define the core.
+    /// @param form of its splines; none: the one that core and options choose
     /// @throws ref::InputError
     explicit JobStream(const Options& options, std::optional<ref::SplineForm> form = {});
-    /// For another machine than that of the options.
+    /// Creates a job for another machine than that of the options.
     JobStream(const Options& options, ref::Machine machine,
               std::optional<ref::SplineForm> form = {});
 
-    /// Of its plan what all parts have; with warnings at the end.
+    /// Returns what all parts of the job share; with warnings at the end.
     const Job& job() const { return job_; }
-    /// Moves that are drawn, so far.
+    /// Returns the number of moves drawn so far.
     std::size_t moves() const { return given_; }
-    /// The core is known; what else there is may be changed before the first part.
+    /// Returns the options; the core is fixed, others may be changed before the first part.
     Options& options() { return job_.options; }
 
-    /// The plan of the next part; null: there is none.
+    /// Plans the next part; null: there is none.
     /// @throws UsageError: a sample period shorter than the core's own clocks
-    /// @throws ref::InputError of what was not looked at, after all parts up to a rest before it
+    /// @throws ref::InputError of moves not checked before, after all parts up to a rest before
+    /// them
     const ref::Plan* next();
 
     using LookAtPart = std::function<void(const Job& job, const ref::Plan& part)>;
-    /// All of the job, before its first part was asked for.
+    /// Plans the whole job; to be called before the first part is requested.
     /// @throws what next() and `look` do
     Job all(const LookAtPart& look = {});
 
@@ -60,15 +61,15 @@ class JobStream {
     Job job_;
     std::optional<DrawnMoves> moves_;
     ref::MoveParts parts_{[this](ref::Move& move) { return take_next(move); }, job_.machine};
-    std::vector<ref::Move> first_;  // of standard input, that were looked at
-    std::size_t taken_ = 0;         // of these
+    std::vector<ref::Move> first_;  // first moves of standard input, which were checked
+    std::size_t taken_ = 0;         // number of these that were taken
     bool splines_ = false;
     double fastest_ = 0;
     std::optional<ref::PlanStream> plan_;
     std::optional<ref::Plan> part_;
-    std::size_t given_ = 0;  // moves
-    bool keeps_ = false;     // in the job's plan
-    double duration_s_ = 0;  // of the parts
+    std::size_t given_ = 0;  // number of moves given
+    bool keeps_ = false;     // parts are kept in the job's plan
+    double duration_s_ = 0;  // duration of the parts
     bool bounded_ = true;
 };
 

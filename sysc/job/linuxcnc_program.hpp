@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program as LinuxCNC's own interpreter reads it: sysc/linuxcnc/interpret.py runs it in a process
-// of its own and prints canonical moves as JSON lines, which sysc/linuxcnc/README.md describes.
+// A program as LinuxCNC's own interpreter reads it: sysc/linuxcnc/interpret.py runs it in a
+// separate process and prints canonical moves as JSON lines, which sysc/linuxcnc/README.md
+// describes.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,10 +12,10 @@
 
 namespace curvecore::sysc {
 
-/// A folder that goes with this object.
+/// A temporary folder, removed with this object.
 class ScratchFolder {
   public:
-    /// @throws std::runtime_error
+    /// Creates the folder. @throws std::runtime_error
     ScratchFolder();
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
@@ -28,7 +29,7 @@ class ScratchFolder {
 
 class LinuxcncProgram : public ref::BlockStream {
   public:
-    /// @param command prints the lines when it gets the file and `--scratch FOLDER`
+    /// @param command prints the lines when it is called with the file and `--scratch FOLDER`
     LinuxcncProgram(std::vector<std::string> command, const std::string& file,
                     double fit_tolerance);
 
@@ -39,9 +40,10 @@ class LinuxcncProgram : public ref::BlockStream {
     std::vector<ref::Move> take(bool last) override { return moves_.take(last); }
     ref::Program finish() override { return moves_.finish(); }
 
-    /// False at the end. @throws ref::InputError, nlohmann::json::exception
+    /// Carries out a call. Returns false at the end. @throws ref::InputError,
+    /// nlohmann::json::exception
     bool carry_out(const nlohmann::json& call);
-    /// Why no line comes any more.
+    /// Throws the reason why no more lines come.
     [[noreturn]] void refuse_end();
 
     ScratchFolder scratch_;
@@ -50,13 +52,13 @@ class LinuxcncProgram : public ref::BlockStream {
     int lines_ = 0;
 };
 
-/// A machine's files; empty: there is none.
+/// Files of a machine; empty: none.
 struct LinuxcncMachine {
     std::string ini;
-    std::string tools;  // instead of the .ini's
+    std::string tools;  // replaces the tool table of the .ini
 };
 
-/// By the interpreter that this program is shipped with, or by the command CURVECORE_LINUXCNC.
+/// Opens a program with the interpreter that is shipped, or with the command CURVECORE_LINUXCNC.
 std::unique_ptr<ref::MoveStream> open_linuxcnc(const std::string& file,
                                                const LinuxcncMachine& machine,
                                                double fit_tolerance);

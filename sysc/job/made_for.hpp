@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What words are made for, as the digest that their checks begin with (hls/word_check.hpp): a board
-// of another configuration lets none of them in.
+// Settings that words are made for, as the digest at the head of their checks (hls/word_check.hpp):
+// a board with other settings accepts none of them.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,10 @@
 namespace curvecore::sysc {
 
 struct MadeFor {
-    std::uint16_t board =
-        0;  // core, axes, sample period, clock: rtl/motion_system.sv has it built in
-    std::uint16_t host = 0;  // unit, samples per tick, machine: its register DIGEST
+    std::uint16_t board = 0;  // core, axes, sample period, clock: built into rtl/motion_system.sv
+    std::uint16_t host = 0;   // unit, samples per tick, machine: the register DIGEST
 
-    /// digest_i of rtl/motion_interpolator.sv
+    /// Value of digest_i of rtl/motion_interpolator.sv.
     std::uint16_t digest() const { return board ^ host; }
 };
 

@@ -41,7 +41,7 @@ int power_of_two(const std::string& option, const std::string& text, int low, in
     return static_cast<int>(number);
 }
 
-/// Whether the core is built, with or without splines as long as that is open.
+/// Checks that the core is built, with or without splines while that is open.
 void check_built(const Options& options) {
     CoreParameters core = options.core;
     const std::string reason = ref::why_not_built(core);
@@ -54,7 +54,7 @@ void set_clock(double hz, Options& options) {
     options.clock_set = true;
 }
 
-/// The system's blocks; that of the interpolator is the board's.
+/// Sets the system's blocks; that of the interpolator is the board's.
 void set_system(const std::vector<std::string>& given, Options& options) {
     if (!given.empty() && !options.in_system()) {
         throw UsageError("--system is for --on systemc and systemc-rtl");
@@ -91,7 +91,7 @@ constexpr double kArcTolerance = 1e-3;  // mm
 constexpr std::array<std::string_view, 2> kPathNames{"program", "exact"};
 constexpr std::array<std::string_view, 2> kInterpreterNames{"curvecore", "linuxcnc"};
 
-/// Of --fit arcs.
+/// Tolerance of --fit arcs, mm.
 std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
     if (fit != ref::Fit::kArcs) {
         if (!raw.tolerance.empty()) throw UsageError("--tolerance is for --fit arcs");
@@ -100,7 +100,7 @@ std::optional<double> arc_tolerance(const RawOptions& raw, ref::Fit fit) {
     return raw.tolerance.empty() ? kArcTolerance : length("--tolerance", raw.tolerance, 1e-6, 10);
 }
 
-/// What reads the program, if it is not this program's own reader.
+/// Interpreter of the program, unless it is this program's own reader.
 ref::OpenProgram open_program(const RawOptions& raw, const Options& options) {
     if (choice("--interpreter", raw.interpreter, kInterpreterNames) == 0) return {};
     if (ref::is_points_file(options.file) || options.file == ref::kStandardInput) {
@@ -112,7 +112,7 @@ ref::OpenProgram open_program(const RawOptions& raw, const Options& options) {
     };
 }
 
-/// What the machine has before the program begins: LinuxCNC's interpreter asks for it by itself.
+/// Sets the state that a program begins with; LinuxCNC's interpreter reads it from its own files.
 void set_start(const RawOptions& raw, Options& options) {
     const bool points = ref::is_points_file(options.file);
     const bool tolerance = !raw.radii_tolerance.empty();
@@ -137,7 +137,7 @@ double unit_of(const std::string& text) { return length("--unit", text, 1e-7, 1)
 double bound_limit(const std::string& text, double standard, double unit_mm,
                    const CoreParameters& core) {
     const double error = text.empty() ? standard : length("--error", text, 1e-7, 1e3);
-    // 0.6 - 0.5 is 0.1
+    // so that 0.6 - 0.5 is 0.1
     const double limit = std::round((error / unit_mm - core.rounding()) * 1e9) / 1e9;
     if (!(limit >= 0.001 && limit <= 1e6)) {
         throw UsageError(fmt::format(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line asks for.
+// Options of the command line.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace curvecore::sysc {
 
-/// What draws: the kernel, the Verilated core, or a system in SystemC with one of them as its core.
+/// Kind of the board: the kernel, the Verilated core, or a system in SystemC around one of them.
 enum class BoardKind { kKernel, kRtl, kSystemc, kSystemcRtl };
 constexpr std::array<std::string_view, 4> kBoardNames{"kernel", "rtl", "systemc", "systemc-rtl"};
 
@@ -27,50 +27,51 @@ struct Options {
     std::string machine;  // empty: the built-in one
     ref::PointsOptions points;
     ref::GcodeOptions gcode;
-    ref::OpenProgram open_program;                // by another interpreter than this program's
-    std::shared_ptr<const ref::Program> program;  // that was made, in the file's place
+    ref::OpenProgram open_program;  // interpreter other than this program's; empty: none
+    std::shared_ptr<const ref::Program> program;  // generated program that replaces the file
     ref::Effort effort = ref::Effort::kOptimum;
     ref::Holds holds = ref::Holds::kBranches;
-    bool exact_path = false;              // G64's tolerance is not used
-    std::optional<double> arc_tolerance;  // mm, of --fit arcs
+    bool exact_path = false;              // true: G64's tolerance is not used
+    std::optional<double> arc_tolerance;  // mm, for --fit arcs
     double unit_mm = 1e-6;
     double sample_period_s = 100e-6;
     int samples_per_tick = 1;
     int segment_queue_words = ref::kSegmentQueueWords;  // of the core, not more than boards have
     int profile_queue_words = ref::kProfileQueueWords;
     double clock_hz = 100e6;
-    bool clock_set = false;    // by --clock or --core; otherwise the device's
+    bool clock_set = false;    // true: set by --clock or --core; false: the device's
     std::string device;        // empty: any
-    double error_limit = 0.1;  // units: the planner keeps every segment's derived bound below it
+    double error_limit = 0.1;  // units: limit of every segment's derived bound
     CoreParameters core;
-    bool splines_set = false;   // by --set or --core; otherwise if the program has splines
-    bool aux_axes_set = false;  // the same; otherwise as many as the program needs
+    bool splines_set = false;   // true: by --set or --core; false: as the program has splines
+    bool aux_axes_set = false;  // true: by --set or --core; false: as the program needs
     bool quiet = false;
-    bool for_steps = false;  // of a board that counts steps: words leave out no turn of an axis
+    bool for_steps = false;  // for a board that counts steps: words keep every turn of an axis
 
-    // `run` alone
+    // Options of `run` alone
     BoardKind board = BoardKind::kRtl;
     SystemSettings system;
     std::optional<std::uint64_t> stall_seed;
     double override_percent = 100;
     bool trace = false;
     std::uint64_t trace_clocks = 20000;
-    std::uint64_t most_rows = 4000000;  // of samples.csv
-    bool segments_file = true;          // `run` and `plan`: segments.json
+    std::uint64_t most_rows = 4000000;  // greatest number of rows of samples.csv
+    bool segments_file = true;          // `run` and `plan` write segments.json
 
     bool in_system() const {
         return board == BoardKind::kSystemc || board == BoardKind::kSystemcRtl;
     }
-    /// A Verilated core draws.
+    /// Returns true if a Verilated core draws.
     bool needs_rtl() const { return board == BoardKind::kRtl || board == BoardKind::kSystemcRtl; }
     int samples_per_tick_log2() const;
-    /// The override as the hardware's word, 2^16 = 100 %; above, the plan has the rest.
+    /// Returns the override as the hardware's word, 2^16 = 100 %; the plan contains the part above
+    /// 100 %.
     std::int32_t override_word() const;
     double feed_factor() const;
     ref::PlanOptions plan_options() const;
 };
 
-/// The command line as text; empty: not given, so the core's file says it, or the default stands.
+/// The command line as text; empty: not given, so the core's file gives it, or the default stands.
 struct RawOptions {
     std::string core;
     std::string board;
@@ -104,20 +105,21 @@ struct RawOptions {
     std::vector<std::string> system;
 };
 
-/// Worst error of a position on any axis, before rounding, that plans keep where nothing else is
-/// said, units.
+/// Default limit of the worst error of a position on any axis, before rounding, in units.
 constexpr double kDefaultBound = 0.1;
 
-/// Values of --unit, in mm, and of --build. @throws UsageError
+/// Read --unit, in mm, and --build. @throws UsageError
 double unit_of(const std::string& text);
 Build build_of(const std::string& text);
 
-/// The derived bound, before rounding, that keeps --error; empty text: `standard`, in mm. In units.
+/// Returns the derived bound, before rounding, that keeps --error, in units; empty text:
+/// `standard`, mm.
 /// @throws UsageError
 double bound_limit(const std::string& text, double standard, double unit_mm,
                    const CoreParameters& core);
 
-/// @throws UsageError with the option's name and the reason; ref::InputError of the core's file
+/// Converts the texts. @throws UsageError with the option's name and the reason; ref::InputError of
+/// the core's file
 void interpret(const RawOptions& raw, Options& options);
 
 }  // namespace curvecore::sysc

@@ -16,10 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ref::Vec3;
 
-constexpr double kUnit = 1e-6;     // how far a unit vector in a file may be from one
+constexpr double kUnit = 1e-6;     // greatest deviation of a unit vector in a file
 constexpr double kSharpest = 1e6;  // 1/mm
 
-/// What is wrong, and with which key.
+/// A flaw, and the key of the value that has it.
 struct Flaw {
     std::string key;
     std::string reason;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// join.json: an idle move as it was designed, to be loaded again by `curvecore join` and its page.
+// The file join.json: an idle move as designed, which `curvecore join` and its page load again.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace curvecore::sysc {
 
-/// Of the file's layout, not of the program.
+/// Version of the file's layout, not of the program.
 constexpr int kJoinVersion = 1;
 constexpr std::size_t kMostJoinPoints = 100;
 
@@ -28,17 +28,18 @@ struct JoinFile {
     ref::SpeedCourse course(double length) const {
         return {law, move.start.feed, move.end.feed, length};
     }
-    /// With `result`: lengths and jumps of this move and of others, which nobody reads back.
+    /// Returns the file's data; with `result` also lengths and jumps of this move and of others,
+    /// which no reader uses.
     nlohmann::ordered_json json() const;
-    std::string text() const;  // of the file
+    std::string text() const;  // text of the file
 };
 
-/// @throws ref::InputError, with the line of what is wrong: no JSON, another version, a missing or
-///         impossible value
+/// @throws ref::InputError, with the line of the flaw: no JSON, another version, a missing or
+/// invalid value
 JoinFile read_join_file(const std::string& file);
 JoinFile read_join_text(const std::string& text, const std::string& file_name);
 
-/// What the points of a move must be, also those of a command line. Empty: they are.
+/// Describes a flaw in the points of a move, also of a command line; empty: there is none.
 std::string flaw_of(const ref::IdleMove& move);
 
 nlohmann::ordered_json joint_json(const ref::Joint& joint);

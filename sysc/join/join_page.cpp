@@ -15,11 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostPoints = 4000;  // of a working path in the picture
-constexpr double kStretch = 0.25;          // of the idle move, of working path in the charts
+constexpr std::size_t kMostPoints = 4000;  // points of a working path in the picture
+constexpr double kStretch = 0.25;          // path in the charts, as a share of the idle move
 constexpr int kStretchPoints = 50;
 
-/// Points of a move that a picture needs, without its start.
+/// Number of points of a move that a picture needs, without its start.
 int points_of(const ref::Move& move) {
     if (move.kind == ref::Move::Kind::kCubic) return 24;
     if (move.kind == ref::Move::Kind::kLine) return 1;
@@ -32,7 +32,7 @@ Json rounded(const ref::Vec3& v) {
     return json;
 }
 
-/// The working path as a polyline, from its joint on to a rapid or as far as the picture takes it.
+/// The working path as a polyline, from its joint on to a rapid or to the picture's end.
 Json polyline(const ref::Program& program, bool backward) {
     const auto& moves = program.moves;
     const auto nth = [&](std::size_t i) {

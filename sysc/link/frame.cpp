@@ -77,7 +77,7 @@ FrameContents contents_of(const Bytes& frame) {
             contents.words_read += words;
         }
     }
-    if (!contents.whole) ++contents.words_read;  // it is answered with STATE
+    if (!contents.whole) ++contents.words_read;  // the answer is STATE
     return contents;
 }
 

@@ -11,19 +11,22 @@ namespace {
 using std::chrono::duration;
 using std::chrono::milliseconds;
 
-/// No answer for so long: there is no board. A computer that is busy may be silent for seconds, and
-/// its board holds meanwhile.
+/// Silence after which the board counts as lost. A busy computer may be silent for seconds, and its
+/// board holds meanwhile.
 constexpr auto kSilence = std::chrono::seconds(10);
-/// After so long without an answer another question goes, while no round trip is known.
+/// Time without an answer after which another question is sent, while no round trip is known.
 constexpr WireClock::duration kUnanswered = milliseconds(25);
-/// Questions without a number between two with one: a fast board's clock goes on by frames.
+/// Greatest number of questions without a number between two with one: frames advance a fast
+/// board's clock.
 constexpr int kMostPolls = 20;
-/// Frames that go again at once: where many are lost few are taken before the next that is missing.
+/// Greatest number of frames repeated at once: where many are lost, few are taken before the next
+/// that is missing.
 constexpr std::size_t kMostRepeated = 16;
-/// Numbers that an answer may be late by; one that is further off is of another session.
+/// Greatest lag of an answer's number; an answer further off is of another session.
 constexpr std::int32_t kLate = 1 << 20;
 
-/// What every frame reads at its end, in the order of take(); its answer's length says the epoch.
+/// Adds the reads that end every frame, in the order of take(); the answer's length gives the
+/// epoch.
 Frame with_reads(Frame frame, std::size_t epoch) {
     frame.read(CURVECORE_STATE, 2).read(CURVECORE_PATH_LO, 4).read(CURVECORE_SEQUENCE, 1);
     return frame.read(CURVECORE_ID, static_cast<int>(epoch) + 1);
@@ -31,7 +34,7 @@ Frame with_reads(Frame frame, std::size_t epoch) {
 constexpr std::size_t kWordsRead = 7;
 constexpr std::size_t kQuestions = 16;
 
-/// A frame that is obeyed if the board's number is `before`, which becomes `after`.
+/// A frame that is executed if the board's number is `before`, which becomes `after`.
 Frame numbered(std::uint32_t before, std::uint32_t after) {
     Frame frame;
     frame.write(CURVECORE_EXPECT, before).write(CURVECORE_SEQUENCE, after);
@@ -61,8 +64,8 @@ void FrameStream::open(std::uint32_t first) {
 }
 
 std::vector<std::uint32_t> FrameStream::read(std::uint32_t address, int words) {
-    // Answers say nothing of their question; its length, with so many words ID, tells it from the
-    // ones before.
+    // Answers do not name their question; a question's length, its number of words ID, tells it
+    // from the ones before.
     question_ = (question_ + 1) % kQuestions;
     const std::size_t marks = kWordsRead + kEpochs + 1 + question_;
     Frame frame;
@@ -110,7 +113,7 @@ void FrameStream::send(const Frame& frame, int segment_words, int profile_words)
 }
 
 void FrameStream::work() {
-    // Questions wait for answers, but not for long: a board whose host is silent stops.
+    // Questions wait for answers, but not for long: a board stops if its host is silent.
     if (all_taken() && (polls_ >= kMostPolls || link_.now() >= numbered_ + live_period_)) {
         send(begin());
     } else if (link_.now() >= transmitted_ + (waits_ ? unanswered() : link_.poll_period())) {
@@ -156,7 +159,7 @@ void FrameStream::take(const Bytes& answer) {
     }
     telemetry_.path = std::uint64_t{words[3]} << 32 | words[2];
     telemetry_.rate = words[4] / 65536.0;
-    // This one was asked when the first of those was on its way, and did not meet it.
+    // This question was sent after the first frame under way, and did not find it taken.
     if (!all_taken() && static_cast<std::int32_t>(reach_[epoch] - under_way_.front().number) > 0) {
         repeat();
     } else if (epoch == epoch_) {
@@ -169,7 +172,7 @@ void FrameStream::begin_epoch() {
     reach_[epoch_] = next_;
 }
 
-/// Jacobson's and Karels' estimate.
+/// Updates the round trip by the estimate of Jacobson and Karels.
 void FrameStream::measure(WireClock::duration round_trip) {
     const double seen = duration<double>(round_trip).count();
     double& mean = figures_.round_trip_s;
@@ -178,7 +181,7 @@ void FrameStream::measure(WireClock::duration round_trip) {
     mean += (seen - mean) / 8;
 }
 
-/// Two round trips, so that a slow board does not drown in questions.
+/// Two round trips, so that questions do not flood a slow board.
 WireClock::duration FrameStream::unanswered() const {
     const double mean = figures_.round_trip_s;
     return mean == 0 ? kUnanswered : std::max(2 * link_.poll_period(), seconds(2 * mean));
@@ -206,7 +209,7 @@ void FrameStream::repeat() {
         frame.sent = transmitted_;
         ++figures_.repeated;
     }
-    // What was asked before says nothing of these.
+    // Earlier questions do not tell whether these are taken.
     reach_.fill(under_way_.front().number);
     begin_epoch();
 }

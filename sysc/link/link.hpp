@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What carries frames to a board, and its answers back; either may be lost, doubled or late.
+// A link: it carries frames to a board and its answers back; either may be lost, doubled or late.
 #pragma once
 
 #include <chrono>
@@ -18,28 +18,28 @@ class Link {
     virtual ~Link() = default;
 
     virtual void send(const Bytes& frame) = 0;
-    /// An answer, waited for so long.
+    /// Returns an answer; waits for it for at most `wait`.
     virtual std::optional<Bytes> receive(WireClock::duration wait) = 0;
-    /// How often a host without words asks for the board's state.
+    /// Period in which a host without words requests the board's state.
     virtual WireClock::duration poll_period() const = 0;
-    /// Bytes a second that it carries, 0: not known.
+    /// Rate of the link, bytes a second; 0: unknown.
     virtual double bytes_per_s() const { return 0; }
-    /// The time that waits, patience and signs of life are counted in.
+    /// Clock in which waits, patience and signs of life are counted.
     virtual WireClock::time_point now() const { return WireClock::now(); }
 };
 
-/// Where boards listen, if nothing else is said.
+/// Default address of boards.
 constexpr const char* kWireAddress = "127.0.0.1";
-constexpr unsigned short kWirePort = 27181;  // Mesa's
+constexpr unsigned short kWirePort = 27181;  // the port of Mesa's boards
 
-/// The port of ADDRESS[:PORT], which is ADDRESS then.
+/// Splits ADDRESS[:PORT]: returns the port and leaves ADDRESS.
 /// @throws UsageError
 unsigned short take_port(std::string& address);
 
-/// What open_link() takes; 115200 baud and 1000000 Hz when left out.
+/// Names that open_link() takes; 115200 baud and 1000000 Hz when left out.
 constexpr const char* kLinkNames = "udp:ADDRESS[:PORT], serial:DEVICE[@BAUD] or spi:DEVICE[@HERTZ]";
 
-/// @throws UsageError: what is not such a name, or cannot be opened
+/// Opens a link. @throws UsageError: an invalid name, or one that cannot be opened
 std::unique_ptr<Link> open_link(const std::string& name);
 
 }  // namespace curvecore::sysc

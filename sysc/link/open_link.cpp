@@ -17,14 +17,14 @@ namespace {
 using std::chrono::milliseconds;
 namespace asio = boost::asio;
 
-/// A datagram is a frame: UDP has a checksum of its own.
+/// A link whose frames are datagrams: UDP has its own checksum.
 class UdpLink : public Link {
   public:
     UdpLink(const std::string& address, unsigned short port) {
         socket_.connect({asio::ip::make_address(address), port});
     }
 
-    /// What is lost, is lost: nobody listens (yet), or a buffer is full.
+    /// Sends a frame; one that cannot be sent is lost: nobody listens (yet), or a buffer is full.
     void send(const Bytes& frame) override {
         boost::system::error_code lost;
         socket_.send(asio::buffer(frame), 0, lost);
@@ -46,7 +46,7 @@ class UdpLink : public Link {
     asio::ip::udp::socket socket_{context_};
 };
 
-/// 8 bits, no parity, one stop bit.
+/// A serial line with 8 bits, no parity, one stop bit.
 class SerialLink : public Link {
   public:
     SerialLink(const std::string& device, unsigned baud) : port_(context_, device), baud_(baud) {
@@ -85,7 +85,7 @@ class SerialLink : public Link {
     std::size_t held_ = 0;
 };
 
-/// The number behind the last `mark` of a name, which loses it; `standard` where there is none.
+/// Takes the number behind the last `mark` off a name; `standard` if there is none.
 unsigned number_behind(char mark, std::string& name, unsigned standard, unsigned most) {
     const std::size_t at = name.rfind(mark);
     if (at == std::string::npos) return standard;

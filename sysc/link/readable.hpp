@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether there is something to read from a file or socket, waited for so long.
+// Wait, for a limited time, until a file or socket can be read.
 #pragma once
 
 #include <poll.h>

@@ -56,7 +56,7 @@ std::optional<Bytes> SlipDecoder::take(std::uint8_t byte) {
         return frame;
     }
     if (byte == kEscape) {
-        escaped_ = !escaped_;  // two of them are no byte
+        escaped_ = !escaped_;  // two of them encode no byte
     } else if (std::exchange(escaped_, false)) {
         broken_ = broken_ || (byte != kEscapedEnd && byte != kEscapedEscape);
         held_.push_back(byte == kEscapedEnd ? kSlipEnd : kEscape);

@@ -6,9 +6,9 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Bytes of a question for what the board has to say: more than the answer to most frames.
+/// Bytes of a question for the board's answer: longer than the answer to most frames.
 constexpr std::size_t kQuestion = 64;
-/// A board that says nothing is not asked again at once.
+/// Pause before a board without an answer is asked again.
 constexpr auto kPause = std::chrono::milliseconds(1);
 
 }  // namespace

@@ -4,8 +4,8 @@
 //     to the board     | frame .. end | end end end end end end end ..
 //     from the board   | end end ..   | answer .. end | end end ..
 //
-// Only the host has a clock: what the board says comes out while the host sends, or asks for it
-// with bytes that say nothing.
+// Only the host has a clock: the board's answer comes out while the host sends, or while it sends
+// idle bytes to ask for it.
 #pragma once
 
 #include <deque>
@@ -18,7 +18,7 @@ class SpiBus {
   public:
     virtual ~SpiBus() = default;
 
-    /// With the chip select low from the first bit to the last; as many bytes come.
+    /// Exchanges bytes with the chip select low from the first bit to the last; returns as many.
     virtual Bytes exchange(const Bytes& bytes) = 0;
 };
 
@@ -40,7 +40,7 @@ class SpiLink : public Link {
     std::deque<Bytes> answers_;
 };
 
-/// Linux' spidev, mode 0.
+/// Opens Linux' spidev, mode 0.
 /// @throws boost::system::system_error: no such device, or it has no such clock
 std::unique_ptr<SpiBus> open_spi_device(const std::string& device, unsigned hertz);
 

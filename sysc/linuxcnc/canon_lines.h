@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What canon_recorder.cpp knows between LinuxCNC's calls, and how it writes a line of JSON.
+// State that canon_recorder.cpp keeps between LinuxCNC's calls, and its writer of JSON lines.
 #pragma once
 
 #include <dlfcn.h>
@@ -19,23 +19,23 @@ using Point = std::array<double, 9>;  // X Y Z A B C U V W
 void* module = nullptr;  // gcode
 FILE* lines = nullptr;
 long calls_left = 0;
-int (*line_now)() = nullptr;  // of the program, for calls that do not tell it
+int (*line_now)() = nullptr;  // line of the program, for calls that do not pass it
 
 double unit_mm = 25.4;  // the program's unit
 double path_tolerance_mm = 0;
 Point system_offset{}, shift{}, tool{};
 double turn_cos = 1, turn_sin = 0;
 int plane = 1;        // LinuxCNC's number: arcs are in XY, YZ or ZX
-double feed = 0;      // per minute, in the program's unit
-double per_turn = 0;  // feed of a turn of the spindle, where that counts
+double feed = 0;      // feed a minute, in the program's unit
+double per_turn = 0;  // feed a turn of the spindle, in modes that use it
 bool feed_is_per_turn = false;
 double spindle = 0;  // turns a minute
 bool spindle_on = false;
-Point at{};  // on the machine
+Point at{};  // position on the machine
 bool begun = false;
-bool in_nurbs = false;  // the module makes chords of it, which nobody wants
+bool in_nurbs = false;  // true: the module makes chords of the curve, which are ignored
 
-/// The module's function behind one of this file.
+/// Returns the module's function that a function of this file stands in front of.
 template <class Function>
 Function* next(Function* own) {
     Dl_info info{};
@@ -70,7 +70,7 @@ std::string list(const Numbers& numbers) {
 
 bool is_angle(int axis) { return axis >= 3 && axis < 6; }
 
-/// In mm and degrees, as the program counts.
+/// Converts a point in the program's unit to mm and degrees.
 Point in_mm(Point point) {
     for (int i = 0; i < 9; ++i) {
         if (!is_angle(i)) point[i] *= unit_mm;
@@ -84,7 +84,7 @@ void turn(double& x, double& y) {
     y = before * turn_sin + y * turn_cos;
 }
 
-/// Of the program's point, mm.
+/// Converts a point of the program, mm, to machine coordinates.
 Point on_machine(Point point) {
     for (int i = 0; i < 9; ++i) point[i] += shift[i];
     turn(point[0], point[1]);
@@ -92,7 +92,7 @@ Point on_machine(Point point) {
     return point;
 }
 
-/// mm/s; degrees/s of a path of angles alone.
+/// Feed in mm/s; degrees/s on a path of angles alone.
 double speed(bool of_angles) {
     const double rate = per_turn > 0       ? per_turn * spindle
                         : feed_is_per_turn ? feed * spindle
@@ -125,7 +125,7 @@ void warn(int line, const char* text) {
     write("\"kind\":\"warning\",\"line\":" + std::to_string(line) + ",\"text\":\"" + text + "\"");
 }
 
-/// What asks for more than motion; `value`: of S.
+/// Writes an action besides motion; `value`: that of S.
 void write_left_out(const char* code, double value = 0) {
     if (!begun) return;
     write("\"kind\":\"left out\",\"code\":\"" + std::string(code) +

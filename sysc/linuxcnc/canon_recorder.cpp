@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// LinuxCNC's canonical calls as JSON lines: what its interpreter asks of a machine, in machine
-// coordinates, mm, mm/s, degrees and s, with units, offsets, rotation and tool length applied.
+// A recorder of LinuxCNC's canonical calls as JSON lines: the requests of its interpreter to a
+// machine, in machine coordinates, mm, mm/s, degrees and s, with units, offsets, rotation and tool
+// length applied.
 //
-// Loaded with RTLD_GLOBAL before LinuxCNC's Python module `gcode`, whose functions of the same
-// names it stands in front of: each call is written, then handed on. The lines are described in
-// README.md.
+// It is loaded with RTLD_GLOBAL before LinuxCNC's Python module `gcode`, and stands in front of the
+// module's functions of the same names: each call is written, then handed on. README.md describes
+// the lines.
 #include "canon_lines.h"
 
-/// Begins to write to the file descriptor, `most` lines; `line` tells where the program is.
+/// Begins to write to the file descriptor, at most `most` lines; `line` returns the program's line.
 extern "C" void record(const char* gcode, int file, long most, int (*line)()) {
     line_now = line;
     module = dlopen(gcode, RTLD_NOW | RTLD_NOLOAD);
@@ -90,10 +91,11 @@ void SET_MOTION_CONTROL_MODE(CANON_MOTION_MODE mode, double tolerance) {
     next(SET_MOTION_CONTROL_MODE)(mode, tolerance);
 }
 
-/// Canned cycles ask for it, to set it again at their end; the module says 0.1 always.
+/// Returns the tolerance, which canned cycles read and restore at their end; the module always
+/// returns 0.1.
 double GET_EXTERNAL_MOTION_CONTROL_TOLERANCE() { return path_tolerance_mm / unit_mm; }
 
-/// interpret.py's own comment says that the program begins, here.
+/// Takes the comment by which interpret.py marks the begin of the program.
 void COMMENT(const char* text) {
     if (!begun && std::string(text) == "curvecore begins") {
         begun = true;
@@ -187,7 +189,7 @@ void DWELL(double seconds) {
     next(DWELL)(seconds);
 }
 
-// What the machine stands still for, and what it does besides
+// Calls at which the machine stands, and actions besides motion
 
 namespace {
 
@@ -235,7 +237,7 @@ void START_SPINDLE_COUNTERCLOCKWISE(int of_spindle, int wait) {
     next(START_SPINDLE_COUNTERCLOCKWISE)(of_spindle, wait);
 }
 
-/// M2 asks for it, too.
+/// Stops the spindle; M2 calls it, too.
 void STOP_SPINDLE_TURNING(int of_spindle) {
     write_stop();
     if (spindle_on) write_left_out("M5");

@@ -9,7 +9,7 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // of the path, besides the segments' ends
+constexpr std::size_t kPlaces = 4 * Pictures::kBins;  // on the path, besides segments' ends
 
 }  // namespace
 

@@ -11,10 +11,10 @@ namespace curvecore::sysc {
 
 /// Bins of equal path length.
 struct Course {
-    std::vector<Envelope> curvature;             // 1/mm; none where it is infinite
+    std::vector<Envelope> curvature;             // 1/mm; none where infinite
     std::array<std::vector<Envelope>, 3> slope;  // dx/ds, dy/ds, dz/ds
-    std::vector<Envelope> deviation;             // mm from the programmed path, bounds
-    std::vector<Envelope> tolerance;             // mm, of what is not drawn as it is programmed
+    std::vector<Envelope> deviation;  // bounds of the distance from the programmed path, mm
+    std::vector<Envelope> tolerance;  // mm, of parts not drawn as programmed
 };
 
 Course course(const Job& job);

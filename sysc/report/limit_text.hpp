@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The measured limits in words: report.json, report.html and the checks.
+// Measured limits as text: report.json, report.html and the checks.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,13 +10,13 @@
 
 namespace curvecore::sysc {
 
-/// The worst ratios, where they are, and a row per window; null where that is not resolved.
+/// Worst ratios, their places, and a row per window; null where a window is not resolved.
 nlohmann::ordered_json limits_json(const Job& job, const LimitLoads& limits);
 
-/// The worst ratio and where it is, in one line.
+/// Worst ratio and its place, in one line.
 std::string limits_text(const Job& job, const LimitLoads& limits);
 
-/// [window in ms, of what, velocity, acceleration, jerk], resolved windows alone.
+/// Rows [window in ms, path or axis, velocity, acceleration, jerk] of resolved windows.
 nlohmann::ordered_json limits_rows(const Job& job, const LimitLoads& limits);
 
 }  // namespace curvecore::sysc

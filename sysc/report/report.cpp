@@ -46,7 +46,7 @@ nlohmann::ordered_json hold_json(const DrawnPlan& plan) {
             {"stop_ticks", plan.stop_ticks}};
 }
 
-/// At most so many, in a report that is read as a whole.
+/// Greatest number of events in a report, which is read as a whole.
 constexpr std::size_t kMostEvents = 10000;
 
 nlohmann::ordered_json events_json(const ref::Events& events) {

@@ -17,7 +17,7 @@ namespace {
 
 using Text = fmt::memory_buffer;
 
-/// Looks into the plan's file between which memory is let go.
+/// Number of reads of the plan's file after which its memory is released.
 constexpr std::size_t kHeld = 256;
 
 template <class Values, class Format>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// report.html: one file with its data and its code in it; report.html in this folder is its shape.
+// The page report.html: one file with its data and its code inside, made from report.html here.
 #pragma once
 
 #include <string>

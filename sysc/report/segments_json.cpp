@@ -14,7 +14,7 @@ namespace {
 
 using Text = fmt::memory_buffer;
 
-/// Three axes and the auxiliary ones that the program uses, mm.
+/// Writes three axes and the auxiliary ones that the program uses, mm.
 void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz, const ref::Aux& aux,
            const ref::Aux& turned) {
     const double unit = job.plan.unit_mm;
@@ -26,7 +26,7 @@ void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz, c
     text.push_back(']');
 }
 
-/// r(v) = start + 2^lambda ((a v + b) v + c) v in length units, up to v = beta.
+/// Writes r(v) = start + 2^lambda ((a v + b) v + c) v in length units, up to v = beta.
 void spline(Text& text, const ref::Segment& segment) {
     const auto out = std::back_inserter(text);
     const auto vector = [&](const char* name, const ref::Vec3& v) {
@@ -38,12 +38,12 @@ void spline(Text& text, const ref::Segment& segment) {
     fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", segment.lambda, segment.beta);
 }
 
-/// JSON has no infinity: a cusp's curvature is null.
+/// Number as text; JSON has no infinity, so a cusp's curvature is null.
 std::string number(double value) {
     return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null";
 }
 
-/// Derivatives at both ends and the sharpest place.
+/// Writes the derivatives at both ends and at the sharpest place.
 void shape(Text& text, const ref::Segment& segment, double unit_mm) {
     const auto out = std::back_inserter(text);
     const ref::SegmentShape shape = ref::segment_shape(segment);

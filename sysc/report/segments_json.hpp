@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// segments.json: the plan, segment by segment, with the words that the core gets.
+// The file segments.json: the plan, segment by segment, with the words that the core receives.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace curvecore::sysc {
 
-/// `write` gets the text, a segment at a time.
+/// Writes the plan; `write` receives the text, a segment at a time.
 void write_segments(const Job& job, const std::function<void(const std::string& text)>& write);
 
 }  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a board's step pins did, for reports.
+// Results of a board's step pins, for reports.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,10 +10,10 @@
 
 namespace curvecore::sysc {
 
-/// No step lost, dropped or refused.
+/// Returns true if no step was lost, dropped or refused.
 bool every_step_given(const StepStatus& steps);
 
-/// `axes`: their names.
+/// Returns the results; `axes` are their names.
 nlohmann::ordered_json steps_json(const StepStatus& steps, const std::vector<std::string>& axes);
 std::string steps_text(const StepStatus& steps, const std::vector<std::string>& axes);
 std::string following_error_text(const StepStatus& steps, const std::vector<std::string>& axes);

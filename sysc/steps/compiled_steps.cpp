@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One Verilated step generator as a block: compiled once for each model.
+// A Verilated step generator as a block: compiled once for each model.
 #include CFG_HEADER
 #include CFG_BLOCK_HEADER
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axis behind its drive, of the second order with dry friction, and its encoder.
+// A model of an axis: a drive of the second order with dry friction, and its encoder.
 //
 //     x'' = w^2 (u - x) - 2 D w x' - friction against the motion       u: where the steps point
 //
-// At a constant speed v it follows 2 D v / w + friction / w^2 behind.
+// At a constant speed v the axis lags by 2 D v / w + friction / w^2.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace curvecore::sysc {
 
 class DriveAxis {
   public:
-    /// Advances by `period` seconds at a time.
+    /// Creates an axis that advances by `period` seconds at a time.
     DriveAxis(const AxisSettings& settings, double step_mm, double period)
         : settings_(settings),
           step_mm_(step_mm),
@@ -33,14 +33,15 @@ class DriveAxis {
 
     double command() const { return static_cast<double>(count_) * step_mm_; }
     double place() const { return place_; }
-    /// What the drive sees, mm: the steps' place less the encoder's.
+    /// Following error at the drive, mm: the steps' place less the encoder's.
     double following_error() const {
         return command() - std::floor(place_ / settings_.encoder_mm + 0.5) * settings_.encoder_mm;
     }
     double worst_following_error() const { return worst_; }
 
   private:
-    /// Of 1 / w, in which the sums below are within a percent of the equation.
+    /// Largest step as a share of 1 / w, for which the sums below are within a percent of the
+    /// equation.
     static constexpr double kLargestPart = 0.02;
 
     void move() {
@@ -48,7 +49,7 @@ class DriveAxis {
             omega_ * (omega_ * (command() - place_) - 2 * settings_.damping * speed_);
         const double against = speed_ != 0 ? speed_ : driven;
         const double next = speed_ + part_ * (driven - std::copysign(settings_.friction, against));
-        // Friction stops an axis, and holds it; it does not turn it.
+        // Friction stops an axis and holds it; it never reverses it.
         speed_ = against * next <= 0 && std::abs(driven) <= settings_.friction ? 0 : next;
         place_ += part_ * speed_;
     }

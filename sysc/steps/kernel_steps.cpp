@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The step generator from event to event: what hls/step_generator.hpp does clock by clock.
+// The step generator from event to event: equivalent to hls/step_generator.hpp, clock by clock.
 #include <algorithm>
 
 #include "sysc/steps/pulse_line.hpp"
@@ -9,7 +9,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// hls::StepAxis, but for clocks between its events.
+/// An axis, hls::StepAxis, without the clocks between its events.
 class KernelAxis {
   public:
     KernelAxis(int axis, const StepSetup& setup)
@@ -18,7 +18,7 @@ class KernelAxis {
     bool referenced() const { return referenced_; }
     StepFlags flags() const { return {pulse_.overrun(), refused_}; }
 
-    /// To the clock `end`, with a load on one before it; a null rate is that of no sample.
+    /// Runs to the clock `end`, with a load on the clock before it; a null rate: no sample came.
     void run(std::uint64_t end, std::uint64_t load, const hls::StepRate* rate,
              std::vector<PinChange>& changes) {
         while (true) {
@@ -34,7 +34,7 @@ class KernelAxis {
     }
 
   private:
-    /// The clock in which the pulse sees the next hit.
+    /// Clock in which the pulse sees the next hit.
     std::uint64_t due() const { return line_.hit() == kNever ? kNever : line_.hit() + 1; }
 
     void clock(std::uint64_t clock, std::vector<PinChange>& changes) {
@@ -67,12 +67,12 @@ class KernelAxis {
     int axis_;
     StepLine line_;
     PulseLine pulse_;
-    std::uint64_t next_ = 0;  // the first clock that is not over
+    std::uint64_t next_ = 0;  // first clock that is not over
     bool referenced_ = false;
     bool refused_ = false;
     bool back_ = false;
-    std::uint64_t turns_ = kNever;    // the clock in which back_ changes
-    std::uint64_t carried_ = kNever;  // in which the pulse sees a hit of the rate before
+    std::uint64_t turns_ = kNever;    // clock in which back_ changes
+    std::uint64_t carried_ = kNever;  // clock in which the pulse sees a hit of the rate before
 };
 
 class KernelSteps : public StepBlock {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// step_generator as a SystemC module (verilator --sc) among signals, as a block.
+// A step_generator as a SystemC module (verilator --sc) among signals, as a block.
 //
 //     period() --> signals: clk, samples --> step_generator --> signals: step, direction -->
 //     changes
 //
 // period() lets simulated time pass: it is called by a thread of SystemC. A simulation that has
-// begun takes no more modules: there is one such block in a process, and it lasts as long.
+// begun accepts no further modules: a process has one such block, which lasts until it ends.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace curvecore::sysc {
 
-/// A signal at a port, for good.
+/// Binds a signal to a port, permanently.
 template <class Port>
 auto& signal_at(Port& port) {
     auto& signal = *new sc_core::sc_signal<typename Port::data_type>;
@@ -31,7 +31,7 @@ struct StepPins {
     using At = decltype(signal_at(std::declval<Port>()));
 
     explicit StepPins(const hls::PulseTimes& times) {
-        // By frames of bytes, axis by axis, levels, stops: not here.
+        // Unused here: frames of bytes, levels axis by axis, stops.
         signal_at(model.step_inverted_i);
         signal_at(model.direction_inverted_i);
         signal_at(model.by_axis_i);
@@ -103,7 +103,7 @@ class PinsSteps : public StepBlock {
     }
 
   private:
-    /// Reset, scales, to the end of the first tick: in no time.
+    /// Resets and sets the scales, up to the end of the first tick, in zero simulated time.
     void begin() {
         pins_.rst_n.write(false);
         edge();
@@ -127,7 +127,7 @@ class PinsSteps : public StepBlock {
     void edge() {
         for (const bool level : {true, false}) {
             sc_core::wait(sc_core::SC_ZERO_TIME);
-            sc_core::wait(sc_core::SC_ZERO_TIME);  // outputs follow
+            sc_core::wait(sc_core::SC_ZERO_TIME);  // lets outputs follow
             pins_.clk.write(level);
         }
         sc_core::wait(sc_core::SC_ZERO_TIME);
@@ -163,7 +163,7 @@ class PinsSteps : public StepBlock {
     int model_axes_;
     StepPins<Model>& pins_;
     bool begun_ = false;
-    sc_core::sc_time from_;  // of the period
+    sc_core::sc_time from_;  // begin of the period
     std::uint64_t clock_ = 0;
     unsigned step_ = 0;
     unsigned direction_ = 0;

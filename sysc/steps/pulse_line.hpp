@@ -24,7 +24,7 @@ class PulseLine {
     bool direction() const { return direction_; }
     bool overrun() const { return overrun_; }
 
-    /// The next clock in which a pin changes, if nothing comes; `back`: the direction of the rate.
+    /// Next clock in which a pin changes if no load comes; `back`: direction of the rate.
     std::uint64_t next(bool back) const {
         const std::uint64_t fall = step_ ? fall_ : kNever;
         if (waiting_[direction_] > 0) return std::min(fall, rise_clock());
@@ -54,7 +54,7 @@ class PulseLine {
         set_from_ = clock + setup_;
     }
 
-    /// After this clock the axis is no longer referenced: its pulse is cut in the next.
+    /// Ends the reference after this clock: a pulse of the axis is cut in the next.
     void stop(std::uint64_t clock) {
         waiting_[0] = waiting_[1] = 0;
         fall_ = clock + 1;

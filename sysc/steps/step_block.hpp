@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples into step and direction pins, whatever makes them: kernel or Verilated step generator.
-// Both give the same changes at the same clocks.
+// A block from samples to step and direction pins: kernel or Verilated step generator. Both make
+// the same changes at the same clocks.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace curvecore::sysc {
 
-/// Bits of the step generator's positions and scales: the widest, which serve all cores.
+/// Bits of the step generator's positions and scales: the widest, which suit all cores.
 constexpr int kStepFineBits = 44;
 constexpr int kStepScaleBits = 56;
 constexpr int kStepTimeBits = 16;
@@ -37,10 +37,10 @@ struct StepSetup {
     int period_log2 = 13;
     std::int64_t scale = 0;  // 2^-16 steps in 2^kStepFineBits units
     hls::PulseTimes times;   // clocks
-    double clock_s = 0;      // of simulated time
+    double clock_s = 0;      // simulated time of a clock
 };
 
-/// What an axis could not do: a step was dropped, a sample was too far away.
+/// Failures of an axis: a step was dropped, a sample was too far away.
 struct StepFlags {
     bool overrun = false;
     bool refused = false;
@@ -50,19 +50,19 @@ class StepBlock {
   public:
     virtual ~StepBlock() = default;
 
-    /// 2^period_log2 clocks, in which a sample is taken for the next period; null: none came.
-    /// Appends the changes of pins, in the order of clocks and axes. The first sample says where
-    /// the axes stand.
+    /// Advances by 2^period_log2 clocks, in which a sample is taken for the next period; null: none
+    /// came. Appends the changes of pins, in the order of clocks and axes. The first sample sets
+    /// the places of the axes.
     virtual void period(const std::int64_t* positions, std::vector<PinChange>& changes) = 0;
     virtual StepFlags flags(int axis) const = 0;
 };
 
 std::unique_ptr<StepBlock> make_kernel_steps(const StepSetup& setup);
 
-/// @throws UsageError where no Verilated step generator of the program fits
+/// Makes the Verilated block. @throws UsageError if no Verilated step generator of the program fits
 std::unique_ptr<StepBlock> make_rtl_steps(const StepSetup& setup);
 
-/// The same as a module of SystemC: pins_steps.hpp.
+/// Makes the Verilated block as a module of SystemC: pins_steps.hpp.
 std::unique_ptr<StepBlock> make_pins_steps(const StepSetup& setup);
 
 }  // namespace curvecore::sysc

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When an axis is due to step, without its clocks in between: hls::StepPhase in closed form.
+// Steps of an axis by their clocks, without the clocks in between: hls::StepPhase in closed form.
 #pragma once
 
 #include <cstdint>
@@ -14,16 +14,17 @@ class StepLine {
     explicit StepLine(int period_log2)
         : one_(std::int64_t(1) << (hls::kStepFraction + period_log2)), phase_(one_ / 2) {}
 
-    /// The clock of the next hit at the present rate.
+    /// Clock of the next hit at the present rate.
     std::uint64_t hit() const { return hit_; }
 
-    /// The hit is taken: on to the next.
+    /// Takes the hit and finds the next.
     void take_hit() {
         advance(hit_);
         find_hit();
     }
 
-    /// A load on this clock, whose own sum has the old rate still. True: that sum is a hit.
+    /// Loads a rate on this clock, whose own sum still has the old rate. Returns true if that sum
+    /// is a hit.
     bool load(std::uint64_t clock, const hls::StepRate* load) {
         bool hits = hit_ == clock;
         advance(clock);
@@ -37,7 +38,7 @@ class StepLine {
     }
 
   private:
-    /// To the state after a clock.
+    /// Advances to the state after a clock.
     void advance(std::uint64_t clock) {
         const auto clocks = static_cast<std::int64_t>(clock + 1 - next_);
         phase_ = (phase_ + clocks * rate_) & (one_ - 1);
@@ -51,7 +52,7 @@ class StepLine {
     }
 
     std::int64_t one_;
-    std::int64_t phase_;  // before the clock next_
+    std::int64_t phase_;  // phase before the clock next_
     std::uint64_t next_ = 0;
     std::int64_t rate_ = 0;
     std::uint64_t hit_ = kNever;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bus between host and board: each word takes its time.
+// The bus between host and board: each word takes a fixed time.
 #pragma once
 
 #include <tlm_utils/simple_initiator_socket.h>
@@ -9,7 +9,7 @@
 
 namespace curvecore::sysc {
 
-/// The board's addresses: words go to a stream's, the count of samples that are wanted to kRequest.
+/// Addresses of the board: words go to a stream's, the number of requested samples to kRequest.
 enum Address : std::uint64_t { kSegmentWords = 0, kProfileWords = 8, kRequest = 16 };
 
 inline sc_core::sc_time seconds(double time) { return sc_core::sc_time(time, sc_core::SC_SEC); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's end of the bus. The host is outside of the simulation, which runs while it waits.
+// The host's end of the bus. The host is outside the simulation, which runs while it waits.
 #pragma once
 
 #include "sysc/system/bus.hpp"
@@ -15,7 +15,7 @@ class HostPort : public sc_core::sc_module {
         SC_THREAD(transact);
     }
 
-    /// Writes word after word until one is refused, and returns how many were not.
+    /// Writes word after word until one is refused, and returns the number of words taken.
     std::size_t write(std::uint64_t address, const std::uint64_t* words, std::size_t count) {
         address_ = address;
         words_ = words;

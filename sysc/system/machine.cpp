@@ -12,10 +12,10 @@
 namespace curvecore::sysc {
 namespace {
 
-/// The most clocks, 2^n, that a sample period has.
+/// Greatest n for which a sample period has 2^n clocks.
 int period_log2(const MachineSetup& setup) {
     const int log2 = std::ilogb(setup.sample_s * setup.clock_hz * (1 + 1e-9));
-    // Scaling, and loading before it: rtl/pulse/step_generator.sv.
+    // Clocks of scaling, and of loading before it: rtl/pulse/step_generator.sv.
     const int clocks = setup.axes * (kStepFineBits + 7) + 4;
     if (log2 < 6 || log2 > 20 || clocks > 1 << log2) {
         throw UsageError(
@@ -26,7 +26,7 @@ int period_log2(const MachineSetup& setup) {
     return log2;
 }
 
-/// 2^-16 steps in 2^kStepFineBits units of fine positions.
+/// Scale in 2^-16 steps for 2^kStepFineBits units of fine positions.
 std::int64_t scale_of(const MachineSetup& setup, double step_mm) {
     const double scale = std::ldexp(setup.fine_mm / step_mm, kStepFineBits + hls::kStepFraction);
     if (!(scale >= 1 && scale < std::ldexp(1.0, kStepScaleBits - 1))) {
@@ -38,7 +38,7 @@ std::int64_t scale_of(const MachineSetup& setup, double step_mm) {
 
 int clocks_of(double time, double clock_s) {
     const double clocks = std::ceil(time / clock_s - 1e-9);
-    // Two of them are counted together.
+    // The hardware counts two of them together.
     if (clocks >= 1 << (kStepTimeBits - 1)) {
         throw UsageError(
             fmt::format("--system: a pin's time of {:g} us is beyond the {} clocks that the step "

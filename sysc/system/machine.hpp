@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What samples move: step generator, drives, axes.
+// The machine that samples move: step generator, drives, axes.
 //
 //     samples -> StepBlock -> pins -> DriveAxis
 //
-// Once per sample period, and ahead of the time of its pins.
+// It advances once per sample period, ahead of the time of its pins.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@
 
 namespace curvecore::sysc {
 
-/// The core's positions and clock.
+/// Positions and clock of the core.
 struct MachineSetup {
     int axes = 3;
     double fine_mm = 1e-6 / 1024;  // a unit of Sample::fine
@@ -26,10 +26,10 @@ struct MachineSetup {
 
 class Machine {
   public:
-    /// @throws UsageError: scale, times or clocks that no step generator has
+    /// @throws UsageError: scale, times or clocks that the step generator does not support
     Machine(const MachineSetup& setup, const SystemSettings& settings);
 
-    /// A sample period; null: its sample is late. The changes of pins in it.
+    /// Advances by a sample period; null: its sample is late. Returns the changes of pins in it.
     const std::vector<PinChange>& period(const Sample* sample);
 
     StepStatus status() const;
@@ -44,7 +44,7 @@ class Machine {
         AxisStatus status;
         std::int64_t first = 0;  // samples, in units of fine positions
         std::int64_t last = 0;
-        bool level[2] = {false, false};  // of the pins
+        bool level[2] = {false, false};  // levels of the pins
     };
 
     void note(const PinChange& change);
@@ -53,12 +53,12 @@ class Machine {
     std::uint64_t period_clocks_;
     std::uint64_t first_clock_ = 0;
     std::uint64_t next_clock_ = 0;
-    double clock_s_;  // of the step generator: 2^n a sample, the most that the core's clock has
+    double clock_s_;  // period of the step generator's clock: 2^n a sample, at most the core's
     std::unique_ptr<StepBlock> steps_;
     std::vector<Axis> axes_;
     std::vector<PinChange> changes_;
     bool begun_ = false;
-    std::uint64_t digest_ = 0xcbf29ce484222325;  // of all pins and times: FNV-1a
+    std::uint64_t digest_ = 0xcbf29ce484222325;  // digest of all pins and times: FNV-1a
 };
 
 }  // namespace curvecore::sysc

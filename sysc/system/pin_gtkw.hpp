@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// system.gtkw: GTKWave opens system.vcd (PinTrace) with pins and places axis by axis.
+// The file system.gtkw: GTKWave opens system.vcd (PinTrace) with pins and places axis by axis.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace curvecore::sysc {
 
-/// `folder`: where both files will stand; it opens on all of the motion, `duration_s`.
+/// Writes the file; `folder`: where both files will stand; it shows all of the motion,
+/// `duration_s`.
 std::string pin_gtkw(const std::string& folder, const std::vector<std::string>& axes,
                      double duration_s);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins and axes as a waveform: each change at its time.
+// A waveform of pins and axes: each change at its time.
 #pragma once
 
 #include <memory>
@@ -16,10 +16,11 @@ class PinTrace : public sc_core::sc_module {
     /// Writes FILE.vcd. To be made before the simulation begins.
     PinTrace(const sc_core::sc_module_name& name, const std::string& file,
              const std::vector<std::string>& axes);
-    /// Nothing more is written.
+    /// Closes the waveform: nothing more is written.
     void close();
 
-    /// The changes of a sample period that begins now, and where the axes are at its end.
+    /// Writes the changes of a sample period that begins now, and the places of the axes at its
+    /// end.
     void play(const Machine& machine, const std::vector<PinChange>& changes);
 
   private:

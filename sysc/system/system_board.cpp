@@ -19,7 +19,7 @@ struct Modules {
         }
         host.bus.bind(bus.host);
         bus.board.bind(board.bus);
-        sc_core::sc_start(sc_core::SC_ZERO_TIME);  // every thread waits for its event
+        sc_core::sc_start(sc_core::SC_ZERO_TIME);  // lets every thread wait for its event
     }
 
     HostPort host{"host"};
@@ -28,7 +28,7 @@ struct Modules {
     std::unique_ptr<PinTrace> trace;
 };
 
-/// A simulation that has begun takes no more modules. They last as long as it.
+/// Modules of the simulation. Once begun it accepts no more, and they last as long as it does.
 Modules& modules(const std::string& trace_file, const std::vector<std::string>& axes) {
     static Modules& only = *new Modules(trace_file, axes);
     return only;
@@ -45,7 +45,7 @@ class SystemBoard : public Board {
           modules_(modules(trace, axis_names(job))) {
         bus_.set_word_time(settings_.word_s);
         const double period = job.options.sample_period_s;
-        // Each turn of the kernel is a sample, of a Verilated core a clock.
+        // A turn is a sample for the kernel, a clock for a Verilated core.
         const double turns = rtl() ? std::floor(period * job.options.clock_hz + 1e-9) : kAhead;
         board_.begin({core_.get(), machine_.get(), &guard_,
                       trace.empty() ? nullptr : modules_.trace.get(), period,
@@ -86,7 +86,7 @@ class SystemBoard : public Board {
 
   private:
     bool rtl() const { return settings_.interpolator == BlockKind::kRtl; }
-    /// In [0, 1)
+    /// Random number in [0, 1).
     double draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
     const SystemSettings settings_;
@@ -105,7 +105,7 @@ class SystemBoard : public Board {
 std::unique_ptr<Machine> make_machine(const Job& job) {
     const Options& options = job.options;
     MachineSetup setup;
-    setup.axes = 3 + job.plan.aux_axes;  // which the report names
+    setup.axes = 3 + job.plan.aux_axes;  // named in the report
     setup.fine_mm = std::ldexp(options.unit_mm, -options.core.guard_bits);
     setup.sample_s = options.sample_period_s;
     setup.clock_hz = options.clock_hz;
@@ -120,5 +120,5 @@ std::unique_ptr<Board> make_system_board(const Job& job, std::unique_ptr<Board> 
 
 }  // namespace curvecore::sysc
 
-/// SystemC's library wants one; the program has a main() of its own.
+/// Required by SystemC's library; the program has its own main().
 int sc_main(int /*argc*/, char** /*argv*/) { return 0; }

@@ -56,7 +56,7 @@ void TimedBoard::want(std::uint64_t samples) {
     run_.wanted += samples;
 }
 
-/// A turn of the core.
+/// Does a turn of the core.
 void TimedBoard::work() {
     parts_.core->work(came_);
     run_.asked -= came_.size();
@@ -95,7 +95,7 @@ void TimedBoard::move(const Sample* sample) {
     if (parts_.trace != nullptr) parts_.trace->play(*parts_.machine, changes);
 }
 
-/// Lets the core work for as long as a sample may take, and takes one.
+/// Lets the core work for at most the time of a sample, and takes one.
 void TimedBoard::take_sample() {
     while (run_.wanted > 0 && run_.asked + run_.made.size() < kAhead) {
         parts_.core->request(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The core's queues behind a register each, and a timer that takes a sample each period.
 //
-//     words -> core -> samples that are made ahead -> one a period -> machine
+//     words -> core -> samples made ahead -> one a period -> machine
 #pragma once
 
 #include <deque>
@@ -15,17 +15,17 @@
 
 namespace curvecore::sysc {
 
-/// Samples that are asked for before they are due: SamplesAhead of rtl/motion_system.sv.
+/// Number of samples requested before they are due: SamplesAhead of rtl/motion_system.sv.
 constexpr std::size_t kAhead = 4;
 
-/// What a board draws with, from begin() to end().
+/// Parts that a board draws with, from begin() to end().
 struct BoardParts {
     Board* core = nullptr;
     Machine* machine = nullptr;  // null: samples move nothing
     QueueGuard* guard = nullptr;
     PinTrace* trace = nullptr;  // null: none
     double sample_s = 0;
-    std::uint64_t turns_per_sample = 0;  // of the core's work
+    std::uint64_t turns_per_sample = 0;  // turns of the core's work
 };
 
 class TimedBoard : public sc_core::sc_module {
@@ -37,21 +37,21 @@ class TimedBoard : public sc_core::sc_module {
     void begin(const BoardParts& parts);
     void end();
 
-    /// Samples that were taken since they were asked for last.
+    /// Returns the samples that were taken since the last call.
     std::vector<Sample>& samples() { return run_.samples; }
-    /// All samples that were asked for have come, and the pins have not come to rest.
+    /// Returns true if all requested samples have come, and the pins still move.
     bool comes_to_rest() const { return run_.rest > 0; }
     std::uint64_t late_samples() const { return run_.late_samples; }
 
   private:
-    /// Periods until the last step is out.
+    /// Number of periods until the last step is out.
     static constexpr int kRest = 4;
 
     struct Run {
-        std::uint64_t wanted = 0;  // samples, not asked of the core
-        std::size_t asked = 0;     // not made
+        std::uint64_t wanted = 0;  // samples, not requested from the core yet
+        std::size_t asked = 0;     // requested, not made yet
         std::deque<Sample> made;
-        std::vector<Sample> samples;  // taken
+        std::vector<Sample> samples;  // samples taken
         Sample last;
         int rest = 0;
         std::uint64_t late_samples = 0;
@@ -71,7 +71,7 @@ class TimedBoard : public sc_core::sc_module {
     Run run_;
     sc_core::sc_time sample_time_;
     sc_core::sc_event tick_;
-    std::vector<Sample> came_;  // of the core's last turn
+    std::vector<Sample> came_;  // samples of the core's last turn
 };
 
 }  // namespace curvecore::sysc

@@ -18,14 +18,14 @@ namespace asio = boost::asio;
 using Udp = asio::ip::udp;
 using std::chrono::milliseconds;
 
-/// A master that is silent for so long, in clocks of the board, is one no more.
+/// Silence after which a master loses the board, in clocks of the board.
 constexpr auto kMasterLeaves = static_cast<std::uint64_t>(VirtualBoard::kClockHertz);
-/// What a frame gives the clock of a fast board, s of the board.
+/// Time by which a frame advances the clock of a fast board, s of the board.
 constexpr double kTimeOfFrame = 0.005;
-/// Words that a frame may read, and frames that wait, at most.
+/// Greatest number of words that a frame may read, and of frames that wait.
 constexpr std::size_t kMostRead = 128;
 constexpr std::size_t kMostWaiting = 256;
-/// Clocks between two looks at the socket.
+/// Clocks between two checks of the socket.
 constexpr std::uint64_t kClocksAtOnce = 2000;
 
 }  // namespace
@@ -53,17 +53,17 @@ struct BoardServer::State {
     std::optional<Udp::endpoint> master;
     std::uint64_t master_spoke = 0;  // clock of the board
     std::deque<Waiting> waiting;
-    std::optional<Udp::endpoint> asks;  // whose answer is to come
+    std::optional<Udp::endpoint> asks;  // receiver of the next answer
     WireClock::time_point looked = WireClock::now();
     double clocks_due = 0;
-    double clocks_lost = 0;  // that real time asked for and did not get
+    double clocks_lost = 0;  // clocks of real time that were not made
 };
 
 void BoardServer::State::receive(milliseconds wait) {
     for (; readable(socket.native_handle(), wait); wait = milliseconds(0)) {
         Bytes frame(65536);
         Udp::endpoint from;
-        boost::system::error_code gone;  // the one that the last answer went to
+        boost::system::error_code gone;  // the receiver of the last answer is gone
         frame.resize(socket.receive_from(asio::buffer(frame), from, 0, gone));
         if (!gone) take(frame, from);
     }
@@ -84,7 +84,7 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
     waiting.push_back({frame, from, contents.words_read});
 }
 
-/// Frames go in one after the other: the next when the last is answered.
+/// Runs the clocks; frames go in one after the other, the next when the last is answered.
 void BoardServer::State::run(std::uint64_t clocks) {
     for (; clocks > 0; --clocks) {
         if (!waiting.empty() && board.taken() && !asks) {
@@ -101,7 +101,7 @@ void BoardServer::State::run(std::uint64_t clocks) {
     }
 }
 
-/// The wall's clock asks for clocks. A board that is behind does not make up for it.
+/// Follows real time. A board that is behind does not catch up.
 void BoardServer::State::follow_wall() {
     const WireClock::time_point now = WireClock::now();
     const double passed = std::chrono::duration<double>(now - looked).count();
@@ -114,7 +114,7 @@ void BoardServer::State::follow_wall() {
     }
 }
 
-/// Clocks that are due, no more than at once.
+/// Clocks that are due, up to a limit at once.
 std::uint64_t BoardServer::State::due() {
     if (!fast) follow_wall();
     const double whole = std::min(std::floor(clocks_due), static_cast<double>(kClocksAtOnce));

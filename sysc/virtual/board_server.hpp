@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A virtual board behind UDP: a datagram is a frame, and an answer.
+// A virtual board behind UDP: a datagram is a frame or an answer.
 //
-// It has one master, the first that writes, until that is silent; of others it takes frames that
-// only read.
+// The board has one master, the first host that writes, until it is silent; from others it takes
+// frames that only read.
 #pragma once
 
 #include <memory>
@@ -14,26 +14,26 @@
 namespace curvecore::sysc {
 
 struct BoardServerOptions {
-    std::string address;  // ADDRESS[:PORT]; port 0: any that is free
-    /// Each frame that it takes, of whomever, gives the clock 5 ms, and nothing else does: no step
-    /// depends on how busy the computer is. Otherwise the clock goes as the wall's does.
+    std::string address;  // ADDRESS[:PORT]; port 0: any free port
+    /// True: only frames, of any host, advance the clock, by 5 ms each, so no step depends on the
+    /// computer's load. False: the clock follows real time.
     bool fast = false;
     VirtualAxes axes;
 };
 
 class BoardServer {
   public:
-    /// @throws UsageError: no such address, or it is taken
+    /// @throws UsageError: no such address, or it is in use
     BoardServer(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step);
     ~BoardServer();
 
-    /// ADDRESS:PORT
+    /// Returns ADDRESS:PORT.
     std::string where() const;
-    /// A while of work: frames, clocks, answers.
+    /// Works for a while: frames, clocks, answers.
     void work();
 
     std::uint64_t clocks() const;
-    /// Clocks that passed against those that time asked for.
+    /// Ratio of the clocks made to the clocks of real time.
     double pace() const;
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// /dev/spidevBUS.SELECT: <linux/spi/spidev.h>.
+// The device /dev/spidevBUS.SELECT: <linux/spi/spidev.h>.
 #include <fcntl.h>
 #include <linux/spi/spidev.h>
 #include <sys/ioctl.h>

@@ -75,7 +75,7 @@ void VirtualBoard::set_encoders() {
 
 std::optional<Bytes> VirtualBoard::clock() {
     ClockedDut<Vmotion_board>& dut = model_->dut;
-    // Inputs of the coming edge; ready does not depend on them.
+    // Inputs for the coming edge; ready does not depend on them.
     const bool goes = dut->byte_ready_o != 0 && !offered_.empty();
     dut->byte_valid_i = goes ? 1 : 0;
     if (goes) {

@@ -20,19 +20,19 @@ struct VirtualStep {
     bool back = false;
 };
 
-/// Places of an axis, in steps from the start.
+/// Range of places of an axis, in steps from the start.
 struct VirtualRange {
     int axis = 0;
     std::int64_t from = 0;
     std::int64_t to = 0;
 };
 
-/// The machine at the pins. Its encoders give an edge a step.
+/// The machine at the pins. Its encoders make one edge a step.
 struct VirtualAxes {
-    std::vector<VirtualRange> switches;  // home switches are closed there
-    bool limits = false;                 // they are limit switches too
-    std::vector<VirtualRange> slips;     // steps to these places, as they are counted, move nothing
-    double lag_s = 0;                    // encoders are so late
+    std::vector<VirtualRange> switches;  // ranges where home switches are closed
+    bool limits = false;                 // home switches are limit switches too
+    std::vector<VirtualRange> slips;     // ranges of counted places: steps to them move nothing
+    double lag_s = 0;                    // lag of the encoders
 };
 
 class VirtualBoard {
@@ -45,11 +45,11 @@ class VirtualBoard {
     VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes);
     ~VirtualBoard();
 
-    /// A frame that the board shall take.
+    /// Offers a frame to the board.
     void offer(const Bytes& frame);
-    /// All that was offered has gone in.
+    /// Returns true once all offered frames have gone in.
     bool taken() const;
-    /// One clock; an answer that it completed.
+    /// Advances by one clock. Returns the answer that it completed, if any.
     std::optional<Bytes> clock();
     std::uint64_t clocks() const;
 
@@ -70,8 +70,8 @@ class VirtualBoard {
     std::function<void(const VirtualStep&)> step_;
     VirtualAxes axes_;
     std::array<std::int64_t, kAxes> given_{};   // steps
-    std::array<std::int64_t, kAxes> places_{};  // that were made
-    std::array<std::int64_t, kAxes> edges_{};   // of encoders
+    std::array<std::int64_t, kAxes> places_{};  // steps made
+    std::array<std::int64_t, kAxes> edges_{};   // edges of encoders
     std::deque<Late> late_;
     std::deque<std::uint8_t> offered_;
     SlipDecoder answers_;

@@ -14,9 +14,9 @@ namespace curvecore::sysc {
 namespace {
 
 using Batch = std::vector<Sample>;
-constexpr std::size_t kBatch = 4096;  // samples from thread to thread at once
+constexpr std::size_t kBatch = 4096;  // samples passed between the threads at once
 
-/// Feeds the board to its last sample, or until the other end of the channel closes it.
+/// Feeds the board to its last sample, or until the other end closes the channel.
 void draw(Board& board, const BoardRun& run, Channel<Batch>& channel) {
     Feeder feeder(run.job, run.samples, board);
     std::uint64_t drawn = 0;

@@ -23,14 +23,14 @@ struct BoardRun {
 struct BoardResult {
     CheckResult check;
     BoardStatus status;
-    double seconds = 0;             // of simulation
-    std::uint64_t first_clock = 0;  // that gave a sample
-    /// The least sample period that was kept; none: nothing has clocks, or stalls or a timer of the
-    /// board's own had the samples wait.
+    double seconds = 0;             // of simulation, real time
+    std::uint64_t first_clock = 0;  // clock of the first sample
+    /// Least sample period that was kept; none: the board has no clocks, or stalls or its own timer
+    /// delayed samples.
     std::optional<double> period_clocks;
 };
 
-/// The board works in this thread, checks and samples.csv in another.
+/// Runs the job: the board works in this thread, checks and samples.csv in another.
 BoardResult run_board(Board& board, const BoardRun& run);
 
 }  // namespace curvecore::sysc

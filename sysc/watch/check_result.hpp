@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the comparison of a run's samples with kernel and exact curve found.
+// Result of comparing a run's samples with kernel and exact curve.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,12 @@ struct AxisError {
     }
 };
 
-/// Worst over the segments of one kind, length units before the final rounding.
+/// Worst figures of the segments of one kind, length units before the final rounding.
 struct KindResult {
     std::uint64_t samples = 0;
     double error = 0;        // on any axis
-    double bound = 0;        // derived; 0: none is
-    double of_bound = 0;     // error / its segment's bound
+    double bound = 0;        // derived; 0: none
+    double of_bound = 0;     // error / bound of its segment
     double speed_error = 0;  // chord between samples - the exact curve's
 };
 
@@ -50,9 +50,9 @@ struct CheckResult {
     LimitLoads drawn;           // of the exact curve at the samples' path lengths
     LimitLoads rounded_limits;  // of the samples, with the rounding allowed for
     double speed_of_allowed =
-        0;  // speed error / (1e-6 chord + what the bounds allow, 0.1 at least)
+        0;  // speed error / (1e-6 chord + what the bounds allow, at least 0.1)
 
-    /// Of all kinds.
+    /// Worst of all kinds.
     double worst(double KindResult::*figure) const {
         double most = 0;
         for (const auto& [name, kind] : kinds) most = std::max(most, kind.*figure);

@@ -54,7 +54,7 @@ void Checker::take(const Sample& drawn) {
     samples_.row(result_.samples, cursor_.index(), cursor_.s(), drawn.position.data());
 }
 
-/// The sample before the first request: the start words.
+/// Takes the start words as the sample before the first request.
 void Checker::start() {
     const RunSegment first = hls::to_words(cursor_.segment(), format_);
     std::int64_t position[kMostAxes];
@@ -136,7 +136,7 @@ KindResult& Checker::kind_of(const ref::Segment& segment) {
     return *kind_;
 }
 
-/// Chords between successive samples, before rounding, against those of the exact curve.
+/// Compares chords between successive samples, before rounding, with those of the exact curve.
 void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
     const ref::Vec3 chord = curve - last_curve_;
     const double length = chord.norm();
@@ -160,7 +160,7 @@ bool Checker::stops(std::size_t segment) const {
     return segment + 1 == job_.plan.segments.size() || ends_at_rest(job_.plan.segments[segment]);
 }
 
-/// The output word against the program's own end point.
+/// Compares the output word with the program's own end point.
 void Checker::compare_landing(const Sample& drawn) {
     const ref::Move& move = job_.plan.moves[cursor_.segment().move];
     for (int axis = 0; axis < axes_; ++axis) {

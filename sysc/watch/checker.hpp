@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every sample of a board against the kernel's prediction, bit for bit, and against the exact curve
-// at the same path length.
+// Check of every sample of a board against the kernel's prediction, bit for bit, and against the
+// exact curve at the same path length.
 #pragma once
 
 #include "ref/plan/curve_follower.hpp"
@@ -23,7 +23,7 @@ class Checker {
 
     void take(const Sample& drawn);
 
-    /// After the last sample.
+    /// Returns the result; to be called after the last sample.
     const CheckResult& result();
 
   private:
@@ -38,7 +38,7 @@ class Checker {
 
     const Job& job_;
     const int core_axes_;
-    const int axes_;  // in use; the others stand at 0
+    const int axes_;  // axes in use; the others stand at 0
     const double fine_unit_;
     const double chord_tolerance_;  // both ends off by the bound on every axis
     PathSource source_;
@@ -53,7 +53,7 @@ class Checker {
     LimitMeter drawn_;    // the exact curve at the samples' path lengths
     LimitMeter rounded_;  // the samples
     const ref::Segment* segment_of_kind_ = nullptr;
-    KindResult* kind_ = nullptr;  // of that segment
+    KindResult* kind_ = nullptr;  // kind of that segment
     std::size_t next_segment_ = 0;
     std::size_t last_stop_ = static_cast<std::size_t>(-1);
     ref::Vec3 last_point_ = ref::Vec3::Zero();

@@ -8,11 +8,11 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kDense = 20;  // samples of the shortest window that are enough
+constexpr double kDense = 20;  // sufficient number of samples in the shortest window
 
 double length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
-/// X Y Z, or U V W where these do not move.
+/// Norm of X Y Z, or of U V W where X Y Z do not move.
 template <class Value>
 double path_length(int axes, Value value) {
     const double xyz = length(value(0), value(1), value(2));

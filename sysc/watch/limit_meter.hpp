@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How close a drawn motion comes to the machine's limits: from its positions alone.
+// A meter of how close a drawn motion comes to the machine's limits, from its positions alone.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@
 namespace curvecore::sysc {
 
 inline const std::vector<double> kLimitWindows{1e-3, 2e-3, 5e-3, 10e-3, 20e-3};  // s
-constexpr int kLeastTicks = 4;  // of a window; a shorter one is not resolved
+constexpr int kLeastTicks = 4;  // of a window; shorter windows are not resolved
 
 enum Limited : std::size_t { kVelocity, kAcceleration, kJerk };
 constexpr std::array<const char*, 3> kLimitedNames{"velocity", "acceleration", "jerk"};
 
-/// Over one window. Not resolved, or shorter than JointTime: empty.
+/// Loads over one window; empty if it is not resolved, or shorter than JointTime.
 struct WindowLoads {
     using Ratios = std::array<double, 3>;  // by Limited
 
     double seconds = 0;
     std::vector<Ratios> of;  // the path, then the axes
-    Ratios rounding{};       // share of the path's allowance that `error` was given
+    Ratios rounding{};       // share of the path's allowance that comes from `error`
 };
 
 struct LimitLoads {
     struct Worst {
         double ratio = 0;
         double window = 0;   // s
-        std::size_t of = 0;  // 0: the path; else axis + 1
+        std::size_t of = 0;  // 0: the path; otherwise axis + 1
         std::uint64_t sample = 0;
         std::size_t segment = 0;
     };
@@ -42,50 +42,53 @@ struct LimitLoads {
 
     bool resolved() const;
     double most() const;
-    /// Worst share of the allowance that `error` was given.
+    /// Returns the worst share of the allowance that comes from `error`.
     double rounding() const;
 };
 
-/// With the mean velocity v(t) over one tick h, within which samples are even, for every window w
-/// (T = JointTime), of the path (X Y Z as a vector; U V W while these stand) and of every axis:
+/// Measures, with the mean velocity v(t) over one tick h, within which samples are even, for every
+/// window w (T = JointTime), of the path (X Y Z as a vector; U V W while these stand) and of every
+/// axis:
 ///
 ///     |r(t + w) - r(t)|                 <=  V w
 ///     |v(t + w) - v(t)|                 <=  A (w + T)
 ///     |v(t + 2w) - 2 v(t + w) + v(t)|   <=  J w (w + T) + A T
 ///
 /// The last is the change of the mean acceleration between adjacent windows, times w. Positions
-/// that are `error` units off on every axis are allowed 2, 4 / h and 8 / h times that more. Of
-/// ticks much denser than the shortest window only some are taken.
+/// that are `error` units off on every axis are allowed 2, 4 / h and 8 / h times that more. If
+/// ticks are much denser than the shortest window, only a part of them is taken.
 class LimitMeter {
   public:
     using Point = ref::AxisPoint;
 
-    /// h = samples_per_tick * period_s.
+    /// Creates a meter with h = samples_per_tick * period_s.
     LimitMeter(const ref::Machine& machine, double unit_mm, double period_s, int samples_per_tick,
                int axes, double error = 0, const std::vector<double>& windows = kLimitWindows);
 
-    /// The longest window that is resolved, and what the path may have over it: mean acceleration
-    /// and jerk, by the second and the third bound above; mm and s.
+    /// The longest resolved window, and the mean acceleration and jerk that the path may have over
+    /// it, by the second and the third bound above; mm and s.
     struct Longest {
         double seconds;
         double acceleration;
         double jerk;
     };
-    /// What the path has over it, one window and two of them up to `end`, from the start point on.
+    /// Receives the path's loads over one window and two of them up to `end`, from the start point
+    /// on.
     using Look = std::function<void(double end, double acceleration, double jerk)>;
-    /// To be called before the first point. None: no window is resolved, and nothing is looked at.
+    /// Sets the receiver, before the first point. None: no window is resolved, and it is never
+    /// called.
     std::optional<Longest> look_with(Look look);
 
-    /// The start point first, then every sample; units. `segment` is kept for the worst.
+    /// Takes the start point first, then every sample; units. `segment` is kept for the worst.
     void take(const Point& point, std::size_t segment);
 
-    /// The last point stays for ever: to be asked for once.
+    /// Returns the loads, with the last point held for ever; to be called once.
     const LimitLoads& finish();
 
   private:
     struct Window {
         std::size_t steps;
-        std::size_t loads;  // in LimitLoads::windows
+        std::size_t loads;  // index in LimitLoads::windows
     };
 
     void place(const Point& point);

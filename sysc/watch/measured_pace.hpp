@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample period that a core has kept along a plan, from the clocks of its samples.
+// Sample period that a core has kept along a plan, from the clocks of its samples.
 #pragma once
 
 #include "sysc/board/board.hpp"
@@ -31,7 +31,7 @@ class MeasuredPace {
 
   private:
     StepWalk walk_;
-    bool in_turn_;  // samples and steps
+    bool in_turn_;  // samples and steps are made in turn
     SamplePace pace_;
     std::uint64_t s_ = 0;  // quanta
     std::uint64_t samples_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the report's pictures show, thinned out while the samples pass: memory and report stay small
+// Data of the report's pictures, thinned out while the samples pass: memory and report stay small
 // however long the program is.
 #pragma once
 
@@ -41,14 +41,16 @@ class Pictures {
 
     Pictures(const Job& job, std::uint64_t ticks);
 
-    /// Shows what the meter compares with the limits; before its first point.
+    /// Shows the values that the meter compares with the limits; to be called before its first
+    /// point.
     void watch(LimitMeter& meter);
-    /// A tick's increment, quanta.
+    /// Adds a tick's increment, quanta.
     void tick(std::int64_t ds);
-    /// Would this sample be drawn? Stops and other corners are, if there are not too many of them.
+    /// Returns true if this sample is drawn. Stops and other corners are, unless there are too
+    /// many.
     bool wants(std::uint64_t s, std::size_t segment, bool at_end) const;
     void sample(std::uint64_t s, std::size_t segment, const ref::Vec3& point, bool at_end);
-    /// Its worst error on any axis before rounding, and the bound there, length units.
+    /// Adds a sample's worst error on any axis before rounding, and the bound there, length units.
     void error(std::uint64_t s, double error, double bound);
 
     const std::vector<PathPoint>& path() const { return path_; }
@@ -60,7 +62,7 @@ class Pictures {
     // Over time, along the path in mm and s
     const std::vector<Envelope>& speed() const { return speed_; }
     const std::vector<Envelope>& acceleration() const { return acceleration_; }
-    // Over time, as vectors: what the limits are about, over the window that is named
+    // Over time, as vectors: the limited values, over the window that is named
     const std::optional<LimitMeter::Longest>& window() const { return window_; }
     const std::vector<Envelope>& total_acceleration() const { return total_; }
     const std::vector<Envelope>& jerk() const { return jerk_; }
@@ -69,7 +71,7 @@ class Pictures {
     std::size_t path_bin(std::uint64_t s) const;
     void add(std::vector<Envelope>& bins, double time, double value) const;
 
-    std::uint64_t span_;  // ticks over which speed is taken
+    std::uint64_t span_;  // ticks over which speed is measured
     double span_s_;
     double quantum_mm_;
     std::uint64_t length_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample period that a core will keep along a plan, from its clocks alone.
+// Sample period that a core will keep along a plan, from its clocks alone.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace curvecore::sysc {
 
-/// The serial core makes samples and steps in turn. The parallel one makes steps on its own, up to
-/// three ahead of the one that the last sample lies in.
+/// Predicts the pace. The serial core makes samples and steps in turn. The parallel core makes
+/// steps beside the samples, up to three ahead of the one with the last sample.
 class PredictedPace {
   public:
     template <class Plan>
@@ -24,7 +24,7 @@ class PredictedPace {
           pace_(hls::samples_ahead(timed_core(core))),
           tick_share_(double(hls::tick_clocks(timed_core(core))) / samples_per_tick) {}
 
-    /// The next sample, `s` quanta along the path.
+    /// Adds the next sample, `s` quanta along the path.
     void sample(std::uint64_t s) {
         bool first = samples_ == 0;
         double ready = 0;
@@ -42,7 +42,7 @@ class PredictedPace {
     double period() const { return std::max(pace_.period(), tick_share_); }
 
   private:
-    /// Clock at which the next sample could be one of this step.
+    /// Makes a step and returns the clock at which the next sample could be its first.
     double make_step(int clocks) {
         if (serial_) return clock_ += clocks;
         double& bank = free_[steps_++ % free_.size()];
@@ -58,10 +58,10 @@ class PredictedPace {
     std::array<hls::Clocks, 2> change_;
     int sample_clocks_;  // along the present segment
     SamplePace pace_;
-    double tick_share_;             // clocks of a tick of time, of each of its samples
-    double clock_ = 0;              // of the last sample
-    double made_ = 0;               // the last step
-    std::array<double, 3> free_{};  // when the samples have left the step before
+    double tick_share_;             // clocks of a tick of time, for each of its samples
+    double clock_ = 0;              // clock of the last sample
+    double made_ = 0;               // clock of the last step
+    std::array<double, 3> free_{};  // clocks at which the samples have left the step before
     std::size_t steps_ = 0;
     std::uint64_t samples_ = 0;
 };

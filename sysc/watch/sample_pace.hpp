@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample period that a core keeps, from the clocks at which its samples came.
+// Sample period that a core keeps, from the clocks at which its samples came.
 #pragma once
 
 #include <algorithm>
@@ -10,20 +10,20 @@
 
 namespace curvecore::sysc {
 
-/// Samples came as fast as the core gave them. Taken at a period of T clocks instead, with
-/// requests always waiting, sample n is due (n - k) T after sample k, and the samples
-/// that the core holds make up for as many periods. So time is kept if for all k < n
+/// Samples came as fast as the core could make them. With samples taken at a period of T clocks
+/// instead, and requests always waiting, sample n is due (n - k) T after sample k, and the `ahead`
+/// samples that the core holds cover as many periods. So time is kept if for all k < n
 ///
 ///     clock[n] - clock[k] <= (n - k + ahead) T
 ///
 /// and the least T is the largest slope from (k, clock[k]) to (n + ahead, clock[n]): k is a
 /// corner of the lower convex hull of the points before n.
 ///
-/// A core that makes steps beside the samples is told `sample` of those only that are the first of
-/// their step: between others it runs ahead of T without making a step the sooner.
+/// If a core makes steps beside the samples, `sample` is called only for the first sample of each
+/// step: at the others the core runs ahead of T without making a step earlier.
 class SamplePace {
   public:
-    /// `ahead`: samples that the core holds, hls::samples_ahead()
+    /// Creates a pace; `ahead`: samples that the core holds, hls::samples_ahead().
     explicit SamplePace(int ahead) : ahead_(ahead) {}
 
     void sample(std::uint64_t n, std::uint64_t clock) {
@@ -37,7 +37,7 @@ class SamplePace {
         hull_.push_back(point);
     }
 
-    /// The least T, clocks.
+    /// Returns the least T, clocks.
     double period() const { return period_; }
 
   private:

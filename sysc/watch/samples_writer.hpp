@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// samples.csv: one row per sample, as fast as the simulation gives them.
+// The file samples.csv: one row per sample, written as fast as the simulation makes them.
 #pragma once
 
 #include <cstdio>
@@ -11,18 +11,18 @@
 
 namespace curvecore::sysc {
 
-/// A sample's segment and its position as the board gave it.
+/// Receiver of a sample's segment and its position as the board returned it.
 using TakeSample = std::function<void(std::size_t segment, const std::int64_t* position)>;
 
 class SamplesWriter {
   public:
-    /// Of `samples` samples the first, the last and every n-th get a row, so that there are not
-    /// more rows than the job's options ask for. `also`: takes all of them.
+    /// Creates the file. The first, the last and every n-th of `samples` samples get a row, so that
+    /// the job's options are not exceeded. `also` receives all samples.
     /// @throws std::runtime_error when the file cannot be written
     SamplesWriter(const std::string& file, const Job& job, std::uint64_t samples,
                   TakeSample also = {});
 
-    /// `position` has 3 + aux_axes words.
+    /// Writes a row; `position` has 3 + aux_axes words.
     void row(std::uint64_t k, std::size_t segment, std::uint64_t s, const std::int64_t* position);
 
     /// @throws std::runtime_error when the disk is full

@@ -14,11 +14,11 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr int kStep = 10;  // percent of a key
+constexpr int kStep = 10;  // percent a key
 
 }  // namespace
 
-/// Keys come one by one, and are not echoed.
+/// Terminal settings under which keys come one by one, without echo.
 struct Console::Terminal {
     Terminal() {
         tcgetattr(STDIN_FILENO, &before);
@@ -67,7 +67,7 @@ std::optional<Wish> Console::key() {
     return std::nullopt;
 }
 
-/// A line counts when its end is there.
+/// Returns the next line; a line counts once its end is written.
 std::optional<Wish> Console::line() {
     using Kind = Wish::Kind;
     file_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an operator asks for while a program is under way: keys of a terminal, lines of a file.
+// Requests of an operator while a program is under way: keys of a terminal, lines of a file.
 #pragma once
 
 #include <fstream>
@@ -12,20 +12,21 @@ namespace curvecore::sysc {
 struct Wish {
     enum class Kind { kHold, kResume, kOverride, kStop, kEstop };
     Kind kind;
-    int percent = 0;  // of kOverride
+    int percent = 0;  // for kOverride
 };
 
 class Console {
   public:
-    /// Keys: h hold, r resume, + and - override, s stop, e e-stop, if standard input is a terminal.
-    /// The file's lines, as they are added: hold, resume, override N, stop, estop.
+    /// Opens the inputs. Keys: h hold, r resume, + and - override, s stop, e e-stop, if standard
+    /// input is a terminal. Lines of the file, as they are added: hold, resume, override N, stop,
+    /// estop.
     /// @throws UsageError: no such file
     Console(const std::string& control_file, int override_percent);
     ~Console();
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    /// The next wish that can be met; messages about others go to stderr.
+    /// Returns the next valid wish; messages about others go to stderr.
     std::optional<Wish> next();
 
   private:

@@ -16,13 +16,13 @@ namespace curvecore::sysc {
 namespace {
 
 constexpr auto kSettles = std::chrono::seconds(2);
-/// Frames with a number that go out in the watchdog's time, at least.
+/// Least number of numbered frames in the watchdog's time.
 constexpr double kSignsOfLife = 5;
 
-/// Words in two commands of a frame, beside what the stream adds itself.
+/// Words in two commands of a frame, beside those that the stream adds.
 constexpr std::size_t kWordsOfFrame =
     (kLongestFrame - FrameStream::kOwnBytes - 2 * kCommandBytes) / kPushedBytes;
-/// Bytes on a line of such a frame: CRC, end, and one in 64 that is escaped.
+/// Bytes on a line for such a frame: CRC, end, and one in 64 escaped.
 constexpr double kLineBytes = (kLongestFrame + 4 + 1) * (1 + 1.0 / 64);
 
 RemoteBuild read_build(FrameStream& frames) {
@@ -105,7 +105,7 @@ void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
     frames_.send(frames_.begin().write(address, word));
 }
 
-/// Behind all that was written.
+/// Reads a register after all that was written.
 std::uint32_t RemoteMachine::read(std::uint32_t address) {
     frames_.finish();
     return frames_.read(address, 1)[0];
@@ -117,7 +117,7 @@ void RemoteMachine::control(std::uint32_t bits) {
 }
 
 void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
-    // Whatever another host left.
+    // Another host may have left any state.
     control(0);
     const WireClock::time_point settled = now() + kSettles;
     do {
@@ -154,7 +154,7 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
     ignore_limits(0);
 }
 
-/// Counts of steps say where an axis stands as long as its scale is the same.
+/// Sets a scale; counts of steps give an axis' place as long as its scale is unchanged.
 void RemoteMachine::set_scale(int axis, std::uint64_t scale) {
     const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
     const std::uint64_t low = read(CURVECORE_AXIS_SCALE_LO + at);
@@ -186,7 +186,7 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
     }
 }
 
-/// Faults, and pins that are none while the machine is off.
+/// Faults, and pins that count as none while the machine is off.
 std::uint32_t RemoteMachine::why_off() const {
     const Telemetry& now = telemetry();
     std::uint32_t why = now.state;
@@ -203,9 +203,9 @@ bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::ui
     const std::size_t segment_words = fits(segments, telemetry().segment_room);
     const std::size_t profile_words = fits(pieces, telemetry().profile_room);
     const std::size_t count = std::min(segment_words + profile_words, kWordsOfFrame);
-    // Short frames wait for the ones before: fewer are under way, and fewer are repeated.
+    // Short frames wait for those before: fewer are under way, and fewer are repeated.
     if (count == 0 || (count < kWordsOfFrame && !frames_.all_taken())) return false;
-    // Half of each, where there are so many.
+    // Half of each, where there are enough.
     const std::size_t rest = count - std::min(count, profile_words);
     const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));
     Frame frame = frames_.begin();

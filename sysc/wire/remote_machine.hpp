@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_board.sv at the other end of a link, as the registers describe it.
+// A remote rtl/motion_board.sv at the other end of a link, as the registers describe it.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace curvecore::sysc {
 
-/// What a board says of itself.
+/// Properties that a board reports.
 struct RemoteBuild {
     int axes = 0;
     double clock_hz = 0;
@@ -21,85 +21,87 @@ struct RemoteBuild {
     int segment_queue_words = 0;
     int profile_queue_words = 0;
     std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_link.h
-    bool encoders = false;     // it has inputs of them
+    bool encoders = false;     // it has encoder inputs
     CoreParameters core;
 };
 
 /// The drives at a board's pins.
 struct Drives {
-    std::vector<double> steps_per_mm;  // of each axis
+    std::vector<double> steps_per_mm;  // scale of each axis
     double steplen_s = 2e-6;
     double stepspace_s = 2e-6;
     double dirsetup_s = 4e-6;
     double dirhold_s = 4e-6;
 };
 
-/// So many edges of an encoder are so many steps; steps < 0: it counts backwards.
+/// Ratio of an encoder's edges to steps; steps < 0: it counts backwards.
 struct EncoderRatio {
     int counts = 0;
     int steps = 0;
 };
 
-/// Reads what a board is; it has no master by that.
+/// Reads a board's properties; this host does not become its master.
 /// @throws BoardLost, UsageError: its registers or words are of another version
 RemoteBuild ask_build(Link& link);
 
 class RemoteMachine {
   public:
-    /// `session`: of its frames the first number. By chance, no frame of another host has it.
+    /// Connects; `session` is the number of its first frame, random so that no frame of another
+    /// host has it.
     /// @throws BoardLost, UsageError: its registers or words are of another version
     explicit RemoteMachine(Link& link, std::uint32_t session = std::random_device()());
 
     const RemoteBuild& build() const { return build_; }
 
-    /// Drives are off, and have their scales and times. Where axes stand is forgotten if the scale
-    /// was another.
-    /// @throws UsageError: drives that the board cannot have
+    /// Turns the drives off, and sets their scales and times. Places of axes are forgotten if the
+    /// scale changes.
+    /// @throws UsageError: drives that the board does not support
     void prepare(const Drives& drives, double unit_mm);
-    /// The axes stand where the next program begins, and drives are on.
-    /// @throws UsageError: a machine that cannot come on
+    /// Sets the places of the axes to the start of the next program, and turns the drives on.
+    /// @throws UsageError: a machine that cannot be turned on
     void begin(const BoardSettings& settings, int watchdog_samples);
 
-    /// Takes words from the front of each while the board has room. False: none went.
+    /// Takes words from the front of each while the board has room. Returns false if none were
+    /// taken.
     bool push(std::deque<std::uint64_t>& segments, std::deque<std::uint64_t>& pieces);
 
     void set_override(int word);
     void hold(bool on);
     void estop();
-    /// Motion goes on that stopped because the host was silent.
+    /// Resumes motion that stopped because the host was silent.
     void clear_watchdog();
-    /// Stops on the path, and empties the queues.
+    /// Stops on the path and empties the queues.
     void flush();
     void disable();
-    /// Answers, repetitions, state: for one wait of the link.
+    /// Handles answers, repetitions and state, for one wait of the link.
     void work() { frames_.work(); }
     void finish() { frames_.finish(); }
     WireClock::time_point now() const { return link_.now(); }
 
     const Telemetry& telemetry() const { return frames_.telemetry(); }
-    /// Words a second that the link carries, 0: not known.
+    /// Words a second that the link carries, 0: unknown.
     double words_per_s() const;
     const LinkFigures& figures() const { return frames_.figures(); }
     bool is(std::uint32_t mask) const { return (telemetry().state & mask) != 0; }
-    /// Steps that were given on each axis.
+    /// Returns the number of steps made on each axis.
     std::vector<std::int32_t> steps();
 
-    /// The motion holds when the axis' home switch is closed, or open, until the next begin().
+    /// Makes the motion hold when the axis' home switch closes, or opens, until the next begin().
     void wait_for_switch(int axis, bool closed);
     bool switch_closed(int axis);
-    /// Steps of the axis when it was so.
+    /// Returns the steps of the axis when its switch changed.
     std::int32_t caught_steps(int axis);
-    /// Limit switches that do not stop the machine.
+    /// Sets the limit switches that do not stop the machine.
     void ignore_limits(std::uint32_t axes);
-    /// The axis is homed: its machine coordinate is 0 where its count of steps is `origin`.
+    /// Sets an axis homed: its machine coordinate is 0 where its count of steps is `origin`.
     void set_origin(int axis, std::int32_t origin);
     void forget_place(int axis);
-    /// An axis whose encoder is this, and which stops the machine beyond the limit, in 1 / counts
-    /// of a step; 0: never.
+    /// Sets the encoder of an axis, which stops the machine beyond the limit, in 1 / counts of a
+    /// step; 0: never.
     void watch(int axis, EncoderRatio encoder, std::uint32_t limit);
-    /// How far the axis is from where its steps say, in that unit: now, and when it was the worst.
+    /// Returns the axis' distance from its steps' place, in that unit: the present and the worst.
     std::pair<std::int32_t, std::int32_t> following(int axis);
-    /// Machine coordinates of the axes that are homed, in steps.
+    /// Returns the machine coordinates of the homed axes, in steps.
     std::vector<std::optional<std::int32_t>> places();
 
   private:

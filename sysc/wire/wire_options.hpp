@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `stream` asks for besides the program: where the board is, which drives stand at its pins.
+// Options of `stream` besides the program: the board's link, and the drives at its pins.
 #pragma once
 
 #include <string>
@@ -20,16 +20,16 @@ struct RawWireOptions {
     std::string control;
 };
 
-/// The drives of a board's axes. @throws UsageError
+/// Returns the drives of a board's axes. @throws UsageError
 Drives drives_of(const RawWireOptions& raw, int axes);
 
-/// Plans are for this board.
+/// Sets the options to plan for this board.
 void plan_for(const RemoteBuild& build, Options& options);
-/// For the board at the end of this link, which is only asked.
-/// @throws UsageError: none is there, or one of another kind
+/// Sets the options to plan for the board at the end of this link, which is only read.
+/// @throws UsageError: no board is there, or one of another kind
 void plan_for(const std::string& link, Options& options);
 
-/// In s; units ns, us, ms, s. @throws UsageError
+/// Reads a duration, s; units ns, us, ms, s. @throws UsageError
 double duration_of(const std::string& option, const std::string& text);
 
 }  // namespace curvecore::sysc

@@ -9,11 +9,11 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Faults behind which the machine is off, or its words are lost.
+/// Faults that turn the machine off, or lose its words.
 constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
-/// Those that turn it off. Words that are under way are refused then: no fault of their own.
+/// Faults that turn the machine off. It then refuses words under way, which is no fault of theirs.
 constexpr std::uint32_t kOff = kEnds & ~(CURVECORE_STATE_BUS_MASK | CURVECORE_STATE_MOTION_MASK);
-/// Of the words a second that a link carries: the rest is for repetitions.
+/// Share of a link's words a second that is used; the rest is for repetitions.
 constexpr double kOfLink = 0.9;
 constexpr auto kStops = std::chrono::seconds(10);
 
@@ -49,7 +49,8 @@ void WireStream::look() {
     see_waits();
 }
 
-/// UNDERRUN stays: it tells the first time, and then a program that stands without a hold.
+/// Notes where the board waited. UNDERRUN is sticky: it reports the first time, and then a program
+/// that stands without a hold.
 void WireStream::see_waits() {
     const bool first = waits_.empty() && machine_.is(CURVECORE_STATE_UNDERRUN_MASK);
     const bool stands =
@@ -59,7 +60,7 @@ void WireStream::see_waits() {
     waiting_ = first || stands;
 }
 
-/// Time goes no faster than words come.
+/// Limits the rate of time to the rate of words.
 void WireStream::keep_to_link() {
     const double carried = kOfLink * machine_.words_per_s();
     const auto busiest = static_cast<double>(planned_.busiest);
@@ -79,7 +80,7 @@ bool WireStream::drawn() const {
            path() == planned_.path && !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
 }
 
-/// False: the operator ended it.
+/// Carries out the operator's wishes. Returns false if the operator ended the program.
 bool WireStream::meet_wishes() {
     while (const std::optional<Wish> wish = console_.next()) {
         switch (wish->kind) {

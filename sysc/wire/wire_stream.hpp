@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program on its way to a board, and what an operator asks for on the way.
+// The stream of a program to a board, with an operator's requests on the way.
 #pragma once
 
 #include <functional>
@@ -10,30 +10,31 @@
 
 namespace curvecore::sysc {
 
-/// kCaught: the switch that the board was to wait for was there.
+/// End of a stream; kCaught: the switch that the board waited for has changed.
 enum class StreamEnd { kDone, kStopped, kFault, kCaught };
 
 class WireStream {
   public:
     WireStream(RemoteMachine& machine, WordSource& words, Console& console, double override_rate);
 
-    /// Sends words and works until the program has been drawn, or was ended. `turn` is called again
-    /// and again.
-    /// @throws BoardLost, Interrupted (by `turn`), what ended the planning
+    /// Sends words and works until the program is drawn or ended. `turn` is called repeatedly.
+    /// @throws BoardLost, Interrupted (by `turn`), any error of planning
     StreamEnd run(const std::function<void()>& turn);
 
-    /// Stops on the path, empties the queues: after run() was left by an exception, or caught.
+    /// Stops on the path and empties the queues: after run() ended by an exception, or with
+    /// kCaught.
     void stop();
 
     const PlannedWords& planned() const { return planned_; }
-    /// Quanta that the board has drawn.
+    /// Returns the path that the board has drawn, quanta.
     std::uint64_t path() const { return path_; }
-    /// Bits of STATE.
+    /// Returns the faults, bits of STATE.
     std::uint32_t faults() const { return faults_; }
     bool held() const { return held_; }
-    /// Where it waited for words, quanta: each time that time stood still, or was slowed first.
+    /// Returns where the board waited for words, quanta: each time that time stopped, or slowed
+    /// first.
     const std::vector<std::uint64_t>& waits() const { return waits_; }
-    /// Rate of time that the link's words a second allow, at most 1.
+    /// Returns the rate of time that the link's words a second allow, at most 1.
     double link_rate() const { return link_rate_; }
 
   private:
@@ -54,7 +55,7 @@ class WireStream {
     std::uint32_t faults_ = 0;
     std::vector<std::uint64_t> waits_;
     bool waiting_ = false;
-    bool held_ = false;  // time stood still or went slower, for whatever reason
+    bool held_ = false;  // true: time stopped or slowed, for any reason
 };
 
 }  // namespace curvecore::sysc

@@ -10,14 +10,14 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Words that may wait for the link; then planning does.
+/// Greatest number of words that wait for the link; planning then waits.
 constexpr std::size_t kMostWords = 200'000;
 
 void append(std::deque<std::uint64_t>& all, const std::vector<std::uint64_t>& words) {
     all.insert(all.end(), words.begin(), words.end());
 }
 
-/// In mm.
+/// Start point of a program, mm.
 std::array<double, kBoardAxes> start_of(const ref::Segment& first, double unit_mm) {
     std::array<double, kBoardAxes> start{};
     for (std::size_t axis = 0; axis < kBoardAxes; ++axis) {
@@ -76,8 +76,8 @@ void WordSource::add(const ref::Plan& part) {
         piece_words_.emplace(digest);
     }
     const double tick_s = options.sample_period_s * options.samples_per_tick;
-    std::size_t next = 0;  // segment to be counted
-    double segment_s = 0;  // its begin, from the part's
+    std::size_t next = 0;  // next segment to count
+    double segment_s = 0;  // begin of that segment, relative to the part
     double piece_s = 0;
     for (const ref::Segment& segment : part.segments) {
         append(words.segments, segment_words_->write(segment));

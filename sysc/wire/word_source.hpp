@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program's words, planned by a thread of its own while they are sent.
+// Source of a program's words, planned by a separate thread while they are sent.
 #pragma once
 
 #include <array>
@@ -19,34 +19,34 @@
 
 namespace curvecore::sysc {
 
-/// Of the words that were planned so far.
+/// Words that are planned so far.
 struct PlannedWords {
     std::deque<std::uint64_t> segments;
     std::deque<std::uint64_t> pieces;
     std::uint64_t words = 0;
     std::uint64_t samples = 0;
     std::uint64_t path = 0;     // quanta
-    std::uint64_t busiest = 0;  // words in a second of the program, at most
+    std::uint64_t busiest = 0;  // greatest number of words in a second of the program
     bool all = false;
 };
 
 class WordSource {
   public:
-    /// @throws ref::InputError, UsageError: as JobStream does
+    /// @throws ref::InputError, UsageError, as JobStream does
     explicit WordSource(const Options& options) : WordSource(options, machine_of(options)) {}
     WordSource(const Options& options, const ref::Machine& machine);
     ~WordSource();
     WordSource(const WordSource&) = delete;
     WordSource& operator=(const WordSource&) = delete;
 
-    /// Waits for the first part, which says what the board is to be set to.
+    /// Waits for the first part and returns the settings of the board.
     BoardSettings settings();
-    /// Where the program begins, mm; after settings().
+    /// Start of the program, mm; to be called after settings().
     const std::array<double, kBoardAxes>& start() const { return start_; }
-    /// Adds what is new to the words that are held; what was planned is as of now.
-    /// @throws what ended the planning, when its words are taken
+    /// Adds the new words to those held and updates the figures of planning.
+    /// @throws the error that ended the planning, once its words are taken
     void take(PlannedWords& held);
-    /// When take() says that all is there.
+    /// Returns the warnings, once take() reports that all is planned.
     const std::vector<std::string>& warnings() const { return stream_->job().program.warnings; }
 
   private:
@@ -61,14 +61,14 @@ class WordSource {
     PlannedWords planned_;
     std::optional<SegmentWriter> segment_words_;
     std::optional<ProfileWriter> piece_words_;
-    double time_s_ = 0;  // of the program, as far as it is planned
+    double time_s_ = 0;  // planned time of the program
     std::uint64_t words_of_second_ = 0;
     std::uint64_t busiest_ = 0;
     std::optional<BoardSettings> settings_;
     std::array<double, kBoardAxes> start_{};
     std::exception_ptr failed_;
     bool stop_ = false;
-    std::thread thread_;  // the last: it uses the others
+    std::thread thread_;  // last member: it uses the others
 };
 
 }  // namespace curvecore::sysc

@@ -19,8 +19,9 @@ RunSegment JoinedSegments::next(const ref::Segment& segment) {
     return words;
 }
 
-/// A move that is shorter than half a quantum of path has no segment: that is as much as ends and
-/// starts of a plan may differ, and may round to words that differ by one.
+/// Joins the words of a segment to those before. A move shorter than half a quantum of path has no
+/// segment: ends and starts of a plan may differ by as much, and may round to words that differ by
+/// one.
 void JoinedSegments::join(const ref::Segment& segment, RunSegment& words) const {
     for (int axis = 0; axis < format_.kAxes; ++axis) {
         const auto aux = static_cast<std::size_t>(axis - 3);

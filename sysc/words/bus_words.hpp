@@ -16,10 +16,10 @@ class JoinedSegments {
   public:
     explicit JoinedSegments(const RunTimeFormat& format) : format_(format) {}
 
-    /// The next one's: it starts with the words that the one before ended with.
-    /// @throws std::logic_error when the plan starts it elsewhere
+    /// Returns the next segment's words, which start with the end words of the one before.
+    /// @throws std::logic_error if the plan starts the segment elsewhere
     RunSegment next(const ref::Segment& segment);
-    /// Of those that were given.
+    /// Returns the number of segments given.
     std::size_t count() const { return count_; }
     const RunTimeFormat& format() const { return format_; }
 
@@ -27,22 +27,22 @@ class JoinedSegments {
     void join(const ref::Segment& segment, RunSegment& words) const;
 
     RunTimeFormat format_;
-    RunSegment last_;         // words, the one before
-    ref::Aux last_turned_{};  // and what they leave out
+    RunSegment last_;         // words of the segment before
+    ref::Aux last_turned_{};  // turns that these words leave out
     std::size_t count_ = 0;
 };
 
 /// A program's segments as words (hls/words.hpp), one after the other.
 class SegmentWriter {
   public:
-    /// @param digest of what they are made for: sysc/job/made_for.hpp
+    /// @param digest of the settings that the words are made for: sysc/job/made_for.hpp
     explicit SegmentWriter(const CoreParameters& parameters, std::uint16_t digest = 0)
         : segments_(RunTimeFormat(parameters, parameters.axes())), check_(digest) {}
 
-    /// The next one's.
+    /// Returns the next segment's words.
     /// @throws std::logic_error as JoinedSegments
     std::vector<std::uint64_t> write(const ref::Segment& segment);
-    /// Of those that were written.
+    /// Returns the number of segments written.
     std::size_t count() const { return segments_.count(); }
 
   private:
@@ -50,13 +50,13 @@ class SegmentWriter {
     hls::WordCheck check_;
 };
 
-/// Its pieces.
+/// The pieces of a program's feed profile as words.
 class ProfileWriter {
   public:
     explicit ProfileWriter(std::uint16_t digest = 0) : check_(digest) {}
 
-    /// The next one's, number `index` of this part of its plan: of the branch before it, if there
-    /// is one, and five.
+    /// Returns the words of the next piece, number `index` of this part of its plan: those of the
+    /// branch before it, if there is one, and five.
     std::vector<std::uint64_t> write(const ref::Plan& plan, std::size_t index);
     std::size_t count() const { return count_; }
 

@@ -17,7 +17,7 @@
 
 namespace curvecore::sysc {
 
-/// One thread appends; then any number may read. References stay good.
+/// A list that one thread appends to; then any number may read. References stay valid.
 template <class T>
 class FileList {
     static_assert(std::is_trivially_destructible_v<T>, "a file keeps bytes");
@@ -34,7 +34,7 @@ class FileList {
         if (file_ != nullptr) std::fclose(file_);
     }
 
-    /// @throws std::system_error: the disk is full, or cannot be written
+    /// Appends a value. @throws std::system_error: the disk is full, or cannot be written
     void push_back(const T& value) {
         if ((size_ + 1) * sizeof(T) > mapped_) grow();
         new (first_ + size_) T(value);
@@ -49,7 +49,7 @@ class FileList {
     const T& front() const { return *first_; }
     const T& back() const { return first_[size_ - 1]; }
 
-    /// Leaves the file alone in memory's place; what is read comes back from there.
+    /// Releases the memory; data that is read comes back from the file.
     void let_go() const {
         if (mapped_ > 0) madvise(first_, mapped_, MADV_DONTNEED);
     }
@@ -57,12 +57,12 @@ class FileList {
   private:
     static constexpr std::size_t kLeast = std::size_t(1) << 16;  // bytes at once
     static constexpr std::size_t kMost = std::size_t(1) << 22;
-    static constexpr std::size_t kReserved = std::size_t(1) << 38;  // of addresses
+    static constexpr std::size_t kReserved = std::size_t(1) << 38;  // address space, bytes
 
     void grow() {
         if (file_ == nullptr) open();
         const std::size_t more = std::clamp(mapped_, kLeast, kMost);
-        // Room on the disk now: a mapping that finds none later ends the process.
+        // Space is reserved on the disk now: a mapping that finds none later ends the process.
         const int error =
             posix_fallocate(fileno(file_), static_cast<off_t>(mapped_), static_cast<off_t>(more));
         if (error != 0) fail(error);

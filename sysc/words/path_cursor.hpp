@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on the plan a path length lies.
+// A cursor at a path length on a plan.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace curvecore::sysc {
 
-/// A segment is left when the path goes beyond its length, as the cores do.
+/// Leaves a segment when the path goes beyond its length, as the cores do.
 class PathCursor {
   public:
-    /// A plan of any kind, which outlives the cursor.
+    /// Creates a cursor on a plan of any kind, which must outlive it.
     template <class Plan>
     explicit PathCursor(const Plan& plan)
         : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
@@ -27,7 +27,7 @@ class PathCursor {
     std::size_t index() const { return index_; }
     const ref::Segment& segment() const { return segments_[index_]; }
     bool at_end() const { return s_ == end(index_); }
-    /// Path length within the segment, length units.
+    /// Returns the path length within the segment, length units.
     double local() const { return std::ldexp(static_cast<double>(s_ - segment().s_start), -16); }
 
   private:

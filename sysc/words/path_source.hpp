@@ -10,7 +10,7 @@ namespace curvecore::sysc {
 
 class PathSource {
   public:
-    /// A plan of any kind, which outlives the source.
+    /// Creates a source on a plan of any kind, which must outlive it.
     template <class Plan>
     PathSource(const Plan& plan, int samples_per_tick_log2, std::int32_t target)
         : pieces_(&*plan.pieces.begin()),
@@ -20,7 +20,7 @@ class PathSource {
           share_(samples_per_tick_log2),
           target_(target) {}
 
-    /// Moves to the next sample; true: a tick began with it.
+    /// Moves to the next sample. Returns true if a tick began with it.
     bool next() {
         const bool tick = share_.needs_tick();
         if (tick) {
@@ -40,7 +40,7 @@ class PathSource {
     std::int64_t ds() const { return ds_; }            // of the sample, quanta
     std::int64_t tick_ds() const { return tick_ds_; }  // of its tick
     std::int32_t rate() const { return rate_; }        // of time, 2^16 = 1
-    /// The plan goes on after the present tick.
+    /// Returns true if the plan continues after the present tick.
     bool active() const { return path_.active(); }
 
   private:
@@ -56,7 +56,7 @@ class PathSource {
     std::int64_t ds_ = 0;
 };
 
-/// Samples from rest to rest: whole ticks.
+/// Number of samples from rest to rest, in whole ticks.
 template <class Plan>
 std::uint64_t count_samples(const Plan& plan, int samples_per_tick_log2, std::int32_t target) {
     PathSource source(plan, 0, target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The integration steps that a path goes through, as the cores count them
+// A walk through the integration steps of a path, as the cores count them
 // (hls/interpolator_kernel.hpp).
 #pragma once
 
@@ -11,15 +11,15 @@ namespace curvecore::sysc {
 
 class StepWalk {
   public:
-    /// A plan of any kind, which outlives the walk.
+    /// Creates a walk on a plan of any kind, which must outlive it.
     template <class Plan>
     explicit StepWalk(const Plan& plan)
         : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
         open(0);
     }
 
-    /// Goes to `s`, quanta. `enter(segment, fresh)` for every step that begins on the way; fresh:
-    /// the first of its segment.
+    /// Advances to `s`, quanta. Calls `enter(segment, fresh)` for every step that begins on the
+    /// way; fresh: the first of its segment.
     template <class Enter>
     void to(std::uint64_t s, Enter&& enter) {
         while (s > step_end_ || (s == step_end_ && step_end_ != end_)) {
@@ -31,7 +31,7 @@ class StepWalk {
     }
 
   private:
-    /// The next segment that has a length.
+    /// Opens the next segment that has a length. Returns false if there is none.
     bool open(std::size_t index) {
         while (index < count_ && segments_[index].length == 0) ++index;
         if (index == count_) return false;
@@ -50,8 +50,8 @@ class StepWalk {
     const ref::Segment* segments_;
     std::size_t count_;
     std::size_t index_ = 0;
-    std::uint64_t step_end_ = 0;  // program-wide
-    std::uint64_t end_ = 0;       // of the segment
+    std::uint64_t step_end_ = 0;  // end of the step, program-wide path
+    std::uint64_t end_ = 0;       // end of the segment, program-wide path
 };
 
 }  // namespace curvecore::sysc
