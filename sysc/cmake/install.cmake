@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` lays down, in three components:
+# Rules of `cmake --install`, in three components:
 #   libraries   ref, hls and the host's side, for find_package(curvecore)
 #   rtl         the cores' sources with their file lists
 #   program     curvecore
@@ -31,13 +31,13 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/rtl DESTINATION ${CMAKE_INSTALL_DATADIR}
         COMPONENT rtl FILES_MATCHING PATTERN *.sv PATTERN *.vlt PATTERN *.f PATTERN *.core)
 if(CURVECORE_PROGRAM)
   install(TARGETS curvecore COMPONENT program)
-  # What the program makes cores of, in the tree's order beside rtl.
+  # Sources of cores that the program makes, in the tree's order beside rtl.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/board ${PROJECT_SOURCE_DIR}/sysc/cores
                     ${PROJECT_SOURCE_DIR}/sysc/cmake
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
           FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
-  # LinuxCNC's interpreter in a process of its own, under its own licence.
+  # LinuxCNC's interpreter, in a separate process and under its own licence.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/linuxcnc
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS)

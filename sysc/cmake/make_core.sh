@@ -26,5 +26,5 @@ ${CCACHE:-} $CXX $CFLAGS -std=c++17 -w -O2 -c -o "$dir/core.o" $definitions \
   -DCFG_MODEL=Vcore -DCFG_HEADER='"Vcore.h"' -DVM_TRACE=1 -DVM_TRACE_FST=1 \
   -I "$tree" -I "$dir" -isystem "$include" -isystem "$include/vltstd" \
   "$tree/sysc/cores/compiled_core.cpp"
-# Its own symbols first; Verilator's library is the program's.
+# The core's own symbols come first; Verilator's library is the program's.
 $CXX $CFLAGS -shared -Wl,-Bsymbolic -o "$dir/core.so" "$dir/core.o" "$dir/Vcore__ALL.a"

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # verilate.sh DIR PREFIX FLAG... : verilates into DIR, compiles DIR/PREFIX__ALL.a and writes
 # DIR/model.d, the sources on which it depends.  Environment: VERILATOR CXX, and CCACHE CFLAGS.
-# Above -O1 models take half as long again to compile and run no faster; so they do in many files,
-# since reading verilated.h is most of a file's compilation. verilated_model.cmake compiles it with
-# these very options; with others GCC reads its text again, and says nothing.
+# Above -O1 models take half as long again to compile and run no faster; more files do not help,
+# since reading verilated.h is most of a file's compilation. verilated_model.cmake compiles that
+# header with exactly these options; with others GCC silently reads its text again.
 set -eu
 dir=$1
 prefix=$2

@@ -3,9 +3,9 @@
 #                 [SOURCES <file or flag> ...] [FLAT] [SC])
 # A library: one module as a C++ class PREFIX in PREFIX.h.  Verilator runs at build time, and again
 # only when a source that this model reads has changed (it writes the dependency file).
-# SOURCES may have another file of the module itself.
-# SC: a module of SystemC.
-# FLAT: of the one file that scripts/flat.sh makes of the module.
+# SOURCES may contain another file of the module itself.
+# SC makes a module of SystemC.
+# FLAT reads the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
@@ -25,16 +25,16 @@ target_compile_definitions(verilator_runtime PUBLIC VM_SC=0 VM_TRACE=1 VM_TRACE_
                            VM_COVERAGE=$<BOOL:${CURVECORE_COVERAGE}>)
 target_compile_options(verilator_runtime PRIVATE -w)
 if(CURVECORE_SANITIZE)
-  # GTKWave's writer of waveforms, in Verilator's library, shifts negative words and stores words
-  # where they fall. Models are not instrumented: their C++ is Verilator's.
+  # GTKWave's writer of waveforms, in Verilator's library, shifts negative words and stores
+  # unaligned words. Models are not instrumented: their C++ is Verilator's.
   target_compile_options(verilator_runtime PRIVATE -fno-sanitize=undefined)
 endif()
 find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
-# What every model reads first, half of its compilation: compiled once, with what Verilator's
-# makefile says. GCC reads the text where other macros are set (traces, SystemC).
+# Headers that every model reads first, half of its compilation: compiled once, with the options of
+# Verilator's makefile. GCC reads the text where other macros are set (traces, SystemC).
 set(verilated_headers ${PROJECT_BINARY_DIR}/verilated/verilated.hpp CACHE INTERNAL "")
 file(CONFIGURE OUTPUT ${verilated_headers} CONTENT "#include <verilated.h>\n")
 add_custom_command(
@@ -65,7 +65,7 @@ function(verilated_model target)
       DEPENDS ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${RTL_PACKAGES} ${RTL_MODULES}
       VERBATIM)
     set(sources ${flat})
-    # Words of the levels of a hierarchy become one, of which a part may depend on another.
+    # Words of the levels of a hierarchy are merged; one part of such a word may depend on another.
     list(APPEND flags --language 1364-2005 -Wno-lint -Wno-UNOPTFLAT)
   else()
     list(TRANSFORM ARG_PARAMS PREPEND -G)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-2.0-or-later
-"""The path of a program by LinuxCNC's own Python side alone: what interpret.py is held against.
+"""The path of a program by LinuxCNC's own Python side alone: the reference of interpret.py.
 
     callbacks.py PROGRAM --scratch FOLDER --ini FILE --path FILE
 

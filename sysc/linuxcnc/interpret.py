@@ -28,7 +28,7 @@ MOST_TOOLS = 900  # LinuxCNC has room for 1000
 
 
 class Refused(Exception):
-    """There is nothing to interpret with, or the program is wrong."""
+    """An error: no interpreter, or an invalid program."""
 
     def __init__(self, text, line=0):
         super().__init__(text)
@@ -44,7 +44,7 @@ class Tool(ctypes.Structure):
 
 
 class Ini:
-    """The machine's .ini, or one that says nothing."""
+    """The machine's .ini, or an empty one."""
 
     def __init__(self, file):
         self.folder = pathlib.Path(file or ".").resolve().parent
@@ -91,7 +91,7 @@ class Tools:
         return tool
 
     def tuple_of(self, slot):
-        """As the module `gcode` takes it; slot 0 is the tool in the spindle."""
+        """Returns a tool as the module `gcode` takes it; slot 0 is the tool in the spindle."""
         tool = self.entry(self.in_spindle if slot == 0 else slot)
         if slot == 0 and self.in_spindle == 0:
             tool = Tool(number=-1)
@@ -110,7 +110,7 @@ def tools_of_length_0(program, scratch):
 
 
 def with_its_end(program, scratch):
-    """A copy of a program that may lack its M2, which nothing reaches where it does not."""
+    """A copy of a program with an M2 at its end, unused if the program has its own."""
     folder = scratch / "program"
     folder.mkdir(exist_ok=True)
     copy = folder / pathlib.Path(program).name
@@ -119,7 +119,7 @@ def with_its_end(program, scratch):
 
 
 class Machine:
-    """What LinuxCNC's module `gcode` asks a machine; its motion goes through canon_recorder.cpp."""
+    """Answers to LinuxCNC's module `gcode`; its motion goes through canon_recorder.cpp."""
 
     def __init__(self, ini, tools, parameters, knows_tools):
         self.ini = ini
@@ -162,7 +162,7 @@ class Machine:
 
 
 def settings_of(ini, program, scratch):
-    """Tells LinuxCNC its .ini; returns a file of parameters, which it may write to."""
+    """Gives LinuxCNC its .ini; returns a file of parameters, which it may write to."""
     file = ini.file
     if not file:
         file = scratch / "interpreter.ini"
@@ -178,13 +178,13 @@ def settings_of(ini, program, scratch):
 
 
 def line_now():
-    """Of the program; what the module `gcode` returns is one too high at times."""
+    """Line of the program; the module `gcode` sometimes returns one too many."""
     import interpreter  # LinuxCNC's, there once a program has begun
     return interpreter.this.sequence_number
 
 
 def check(result):
-    """The interpreter's error, if there is one, with the line where it stands."""
+    """The interpreter's error, if there is one, with its line."""
     import gcode
     if result <= gcode.MIN_ERROR:
         return
@@ -192,7 +192,7 @@ def check(result):
 
 
 def recorder():
-    """canon_recorder.cpp, compiled when it is first asked for."""
+    """Returns canon_recorder.cpp, compiled on first use."""
     here = pathlib.Path(__file__).resolve().parent
     source = here / "canon_recorder.cpp"
     canon = pathlib.Path(HEADERS) / "canon.hh"
@@ -217,7 +217,7 @@ def recorder():
 
 
 def interpret(given, lines):
-    """Interprets a program, and returns what was left out."""
+    """Interprets a program, and returns the actions that were left out."""
     try:
         import linuxcnc  # noqa: F401: it brings the libraries
     except ImportError:

@@ -128,7 +128,7 @@ def prepare(given, folder):
 
 
 def wait(status, ready, longest):
-    """Polls until something holds."""
+    """Polls until a condition holds."""
     end = time.monotonic() + longest
     while time.monotonic() < end:
         status.poll()
@@ -139,9 +139,9 @@ def wait(status, ready, longest):
 
 
 def inside(program, step):
-    """The user's side, started by LinuxCNC in the place of a screen. Returns the exit status.
+    """The user's side, which LinuxCNC starts in place of a screen. Returns the exit status.
 
-    At the end the joints are within `step`, mm, of where they shall be."""
+    At the end each joint is within `step`, mm, of its commanded place."""
     import linuxcnc
     status, command, errors = linuxcnc.stat(), linuxcnc.command(), linuxcnc.error_channel()
     command.state(linuxcnc.STATE_ESTOP_RESET)
@@ -168,7 +168,7 @@ def inside(program, step):
                 command.auto(linuxcnc.AUTO_RESUME)
             return now.interp_state == linuxcnc.INTERP_IDLE and now.inpos
         done = wait(status, ended, LONGEST)
-        # A board is behind. Its steps are as near as half of one.
+        # A board lags. Its steps are within half a step.
         done = done and wait(status, lambda now: all(
             abs(joint["output"] - joint["input"]) <= step for joint in now.joint), LONGEST)
         time.sleep(0.3)
