@@ -15,8 +15,8 @@ namespace curvecore::sysc {
 
 struct BoardServerOptions {
     std::string address;  // ADDRESS[:PORT]; port 0: any free port
-    /// True: only frames, of any host, advance the clock, by 5 ms each, so no step depends on the
-    /// computer's load. False: the clock follows real time.
+    /// Fast clock: only frames, of any host, advance it, by 5 ms each, so no step depends on the
+    /// computer's load. Otherwise the clock follows real time.
     bool fast = false;
     VirtualAxes axes;
 };
