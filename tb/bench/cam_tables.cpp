@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what [Tamm]'s scheme does on a sample cam in closed form, and writes it as JSON.
+// Prints the figures of [Tamm]'s scheme on a sample cam in closed form, and writes them as JSON.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -19,8 +19,7 @@ using curvecore::tb::Table;
 using tb::radians;
 using tb::sample_cam;
 
-/// Worst error in mm on a grid of `places` (even) in each cell and direction: corners and
-/// mid-lines.
+/// Worst error, mm, on a grid of `places` (even) in each cell and direction: corners and mid-lines.
 template <class Radius>
 double worst_error(int n, double dx, int intervals, int places, const Radius& radius) {
     double worst = 0;
@@ -147,7 +146,7 @@ Table concave_table() {
     return table;
 }
 
-/// The whole sample cam, a cutter of 10 mm, scallops of 5 um, 6 m/min.
+/// Table of the whole sample cam: a cutter of 10 mm, scallops of 5 um, 6 m/min.
 Table time_table() {
     Table table{
         "cam_time",

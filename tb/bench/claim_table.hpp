@@ -28,7 +28,8 @@ inline void print(const Table& table) {
     for (const Cells& row : table.rows) line(row);
 }
 
-/// {tables: {NAME: {claim, header, rows}}}; nothing where `path` is empty. The exit status.
+/// Writes {tables: {NAME: {claim, header, rows}}}; nothing if `path` is empty. Returns the exit
+/// status.
 inline int write_tables(const std::vector<Table>& tables, const std::string& path) {
     if (path.empty()) return 0;
     nlohmann::json json;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what the same path costs as splines, as tangent arcs and as chords, and what more effort
-// in planning gains; writes it as JSON.
+// Prints the costs of the same path as splines, as tangent arcs and as chords, and the gain of more
+// effort in planning; writes them as JSON.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -41,7 +41,7 @@ void spline_to(Program& program, const Vec3& end, const Vec3& out, const Vec3& i
     program.moves.push_back(move);
 }
 
-/// Between two lines of 40 mm.
+/// A turn back between two lines of 40 mm.
 Program u_turn() {
     Program program;
     line_to(program, Vec3(40, 0, 0));
@@ -50,7 +50,7 @@ Program u_turn() {
     return program;
 }
 
-/// y = 3 sin x over 60 mm, with its slopes every quarter of a wave.
+/// The wave y = 3 sin x over 60 mm, with its slopes every quarter of a wave.
 Program wave() {
     Program program;
     const double step = M_PI / 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints how long holds take, from ticks all along plans with stop branches, and writes it as JSON.
+// Prints the durations of holds, from ticks all along plans with stop branches, as JSON too.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -18,15 +18,15 @@ using curvecore::tb::HoldRun;
 using curvecore::tb::Table;
 
 constexpr std::int32_t kOne = 1 << 16;
-constexpr std::uint64_t kSettled = 2;    // ticks in which the rate is 1 before it is one that stays
-constexpr std::uint64_t kFlights = 400;  // ticks in flight, about
-constexpr std::uint64_t kResumes = 12;   // holds that are followed by others, about
+constexpr std::uint64_t kSettled = 2;    // ticks at the rate 1 until it counts as constant
+constexpr std::uint64_t kFlights = 400;  // approximate number of ticks in flight
+constexpr std::uint64_t kResumes = 12;   // approximate number of holds that are followed by others
 constexpr std::uint64_t kWhile = 50;     // ticks from one of those to the next
 
 /// The longest of some holds.
 class Longest {
   public:
-    /// From where the run stands.
+    /// Holds from the present state of the run.
     void see(HoldRun run) {
         if (run.active()) ticks_ = std::max(ticks_, run.stop());
     }
@@ -39,13 +39,13 @@ class Longest {
 };
 
 struct Holds {
-    Longest first;      // in a program's first ticks
-    Longest in_flight;  // at full rate ever since
+    Longest first;      // in the first ticks of a program
+    Longest in_flight;  // at full rate since the start
     Longest resumed;    // at full rate again
-    Longest back;       // while time comes back
+    Longest back;       // while time accelerates
 };
 
-/// Holds from a run that has just stopped and goes on.
+/// Makes holds from a run that has just stopped and resumes.
 void resume(HoldRun run, Holds& holds) {
     std::uint64_t full = 0;  // ticks
     for (std::uint64_t n = 0; run.active(); ++n) {

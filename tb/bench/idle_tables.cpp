@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what jumps at the joints of idle moves, [Petrakov]'s claims, and writes it as JSON.
+// Prints the jumps at the joints of idle moves, [Petrakov]'s claims, and writes them as JSON.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ using curvecore::tb::Table;
 
 std::string number(double value) { return fmt::format("{:.3g}", value); }
 
-/// The greater of both joints.
+/// Greater value of both joints.
 double at_joints(const JoinJumps& found, double Jump::*what) {
     return std::max(found.start.*what, found.end.*what);
 }

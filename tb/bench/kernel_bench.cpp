@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the arc kernel draws samples on one core, beside the same loop written by hand in plain
-// integers for the default configuration. Rates are samples per second.
+// Speed of the arc kernel on one core, beside the same loop written by hand in plain integers for
+// the default configuration. Rates are samples per second.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using C = DefaultConfiguration;
 constexpr double kRadius = 25e6;  // 25 mm at 1 nm
 constexpr int kStep = 21;         // 2.1 mm: theta = 0.084
 
-/// A whole turn, so that the stream never ends and never waits.
+/// A whole turn, so that the stream neither ends nor waits.
 SegmentWords<C> turn() {
     SegmentWords<C> segment;
     segment.length = std::llround(2 * M_PI * kRadius * 65536);
@@ -138,7 +138,7 @@ void by_hand_samples(benchmark::State& state) {
     state.SetItemsProcessed(state.iterations());
 }
 
-/// Both draw the same samples, or the comparison means nothing.
+/// Checks that both draw the same samples, without which the comparison is void.
 bool same_samples() {
     const SegmentWords<C> segment = turn();
     InterpolatorKernel<C> kernel;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same curves as others draw them and as the cores do: how far from the curve, how even in
-// speed, for how much data. Prints rows and writes them as JSON; fails if a method strays further
+// The same curves drawn by other interpolators and by the cores: distance from the curve, evenness
+// of speed, amount of data. Prints rows and writes them as JSON; fails if a method strays further
 // than it promises.
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ using tb::Drawing;
 using tb::DrawnCurve;
 
 constexpr double kSamplePeriod = 1e-4;  // s
-constexpr double kPaperTick = 10e-3;    // s: of [Chikurov]'s Runge-Kutta
+constexpr double kPaperTick = 10e-3;    // s: period of [Chikurov]'s Runge-Kutta
 constexpr double kTick = 1e-3;          // s: LinuxCNC's servo period
 constexpr double kUnit = 1e-6;          // mm
 constexpr double kTolerance = 0.002;    // mm: of chords, grblHAL's default
@@ -36,7 +36,7 @@ constexpr const char* kBranches = "curvecore, and stop branches";
 double bits_of_words(std::size_t segments, std::size_t profile) {
     return 48.0 * static_cast<double>(17 * segments + profile);
 }
-/// Segments' words and one piece of the profile.
+/// Bits of the segments' words and of one piece of the profile.
 double bits_of(std::size_t segments) { return bits_of_words(segments, hls::kProfileBusWords); }
 
 ref::PlanOptions plan_options() {
@@ -48,7 +48,7 @@ ref::PlanOptions plan_options() {
     return options;
 }
 
-/// What a whole plan of the built-in machine sends.
+/// Bits that a whole plan of the built-in machine sends.
 double planned_bits(const DrawnCurve& curve, double feed, ref::Holds holds) {
     ref::Program program;
     program.moves.push_back(curve.move(feed));
@@ -58,7 +58,7 @@ double planned_bits(const DrawnCurve& curve, double feed, ref::Holds holds) {
     return bits_of_words(plan.segments.size(), ref::profile_words(plan));
 }
 
-/// The kernel (= RTL, bit for bit), default widths, 1 nm.
+/// Draws with the kernel (= RTL, bit for bit), default widths, 1 nm.
 Drawing draw_core(const DrawnCurve& curve, double feed) {
     using C = hls::DefaultSplineConfiguration;
     ref::Program program;
@@ -86,8 +86,8 @@ Drawing draw_core(const DrawnCurve& curve, double feed) {
 }
 
 struct Measured {
-    double off = 0;     // mm, of any sample
-    double ripple = 0;  // of the speed, of its commanded value
+    double off = 0;     // mm, worst of all samples
+    double ripple = 0;  // of the speed, relative to its commanded value
     double jump = 0;    // mm/s: change of velocity from sample to sample beyond the curve's own
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what the planner takes for a move of CAM: a 3D surface in chords of 0.2 mm, as a stream.
+// Prints the planner's time for a move of CAM: a 3D surface in chords of 0.2 mm, as a stream.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -16,10 +16,10 @@ using namespace curvecore::ref;
 
 constexpr std::size_t kRow = 500;  // chords
 constexpr double kChord = 0.2;     // mm
-constexpr double kApart = 0.5;     // mm: rows
+constexpr double kApart = 0.5;     // mm: distance of rows
 constexpr double kFeed = 100;      // mm/s
 
-/// There and back over y, z = f(x, y).
+/// Rows to and fro over y, z = f(x, y).
 class Surface {
   public:
     explicit Surface(std::size_t moves) : moves_(moves) {}

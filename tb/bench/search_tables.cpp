@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what [Obukhov]'s search along the arc does, as he wrote it and mended, and writes it as
-// JSON.
+// Prints the figures of [Obukhov]'s search along the arc, as published and corrected, and writes
+// them as JSON.
 #include "ref/series/search_tables.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the spline kernel draws samples on one core, in a stream of both kinds of segments.
-// Rates are samples per second.
+// Speed of the spline kernel on one core, in a stream of both kinds of segments. Rates are samples
+// per second.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace curvecore;
 
-/// The pieces of a cubic of some 50 mm with an S bend, again and again; steps of about 1 mm.
+/// Pieces of a cubic of some 50 mm with an S bend, repeated; steps of about 1 mm.
 template <class C>
 std::vector<hls::SegmentWords<C>> pieces() {
     const double mm = 1e6;

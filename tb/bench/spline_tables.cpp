@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what integrating a spline's sixteen variables comes to, as Markdown tables beside the
-// paper's claims, and writes them as JSON. Half a minute.
+// Prints the figures of integrating a spline's sixteen variables, as Markdown tables beside the
+// paper's claims, and writes them as JSON. It takes half a minute.
 #include "ref/series/spline_tables.hpp"
 
 #include <fmt/format.h>

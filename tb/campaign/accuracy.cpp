@@ -45,7 +45,8 @@ class Truth {
   public:
     explicit Truth(const ref::Move& move) : move_(move) {
         if (move.kind == ref::Move::Kind::kArc) {
-            // The words of the normal and of the start are doubles: take the plane they span.
+            // The words of the normal and of the start are doubles: the plane is the one that they
+            // span.
             const Vector normal = move.normal.cast<Real>().normalized();
             Vector outward = (move.start - move.centre).cast<Real>();
             outward -= normal * normal.dot(outward);
@@ -70,8 +71,8 @@ class Truth {
     std::vector<ref::Helix<Real>> helix_;
 };
 
-/// Units between the last position and the programmed end, rounded. Random ends are no whole units:
-/// within half a guard quantum of a tie both neighbours are right.
+/// Distance in units of the last position from the programmed end, rounded. Random ends are no
+/// whole units: within half a guard quantum of a tie both neighbours are right.
 template <class C>
 std::int64_t landing_error(std::int64_t position, double end) {
     const double tie = std::ldexp(0.5, -C::kGuardBits) + 1e-6;
@@ -97,7 +98,8 @@ void draw(const ref::Move& move, int samples, sysc::ArcMaker& random, Seen& seen
     std::size_t next = 0;
     std::int64_t walked = 0;
     for (int n = 0; n <= samples; ++n) {
-        // Irregular steps, so that steps and segments are met at any place; the end exactly.
+        // Irregular steps meet the joints of steps and segments at any place; the last is exactly
+        // the end.
         const double place = n == samples ? 1.0 : (n + random.uniform(0, 0.999)) / samples;
         const std::int64_t s = n == samples ? length : static_cast<std::int64_t>(place * length);
         hls::Word<C::kFineBits> fine[C::kAxes];

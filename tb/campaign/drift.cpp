@@ -109,8 +109,8 @@ Drift measure(const std::vector<ref::Segment>& turn, std::int64_t chain) {
     hls::MotionKernel<C> kernel;
     Drift drift;
     std::int64_t turn_now = 0;
-    std::int64_t s = 0;  // into the turn
-    // Incommensurate, and 1,000 turns see every part of the turn: places that compare.
+    std::int64_t s = 0;  // place in the turn
+    // The two are incommensurate, so that 1,000 turns meet every part of the turn and compare.
     const std::int64_t ds = turn_length / 41 + turn_length / 41000 + 12345;
     while (true) {
         s += ds;

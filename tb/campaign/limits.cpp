@@ -20,10 +20,11 @@ using namespace curvecore;
 using ref::Machine;
 using ref::Program;
 
-constexpr double kLonger = 1.01;   // most, of the time with the tighter limit
-constexpr double kDoubling = 1.5;  // of the work, for each doubling of the limit
-constexpr double kBuiltIn = 4;     // of the work a second of motion on the built-in machine
-// Asked is that none misses these; 3.1 % of 1,700 do (ref/README.md). More than this is an error.
+constexpr double kLonger = 1.01;   // greatest ratio to the time with the tighter limit
+constexpr double kDoubling = 1.5;  // factor of the work, for each doubling of the limit
+constexpr double kBuiltIn = 4;     // factor of the work a second of motion on the built-in machine
+// The goal is that none exceeds these; 3.1 % of 1,700 do (ref/README.md). More than this is an
+// error.
 constexpr double kMisses = 0.05;
 
 struct Named {
@@ -47,7 +48,7 @@ Program surface() {
     return builder.program();
 }
 
-/// Lines with corners of `turn` and back.
+/// Lines with alternating corners of `turn`.
 Program corners(double turn, double chord, double feed) {
     tb::ProgramBuilder builder;
     for (int i = 0; i < 12; ++i) {
@@ -66,7 +67,7 @@ Program stadium() {
     return builder.program();
 }
 
-/// Arcs of 0.3 to 2 mm and short lines between, as letters have them.
+/// Arcs of 0.3 to 2 mm and short lines between, as in engraved letters.
 Program letters() {
     tb::ProgramBuilder builder;
     std::mt19937 random(7);
@@ -136,7 +137,7 @@ Cost plan(const Program& program, const Machine& machine) {
     return cost;
 }
 
-/// Limits that need not fit each other.
+/// Machines with limits that need not match each other.
 class Machines {
   public:
     explicit Machines(unsigned seed) : random_(seed) {}
@@ -160,7 +161,7 @@ class Machines {
         return machine;
     }
 
-    /// One limit 2^n times as loose.
+    /// Loosens one limit by 2^n.
     Machine looser(Machine machine, int& doublings, std::string& name) {
         doublings = 1 + whole(4);
         const int of = whole(5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubics at the ends of the words' ranges, planned for Orders 2 .. 12 and widths 18 .. 36 in both
-// modes, drawn by the kernel whose words throw: fails when one does.
+// modes, and drawn by the kernel whose words throw on overflow: fails if one does.
 #define CURVECORE_CHECKED
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ Seen draw_cubics(int cubics, tb::Extreme extreme) {
     tb::ExtremeCubics random(7 + C::kOrder, 1.0 / 1024, hair);
     Seen seen;
     for (int n = 0; n < cubics; ++n) {
-        // The limit, 0.2 .. 1, is some hundred last bits of the curve, or more.
+        // The limit, 0.2 .. 1, is at least some hundred last bits of the curve.
         const double limit = random.uniform(0.2, 1);
         const double large = std::min(std::ldexp(limit, C::kCoefBits - 8), 1e9);
         const double size = std::max(100.0, large * std::exp2(random.uniform(-6, 0)));

@@ -58,9 +58,10 @@ void draw(const ref::Cubic& cubic, int samples, sysc::SplineMaker& random, Seen&
     hls::MotionKernel<C> kernel;
     std::size_t next = 0;
     std::int64_t walked = 0;
-    double ahead = 0;  // of the sample before, along the path
+    double ahead = 0;  // lead of the sample before, along the path
     for (int n = 0; n <= samples; ++n) {
-        // Irregular steps, so that steps and segments are met at any place; the end exactly.
+        // Irregular steps meet the joints of steps and segments at any place; the last is exactly
+        // the end.
         const double place = (n + random.uniform(0, 0.999)) / samples;
         const std::int64_t s = n == samples ? length : static_cast<std::int64_t>(place * length);
         hls::Word<C::kFineBits> fine[C::kAxes];

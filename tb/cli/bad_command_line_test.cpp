@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every command line here is refused: status 2, the reason in its words, nothing left behind.
+// Invalid command lines: each is refused with status 2 and the reason, and leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include "ref/format/parameter_text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every input of bad_input_cases.json is refused: status 2, the message word for word, nothing left
-// behind.
+// Invalid inputs of bad_input_cases.json: each is refused with status 2 and its exact message, and
+// leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include "tb/cli/program_run.hpp"

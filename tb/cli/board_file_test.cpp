@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// --board: what a board's table says is what is planned for.
+// The option --board: plans use the values of the board's table.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -37,7 +37,7 @@ class Boards : public testing::Test {
         return rows;
     }
 
-    /// All boards draw the file alike.
+    /// Checks that all boards draw the file alike.
     void compare(const std::string& file, const Arguments& options) {
         const Json kernel = draw(file, "kernel", options);
         const Rows expected = rows("kernel");
@@ -104,7 +104,7 @@ TEST_F(Boards, DrawARandomProgramAlike) {
     compare("random.ngc", kSerial);
 }
 
-/// Negative control of the comparison: another rate of time is seen.
+/// Negative control of the comparison: another rate of time is detected.
 TEST_F(Boards, ComparisonSeesAnotherOverride) {
     draw(DATA_DIR "/arcs.ngc", "kernel", kSerial);
     Arguments slower = kSerial;
@@ -129,7 +129,7 @@ TEST_F(Boards, SystemDrawsAChainOfShortMovesInTime) {
     EXPECT_TRUE(rows("systemc") == rows("kernel"));
 }
 
-/// The wrong core is found on every board that it draws.
+/// Negative control: the wrong core is found on every board that it draws.
 TEST(WrongCore, IsFoundWithinTheSystem) {
     const ProgramRun program(CURVECORE_WRONG_ROUNDING);
     program.write("part.ngc", "G21 G61 G90 F450\nG1 X0.1\nG3 X0.2 Y0.1 I0 J0.1\nM2\n");

@@ -28,7 +28,7 @@ struct DrawnCam {
     double dx;
     int sections;
     ref::SurfaceKind kind;
-    ref::SurfaceKind another;  // that the samples must not fit
+    ref::SurfaceKind another;  // a surface that the samples must not fit
     double delta;              // mm
     std::vector<std::string> helix;
 };
@@ -77,7 +77,7 @@ std::vector<Sample> program_points(const std::string& text) {
     return points;
 }
 
-/// Samples on pieces; a segment is a move here, the first one goes to the start.
+/// Samples on pieces; each segment is a move here, and the first one goes to the start.
 std::vector<Sample> samples_of(const std::string& file) {
     std::vector<Sample> samples;
     std::ifstream in(file);
@@ -96,7 +96,7 @@ std::vector<Sample> samples_of(const std::string& file) {
     return samples;
 }
 
-/// Places of pieces' starts off the surface that lies before them: its own jumps.
+/// Jumps of the surface: distances of pieces' starts from the surface before them.
 std::vector<double> jumps_of(const PlainSurface& surface, const std::vector<Sample>& points) {
     std::vector<double> jumps;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -115,10 +115,10 @@ std::vector<double> jumps_of(const PlainSurface& surface, const std::vector<Samp
 
 struct Distance {
     double most = 0;   // mm
-    double share = 0;  // of what is allowed
+    double share = 0;  // share of the allowed distance
 };
 
-/// `jumps`: of every piece.
+/// Measures the samples; `jumps` are those of every piece.
 Distance distance(const std::vector<Sample>& samples, const PlainSurface& surface, double delta,
                   const std::vector<double>& jumps) {
     Distance found;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore cam`: from a table of radii through the RTL to a surface, and what it refuses.
+// `curvecore cam`: from a table of radii through the RTL to a surface, and its refusals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,11 +53,11 @@ TEST_F(CamCommand, DrawsATableThroughTheRtl) {
     EXPECT_LE(cam["worst_piece_mm"].get<double>(), 5e-3 * (1 + 1e-6));
     EXPECT_GT(cam["from_surface"]["of_allowed"].get<double>(), 0.9);
     EXPECT_LE(cam["from_surface"]["of_allowed"].get<double>(), 1);
-    // What the table of 15 degrees misses, and the pieces on top of it.
+    // The error of the table of 15 degrees, and that of the pieces on top of it.
     EXPECT_GT(cam["from_truth"]["max_mm"].get<double>(), 10e-3);
     EXPECT_LT(cam["from_truth"]["max_mm"].get<double>(), 30e-3);
     EXPECT_EQ(cam["pieces"].get<std::size_t>() + 1, report["moves"]);
-    // Held over the surface but for starting and stopping: five turns of some 46 mm.
+    // The feed is constant except when starting and stopping: five turns of some 46 mm.
     EXPECT_NEAR(cam["duration_s"].get<double>(), 5 * 2 * M_PI * 46 / 100, 1.0);
     for (const char* file : {"cam.ngc", "cam.html", "report.html", "samples.csv"}) {
         EXPECT_TRUE(program_.exists(std::string("out/") + file)) << file;
@@ -73,7 +73,7 @@ TEST_F(CamCommand, LeavesTheTurnsOutWhereAsked) {
     EXPECT_EQ(figures()["ends"], "helix");
 }
 
-/// Surfaces with jumps are held to within them; the report shows how large they are.
+/// Samples stay within the jumps of such surfaces; the report shows the jumps' sizes.
 TEST_F(CamCommand, ShowsTheJumpsOfTheSurface) {
     program_.write("cam.csv", table_text(48, 5, 5));
     for (const auto& [surface, least, most] :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Command lines of `curvecore choose` that are refused: status 2, the reason in its words, nothing
-// left behind.
+// Invalid command lines of `curvecore choose`: each is refused with status 2 and the reason, and
+// leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 struct BadRequirement {
     const char* name;
-    std::vector<std::string> options;  // instead of the good requirement's, or beside them
+    std::vector<std::string> options;  // replace options of the valid requirement, or are added
     std::string message;               // after "curvecore: error: "
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore choose`: its answers, what it says to impossible requirements, and place and route of
+// `curvecore choose`: its answers, its messages on impossible requirements, and place and route of
 // the answer by a stand-in for scripts/synth.sh.
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ class ChooseCommand : public testing::Test {
         return program_.run(arguments);
     }
 
-    /// Must succeed.
+    /// Runs choose, which must succeed.
     Json choose(const Arguments& arguments, const Arguments& more = {}) {
         Arguments all = more;
         all.insert(all.end(), {"-q", "-o", "out"});
@@ -40,7 +40,7 @@ class ChooseCommand : public testing::Test {
     ProgramRun program_;
 };
 
-/// What runs on a board is more than its core: 4,000 LUT4 and 10 RAM blocks at least.
+/// A board takes more than its core: at least 4,000 LUT4 and 10 RAM blocks.
 TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
     const Arguments asked{"--error", "1um", "--radius", "300mm", "--feed", "10m/min"};
     const auto choice = [&](const Arguments& where) {
@@ -109,7 +109,7 @@ TEST_F(ChooseCommand, SplinesNeedACurveCore) {
     EXPECT_EQ(json["choice"]["parameters"]["Splines"], 1);
 }
 
-/// Known by their serial build only. 1 nm at 60 m/min takes words of more than 18 bits.
+/// Devices with runs of the serial build only. 1 nm at 60 m/min takes words of more than 18 bits.
 TEST_F(ChooseCommand, KnowsDevicesByTheirSerialBuild) {
     for (const std::string device : {"hx8k", "gw2a-18", "lifcl-40"}) {
         Arguments arcs = kNanometre;
@@ -179,7 +179,7 @@ TEST_F(Confirm, ReportsPlannedAgainstMeasured) {
     EXPECT_EQ(core["parameters"], json["choice"]["parameters"]);
 }
 
-/// scripts/synth.sh names its result relative to the folder in which it was started.
+/// The result's name is relative to the folder in which scripts/synth.sh was started.
 TEST_F(Confirm, ReadsAResultBesideIt) {
     stand_in("echo '" + result(31) + "' > result.json\necho 'row; result.json'\n");
     EXPECT_EQ(choose(kMicrometre, {"--confirm"})["confirmed"]["lut4"], 1500);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Command lines of `curvecore compare` that are refused: status 2, the reason in its words, nothing
-// left behind.
+// Invalid command lines of `curvecore compare`: each is refused with status 2 and the reason, and
+// leaves nothing behind.
 #include <gtest/gtest.h>
 
 #include "ref/format/parameter_text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore compare --scheme`: rows of the papers' schemes beside ours, in all that is written.
+// `curvecore compare --scheme`: rows of the papers' schemes beside ours, in every file.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

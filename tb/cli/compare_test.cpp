@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore compare`: what it writes, and figures that would be wrong if kernel, plan or truth
-// were.
+// `curvecore compare`: its files, and figures that would be wrong if kernel, plan or truth were.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +25,7 @@ constexpr char kPart[] =
 
 class Compare : public testing::Test {
   protected:
-    /// Compares; every check must hold.
+    /// Runs compare; every check must hold.
     Json compare(const Arguments& options, const std::string& folder = "out") {
         Arguments arguments{"compare", "-q", "-o", folder};
         arguments.insert(arguments.end(), options.begin(), options.end());
@@ -37,7 +36,7 @@ class Compare : public testing::Test {
         return Json::parse(program_.read(folder + "/compare.json"));
     }
 
-    /// Worst of the first three axes.
+    /// Worst value of the first three axes.
     static double worst(const Json& row, const char* part) {
         double worst = 0;
         for (const char* axis : {"x", "y", "z"}) {
@@ -130,7 +129,8 @@ TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
     const Json& rows = json["rows"];
     ASSERT_EQ(rows.size(), 5U);
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-        // Four bits are worth 16, but for the doublings of the limit; at last the limit asked for.
+        // Four bits are worth a factor of 16, except for the doublings of the limit; the last row
+        // has the requested limit.
         EXPECT_GT(worst(rows[i], "unrounded"),
                   (i + 2 < rows.size() ? 6 : 1) * worst(rows[i + 1], "unrounded"));
         EXPECT_GE(rows[i]["limit"], rows[i + 1]["limit"]);
@@ -207,7 +207,7 @@ TEST_F(Compare, PropagationIsWorseOnLongChains) {
         EXPECT_EQ(rows[i + 1]["anchor"], 0);
         EXPECT_EQ(rows[i]["segments"], rows[i + 1]["segments"]);
         EXPECT_GT(worst(rows[i + 1], "unrounded"), 5 * worst(rows[i], "unrounded"));
-        // What is lost is lost along the path.
+        // The error is along the path.
         EXPECT_GT(rows[i + 1]["unrounded"]["along"]["worst"].get<double>(),
                   5 * rows[i + 1]["unrounded"]["across"]["worst"].get<double>());
     }

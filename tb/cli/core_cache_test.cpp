@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore run` with cores that are not built in: it makes them, keeps them, and says why it
+// `curvecore run` with cores that are not built in: it makes and keeps them, or reports why it
 // cannot.
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class MadeCore : public testing::Test {
 
     fs::path cores() const { return shell_.folder() / "cores"; }
 
-    /// `$RUN OUT &` and the like, by a shell.
+    /// Runs a script such as `$RUN OUT &` by a shell.
     ProgramResult run(const std::string& script) const {
         const std::string command =
             "RUN() { folder=$1; shift; '" CURVECORE_PROGRAM
@@ -46,7 +46,7 @@ class MadeCore : public testing::Test {
         return all;
     }
 
-    /// A tool of that name in a folder of its own.
+    /// Puts a tool of that name into a folder of its own.
     std::string tool(const std::string& name, const std::string& script) const {
         const fs::path folder = shell_.folder() / "tools";
         fs::create_directories(folder);
@@ -126,7 +126,7 @@ TEST_F(MadeCore, ThatCannotBeMadeLeavesNothingButItsLog) {
     EXPECT_EQ(run("RUN out -q").status, 0) << "a failure is not kept";
 }
 
-/// What `choose` answers, `run` draws.
+/// The answer of `choose` is drawn by `run`.
 TEST_F(MadeCore, IsWhatChooseAnswered) {
     const ProgramRun program;
     const ProgramResult chosen = program.run({"choose", "--error", "1um", "--radius", "300mm",

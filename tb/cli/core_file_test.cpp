@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// core.json: what `choose` answers is planned, compared and exported with --core as it is.
+// The file core.json: the answer of `choose` is planned, compared and exported with --core
+// unchanged.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whose G-code a program is: recognised or asked for, and said by every command that reads it.
+// Dialects of G-code: recognised or requested, and reported by every command that reads programs.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

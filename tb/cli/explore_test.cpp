@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore explore`: the shortest queues are those with which `run` does not starve, and shorter
-// ones do not do.
+// `curvecore explore`: its shortest queues do not starve in `run`, and shorter ones do.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -26,7 +25,7 @@ class Explore : public testing::Test {
         return Json::parse(program_.read("found/explore.json"));
     }
 
-    /// The run of the same system.
+    /// Runs the same system.
     Json run(const std::string& file, const Json& row, const Json& queues) {
         const auto text = [](const Json& value) { return value.dump(); };
         const auto seconds = [](const Json& value) { return value.dump() + "s"; };
@@ -38,7 +37,7 @@ class Explore : public testing::Test {
         return Json::parse(program_.read("out/report.json"));
     }
 
-    /// Every fate is what `run` sees.
+    /// Checks that every fate is that of `run`.
     void confirm(const std::string& file, const Json& found) {
         int fits = 0;
         int holds = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A check that fails is named, and the exit status says so: the program with a core that rounds
+// Failed checks: each is named and sets the exit status, in the program with a core that rounds
 // wrongly (tb/mutants).
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/flat.sh: the file it makes, and wrong command lines. That the file is equal to the
-// sources is for tb/unit to say.
+// scripts/flat.sh: its file, and invalid command lines. A test of tb/unit shows that the file is
+// equivalent to the sources.
 #include <gtest/gtest.h>
 
 #include "tb/cli/program_run.hpp"

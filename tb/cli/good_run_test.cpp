@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What good runs leave behind, and what must not change them.
+// Good runs: the files they write, and options that must not change them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,7 +64,7 @@ TEST_F(GoodRun, WritesEveryFile) {
     EXPECT_EQ(program_.files(), (Files{"out", "part.ngc"}));
 }
 
-/// Ends whose radii differ by 1.02 um, 0.1 degrees short of a turn: about the centre that is given.
+/// The radii of the ends differ by 1.02 um, 0.1 degrees short of a turn: the given centre counts.
 TEST_F(GoodRun, NearlyFullArcIsDrawnAboutItsCentre) {
     program_.write("part.ngc", "G21 G90 G61\nG0 X10 Y0\nG3 X10.001 Y-0.02 I-10 J0 F6000\nM2\n");
     const Json found = report({"--sample-period", "1ms"});
@@ -88,8 +88,8 @@ TEST_F(GoodRun, NearlyFullArcIsDrawnAboutItsCentre) {
     EXPECT_LT(worst, 1021.1);
 }
 
-/// A turns without end: words of 32 bits hold six turns at 1 nm (1 degree is 1 mm); limits are seen
-/// across the whole turns that the words leave out, also by `plan` and `compare`.
+/// Axis A turns without end: words of 32 bits hold six turns at 1 nm (1 degree is 1 mm); limits are
+/// checked across the whole turns that the words leave out, also by `plan` and `compare`.
 TEST_F(GoodRun, RotaryAxisTurnsWithoutEnd) {
     program_.write("part.ngc",
                    "G21 G90 G94\nG1 X10 A2000 F300\nA-3000 F20000\nG64 G91\n"
@@ -303,8 +303,8 @@ TEST_F(GoodRun, SummaryNamesTheFigures) {
               "report                 out/report.html\n");
 }
 
-/// The jerk that is drawn is the one that is checked: its highest bin over its limit is the
-/// report's ratio over that window.
+/// The plotted jerk is the one that is checked: its highest bin over its limit is the report's
+/// ratio over that window.
 TEST_F(GoodRun, JerkAndAccelerationAreDrawnAsTheyAreChecked) {
     program_.write("part.ngc",
                    "G21 G90 F6000 G64 P0.05\nG1 X20\nY15\nX35\nG3 X45 Y25 I0 J10\nM2\n");
@@ -325,7 +325,7 @@ TEST_F(GoodRun, JerkAndAccelerationAreDrawnAsTheyAreChecked) {
     }
 }
 
-/// On a terminal the bar is shown, and gone before the first line of the result.
+/// The bar is shown on a terminal, and removed before the first line of the result.
 TEST_F(GoodRun, BarIsGoneBeforeTheResult) {
     program_.write("part.ngc", "G21 G90 F60\nG1 X60\nM2\n");
     const ProgramRun shell("/bin/sh");

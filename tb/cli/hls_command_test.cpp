@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/hls.sh on wrong command lines, without its tools, and on tables with tools that fail as
-// told; tb/hls has its good runs.
+// scripts/hls.sh on invalid command lines, without its tools, and on tables with stand-in tools
+// that fail on demand; tb/hls has its good runs.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -125,7 +125,7 @@ TEST(HlsSweep, FailuresAreNamedAndTheOthersFinished) {
           "\nsine_cosine,ecp5-25,,20,0,6,18,,5,9,2,7,,600,50,4,2,,,600,50,4,2,\n"}) {
         EXPECT_PRED_FORMAT2(IsSubstring, line, table);
     }
-    // Lines 4, 5, 6: nextpnr is not asked of the core that has more cells than the device, nor of
+    // Lines 4, 5, 6: nextpnr is not run for the core that has more cells than the device, nor for
     // line 7.
     EXPECT_EQ(hls.runs("nextpnr-ecp5"), 2 + 1 + 2 * 2);
 }
@@ -150,7 +150,7 @@ TEST(HlsSweep, InterruptedEndsAndKeepsWhatIsFinished) {
     EXPECT_FALSE(hls.exists("out/sine_cosine-CoefBits18-Order2.json"));
 }
 
-// Each row is right: every tool is there, and none does its work.
+// Each row is valid: every tool is there, and none does its work.
 TEST(HlsSweep, TableThatShipsIsRight) {
     const SynthRun hls({"yosys", "nextpnr-ecp5"});
     const ProgramResult result = hls.shell("$HLS --sweep " SYNTH_TABLES "/hls.csv");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore join`: good joins run through the RTL and are loaded again; what cannot be joined is
-// refused word for word, and nothing is left behind.
+// `curvecore join`: good joins run through the RTL and are loaded again; programs that cannot be
+// joined are refused with the exact message, and nothing is left behind.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

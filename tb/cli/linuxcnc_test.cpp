@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `--interpreter linuxcnc` with recorded lines in the interpreter's place: what is drawn of them,
-// and what is said when they are wrong. None of it needs LinuxCNC.
+// `--interpreter linuxcnc` with recorded lines in place of the interpreter: the drawn path, and
+// messages on invalid lines. No test needs LinuxCNC.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -25,7 +25,7 @@ class Linuxcnc : public testing::Test {
   protected:
     void TearDown() override { unsetenv("CURVECORE_LINUXCNC"); }
 
-    /// `script` is run by a shell in the interpreter's place.
+    /// Sets a shell script that runs in place of the interpreter.
     void stand_in(const std::string& script) const {
         program_.write("part.ngc", "what stands here is the interpreter's affair\n");
         program_.write("interpreter", "#!/bin/sh\n" + script);
@@ -156,7 +156,7 @@ TEST_F(Linuxcnc, InterpreterThatEndsBeforeTheProgramIsAnError) {
     const std::string ended = " error: LinuxCNC's interpreter ended before the program did: ";
     const std::string moves = std::string(kStart) + kLine;
     expect_refused(moves, ended + "exit status 0\n");
-    expect_refused(moves + "{\"kind\":\"end\"}", ended + "exit status 0\n");  // a cut line
+    expect_refused(moves + "{\"kind\":\"end\"}", ended + "exit status 0\n");  // a truncated line
     expect_refused(moves, ended + "exit status 3; it says: no memory\n",
                    "echo no memory >&2; exit 3\n");
     expect_refused(moves, ended + "signal 11 (Segmentation fault)\n", "kill -SEGV $$\n");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every override draws every program to its end, on every board, with and without stop branches:
-// below 100 % time is scaled, and the host has to send words for the time that has passed; above it
-// feeds are planned higher.
+// Overrides: every program is drawn to its end at any, on every board, with and without stop
+// branches. Below 100 % time is scaled, and the host has to send words for the time that has
+// passed; above 100 % feeds are planned higher.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Board {
 
 void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
 
-/// So few clocks in a sample that a Verilated core in the system is no slower than one alone.
+/// Few enough clocks a sample that a Verilated core in the system is no slower than one alone.
 const Arguments kFewClocks{"--build", "serial", "--clock", "256kHz", "--set", "Splines=1"};
 
 Arguments operator+(Arguments all, const Arguments& more) {
@@ -39,7 +39,7 @@ const std::vector<Board> kBoards{{"Kernel", {"--on", "kernel"}},
 
 class Override : public testing::TestWithParam<Board> {
   protected:
-    /// Samples of a run whose checks all held.
+    /// Number of samples of a run whose checks all held.
     std::uint64_t samples(const std::string& file, const std::string& holds, int percent) {
         const Arguments arguments = Arguments{"run",
                                               std::string(DATA_DIR "/") + file,
@@ -63,8 +63,8 @@ class Override : public testing::TestWithParam<Board> {
         return Json::parse(program_.read("out/report.json"))["samples"];
     }
 
-    /// At `percents`: as many samples more or fewer as time is slower or feeds are higher, but
-    /// never fewer than limits allow.
+    /// Checks runs at `percents`: the number of samples follows the rate of time or the feeds, but
+    /// is never lower than limits allow.
     void draw(const std::string& file, const std::vector<int>& percents,
               const Arguments& all_holds = {"branches"}) {
         for (const std::string& holds : all_holds) {
@@ -81,13 +81,13 @@ class Override : public testing::TestWithParam<Board> {
     ProgramRun program_;
 };
 
-/// Its words fill the profile queue long before it ends.
+/// The program's words fill the profile queue long before it ends.
 TEST_P(Override, DrawsAProgramThatFillsTheQueue) { draw("stops.ngc", {10}); }
 
 INSTANTIATE_TEST_SUITE_P(Cli, Override, testing::ValuesIn(kBoards),
                          [](const auto& test) { return test.param.name; });
 
-/// More of them, on the fastest board.
+/// More programs, on the fastest board.
 class KernelOverride : public Override {};
 
 TEST_P(KernelOverride, DrawsProgramsThatFillTheQueue) {
@@ -99,7 +99,7 @@ TEST_P(KernelOverride, DrawsProgramsThatFillTheQueue) {
 INSTANTIATE_TEST_SUITE_P(Cli, KernelOverride, testing::Values(kBoards.front()),
                          [](const auto& test) { return test.param.name; });
 
-/// All that there is to draw: hours.
+/// All programs at all overrides: hours.
 class LongOverride : public Override {};
 
 TEST_P(LongOverride, DrawsEveryProgramAtEveryPercent) {

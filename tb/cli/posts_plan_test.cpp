@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs of posts, senders and slicers, and those of bug reports, as their owners would start
-// them: no option, no edit. tb/model/gcode/posts_test.cpp says what they move.
+// them: without options or edits. tb/model/gcode/posts_test.cpp checks their moves.
 #include <gtest/gtest.h>
 
 #include "tb/cli/program_run.hpp"

@@ -34,8 +34,8 @@ std::string text_of(const fs::path& file) {
     return text.str();
 }
 
-/// Until the process has worked for so long, in time of processors: however busy the machine is, it
-/// has come as far.
+/// Waits until the process has used as much processor time, so that its progress does not depend on
+/// the machine's load.
 void wait_for_work(pid_t child, int ms) {
     clockid_t clock{};
     if (clock_getcpuclockid(child, &clock) != 0) return;

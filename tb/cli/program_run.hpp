@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The built program as a user starts it, in a folder of its own that goes when the test ends.
+// The built program as a user starts it, in a temporary folder that is removed when the test ends.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct ProgramResult {
 
 class ProgramRun {
   public:
-    /// `program`: a path; the built `curvecore` unless said.
+    /// Creates the folder; `program`: a path, by default the built `curvecore`.
     explicit ProgramRun(std::string program = CURVECORE_PROGRAM);
     ~ProgramRun();
     ProgramRun(const ProgramRun&) = delete;
@@ -27,11 +27,11 @@ class ProgramRun {
     void write(const std::string& name, const std::string& text) const;
     std::string read(const std::string& name) const;
     bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-    /// Names in the folder, sorted; what the program printed is not among them.
+    /// Returns the names in the folder, sorted, without the program's printed output.
     std::vector<std::string> files() const;
 
-    /// Arguments as an array, no shell; the folder is the working directory.
-    /// `interrupt_ms`: Ctrl-C once it has worked for so long, in time of processors.
+    /// Runs the program with arguments as an array, no shell; the folder is the working directory.
+    /// `interrupt_ms`: processor time after which Ctrl-C is sent.
     ProgramResult run(const std::vector<std::string>& arguments, int interrupt_ms = 0) const;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program begins with, as options and the machine's .ini say it, and what becomes of codes
-// that are no motion: report.json has them with line and path length.
+// State in which a program begins, from options and the machine's .ini, and codes that are no
+// motion: report.json lists them with line and path length.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Up by 5 mm above the tool's tip, 10 mm, then 10 mm more with coolant.
+// Raises by 5 mm above the tool's tip, goes 10 mm, then 10 mm more with coolant.
 const char kTooled[] = "T1 M6\nG43 H1\nG0 Z5\nF600 M3 S100\nG1 X10\nM8\nG1 X20\nM5\nM2\n";
 
 Json plan(const ProgramRun& program, const std::vector<std::string>& options) {

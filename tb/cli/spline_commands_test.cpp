@@ -43,7 +43,7 @@ TEST_F(SplineCommands, PlanSaysWhatEverySegmentIs) {
             continue;
         }
         ++splines;
-        // What preparing the frame gives: the unit tangent, and the sharpest place within.
+        // Results of preparing the frame: the unit tangent, and the sharpest place within.
         const Json tangent = segment["tangent_end"];
         EXPECT_NEAR(std::hypot(tangent[0].get<double>(), tangent[1], tangent[2]), 1, 1e-6);
         const double least = segment["least_radius_mm"];
@@ -129,7 +129,7 @@ TEST_F(SplineCommands, RunFasterWithMoreEffort) {
 const char* const kCorners =
     "G21 G64 P0.05 F3000\nG1 X10\nG1 Y10\nG1 X5\nG3 X0 Y5 J-5\nG1 Y0\nM2\n";
 
-/// Drawn within the tolerance of the program: stops at no corner.
+/// The part is drawn within the program's tolerance, without a stop at any corner.
 TEST_F(SplineCommands, DrawWhatG64Allows) {
     program_.write("part.ngc", kCorners);
     const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out"});
@@ -163,7 +163,7 @@ TEST_F(SplineCommands, DrawWhatG64AllowsByArcs) {
     EXPECT_GT(report["deviation"]["share_of_P"], 0.5);
 }
 
-/// For boards without splines: the core of arcs alone draws them.
+/// The core of arcs alone draws splines for boards without them.
 TEST_F(SplineCommands, RunAsArcs) {
     const ProgramResult result = program_.run({"run", "part.ngc", "-o", "out", "--fit", "arcs",
                                                "--tolerance", "2um", "--set", "Splines=0"});
@@ -184,13 +184,13 @@ TEST_F(SplineCommands, RunAsArcs) {
     EXPECT_EQ(forms["splines"]["moves"], 3);
     EXPECT_GT(forms["chords"]["words"], forms["arcs"]["words"]);
     EXPECT_GT(forms["arcs"]["words"], forms["splines"]["words"]);
-    // A program without splines is as it was.
+    // A program without splines is unchanged.
     program_.write("line.ngc", "G21 G1 X10 F1200\nM2\n");
     ASSERT_EQ(program_.run({"plan", "line.ngc", "-q", "-o", "line", "--fit", "arcs"}).status, 0);
     EXPECT_FALSE(Json::parse(program_.read("line/report.json")).contains("as_arcs"));
 }
 
-/// Samples of the arcs, held against the spline itself.
+/// Samples of the arcs are compared with the spline itself.
 TEST_F(SplineCommands, ArcsStayWithinTheToleranceOfTheSpline) {
     program_.write("curve.ngc", "G21 G1 Z0 F1200\nG5 X20 Y10 I5 J0 P0 Q-5\nM2\n");
     ref::RationalBezier curve;
@@ -255,7 +255,8 @@ TEST_P(CarriedStates, RunAndSayThatSplinesHaveNoBound) {
     const Json& spline = report["kinds"]["spline"];
     EXPECT_TRUE(spline["bound_lsb"].is_null() && spline["max_of_bound"].is_null());
     EXPECT_LE(report["kinds"]["arc"]["max_of_bound"], 1);
-    // Of 36 bits and half a segment: still far below a unit, and other words than with Anchor 1.
+    // Errors with 36 bits and half a segment: still far below a unit, and other words than with
+    // Anchor 1.
     EXPECT_LE(spline["unrounded_max_lsb"], 0.5);
     program_.run({"run", "part.ngc", "-q", "-o", "anchored", "--on", "kernel"});
     const Json anchored = Json::parse(program_.read("anchored/report.json"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs of any length: words in bounded memory, the same that a plan has, and up to the last
-// good block of a pipe.
+// Programs of any length: words in bounded memory, equal to a plan's, and up to the last valid
+// block of a pipe.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A raster over a surface in short chords, or chords that stay what they are.
+/// A raster over a surface in short chords, smoothed or not by `mode`.
 std::string raster(int chords, const char* mode) {
     std::string text = fmt::format("G21 G90 {} F3000\n", mode);
     double x = 0;
@@ -55,8 +55,8 @@ TEST(Stream, WordsOfALongProgramAreThoseOfItsPlan) {
     }
 }
 
-/// A machine that ends at y = 0, where a chopped curve joins a line: to be smooth, the path would
-/// swing out. Such groups are drawn as programmed, the others are smooth.
+/// A machine that ends at y = 0, where a rounded curve joins a line: the smooth path would leave
+/// the machine. Such groups are drawn as programmed, the others are smooth.
 TEST(Stream, DrawsAsProgrammedWhatTheMachineCannotHaveSmooth) {
     const ProgramRun program;
     const auto hills = [](double y) {
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Memory,
                                          std::vector<std::string>{"run", "--on", "kernel"}),
                          [](const auto& of) { return of.param.front(); });
 
-/// Motions that take hours: of chords, and of two lines.
+/// Motions that take hours: chords, and two lines.
 TEST(SlowPrograms, AreInTheSameMemory) {
     std::string chords = "G21 G90 G64 P0.01 F6\n";
     for (int i = 1; i <= 3000; ++i) {
@@ -220,7 +220,7 @@ TEST_F(Pipe, WhatTheFirstMovesDoNotShowIsRefused) {
     EXPECT_NE(spline.err.find("give --set Splines=1"), std::string::npos) << spline.err;
 }
 
-/// Of a file the same is seen before a word is written.
+/// A file's fault is reported before a word is written.
 TEST(Stream, AFileIsLookedAtFirst) {
     const ProgramRun program;
     program.write("part.ngc", raster(9000, "G61") + "G1 X3000\n");

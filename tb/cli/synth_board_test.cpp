@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/synth.sh --board with tools that do as told: every table, what is made of one, what is
-// refused. That the pins are in the package is for the real tools to say: system.Board.
+// scripts/synth.sh --board with stand-in tools: every table, the result of one, and refusals. The
+// test system.Board checks with the real tools that the pins are in the package.
 #include <gtest/gtest.h>
 
 #include <filesystem>

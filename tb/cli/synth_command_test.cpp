@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/synth.sh for one configuration: what it refuses, what it keeps, how it fails.
+// scripts/synth.sh for one configuration: its refusals, results and failures.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// scripts/synth.py as a user starts it, with Yosys and nextpnr replaced by
-// tb/cli/tools/fake_synthesis.py, results in the test's own folder.
+// A run of scripts/synth.py as a user starts it, with Yosys and nextpnr replaced by
+// tb/cli/tools/fake_synthesis.py, and results in the test's own folder.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace curvecore::tb {
 
 class SynthRun : public ProgramRun {
   public:
-    /// `tools`: those of yosys, nextpnr-ecp5, sbatch .. that are installed.
+    /// Creates the run; `tools`: the installed ones of yosys, nextpnr-ecp5, sbatch ..
     explicit SynthRun(const std::vector<std::string>& tools = {"yosys", "nextpnr-ecp5"});
 
-    /// synth.py with `options` and --output out.
+    /// Runs synth.py with `options` and --output out.
     ProgramResult synth(const std::vector<std::string>& options) const;
-    /// A script of /bin/sh; $SYNTH is the program, $HLS scripts/hls.py, with --output out.
+    /// Runs a script of /bin/sh; $SYNTH is the program, $HLS scripts/hls.py, with --output out.
     ProgramResult shell(const std::string& script) const;
-    /// How often a tool ran.
+    /// Returns the number of times that a tool ran.
     int runs(const std::string& tool) const;
 };
 

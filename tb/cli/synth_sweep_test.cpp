@@ -98,8 +98,8 @@ TEST(SynthSweep, FailuresAreNamedAndTheOthersFinished) {
     EXPECT_EQ(synth.runs("yosys"), 4);
 }
 
-// Placements of Order 5 wait for the file `gate`, so that the sweep is killed in the middle.  Three
-// jobs, because the two that wait must not keep the one of Order 4 from being done.
+// Placements of Order 5 wait for the file `gate`, so that the sweep is killed in the middle. Three
+// jobs, because the two that wait must not block the one of Order 4.
 TEST(SynthSweep, KilledAndStartedAgainDoesTheRest) {
     const SynthRun synth;
     synth.write("t.csv",
@@ -122,7 +122,7 @@ TEST(SynthSweep, KilledAndStartedAgainDoesTheRest) {
     EXPECT_EQ(again.status, 0) << again.err;
     EXPECT_PRED_FORMAT2(IsSubstring, "3 of 3 placed, 0 failed; ", again.out);
     EXPECT_FALSE(synth.exists("out/t.part.csv"));
-    // What the killed sweep had begun goes on by itself and is waited for.
+    // Work that the killed sweep had begun continues by itself and is waited for.
     EXPECT_EQ(synth.runs("nextpnr-ecp5"), 3);
 
     const int runs = synth.runs("nextpnr-ecp5") + synth.runs("yosys");
@@ -156,7 +156,7 @@ TEST(SynthSweep, ProfileSendsEveryJobToSlurm) {
     EXPECT_EQ(synth.runs("nextpnr-ecp5"), 1);
 }
 
-// With no tool installed every row fails, which shows that every row is right.
+// Every row fails without tools, which shows that every row is valid.
 TEST(SynthSweep, TablesThatShipAreRight) {
     for (const std::string table : {"readme", "cost_model"}) {
         const SynthRun synth(std::vector<std::string>{});
@@ -170,7 +170,7 @@ TEST(SynthSweep, TablesThatShipAreRight) {
 
 /// The configuration of each row of a table of results, in its order; an empty cell is 0.
 std::vector<std::string> configurations(const std::string& results) {
-    const auto cells = [](const std::string& line) {  // those before any with a comma in it
+    const auto cells = [](const std::string& line) {  // cells before any cell with a comma in it
         std::istringstream text(line);
         std::vector<std::string> all;
         for (std::string cell; std::getline(text, cell, ',');) all.push_back(cell);

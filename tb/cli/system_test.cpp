@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-/// 2^8 clocks a sample for the step generator, of which the Verilated one has every one.
+/// A sample of 2^8 clocks for the step generator; the Verilated one simulates each of them.
 const Arguments kFewClocks{"--build",         "serial",    "--set",    "Splines=1",
                            "--set",           "AuxAxes=0", "--clock",  "768kHz",
                            "--sample-period", "500us",     "--system", "step=10um"};
@@ -57,8 +57,8 @@ class System : public testing::Test {
     ProgramRun program_;
 };
 
-/// Words of a rotary axis leave whole turns out, but not for who counts its steps: 40,000 too few
-/// were given, at a speed that no drive has.
+/// Words of a rotary axis leave whole turns out, unless the board counts its steps: 40,000 too few
+/// steps were made, at a speed that no drive has.
 TEST_F(System, ARotaryAxisMakesTheStepsOfAllItsTurns) {
     const std::string turns = "G21 G90 G61 F20000\nG1 A200\nG1 A400\nG1 A500\nG1 A-400\nM2\n";
     program_.write("turns.ngc", turns);
@@ -77,7 +77,7 @@ TEST_F(System, StepsTheDemoAlike) { compare(DATA_DIR "/demo.ngc"); }
 TEST_F(System, StepsArcsAlike) { compare(DATA_DIR "/arcs.ngc"); }
 TEST_F(System, StepsSplinesAlike) { compare(DATA_DIR "/splines.ngc"); }
 
-/// Negative control of the comparison: a pin's time that is a clock longer is seen.
+/// Negative control of the comparison: a pin's time that is a clock longer is detected.
 TEST_F(System, ComparisonSeesOneClock) {
     const Json before = draw(DATA_DIR "/pulses.ngc", "", kFewClocks).pulses();
     const Json later = draw(DATA_DIR "/pulses.ngc", "steplen=5us", kFewClocks).pulses();
@@ -85,7 +85,7 @@ TEST_F(System, ComparisonSeesOneClock) {
     EXPECT_EQ(before["axes"], later["axes"]);
 }
 
-/// At the clocks of a board, and with every axis.
+/// Nine axes at the clocks of a board.
 TEST_F(System, StepsNineAxesAlike) {
     program_.write("part.ngc", "G21 G90 G94 F1200\nG1 X1 A2 C-1\nG3 X3 Y2 I0 J2 B1 W0.5\nM2\n");
     const Arguments options{"--build", "serial", "--set", "Splines=1", "--set", "AuxAxes=6"};

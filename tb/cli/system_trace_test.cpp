@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// system.vcd: every step of the report is there, at the same times whichever block is RTL.
+// The file system.vcd: every step of the report is there, at the same times whichever block is RTL.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ struct Change {
         return time == other.time && value == other.value;
     }
 };
-/// By signal, as GTKWave names it.
+/// Changes by signal, as GTKWave names it.
 using Waves = std::map<std::string, std::vector<Change>>;
 
 Waves waves_of(const std::string& vcd) {

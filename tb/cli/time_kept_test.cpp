@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sample is there within its period: planned so, measured, and refused where it cannot be.
+// Samples within their period: planned, measured, and refused where impossible.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// So many lines of 0.2 um.
+/// A chain of `count` lines of 0.2 um.
 std::string joints(int count) {
     std::string text = "G21 G61 G90 F60000\n";
     for (int n = 1; n <= count; ++n) text += fmt::format("G1 X{:.4f}\n", 2e-4 * n);
@@ -21,7 +21,8 @@ std::string joints(int count) {
 
 class TimeKept : public testing::Test {
   protected:
-    /// With a queue that outlasts a stop in moves of 0.2 um: the clocks alone bound the feed.
+    /// Reports a run with a queue that outlasts a stop in moves of 0.2 um: the clocks alone bound
+    /// the feed.
     Json report(std::vector<std::string> arguments) {
         arguments.insert(arguments.begin() + 1,
                          {"part.ngc", "-q", "-o", "out", "--segment-queue", "65536"});

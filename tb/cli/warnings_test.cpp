@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a program asks for and does not get is said by every command that reads programs, with line
-// and cause.
+// Warnings: every command that reads programs reports requests that are not met, with line and
+// cause.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -37,7 +37,7 @@ TEST(Warnings, WhatSwitchesSomethingIsNamedByEveryCommand) {
     EXPECT_NE(joined.err.find(kSaid), std::string::npos) << joined.err;
 }
 
-/// Tangent moves of half a micrometre between long ones: two changes in next to no path.
+/// Tangent moves of half a micrometre between long ones: two changes within a very short path.
 TEST(Warnings, WhatTheClockSlowsIsNamedWithItsLine) {
     const ProgramRun program;
     program.write("part.ngc", "G21 G90 G61 F6000\nG1 X20\nG1 X20.0005\nG1 X40\nM2\n");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// waves.gtkw arranges every group of signals that it names, for every kind of core: a renamed
+// The file waves.gtkw shows every group of signals that it names, for every kind of core: a renamed
 // signal would be left out.
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Counts = std::map<std::string, int>;
 
-/// Signals per group of a save file.
+/// Number of signals in each group of a save file.
 Counts groups(const std::string& text) {
     std::istringstream lines(text);
     Counts counts;
@@ -68,7 +68,7 @@ std::uint64_t header_word(const std::string& file, std::size_t at) {
     return word;
 }
 
-/// In picoseconds of the clock that the options say; it opens on the first sample.
+/// The waveform is in picoseconds of the clock that the options give; it opens on the first sample.
 TEST(WavesTime, IsThatOfTheClock) {
     for (const auto& [clock, period_ps] : {std::pair("100MHz", 10e3), {"20MHz", 50e3}}) {
         const ProgramRun program;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `curvecore words`: what $readmemh reads is what the plan says.
+// `curvecore words`: the memory files for $readmemh contain the plan.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
                                              "PositionBits=20"}));
 
-/// So that they outlast a stop; how far: PlannedBranches of tb/model.
+/// The queues hold enough for a stop; PlannedBranches of tb/model checks how much.
 TEST(WordsOfShortQueues, AreFewer) {
     const ProgramRun program;
     program.write("part.ngc", "G21 G90 F30000\nG1 X50\nG3 X50 Y20 I0 J10\nG1 X0\nM2\n");
@@ -106,7 +106,7 @@ TEST(WordsOfShortQueues, AreFewer) {
     EXPECT_GE(few["samples"], many["samples"]);
 }
 
-/// FNV-1a, 64 bits.
+/// Digest by FNV-1a, 64 bits.
 std::uint64_t digest(const std::vector<std::string>& words) {
     std::uint64_t hash = 0xcbf29ce484222325;
     for (const std::string& word : words) {
@@ -135,8 +135,8 @@ TEST(ProfileWords, OfStopBranchesAreLeftOutOnDemand) {
     EXPECT_NE(refused.err.find("--holds"), std::string::npos) << refused.err;
 }
 
-// A driver depends on these words. Who changes their format counts up hls::kWordsVersion; who
-// changes the plan alone puts the new digests here.
+// A driver depends on these words. A change of their format increments hls::kWordsVersion; a change
+// of the plan alone updates the digests here.
 TEST(WordsOfTheDemo, AreThoseOfTheirVersion) {
     const ProgramRun program;
     const ProgramResult result = program.run(

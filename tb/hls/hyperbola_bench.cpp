@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hls/top/hyperbola.cpp as Verilog, against hls::HyperbolaKernel.
+// Bench of hls/top/hyperbola.cpp as Verilog, against hls::HyperbolaKernel.
 #include "hls/hyperbola_kernel.hpp"
 #include "hls/top/top_configuration.hpp"
 #include "tb/hls/pipeline_bench.hpp"
@@ -7,7 +7,7 @@
 namespace curvecore::tb {
 namespace {
 
-/// Any legal start, of any size.
+/// A call with any legal start, of any size.
 struct HyperbolaCall {
     using C = TopConfiguration;
     static constexpr int bits = C::kCoefBits;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pipeline that an HLS compiler made, against the native kernel: random calls with random gaps,
-// every word of every result.  Knows no kernel: a Call has
+// A pipeline from an HLS compiler against the native kernel: random calls with random gaps, every
+// word of every result. It knows no kernel: a Call has
 //
 //     void draw(Random&)               another call, and `expected`, the kernel's words
 //     void drive(Vhls&) const          its inputs, to the ports
 //     std::vector<int64_t> expected    the words of out_o, lowest first, each of `bits`
 //     static constexpr int bits
-//     static constexpr int rtl_clocks  of the RTL, for a call
+//     static constexpr int rtl_clocks  clocks of the RTL for a call
 #pragma once
 
 #include <verilated.h>
@@ -24,7 +24,7 @@
 
 namespace curvecore::tb {
 
-/// The RTL of the same kernel and configuration.
+/// Timing of the RTL of the same kernel and configuration.
 constexpr hls::TimedCore rtl_core() {
     hls::TimedCore core{false, CFG_Order, CFG_CoefBits, CFG_AuxAxes, CFG_Mode == 0};
     core.anchor = CFG_Anchor != 0;
@@ -34,12 +34,12 @@ constexpr hls::TimedCore rtl_core() {
 template <class Call>
 class PipelineBench {
   public:
-    /// Exit status: 0, or 1 where a word differs.
+    /// Runs the comparison. Returns the exit status: 0, or 1 if a word differs.
     int run(int64_t samples) {
         reset();
         int64_t sent = 0;
         while (compared_ < samples) {
-            call_.draw(random_);  // a gap has inputs too, and they do not count
+            call_.draw(random_);  // inputs during a gap must not count
             call_.drive(dut_);
             dut_.valid_i = sent < samples && random_.uniform(0, 1) < 0.9;
             if (dut_.valid_i) {
@@ -119,7 +119,7 @@ class PipelineBench {
     int64_t latency_ = -1;
 };
 
-/// BENCH SAMPLES
+/// Runs as BENCH SAMPLES.
 template <class Call>
 int bench_main(int argc, char** argv) {
     const int64_t samples = argc == 2 ? std::atoll(argv[1]) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A call of the function of hls/top/segment_top.hpp, and what the kernel itself draws.
+// A call of the function of hls/top/segment_top.hpp, and the result of the kernel.
 #pragma once
 
 #include "hls/top/top_configuration.hpp"
@@ -8,7 +8,7 @@
 
 namespace curvecore::tb {
 
-/// Segment: random_segment or random_spline. The RTL draws a sample at every clock.
+/// A call with random_segment or random_spline. The RTL draws a sample at every clock.
 template <class Kernel, SegmentWords<TopConfiguration> (*segment_of)(Random&)>
 struct SegmentCall {
     using C = TopConfiguration;

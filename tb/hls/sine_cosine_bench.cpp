@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hls/top/sine_cosine.cpp as Verilog, against hls::Oscillator.
+// Bench of hls/top/sine_cosine.cpp as Verilog, against hls::Oscillator.
 #include "hls/spherical_kernel.hpp"
 #include "hls/top/top_configuration.hpp"
 #include "tb/hls/pipeline_bench.hpp"
@@ -7,7 +7,7 @@
 namespace curvecore::tb {
 namespace {
 
-/// Any angle of a step below 1, of any size; any state on the circle.
+/// A call with any angle of a step below 1, and any state on the circle.
 struct SineCosineCall {
     using C = TopConfiguration;
     static constexpr int bits = C::kCoefBits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hls/top/spherical.cpp as Verilog, against hls/spherical_kernel.hpp.
+// Bench of hls/top/spherical.cpp as Verilog, against hls/spherical_kernel.hpp.
 #include "hls/spherical_kernel.hpp"
 #include "tb/hls/segment_call.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// hls/top/spline.cpp as Verilog, against hls/spline_kernel.hpp.
+// Bench of hls/top/spline.cpp as Verilog, against hls/spline_kernel.hpp.
 #include "hls/spline_kernel.hpp"
 #include "tb/hls/segment_call.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// moves_of PROGRAM FILE: what our own reader makes of a program, as chords: X Y Z A B C U V W and
-// how far the radii at the ends of the arc differ, ten doubles a vertex, in mm and degrees.
+// The program moves_of PROGRAM FILE: writes our own reader's moves as chords: X Y Z A B C U V W and
+// the difference of the radii at the arc's ends, ten doubles a vertex, in mm and degrees.
 #include <cmath>
 #include <cstdio>
 #include <fstream>

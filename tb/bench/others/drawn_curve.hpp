@@ -63,7 +63,7 @@ class DrawnCurve {
         return (point - cubic_.position(u)).norm();
     }
 
-    /// The move that a program would ask for.
+    /// Returns the curve as a program's move.
     ref::Move move(double feed) const {
         ref::Move move;
         move.line = 1;

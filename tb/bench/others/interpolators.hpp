@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves as others draw them, at a constant commanded speed, in exact arithmetic: what is seen is
-// the method, no rounding of any controller.
+// Curves as other interpolators draw them, at a constant commanded speed, in exact arithmetic: the
+// figures show the method, without the rounding of any controller.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Drawing {
 constexpr double kChordBits = 4 * 32;   // X Y Z of its end and a speed
 constexpr double kCubicBits = 13 * 32;  // four coefficients of X Y Z and a time
 
-/// How far the curve strays from its chord.
+/// Distance of the curve from its chord.
 inline double stray(const DrawnCurve& curve, double from, double to) {
     const ref::Vec3 start = curve.position(from);
     const ref::Vec3 chord = (curve.position(to) - start).normalized();
@@ -55,7 +55,7 @@ inline std::vector<double> chords_of_tolerance(const DrawnCurve& curve, double t
     return ends;
 }
 
-/// Of one length, as many as go into the curve (Klipper's arcs).
+/// Returns chords of one length, as many as fit the curve (Klipper's arcs).
 inline std::vector<double> chords_of_length(const DrawnCurve& curve, double length) {
     const int chords = std::max(1, static_cast<int>(curve.length() / length));
     std::vector<double> ends;
@@ -83,7 +83,7 @@ inline Drawing draw_chords(const DrawnCurve& curve, const std::vector<double>& e
     return {walk(corners, ds), kChordBits * static_cast<double>(ends.size() - 1)};
 }
 
-/// The papers' baseline: their network's variables integrated once per `tick` mm of path by
+/// Draws the papers' baseline: their network's variables integrated once per `tick` mm of path by
 /// Runge-Kutta of order 4 (on a circle the Taylor series of order 4), a chord from tick to tick.
 /// The host sends one start. [Chikurov] (19), (30).
 inline Drawing draw_runge_kutta(const DrawnCurve& curve, double tick, double ds, double bits) {
@@ -103,15 +103,15 @@ inline Drawing draw_runge_kutta(const DrawnCurve& curve, double tick, double ds,
             follower.step(tick);
             const auto at = follower.position();
             corners.emplace_back(at[0], at[1], at[2]);
-            // Where it has blown up there is nothing to measure.
+            // A curve that has blown up is not measured.
             if (!(corners.back().norm() < 1e6)) break;
         }
     }
     return {walk(corners, ds), bits};
 }
 
-/// Cubics in time by forward differences, with the curve's positions and velocities at both ends
-/// of each, all of one duration: as many as `bits` pay for.
+/// Draws cubics in time by forward differences, with the curve's positions and velocities at both
+/// ends of each, all of one duration; their number is what `bits` allow.
 inline Drawing draw_forward_differences(const DrawnCurve& curve, double bits, double ds) {
     const int pieces = std::max(1, static_cast<int>(bits / kCubicBits));
     const double length = curve.length() / pieces;

@@ -33,7 +33,7 @@ unsigned delta(std::istream& file, const std::string& path) {
     refuse(path, "has a gate with a number that is too large");
 }
 
-/// Lines `l<latch> <name> ...` among the symbols.
+/// Reads lines `l<latch> <name> ...` among the symbols.
 void read_names(std::istream& file, std::vector<Latch>& latches) {
     for (std::string line; std::getline(file, line) && line != "c";) {
         std::istringstream words(line);

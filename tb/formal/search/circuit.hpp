@@ -9,8 +9,8 @@
 
 namespace curvecore::formal {
 
-/// Twice the variable, and one more for its inverse. Variable 0 is false; then come the inputs, the
-/// latches and the gates, in this order.
+/// A literal: twice the variable, plus one for its inverse. Variable 0 is false; then come the
+/// inputs, the latches and the gates, in this order.
 using Literal = unsigned;
 
 enum class Start { kZero, kOne, kAny };
@@ -18,11 +18,11 @@ enum class Start { kZero, kOne, kAny };
 struct Latch {
     Literal next;
     Start start;
-    std::vector<std::string> names;  ///< of the register's bit: "u_dut.place_q[3]"
+    std::vector<std::string> names;  ///< names of the register's bit: "u_dut.place_q[3]"
 };
 
 struct Gate {
-    Literal left, right;  ///< of variables before the gate's own
+    Literal left, right;  ///< literals of variables before the gate's own
 };
 
 struct Circuit {
@@ -30,17 +30,17 @@ struct Circuit {
     std::vector<Latch> latches;
     std::vector<Gate> gates;
     std::vector<Literal> bad;          ///< assertions that fail, or covers that are reached
-    std::vector<Literal> constraints;  ///< hold in every clock
+    std::vector<Literal> constraints;  ///< must hold in every clock
 
     std::size_t first_latch() const { return 1 + inputs; }
     std::size_t first_gate() const { return first_latch() + latches.size(); }
     std::size_t variables() const { return first_gate() + gates.size(); }
 };
 
-/// Throws std::runtime_error if the file is no such circuit.
+/// Reads a circuit. Throws std::runtime_error if the file is no such circuit.
 Circuit read_circuit(const std::string& path);
 
-/// The same circuit without what neither a bad literal nor a constraint depends on.
+/// Returns the circuit without parts on which neither a bad literal nor a constraint depends.
 Circuit cone_of_influence(const Circuit& circuit);
 
 }  // namespace curvecore::formal

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A circuit in three values, 0, 1 and unknown, in 64 lanes at a time. An unknown value stands for
-// both: what holds for it, holds for either.
+// both: a fact about it holds for either.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace curvecore::formal {
 using Lanes = std::uint64_t;
 constexpr unsigned kLanes = 64;
 
-/// A bit as two rails: that it may be 1, that it may be 0.
+/// A bit as two rails: it may be 1, it may be 0.
 using State = std::vector<std::uint64_t>;  // 32 latches a word, low bits first
 
 class Simulation {
@@ -27,14 +27,15 @@ class Simulation {
 
     std::size_t words() const { return (circuit_.latches.size() + 31) / 32; }
 
-    /// All lanes in one state.
+    /// Puts all lanes into one state.
     void load(const std::uint64_t* state) {
         const std::size_t first = 2 * circuit_.first_latch();
         for (std::size_t rail = 0; rail < 2 * circuit_.latches.size(); ++rail) {
             may_[first + rail] = Lanes{0} - ((state[rail / 64] >> (rail % 64)) & 1u);
         }
     }
-    /// Every lane's inputs are the bits of its number; those of `block` above it.
+    /// Sets every lane's inputs to the bits of its number, and the higher inputs to those of
+    /// `block`.
     void set_inputs(std::uint64_t block) {
         constexpr Lanes kBitOfNumber[6] = {0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc,
                                            0xf0f0f0f0f0f0f0f0, 0xff00ff00ff00ff00,
@@ -61,7 +62,7 @@ class Simulation {
     std::vector<Lanes> may_;  // by literal
 };
 
-/// 64 words of 64 bits: bit c of word r becomes bit r of word c.
+/// Transposes 64 words of 64 bits: bit c of word r becomes bit r of word c.
 inline void transpose(std::array<std::uint64_t, 64>& block) {
     std::uint64_t low = 0x00000000ffffffff;
     for (unsigned half = 32; half != 0; half /= 2) {

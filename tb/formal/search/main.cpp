@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// state_search prove|cover|control CIRCUIT [--forget RULE]...: the circuit's reachable states, all
-// of them for a proof.
-//   prove     no bad literal may be 1 in any state; if one may, the way there
+// The program state_search prove|cover|control CIRCUIT [--forget RULE]...: visits the circuit's
+// reachable states, all of them for a proof.
+//   prove     no bad literal may be 1 in any state; otherwise prints a path to one
 //   cover     every bad literal is reached
 //   control   some bad literal is reached: the proof of a defect fails
 #include <fmt/format.h>

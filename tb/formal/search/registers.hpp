@@ -12,8 +12,8 @@
 
 namespace curvecore::formal {
 
-/// Latches that no longer count while the guard is 0: they become unknown. Unknown covers what they
-/// are, so a wrong rule can only let a proof fail.
+/// A rule to forget latches: they become unknown while the guard is 0. Unknown covers their values,
+/// so a wrong rule can only let a proof fail.
 struct Forget {
     std::vector<std::size_t> latches;
     std::size_t guard;
@@ -23,18 +23,18 @@ class Registers {
   public:
     explicit Registers(const Circuit& circuit);
 
-    /// "REGISTER ... unless GUARD", a register as a whole or one bit of it ("u_dut.land_q[2]").
-    /// Some may be gone from the circuit: what does not matter there needs no rule.
+    /// Parses "REGISTER ... unless GUARD", a register as a whole or one bit of it
+    /// ("u_dut.land_q[2]"). A register missing in the circuit needs no rule and is ignored.
     Forget rule(const std::string& text) const;
 
-    /// A line "name value ..." of the registers that differ from the state before (all if null),
-    /// 'x' for what is unknown.
+    /// Returns a line "name value ..." of the registers that differ from the state before (all if
+    /// null), 'x' for unknown bits.
     std::string changes(const std::uint64_t* before, const std::uint64_t* state) const;
 
   private:
     std::vector<std::size_t> find(const std::string& name) const;
 
-    std::map<std::string, std::map<unsigned, std::size_t>> bits_;  // of a register: its latches
+    std::map<std::string, std::map<unsigned, std::size_t>> bits_;  // latches of each register
 };
 
 }  // namespace curvecore::formal

@@ -9,7 +9,7 @@ namespace curvecore::formal {
 
 namespace {
 
-constexpr std::size_t kMostStates = 30'000'000;  // of 50 bytes or so
+constexpr std::size_t kMostStates = 30'000'000;  // of some 50 bytes
 constexpr std::size_t kMostInputs = 16;
 
 }  // namespace

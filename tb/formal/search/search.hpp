@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every state that a circuit can reach, one after the other, until no new one comes: a proof over
-// any number of clocks.
+// Search through every state that a circuit can reach, until no new one comes: a proof over any
+// number of clocks.
 #pragma once
 
 #include <array>
@@ -15,23 +15,23 @@
 
 namespace curvecore::formal {
 
-/// What may be, or what must be. A proof asks whether a bad literal may be 1, and takes every clock
-/// in which the constraints may hold; latches of any start are unknown at first. A search for one
-/// way asks whether it must be 1 where the constraints must hold; latches of any start are 0.
+/// May or must. A proof asks whether a bad literal may be 1, in every clock in which the
+/// constraints may hold; latches without a start value are unknown at first. A search for a path
+/// asks whether it must be 1 where the constraints must hold; latches without a start value are 0.
 enum class Question { kMay, kMust };
 
 class Search {
   public:
     Search(const Circuit& circuit, std::vector<Forget> rules, Question question);
 
-    /// Until all states are known, or `enough` bad literals have been reached.  Throws
-    /// std::runtime_error when there are too many states.
+    /// Searches until all states are known, or `enough` bad literals were reached. Throws
+    /// std::runtime_error if there are too many states.
     void run(std::size_t enough);
 
     const StateSet& states() const { return states_; }
     std::size_t clocks() const { return clocks_; }  ///< to the state farthest from the start
     std::size_t reached() const { return reached_; }
-    /// The state in which a bad literal has first been 1.
+    /// Returns the state in which each bad literal was first 1.
     const std::vector<std::optional<std::uint32_t>>& where() const { return where_; }
 
   private:
@@ -48,7 +48,7 @@ class Search {
     std::size_t clocks_ = 0;
     std::size_t reached_ = 0;
     std::vector<std::optional<std::uint32_t>> where_;  // by bad literal
-    std::vector<Lanes> rails_;                         // of the next states
+    std::vector<Lanes> rails_;                         // rails of the next states
     std::vector<std::array<std::uint64_t, kLanes>> next_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// States in the order in which they were found, each once, with the state from which it was.
+// A set of states in the order in which they were found, each with its predecessor.
 #pragma once
 
 #include <algorithm>
@@ -52,7 +52,7 @@ class StateSet {
     std::size_t words_;
     std::vector<std::uint64_t> states_;
     std::vector<std::uint32_t> parents_;
-    std::vector<std::uint32_t> table_;  // open addressing, half full at most
+    std::vector<std::uint32_t> table_;  // open addressing, at most half full
 };
 
 }  // namespace curvecore::formal

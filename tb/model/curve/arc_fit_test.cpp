@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubics as tangent arcs and as chords: held against the cubic by points of its own.
+// Cubics as tangent arcs and as chords, compared with points of the cubic.
 #include "ref/curve/fit/arc_fit.hpp"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TEST_P(ArcFits, KeepTheToleranceWithOneTangentAtEveryJoint) {
         EXPECT_LE((at - cubic.position(1)).norm(), 1e-13);
         EXPECT_LE(seen, fit.deviation + 1e-9);
         nearest = std::min(nearest, fit.deviation / tolerance);
-        // The bound is not idle: biarcs half as far off would be more.
+        // The bound is not idle: biarcs at half the distance would need more pieces.
         EXPECT_GE(fit.deviation, 0.3 * tolerance);
         EXPECT_GE(seen, 0.3 * fit.deviation) << i;
     }

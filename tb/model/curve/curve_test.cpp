@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed-form curves against high precision, their invariants, and what they refuse.
+// Closed-form curves against high precision, their invariants, and their refusals.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -121,8 +121,8 @@ TEST(Nurbs, SpansOfAnyKnotsAreTheCurveOfTheDefinition) {
     EXPECT_GT(repeated, 30);
 }
 
-/// Of the curve of the definition, found by search over all of it and then by halving: knows
-/// neither spans nor fits.
+/// Distance from the curve by its definition, found by search over all of it and then by halving,
+/// without spans or fits.
 double distance_from(const Nurbs& nurbs, const std::vector<std::pair<double, Vec3>>& samples,
                      const Vec3& point) {
     std::size_t nearest = 0;
@@ -145,7 +145,7 @@ double distance_from(const Nurbs& nurbs, const std::vector<std::pair<double, Vec
     return far((low + high) / 2);
 }
 
-/// Control points, weights and knots of the file's words, read here.
+/// Control points, weights and knots of the file's words, read here independently.
 Nurbs nurbs_of(const std::string& file) {
     Nurbs nurbs;
     nurbs.order = 4;
@@ -189,7 +189,7 @@ TEST(Nurbs, TheButterflyIsDrawnWithinItsTolerance) {
     }
     EXPECT_LE(worst, kFitTolerance);
     EXPECT_GT(worst, kFitTolerance / 1000);
-    double polygon = 0;  // the other way round: nothing of the curve is left out
+    double polygon = 0;  // the reverse distance: no part of the curve is left out
     for (std::size_t i = 1; i < samples.size(); ++i) {
         polygon += (samples[i].second - samples[i - 1].second).norm();
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// [Obukhov]'s search along the arc, as he wrote it and mended.
+// [Obukhov]'s search along the arc, as published and corrected.
 #include <gtest/gtest.h>
 
 #include "ref/curve/arc_length.hpp"
@@ -99,7 +99,7 @@ TEST(WordSearch, CostsAHundredProductsASample) {
     const ref::WordRun run = ref::word_run(spline("corner"), 34, 1e-6, 0.25);
     EXPECT_GT(run.products, 80);
     EXPECT_LT(run.products, 140);
-    // More bits, less error, until one panel of Simpson's rule is what is wrong.
+    // More bits reduce the error, until one panel of Simpson's rule dominates.
     const auto error = [](int fraction) {
         return ref::word_run(spline("gentle 2D"), fraction, 1e-7, 2.5e-3).error;
     };

@@ -29,7 +29,7 @@ Spread spread(std::vector<double> values) {
     return {values.front(), values[values.size() / 2], values.back()};
 }
 
-// Half of them without a preference, half slow somewhere or sharp.
+// Half of them any, half slow somewhere or sharp.
 Cubic some_cubic(RandomCubics& random, int n) {
     switch (n % 4) {
         case 0:

@@ -50,7 +50,8 @@ std::uint64_t length(const Plan& plan) {
     return plan.segments.back().s_start + plan.segments.back().length;
 }
 
-/// Time with all piece boundaries where the path is at `s` and the speed zero; ticks of rest there.
+/// A stop: a boundary of pieces where the speed is zero, at the path length `s`; ticks of rest
+/// there.
 struct Stop {
     bool found = false;
     double rest_s = 0;
@@ -128,8 +129,7 @@ TEST(FeedProfile, KernelWalksThePathWithoutGoingBack) {
     EXPECT_NEAR(static_cast<double>(ticks) * plan.tick_s, plan.duration_s, 1.5 * plan.tick_s);
 }
 
-// Control: what the tests above call continuous and exact is neither after a change of one part in
-// a million, or of a quantum.
+// Control: the checks above fail after a change of one part in a million, or of a quantum.
 TEST(FeedProfile, ContinuityAndSumSeeSmallFaults) {
     Plan plan = make_plan(line(10, 100), Machine(), PlanOptions());
     EXPECT_LT(worst_jump(plan), 8);
@@ -299,7 +299,7 @@ TEST(FeedProfile, LatencyOfTheNetworkBoundsTheSpeed) {
     EXPECT_GE(plan.duration_s, 900 / speed - 1);  // the first step is there
 }
 
-/// Processor time of planning so many moves, seconds.
+/// Processor time of planning `moves` moves, seconds.
 double planning_time(int moves) {
     const Program program = random_program(99, moves, 0.05);
     const std::clock_t begin = std::clock();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plans of the effort `optimum`: faster than the rules, and within the same limits over windows of
-// what is drawn, in holds as well.
+// the drawn motion, in holds as well.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -36,12 +36,12 @@ PlanOptions options_of(Effort effort) {
 struct Curve {
     const char* name;
     ChoppedCurve chopped;
-    double gain;  // of the time, at least
+    double gain;  // least gain of the time
 };
 const Curve kCurves[] = {
     {"turn", chopped_turn, 1.08}, {"wave", chopped_wave, 1.7}, {"circle", chopped_circle, 1.2}};
 
-/// With a hold of so many ticks from tick `at` on.
+/// Limits of a plan with a hold of `ticks` ticks from tick `at` on.
 sysc::LimitLoads held_limits(const Plan& plan, const Machine& machine, int at, int ticks) {
     hls::TimeScaler scaler(plan.hold_acceleration,
                            std::int64_t{plan.hold_acceleration} * plan.hold_slope_steps);
@@ -72,7 +72,7 @@ Machine machine_of(double velocity, double acceleration, double jerk, const ref:
     return machine;
 }
 
-/// Newton steps times knots, and seconds of motion.
+/// Cost of a plan: Newton steps times knots, and seconds of motion.
 struct Cost {
     double work, seconds;
 };
@@ -84,8 +84,8 @@ Cost cost(Program program, const Machine& machine) {
     return {static_cast<double>(ref::newton_work() - before), plan.duration_s};
 }
 
-/// A window ends at the speed of the rules. Braking to it may take longer than to full
-/// acceleration, as with these limits; all of it is solved again.
+/// A window ends at the speed of the rules. With these limits braking to it takes longer than
+/// braking to full acceleration; the whole window is then solved again.
 TEST(OptimalPlan, BrakesForNoWindow) {
     Machine machine = machine_of(94, 258, 4035, {65, 130, 8222});
     const double tight = cost(dull_corners(), machine).seconds;
@@ -93,7 +93,7 @@ TEST(OptimalPlan, BrakesForNoWindow) {
     EXPECT_LT(cost(dull_corners(), machine).seconds, tight);
 }
 
-/// Newton's method had 30 steps for a stage of the barrier, and stopped on the way.
+/// The old limit of 30 Newton steps for a stage of the barrier ended it too early.
 TEST(OptimalPlan, TakesTheStepsThatItNeeds) {
     Machine machine = machine_of(66, 3849, 600276, {70, 5778, 61457});
     machine.axis[1] = {23, 2669, 341282};
@@ -102,8 +102,8 @@ TEST(OptimalPlan, TakesTheStepsThatItNeeds) {
     EXPECT_LT(cost(dull_corners(), machine).seconds, 1.01 * tight);
 }
 
-/// Where the path bends evenly the jerk changes with the acceleration. Looked at in the middle of
-/// intervals alone it was too much at their ends, and easing it did not help.
+/// The jerk changes with the acceleration where the path bends evenly. Checked in the middle of
+/// intervals alone it was too large at their ends, and easing did not help.
 TEST(OptimalPlan, CostsNoMoreWhereThePathBends) {
     const Program program = with_tolerance(chopped_wave(0.1, 200), 0.01);
     const Cost built_in = cost(program, Machine());
@@ -141,7 +141,7 @@ Program rounded_corners(int corners, double size) {
     return builder.program();
 }
 
-/// mm/s at a place of the path, mm.
+/// Speed at a place of the path, mm/s; the place in mm.
 double speed_at(const Plan& plan, double mm) {
     double left = mm / plan.unit_mm * 65536;
     for (const ref::ProfilePiece& piece : plan.pieces) {
@@ -171,7 +171,7 @@ TEST(OptimalPlan, DipsWithinARoundedCorner) {
     }
 }
 
-/// Words of hundreds of corners are mended, one here, one there: none leaves all to the rules.
+/// Words of hundreds of corners are corrected one by one: none falls back to the rules as a whole.
 TEST(OptimalPlan, IsFasterThroughHundredsOfCorners) {
     const Machine machine;
     ProgramBuilder builder;
@@ -198,7 +198,7 @@ TEST(OptimalPlan, HoldsKeepTheLimits) {
             EXPECT_LE(loads.worst[sysc::kAcceleration].ratio, 1) << curve.name << " at " << at;
             EXPECT_LE(loads.worst[sysc::kJerk].ratio, 1) << curve.name << ": " << text(loads);
         }
-        // Control: time that stops many times as fast.
+        // Control: time that stops several times too fast.
         Plan rash = plan;
         rash.hold_acceleration *= 30;
         double worst = 0;
@@ -265,8 +265,8 @@ TEST(OptimalPlan, RandomJointsKeepTheLimits) {
     EXPECT_GT(jerk, 0.6) << "the limits are idle";
 }
 
-/// On the true path, as the words have it. Some of these were beyond the limit before pieces that
-/// ticks round too coarsely were mended.
+/// Shares of the pieces on the true path, as the words have it. Some exceeded the limit before
+/// pieces that ticks round too coarsely were corrected.
 TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
     for (const unsigned seed : {7U, 8U}) {
         const Machine machine = unequal_machine(seed);
@@ -277,7 +277,7 @@ TEST(OptimalPlan, PiecesKeepTheirSharesExactly) {
         const Plan plan = make_plan(program, machine, options);
         const ref::LimitReport report = limit_report(program, machine, plan);
         EXPECT_LE(report.inside.velocity, 1) << seed;
-        // Rounding to ticks adds up to 9 %, at a few places, where it cannot be mended, 20 %.
+        // Rounding to ticks adds up to 9 %, at a few uncorrectable places 20 %.
         EXPECT_LE(report.inside.acceleration, 1.2 * ref::kAccelerationShare) << seed;
         EXPECT_LE(report.inside.jerk, 1.2 * ref::kJerkShare) << seed;
         EXPECT_GE(report.inside.jerk, 0.9 * ref::kJerkShare) << seed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program planned in parts: the same path, within the limits, hardly slower, whatever is cut off.
+// A program planned in parts: the same path, within the limits, hardly slower, wherever it is cut.
 #include "ref/feed/plan_stream.hpp"
 
 #include <fmt/format.h>
@@ -34,18 +34,18 @@ PlanOptions options(Effort effort) {
     return options;
 }
 
-/// mm/s at the ends of a piece.
+/// Speed at the ends of a piece, mm/s.
 double speed(const Plan& plan, const ref::ProfilePiece& piece, double ticks) {
     return ref::piece_state(piece, ticks).v * plan.unit_mm / 65536 / plan.tick_s;
 }
 
-/// All parts as one plan.
+/// All parts joined as one plan.
 struct Joined {
     Plan plan;
     std::size_t parts = 0;
     std::size_t forced_stops = 0;
     double jump = 0;                  // of speed between parts, mm/s
-    std::vector<std::uint64_t> ends;  // of parts, ticks
+    std::vector<std::uint64_t> ends;  // ends of the parts, ticks
     std::string error;
 
     Joined() = default;
@@ -91,7 +91,7 @@ Joined joined(const Program& program, const PlanOptions& options, std::size_t wi
     return {program, options, window, source_of(program)};
 }
 
-/// Flags, ticks and path lengths fit together.
+/// Checks that flags, ticks and path lengths are consistent.
 void expect_whole(const Plan& plan) {
     std::uint64_t path = 0;
     std::uint64_t ticks = 0;
@@ -112,7 +112,7 @@ void expect_whole(const Plan& plan) {
     EXPECT_LT(speed(plan, plan.pieces.back(), plan.pieces.back().ticks), 1e-3);
 }
 
-/// The path of a plan: two that are cut differently differ by a quantum.
+/// Compares the paths of two plans: with different cuts they differ by a quantum.
 void expect_same_path(const Plan& one, const Plan& other) {
     ASSERT_EQ(one.segments.size(), other.segments.size());
     for (std::size_t i = 0; i < one.segments.size(); ++i) {
@@ -132,8 +132,8 @@ Program smooth_lines(unsigned seed) {
     return program;
 }
 
-/// Any programs, in windows of a few tenths of a second: cuts everywhere, and windows that cannot
-/// go on.
+/// Random programs in windows of a few tenths of a second: cuts everywhere, and windows that cannot
+/// continue.
 TEST(PlanStream, KeepsLimitsWhereverItIsCut) {
     std::size_t parts = 0;
     std::size_t forced = 0;
@@ -204,7 +204,7 @@ TEST(PlanStream, HasFewerLongMovesInAWindow) {
     EXPECT_LE(drawn_limits(all.plan, Machine{}).most(), 1);
 }
 
-/// However long its moves take, and however many stretches they have.
+/// Moves may take long and have many stretches.
 TEST(PlanStream, HasAsMuchInAWindowAsThereIsMemoryFor) {
     ProgramBuilder slow;
     for (int i = 1; i <= 600; ++i) slow.line({i * 0.2, i % 2 * 0.01, 0}, 0.02);  // 10 s each
@@ -221,7 +221,7 @@ TEST(PlanStream, HasAsMuchInAWindowAsThereIsMemoryFor) {
     }
 }
 
-/// In the middle of motion; what was given out stays.
+/// The feed rises in the middle of motion; parts already given stay.
 TEST(PlanStream, RaisesTheFeedOfWhatFollows) {
     for (const unsigned seed : {1U, 2U, 4U}) {
         for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
@@ -314,8 +314,8 @@ TEST(PlanStream, OfNothingIsRefused) {
     EXPECT_EQ(joined(odd, options(Effort::kRules), 10).parts, 0U);
 }
 
-/// What is planned without knowing what comes is no faster than what any plan may ask.
-/// Holds before cuts, by branches and by the bounds of the whole program.
+/// Parts planned without knowledge of the next are no faster than any plan may continue. Holds
+/// before cuts, by branches and by the bounds of the whole program.
 TEST(PlanStream, HoldsKeepTheLimitsAcrossCuts) {
     std::size_t branches = 0;
     for (unsigned seed = 1; seed < 5; ++seed) {

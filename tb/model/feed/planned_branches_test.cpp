@@ -33,7 +33,7 @@ struct Held {
     double time;  // s to rest
     sysc::LimitLoads loads;
 };
-/// From a tick of the plan to rest; and, if it `resumes`, to the program's end.
+/// Holds from a tick of the plan to rest; if it `resumes`, continues to the program's end.
 Held hold(const Plan& plan, const Machine& machine, std::uint64_t tick, bool resumes) {
     HoldRun run(plan, machine);
     for (std::uint64_t k = 0; k < tick; ++k) run.tick(kOne);
@@ -60,7 +60,7 @@ std::vector<Curve> curves() {
     return all;
 }
 
-// From the second tick on: the rate 1 is one that stays.
+// First tick from which on the rate 1 counts as constant.
 constexpr std::uint64_t kFirst = 2;
 
 TEST(PlannedBranches, StopWithinTheLimitsFromAnywhere) {
@@ -87,7 +87,7 @@ TEST(PlannedBranches, StopAsQuicklyInAProgramsFirstTicks) {
     }
 }
 
-// The branches that passed while time was slower tell of the next one.
+// Branches that passed while time was slower announce the next one.
 TEST(PlannedBranches, StopAsQuicklyAfterAResume) {
     int looked_at = 0;
     for (const Curve& curve : curves()) {
@@ -133,7 +133,7 @@ TEST(PlannedBranches, StopNearlyAsSoonAsCanBe) {
                 break;
             }
         }
-        EXPECT_LE(behind, 0.13) << even.name;  // most where it speeds up
+        EXPECT_LE(behind, 0.13) << even.name;  // most where it accelerates
     }
 }
 
@@ -153,7 +153,7 @@ TEST(PlannedBranches, OfRandomProgramsStopWithinTheLimits) {
     EXPECT_GT(looked_at, 80);
 }
 
-/// Fewest ticks that 3/4 of a queue hold, from any piece that is so far from the end.
+/// Fewest ticks that 3/4 of a queue hold, from any piece at that distance from the end.
 std::uint64_t least_cover(const Plan& plan, std::size_t queue) {
     std::vector<std::size_t> words{0};
     std::vector<std::uint64_t> ticks{0};
@@ -223,7 +223,7 @@ TEST(PlannedBranches, FitTheirWordsAndTheCore) {
     }
 }
 
-// What a hold costs in ticks of the profile is what the core must have queued.
+// The ticks of the profile that a hold takes are those that the core must have queued.
 TEST(PlannedBranches, PassNoMoreOfTheProfileThanTheGuardKeeps) {
     for (const Curve& curve : curves()) {
         const Plan plan = make_plan(curve.program, curve.machine, {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of the profile beside the motion that they stand for.
+// Pieces of the profile compared with the motion that they represent.
 #include "ref/feed/pieces/profile_words.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ PieceGrid grid() {
     return PieceGrid(machine, kUnitMm, kTick);
 }
 
-/// The least way from a tick to the next, of the mean of its piece; negative: backwards.
+/// Least way of a tick, by the mean of its piece; negative: backwards.
 double slowest(const std::vector<Phase>& phases, const PieceGrid& grid) {
     const Phase& last = phases.back();
     const auto length = static_cast<std::uint64_t>(last.place(last.duration) / grid.quantum);
@@ -38,9 +38,9 @@ double slowest(const std::vector<Phase>& phases, const PieceGrid& grid) {
     return least;
 }
 
-/// Phases end between two ticks, so the last tick of a slow one has a part of the next, in which
-/// the speed may be a hundred times as high: a cubic over all of the slow one went backwards, and
-/// then through the last of its path eight times too fast.
+/// Phases end between two ticks, so the last tick of a slow phase contains a part of the next, in
+/// which the speed may be a hundred times as high: a cubic over all of the slow phase went
+/// backwards, and then through the last of its path eight times too fast.
 TEST(ProfileWords, NoPieceGoesBackBesideALongSlowPhase) {
     const PieceGrid grid = ref::grid();
     std::mt19937 random(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// ref/feed/stops/queue_cover.hpp: what waits in the queues outlasts a stop, whatever the program;
-// and a stop takes no more ticks than is planned for.
+// Cover of the queues (ref/feed/stops/queue_cover.hpp): their contents outlast a stop in any
+// program, and a stop takes no more ticks than planned.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@
 namespace curvecore::tb {
 namespace {
 
-// From any state that targets can bring about: ticks of the profile from a hold to standstill.
+// Ticks of the profile from a hold to standstill, from any state that targets can cause.
 TEST(StopTicks, AreEnoughFromAnyState) {
     std::mt19937_64 random(1);
     double fullest = 0;
@@ -47,7 +47,7 @@ TEST(StopTicks, AreEnoughFromAnyState) {
     EXPECT_GT(fullest, 0.5) << "the figure is idle";
 }
 
-/// Least ticks that a full queue of `count` frames holds behind any frame, less those of a stop.
+/// Fewest ticks that a full queue of `count` frames holds behind any frame, less those of a stop.
 template <class Frames>
 std::int64_t least_cover(const Frames& frames, std::size_t count, std::uint32_t stop) {
     std::int64_t least = INT64_MAX;
@@ -61,7 +61,7 @@ std::int64_t least_cover(const Frames& frames, std::size_t count, std::uint32_t 
     return least;
 }
 
-/// What plans are made for unless told is what a core has unless told.
+/// The default queues of plans are those of a core.
 TEST(QueueCover, DefaultsAreThoseOfTheCore) {
     std::ifstream file(RTL_DIR "/motion_interpolator.sv");
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -76,7 +76,7 @@ TEST(QueueCover, DefaultsAreThoseOfTheCore) {
     EXPECT_EQ(options.profile_queue_words, ref::kProfileQueueWords);
 }
 
-/// Also of a host that is late, whatever a tick is; of a core with axes that the program has not.
+/// The same with a late host, any tick length, and a core with more axes than the program.
 TEST(QueueCover, OfFineChordsOutlastsAStop) {
     for (const double period : {100e-6, 10e-6}) {
         for (const double chord : {0.2, 0.02, 0.002}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plans for queues of any length: the shorter they are the longer a program takes, in proportion,
-// and no plan needs more windows or pieces than its program does.
+// Plans for queues of any length: a program's time grows in proportion as they get shorter, and no
+// plan needs more windows or pieces than its program does.
 //
 // A motion that a stop of N ticks bounds has a queue's words pass in N: half of them, twice the
 // time. Frames are whole: of 128 and 64 words three quarters are 5 and 2 segments, 2.5 times.
@@ -16,9 +16,9 @@
 namespace curvecore::tb {
 namespace {
 
-constexpr double kSame = 1.01;   // longer queues take no more of the time
-constexpr double kHalf = 4;      // times as long, at most, with queues half as long: see above
-constexpr double kPieces = 2.5;  // times as many as with the longest queues
+constexpr double kSame = 1.01;   // greatest ratio of the time with longer queues
+constexpr double kHalf = 4;      // greatest ratio of the time with queues half as long: see above
+constexpr double kPieces = 2.5;  // greatest ratio of the pieces to those with the longest queues
 
 struct Planned {
     double duration_s = 0;
@@ -48,7 +48,7 @@ Planned planned(const ref::Program& program, std::size_t window, int words) {
 
 /// | field  | remark                                                |
 /// |--------|-------------------------------------------------------|
-/// | window | moves; fewer than the program has: it has more of them |
+/// | window | moves; fewer than the program has: it has several     |
 class ShortQueues : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};
 
 TEST_P(ShortQueues, TakeLongerInProportion) {

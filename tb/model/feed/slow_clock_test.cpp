@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A core with a slow clock: what it cannot have as fast as feed and machine would is not slower
-// than its clocks ask, and is named.
+// A core with a slow clock: motion that its clocks slow is not slower than they require, and is
+// reported.
 //
 // The core makes one change (a step, a segment) in the time in which samples are ahead of it where
 // another makes two. Its steps are as long, and the last one of a segment has half of one or what
@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kFeed = 100;     // mm/s
 constexpr double kFactor = 4;     // derived above
-constexpr double kAsFast = 1.15;  // what is slower must be said
+constexpr double kAsFast = 1.15;  // a greater ratio must be reported
 
 int cubics() {
     const char* const asked = std::getenv("CURVECORE_CUBICS");
@@ -49,7 +49,7 @@ ref::PlanOptions options(double clock_hz, sysc::Build build = sysc::Build::kSeri
     return options;
 }
 
-/// A line and a curve: a cubic, or one time of four an arc.
+/// A line and a curve: a cubic, or one time in four an arc.
 ref::Program curve(unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
@@ -86,7 +86,7 @@ ref::Program crawler() {
 struct Compared {
     double ratio;   // of the times
     double warned;  // share of the time that a warning names
-    bool optimum;   // was found: else it is one of the rules' times
+    bool optimum;   // true: times of the optimum; false: of the rules
 };
 
 Compared compared(const ref::Program& program, const ref::Machine& machine, double clock_hz) {
@@ -129,7 +129,8 @@ TEST(SlowClock, NoCurveIsSlowerThanTheClocksAskWithoutAWarning) {
         cubics(), worst, slower, without_optimum);
 }
 
-/// The least sample period that a core keeps along a plan, of the planned one: its steps in turn.
+/// Least sample period that a core keeps along a plan, relative to the planned one: its steps in
+/// turn.
 double share_used(const ref::Plan& plan, const sysc::CoreParameters& core, double clocks) {
     sysc::PathSource source(plan, 0, 1 << 16);
     sysc::PredictedPace pace(plan, core);
@@ -142,8 +143,8 @@ double share_used(const ref::Plan& plan, const sysc::CoreParameters& core, doubl
     return pace.period() / clocks;
 }
 
-/// A core that makes a step beside the samples of the one before. Its last steps, too, have half of
-/// one or what the feed needs. Every sample is there in time.
+/// A core that makes a step beside the samples of the one before. Its last steps, too, have at
+/// least half a step or what the feed needs. Every sample comes in time.
 TEST(SlowClock, CoresThatStepAheadKeepTimeAndDoNotCrawl) {
     ref::Machine machine;
     machine.acceleration = 3000;
@@ -203,7 +204,7 @@ TEST(SlowClock, LastStepsAreCutToHalfAStepOrMore) {
     }
 }
 
-/// Of all segments of many curves, lines that are longer than a step among them.
+/// Segments of many curves, with lines longer than a step among them.
 TEST(SlowClock, SegmentsEndWithStepsThatTheFeedBears) {
     const ref::PlanOptions slow = options(2.56e6);
     int several = 0;

@@ -42,7 +42,7 @@ std::vector<Zone> random_zones(unsigned seed) {
     return zones;
 }
 
-/// Worst ratio of a motion to the limits of the zones that it is in; both of two at their border.
+/// Worst ratio of a motion to the limits of its zone; to both zones' at a border.
 double worst_ratio(const std::vector<Phase>& phases, const std::vector<Zone>& zones) {
     double worst = 0;
     for (const Phase& phase : phases) {

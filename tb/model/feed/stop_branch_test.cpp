@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stop branches: within the limits from anywhere, to rest exactly, about as quick as can be, with
+// Stop branches: within the limits from anywhere, to rest exactly, in nearly the least time, with
 // plans that use nearly all of the limits.
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ std::vector<Curve> curves() {
     return all;
 }
 
-/// Every so many ticks of a plan, within the limits as they are measured from drawn positions.
+/// Checks, every `every` ticks of a plan, the limits as measured from drawn positions.
 void expect_within(const Stops& stops, std::uint64_t every, const std::string& name) {
     for (std::uint64_t tick = 0; tick < stops.ticks(); tick += every) {
         const StopSteps steps = stop_steps(stops.course, tick);
@@ -127,7 +127,7 @@ TEST(StopBranch, KeepsTheLimitsOverWindows) {
     }
 }
 
-/// Largest between pieces, mm/s^2.
+/// Largest jump of the acceleration between pieces, mm/s^2.
 double acceleration_jump(const Plan& plan) {
     double most = 0;
     double a = 0;
@@ -138,8 +138,8 @@ double acceleration_jump(const Plan& plan) {
     return most * plan.unit_mm / 65536 / (plan.tick_s * plan.tick_s);
 }
 
-// Differences know nothing of plan and law, and leave no room. Between pieces the plan's own
-// acceleration jumps a little.
+// Differences are independent of plan and law, and allow no margin. The plan's own acceleration
+// jumps slightly between pieces.
 TEST(StopBranch, KeepsTheLimitsByDifferences) {
     for (const Curve& curve : smooth_curves()) {
         const Stops stops(curve.program);
@@ -164,7 +164,7 @@ TEST(StopBranch, KeepsTheLimitsByDifferences) {
     }
 }
 
-// A tick of the rate may begin within a tick of the profile: after a hold it mostly does.
+// A tick of the rate may begin within a tick of the profile: after a hold it usually does.
 TEST(StopBranch, MayBeginAPartOfATickLate) {
     const Stops stops(fast_arc(10, 6 * M_PI, 12));
     for (std::uint64_t tick = 100; tick < stops.ticks(); tick += stops.ticks() / 9) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stop branches as words: what may enter, which of them counts, what a stop does with it.
+// Stop branches as words: which may enter, which of them counts, how a stop uses it.
 #include <gtest/gtest.h>
 
 #include "hls/stop_schedule.hpp"
@@ -81,13 +81,13 @@ class Stops {
         }
         return rate;
     }
-    /// Some ticks, in the last of which a program begins that has no branches.
+    /// Runs some ticks; in the last a program begins that has no branches.
     void begin_program(int ticks) {
         for (int n = 0; n < ticks; ++n) tick(kOne);
         schedule_.begin_piece(kOne, true);
     }
 
-    /// Ticks until the rate is 0, of at most 100,000; a piece begins every so many ticks.
+    /// Ticks until the rate is 0, at most 100,000; a piece begins every `every` ticks.
     int stop(int every = 1 << 20) {
         int ticks = 0;
         while (tick(0, ticks % every == every - 1) != 0 && ticks < 100000) ++ticks;
@@ -131,7 +131,7 @@ TEST(StopSchedule, AStopInAProgramsFirstTicksWaitsForTheirBranch) {
 }
 
 /// Ticks of a stop after time was slower for a while, in which a branch passed; the next one
-/// follows 100 ticks at the rate 1 after it was told, or not.
+/// follows 100 ticks at the rate 1 after it was announced, or does not.
 int stop_after_slower(bool follows) {
     Stops stops;
     for (int n = 0; n < 10; ++n) stops.tick(kOne);

@@ -21,14 +21,14 @@ constexpr double kVelocity = 500;
 constexpr double kAcceleration = 5000;
 constexpr double kJerk = 1e5;
 
-/// Of a circle of curvature k; 0: a line.
+/// Limit on a circle of curvature k; 0: a line.
 PlaceLimit limit(double k) { return {1, 0, -k * k, k * k, 0, k * k * k * k, kAcceleration, kJerk}; }
 
 struct Path {
     std::vector<PathInterval> path;
     std::vector<KnotMotion> start;
 
-    /// In windows of so many intervals, of which a half is kept.
+    /// Optimum in windows of `window` intervals, of which a half is kept.
     std::vector<KnotMotion> optimum(std::size_t window = 1 << 20) const {
         TimeOptimum optimum(path, start);
         const std::size_t end = path.size() - 1;
@@ -47,7 +47,7 @@ struct Path {
     }
 };
 
-/// Knots even in time of a smooth motion of `seconds`; curvature(place) is that of the path.
+/// Knots, even in time, of a smooth motion of `seconds`; curvature(place) is that of the path.
 template <class Curvature>
 Path path_along(double length, Curvature curvature, int n, double seconds) {
     Path run;
@@ -103,7 +103,7 @@ TEST(TimeOptimum, OfALineIsItsSevenPhases) {
     }
 }
 
-// Found by collocation with an interior-point method of its own, on three grids.
+// The values were found by collocation with a separate interior-point method, on three grids.
 TEST(TimeOptimum, OfACircleFromRestToRest) {
     for (const auto& [radius, best] : {std::pair(25., 0.5820), std::pair(2., 0.2404)}) {
         const Path circle = path_of(2 * M_PI * radius, 1 / radius);
@@ -154,7 +154,7 @@ TEST(TimeOptimum, ComesFromARoughStart) {
     EXPECT_LE(duration(line, line.optimum()), 1.005 * smooth);
 }
 
-/// Only around a place that is too fast.
+/// The motion slows only around a place that is too fast.
 TEST(TimeOptimum, SlowsDownWhereItMust) {
     Path line = path_of(100, 0, 400, 1);
     line.path[199].end_velocity = 20;
@@ -168,7 +168,7 @@ TEST(TimeOptimum, SlowsDownWhereItMust) {
     }
 }
 
-/// Nothing is lost that counts where a window is as long as a stop, much where it is not.
+/// A window as long as a stop loses almost nothing, a shorter one much.
 TEST(TimeOptimum, InWindowsIsNearlyTheWhole) {
     const auto wave = [](double s) { return 0.3 * std::sin(s / 3); };
     const Path path = path_along(300, wave, 1200, 4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs as programs write them, rounded, against the curve that their numbers ask for.
+// Arcs with rounded numbers, as programs write them, against the curve that their numbers define.
 // CURVECORE_MUTATIONS=100000 is the long form (scripts/campaign.sh).
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ constexpr double kSame = 2e-8;  // mm: 0.02 nm, roundings of mm and of path quan
 
 Program read(const std::string& text) { return ref::read_gcode_text(text, "part.ngc"); }
 
-/// The same arc as LinuxCNC's interpreter hands it on.
+/// The same arc as LinuxCNC's interpreter passes it on.
 Move canonical(const WrittenArc& arc) {
     ref::CanonicalMoves moves("part.ngc", 1e-3);
     const auto point = [](const Vec3& at) { return ref::Point{at.x(), at.y(), at.z()}; };
@@ -47,7 +47,7 @@ Move canonical(const WrittenArc& arc) {
     return moves.finish().moves.back();
 }
 
-/// Greatest distance of the segments' exact curve from the one that is asked for.
+/// Greatest distance of the segments' exact curve from the defined one.
 double off(const Move& move, const WrittenArc& arc, double* off_circle) {
     Program program;
     program.moves = {move};
@@ -89,7 +89,7 @@ TEST(AskedArcs, AreDrawnAboutTheirCentreAndEndWhereTheProgramEnds) {
     EXPECT_GT(mended, mutations(2000) / 2);
 }
 
-/// Also those that an inch may be off, and a program in mm not.
+/// Deviations that are allowed in inches, and not in mm, are among these.
 TEST(AskedArcs, AreWrittenAsTheyAreRead) {
     ArcWriter writer(34);
     int divided = 0;
@@ -119,7 +119,8 @@ TEST(AskedArcs, AreWrittenAsTheyAreRead) {
     EXPECT_GT(divided, 0);
 }
 
-/// What was drawn until now: the arc about the nearest point that is equally far from both ends.
+/// Control: the former curve, the arc about the nearest point equally far from both ends, is
+/// reported.
 TEST(AskedArcs, ReportSeesAMovedCentre) {
     const Move asked = read("G21 G90 G61\nG0 X10\nG3 X10.001 Y-0.02 I-10 F600\n").moves.back();
     Move moved = asked;
@@ -156,7 +157,7 @@ TEST(AskedArcs, AreNowhereFasterThanTheirPath) {
     }
 }
 
-/// Chords of 1 to 100 mm of circles of up to 100 km: all but straight.
+/// Chords of 1 to 100 mm on circles of up to 100 km: nearly straight.
 TEST(AskedArcs, MayHaveAFarCentre) {
     std::mt19937 random(38);
     const auto uniform = [&](double low, double high) {
@@ -210,7 +211,7 @@ TEST(AskedArcs, ToleranceIsThatOfTheFilesUnit) {
     EXPECT_FALSE(taken("G21\nG0 X1\nG2 X3.0051 R1 F600\n"));
 }
 
-/// Several in a row, in G64: within P of what is asked for, walked from end to end.
+/// Several arcs in a row, in G64: within P of the defined curve, walked from end to end.
 TEST(AskedArcs, AreSmoothedWithinTheirTolerance) {
     ArcWriter writer(35);
     for (int part = 0; part < 12; ++part) {
@@ -239,14 +240,14 @@ TEST(AskedArcs, AreSmoothedWithinTheirTolerance) {
     }
 }
 
-/// What the rules leave along the path, at every place and in both directions: r' is not at right
-/// angles to r'' where an arc's radii differ.
+/// Room that the rules leave along the path, at every place and in both directions: r' is not at
+/// right angles to r'' where an arc's radii differ.
 TEST(AskedArcs, LeaveRoomAlongThePathForTheirDrift) {
     std::mt19937 random(39);
     const auto uniform = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
-    ref::Machine machine;  // whose axes limit nothing
+    ref::Machine machine;  // no axis limits the motion
     for (ref::AxisLimits& axis : machine.axis) {
         axis.velocity *= 10;
         axis.acceleration *= 10;
@@ -277,7 +278,7 @@ TEST(AskedArcs, LeaveRoomAlongThePathForTheirDrift) {
     }
 }
 
-/// Arcs whose ends' radii differ by as much as they may, down to some um.
+/// Arcs whose radii at the ends differ by as much as allowed, down to some um.
 TEST(AskedArcs, KeepTheMachinesLimits) {
     std::mt19937 random(36);
     const auto uniform = [&](double low, double high) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bad programs and machine files are refused word for word: tb/cli/bad_input_cases.json.
+// Invalid programs and machine files are refused word for word: tb/cli/bad_input_cases.json.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

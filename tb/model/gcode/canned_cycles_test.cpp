@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Canned cycles and threads, move by move: what LinuxCNC 2.9 makes of the same blocks, worked out
-// by hand.
+// Canned cycles and threads, move by move, as LinuxCNC 2.9 executes the same blocks, worked out by
+// hand.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ std::string number(double value) {
     return fmt::format("{:.10g}", std::round(value * 1e6) / 1e6 + 0.0);
 }
 
-/// Of the moves behind the first: "Rx,y,z" of a rapid, "Fx,y,z" at the feed, "Fx,y,z@f" at another;
-/// '.' where it stands still behind it, with the seconds of a dwell.
+/// Text of the moves after the first: "Rx,y,z" for a rapid, "Fx,y,z" at the feed, "Fx,y,z@f" at
+/// another; '.' follows a move that ends at rest, with the seconds of a dwell.
 std::string moves(const std::string& text) {
     const Program program = read(text);
     std::string said;
@@ -144,7 +144,7 @@ TEST(CannedCycles, SayWhatIsWrong) {
     EXPECT_EQ(refusal("G81"), "part.ngc:3: error: G81 without axis words");
 }
 
-/// 120 turns a minute: K mm a turn is 2 K mm/s.
+/// The spindle makes 120 turns a minute: K mm a turn is 2 K mm/s.
 TEST(Threads, LinesAndTapsGoSoFarForEachTurn) {
     EXPECT_EQ(moves("G33 Z-5 K1.5\nX5 K2\nG1 X9"), "F1,2,-5@3 F5,2,-5@4 F9,2,-5");
     EXPECT_EQ(moves("G33.1 Z-5 K1.5\nG0 X0"), "F1,2,-5@3. F1,2,10@3. R0,2,10");
@@ -153,7 +153,7 @@ TEST(Threads, LinesAndTapsGoSoFarForEachTurn) {
               "part.ngc:3: error: G33 wants the spindle to turn: S and M3 or M4 before it");
 }
 
-/// The drive line is at X 20; the peak 2 below it, the full depth 1 below that.
+/// The drive line is at X 20; the peak 2 below it, the full depth 1 below the peak.
 TEST(Threads, G76CutsInPassesOfEqualDepthOrArea) {
     const std::string start = "R20,0,5 ";
     const auto pass = [](double depth) {
@@ -167,7 +167,7 @@ TEST(Threads, G76CutsInPassesOfEqualDepthOrArea) {
     EXPECT_EQ(moves("G7 G0 X40 Y0 Z5\nG76 P1.5 Z-10 I-4 J1 K2"), start + pass(0.5) + " " + pass(1));
 }
 
-/// With I above 0 the thread is on the outside of the drive line. Tapers of E along Z rise by K, at
+/// I above 0 puts the thread on the outside of the drive line. Tapers of E along Z rise by K, at
 /// the pitch of their slope. Q shifts passes along Z.
 TEST(Threads, G76BoresTapersAndCutsAtAnAngle) {
     const std::string slope = "@" + number(3 * std::sqrt(2.0));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dialects: how they are recognised, and what their lines mean as RS274/NGC.
+// Dialects: their recognition, and the meaning of their lines as RS274/NGC.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -60,7 +60,7 @@ TEST(Dialects, AreRecognisedByWhatNoOtherHas) {
     EXPECT_EQ(recognised("O7\n#1=5.\nG1 X#1 Y2\n"), Dialect::kLinuxcnc);
     EXPECT_EQ(recognised("O7\n#1=5.\nG1 Y2. F60\n"), Dialect::kFanuc);
     EXPECT_EQ(recognised("G1 X1 M67 E0 Q5\n"), Dialect::kLinuxcnc);
-    EXPECT_EQ(recognised("G1 X1e3\n"), Dialect::kLinuxcnc);  // a number of another language
+    EXPECT_EQ(recognised("G1 X1e3\n"), Dialect::kLinuxcnc);  // foreign syntax
 }
 
 TEST(Dialects, GrblsLinesAreNoted) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Codes besides plain moves, held to closed forms: preambles, stored positions, offsets with
+// Codes besides plain moves, compared with closed forms: preambles, stored positions, offsets with
 // rotations, tool lengths, feed per turn.
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(GcodeCodes, ProbesLeaveTheirEndInParameters) {
     EXPECT_DOUBLE_EQ(last("G20 G31 Z-1 F10\nG10 L20 P0 Z0\nG38.3 Z-.5\nG1 Y#5063").end.y(), -12.7);
 }
 
-/// Ends of a program's moves behind its first.
+/// Ends of a program's moves after the first.
 std::vector<Vec3> ends(const std::string& text) {
     std::vector<Vec3> points;
     for (const Move& move : read("G21 G90 F600\nG1 X5 Y6 Z-2\n" + text).moves) {
@@ -129,7 +129,7 @@ TEST(GcodeCodes, G10L20GivesThePresentPointItsCoordinates) {
     EXPECT_EQ(last("G20 G10 L20 P1 X1\nG1 X2").end, Vec3(25.4, 0, 0));
 }
 
-/// machine = R (p + shift) + offset + tool, of every way to set one of these.
+/// The relation machine = R (p + shift) + offset + tool, for every way to set one of these.
 TEST(GcodeCodes, OffsetsRotationShiftAndToolAddUpAsDocumented) {
     std::mt19937 random(34);
     std::uniform_int_distribution<int> numbers(-999, 999);

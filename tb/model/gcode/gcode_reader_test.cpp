@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs mean: every code of the reader, against moves worked out by hand.
+// Meaning of programs: every code of the reader, against moves worked out by hand.
 #include "ref/program/gcode_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ Program read(const std::string& text) { return ref::read_gcode_text(text, "part.
 /// The last move of a short program that begins with G21 G90 G17 G94 F600.
 Move last(const std::string& text) { return read("G21 G90 G17 G94 F600\n" + text).moves.back(); }
 
-/// The point of an arc at a fraction of its angle, from centre, normal, angle and advance alone.
+/// Point of an arc at a fraction of its angle, from centre, normal, angle and advance alone.
 Vec3 at(const Move& move, double part) {
     const Vec3 radius = move.start - move.centre;
     return move.centre + Eigen::AngleAxisd(move.angle * part, move.normal) * radius +
@@ -112,7 +112,7 @@ TEST(GcodeReader, InverseTimeGivesEveryBlockItsDuration) {
 struct ArcCase {
     const char* name;
     const char* text;
-    Vec3 middle;  // by way of
+    Vec3 middle;  // a point on the way
     Vec3 centre;
     double turns;
 };
@@ -276,7 +276,7 @@ TEST(GcodeReader, ToolLengthIsZeroWithAWarningAndHarmlessCodesPass) {
     EXPECT_EQ(program.warnings.size(), 2U) << "M48 and M9 are left out";
 }
 
-/// What asks for more than motion is named, with its lines, in one warning at the first of them.
+/// Requests besides motion are reported, with their lines, in one warning at the first of them.
 TEST(GcodeReader, WhatIsLeftOutIsSaidOnce) {
     const auto warnings = [](const std::string& text) { return read(text).warnings; };
     const std::string begin =
@@ -296,7 +296,8 @@ TEST(GcodeReader, WhatIsLeftOutIsSaidOnce) {
     EXPECT_EQ(warnings("G4 P0.1\nM8\nF600 G1 X1").size(), 2U) << "others stay";
 }
 
-/// Moves of different S are one path: said where the path goes on, not where it stops between.
+/// Moves of different S are one path: reported where the path continues, not where it stops
+/// between.
 TEST(GcodeReader, PowerThatChangesOnTheWayIsSaid) {
     const auto said = [](const std::string& text) {
         return read(text).warnings.at(0).find("; moves of different S become one") !=

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Written G-code is read back as the same moves; idle moves as chords keep their tolerance.
+// Written G-code reads back as the same moves; idle moves as chords keep their tolerance.
 #include "ref/program/gcode_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ IdleMove swing(JoinFit fit, bool in_space) {
     return default_idle_move(start, end, fit, 3);
 }
 
-/// Read behind a move to the start.
+/// Reads the blocks after a move to the start.
 Program read_idle(const std::string& blocks) {
     return read_gcode_text("G1 X1 Y2 Z3 F60\n" + blocks, "idle.ngc");
 }

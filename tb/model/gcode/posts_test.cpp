@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs in the manner of CAM posts, senders and slicers, and small ones of bug reports, read
-// as they are. Their figures are not ours: tb/data/posts/README.md says where they come from.
+// unchanged. Their figures are not ours: tb/data/posts/README.md states their origin.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ using ref::Program;
 using ref::Vec3;
 
 constexpr double kRounded = 1e-6;  // mm: the tables have six decimals
-constexpr double kLength = 1e-5;   // mm: of a sum of them
+constexpr double kLength = 1e-5;   // mm: of a sum of rounded lengths
 
-/// A row of figures.csv. Lengths are of X Y Z alone, moves those that have one.
+/// A row of figures.csv. Lengths are of X Y Z alone, moves those that have a length.
 struct Figures {
     std::string folder;
     std::string file;
@@ -48,10 +48,10 @@ std::vector<Figures> figures() {
     return rows;
 }
 
-/// What a program does, to be held against its row.
+/// Sums of a program's moves, to be compared with its row.
 struct Sums {
     double moves = 0, feed = 0, rapid = 0, dwell = 0;
-    double room = 0;  // Move::length() is that much off where an arc's radii differ
+    double room = 0;  // Move::length() is off by this where an arc's radii differ
 };
 
 Sums sums_of(const Program& program) {

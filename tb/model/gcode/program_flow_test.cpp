@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// O-words, M98 and M99: which lines are carried out, in which order, and what is refused.
+// O-words, M98 and M99: which lines are executed, in which order, and which are refused.
 #include "ref/gcode/blocks/program_flow.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(ProgramFlow, IfsStandInIfs) {
                    "o3 endif\no1 endif\nX5\n"),
               "2 3 5");
     EXPECT_EQ(path("o1 if [0]\no2 if [1]\nX1\no2 endif\no1 endif\nX5\n"), "5");
-    EXPECT_EQ(path("o1 if [0]\no2 while [1]\nX1\no1 endif\nX5\n"), "5");  // it is only passed over
+    EXPECT_EQ(path("o1 if [0]\no2 while [1]\nX1\no1 endif\nX5\n"), "5");  // skipped text
 }
 
 TEST(ProgramFlow, WhileTestsAtItsBegin) {
@@ -182,7 +182,7 @@ TEST(ProgramFlow, FilesBesideTheProgramAreSubs) {
     EXPECT_EQ(path("o<arc> call [7]\no<arc> call [0]\nM98 P300 L2\nX9\n", program), "7 1 2 9");
     const auto moves =
         ref::read_gcode_text("G1 F600\n\n\no<arc> call [7]\no<arc> call [8]\n", program).moves;
-    EXPECT_EQ(moves[0].line, 4);  // of the program, not of the file that it calls
+    EXPECT_EQ(moves[0].line, 4);  // line of the program, not of the file that it calls
     EXPECT_EQ(moves[1].line, 5);
     folder.write("bad.ngc", "o<bad> sub\nX5\nX#<nobody>\no<bad> endsub\n");
     try {
@@ -199,7 +199,7 @@ TEST(ProgramFlow, FilesBesideTheProgramAreSubs) {
     EXPECT_THROW(path("o<empty> call\n", program), InputError);
 }
 
-/// How many lines were read when the first move came.
+/// Number of lines that were read when the first move came.
 int lines_read(const std::string& begin, std::optional<ref::Dialect> dialect) {
     std::string all = begin;
     for (int i = 0; i < 5000; ++i) all += "X" + std::to_string(i + 10) + "\n";

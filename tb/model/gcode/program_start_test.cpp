@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tools, stored positions and offsets that are there before a program begins.
+// Tools, stored positions and offsets that are set before a program begins.
 #include "ref/gcode/state/program_start.hpp"
 
 #include <gtest/gtest.h>

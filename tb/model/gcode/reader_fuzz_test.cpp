@@ -31,7 +31,7 @@ const std::vector<std::string> kWords{
     "R45",  "G43.1",  "G7 ",    "G95 ",   "S99 ",  "M3 ",   "G81 ",   "G83 ", "G87 ",   "G99 ",
     "G76 ", "G33 ",   "M66 ",   "G38.2",  "G52 ",  "G43.2"};
 
-/// Cycles, the language, dialects; a bar between two.
+/// Cycles, the language, dialects; separated by bars.
 const std::string kLanguage =
     "G28 |G30 |G28.1 |G81 |G83 |G73 |G84 |G98 |G99 |G7 |G8 |G33 |G95 |G96 |G97 |G52 |G43.1 |L0 |"
     "G10 L20 |M70 |M71\n|M72\n|M73 |M98 P1 |M99\n|O2 |O<a> |sub\n|endsub\n|call [1]\n|if [1]\n|"
@@ -70,7 +70,7 @@ std::vector<std::string> samples(bool (*wanted)(const std::filesystem::path&)) {
     return files;
 }
 
-/// Everything that the planner relies on; empty if it holds.
+/// Checks everything that the planner relies on; empty if it holds.
 std::string flaw(const Move& move) {
     for (const double number :
          {move.length(), move.feed, move.angle, move.advance.norm(), move.dwell}) {
@@ -101,7 +101,7 @@ std::string flaw(const Move& move) {
     return "";
 }
 
-/// Of what is drawn within the tolerance.
+/// Checks the path that is drawn within the tolerance.
 std::string flaw_of_path(ref::Program program) {
     ref::smooth_path(program, ref::Machine());
     const Move* before = nullptr;
@@ -115,7 +115,7 @@ std::string flaw_of_path(ref::Program program) {
     return "";
 }
 
-/// 100,000 in the campaign, under the sanitizers.
+/// The campaign runs 100,000, under the sanitizers.
 TEST(ReaderFuzz, MutatedProgramsAreRefusedOrSound) {
     const int count = mutations(20000);
     Mutator mutator(samples(is_program), pieces());

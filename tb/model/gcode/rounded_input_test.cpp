@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is drawn where the numbers of a program or a table are rounded, against those numbers
-// (ref/README.md, "Rounded input"); arcs about a centre and by R: asked_arcs_test.cpp.
+// Curves drawn from rounded numbers of a program or a table, against those numbers (ref/README.md,
+// "Rounded input"); arcs about a centre and by R: asked_arcs_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ ref::Geometry drawn(const Program& program) {
     return make_geometry(program, ref::Machine(), ref::PlanOptions());
 }
 
-/// The least of a function that falls and then rises.
+/// Least value of a function that falls and then rises.
 template <class Function>
 double least(const Function& of, double low, double high) {
     for (int i = 0; i < 100; ++i) {
@@ -50,7 +50,7 @@ double to_move(const Vec3& point, const Move& move) {
     return least(far, 0, 1);
 }
 
-/// Points of three decimals that are all but in a row: the segments pass the middle one.
+/// Points of three decimals that are nearly in a row: the segments pass the middle one.
 TEST(RoundedInput, ArcsThroughThreePointsPassThem) {
     std::mt19937 random(1);
     const auto number = [&](double most) {
@@ -88,7 +88,7 @@ TEST(RoundedInput, ArcsThroughThreePointsPassThem) {
     EXPECT_GT(bent, 400);
 }
 
-/// Chords of one direction within 1e-9 rad become one line: no vertex is left by 1e-9 mm.
+/// Chords of one direction within 1e-9 rad become one line, at most 1e-9 mm from any vertex.
 TEST(RoundedInput, LinesInOneDirectionKeepTheirVertices) {
     for (const double turn : {3e-10, 9e-10, 3e-9}) {
         Program program;
@@ -116,7 +116,7 @@ TEST(RoundedInput, LinesInOneDirectionKeepTheirVertices) {
     }
 }
 
-/// Doubled control points, and pieces of them that have no length.
+/// Doubled control points, and pieces of them without length.
 TEST(RoundedInput, PiecesWithoutLengthLeaveNoGap) {
     const Program program = read(
         "G21 G90 F600\nG5.2 X1 Y1 L3\nX1 Y1\nX1 Y1\nX1.0000000004 Y1\nX1.0000000004 Y1\nX4 Y2\n"
@@ -157,7 +157,7 @@ TEST(RoundedInput, MovesShorterThanAQuantumAreNoJump) {
     EXPECT_LE((at / options.unit_mm - reached).norm(), 20 * 0.5 / 65536);
 }
 
-/// Angles and places are even to the last digit that is printed.
+/// Angles and places are evenly spaced up to the last printed digit.
 TEST(RoundedInput, CamTablesAreEvenToTheirLastDigit) {
     const auto taken = [](const std::string& header, const std::string& third) {
         std::istringstream in(header + "\n0,9,9,9,9,9,9,9\n5,9,9,9,9,9,9,9\n" + third +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What G5, G5.1, G5.2 and G5.3 mean, against control points worked out by hand.
+// Meaning of G5, G5.1, G5.2 and G5.3, against control points worked out by hand.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -56,7 +56,7 @@ TEST(SplineReader, CubicBehindACubicLeavesAlongItUnlessToldOtherwise) {
     EXPECT_EQ(program.moves[1].dwell, 1);
 }
 
-/// One K in each block of a NURBS, as Fanuc's G06.2 has them, and the rest behind the last point.
+/// One K in each block of a NURBS, as in Fanuc's G06.2, and the rest after the last point.
 TEST(SplineReader, NurbsWithKnotsOfItsOwn) {
     const auto with = [](const char* a, const char* b, const char* c) {
         return read(std::string("G5.2 L3 P1 K0\nX0 Y10 K0\nX10 Y10 K0\nX20 Y0 K") + a + "\nK" + b +
@@ -68,7 +68,7 @@ TEST(SplineReader, NurbsWithKnotsOfItsOwn) {
     EXPECT_LE((program.moves[0].end - Vec3(2.5, 10, 0)).norm(), 1e-13);
     EXPECT_LE((program.moves[0].cubic.velocity(1).normalized() - Vec3::UnitX()).norm(), 1e-12);
     EXPECT_EQ(program.moves[1].end, Vec3(20, 0, 0));
-    // The same as LinuxCNC's knots are the same curve, to the bit.
+    // Equal knots to LinuxCNC's give the same curve, bit for bit.
     const Program uniform = read("G5.2 L3\nX0 Y10\nX10 Y10\nX20 Y0\nG5.3");
     const Program given = read("G5.2 L3 K0\nX0 Y10 K0\nX10 Y10 K0\nX20 Y0 K1\nK2\nK2\nK2\nG5.3");
     ASSERT_EQ(given.moves.size(), uniform.moves.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of RS274/NGC against closed forms, and parameters: when they are assigned, who may.
+// Expressions of RS274/NGC against closed forms, and parameters: when they are assigned, and which
+// may be.
 #include "ref/gcode/blocks/value_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -131,7 +132,7 @@ TEST(ValueReader, ParametersAreFoundByNumberAndByName) {
     EXPECT_EQ(value("exists[#5602]"), 0);
 }
 
-/// Many expressions whose value is known by the way they are made.
+/// Many expressions whose value is known by construction.
 TEST(ValueReader, RandomPolynomialsAreThoseOfHorner) {
     unsigned state = 1;
     const auto next = [&state] { return (state = state * 1664525U + 1013904223U) >> 16; };

@@ -27,7 +27,7 @@ ref::CoreParameters parameters_of() {
     return parameters;
 }
 
-/// The word of h / t0, and a run from it.
+/// A run from the word of h / t0.
 template <class C>
 class Course {
   public:
@@ -38,7 +38,7 @@ class Course {
         kernel_.step();
         ++steps_;
     }
-    /// h / (t0 + t) now.
+    /// Exact value of h / (t0 + t) now.
     double exact(double tau = 0) const { return start_ / (1 + (steps_ + tau) * start_); }
     double y() const { return value(kernel_.y[0]); }
     double error(double tau) const {
@@ -59,8 +59,8 @@ class Course {
     hls::HyperbolaKernel<C> kernel_;
 };
 
-/// Worst error within a step, as a part of its bound, of random courses; they are looked at after
-/// 0, 1, 2, 4, .. steps, as long as there is a bound.
+/// Worst error within a step, relative to its bound, over random courses; checked after 0, 1, 2, 4,
+/// .. steps, as long as there is a bound.
 template <class C>
 double worst_part(double low, double high, int courses, int steps) {
     std::mt19937_64 random(7);
@@ -81,7 +81,8 @@ double worst_part(double low, double high, int courses, int steps) {
     return worst;
 }
 
-/// Of short courses from starts in an octave: where rounding rules and where truncation does.
+/// Figures of short courses from starts in an octave: where rounding rules and where truncation
+/// does.
 template <class C>
 void expect_bound_kept_and_not_idle() {
     double least = 1;

@@ -31,7 +31,7 @@ struct Drawn {
     int missed = 0;  // stops whose word is not the commanded one
 };
 
-/// Every tick of a plan. `spoil` is added to a word of every spline.
+/// Draws every tick of a plan. `spoil` is added to a word of every spline.
 Drawn draw(const ref::Program& program, const ref::Plan& plan, std::int64_t spoil = 0) {
     hls::PathKernel path;
     hls::MotionKernel<C> kernel;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of parameters (ref/format/parameters.def): the RTL's tops have its names, defaults and
-// ranges, and what is not built is refused with a reason.
+// ranges, and combinations that are not built are refused with a reason.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -30,7 +30,7 @@ std::vector<std::smatch> matches(const std::string& text, const std::regex& patt
     return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
 }
 
-/// Parameters of a top that are no row: which build it is, what it is made of, its queues.
+/// Parameters of a top that are no row: its build, its structure, its queues.
 const std::set<std::string> kStructure{"Build", "Curves", "SegmentQueueWords", "ProfileQueueWords"};
 
 class Top : public testing::TestWithParam<const char*> {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial build's program of splines makes the words of hls::SplineKernel in every order, and no
-// word is read before it is there.
+// The serial build's program of splines makes the words of hls::SplineKernel in every order, and
+// reads no word before it is written.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spline kernel's words: the network's series, landing, both kinds in one stream, auxiliary
-// axes, and what the paper's propagation of all sixteen variables does.
+// axes, and the effect of the paper's propagation of all sixteen variables.
 #include "hls/spline_kernel.hpp"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ using Default = hls::DefaultSplineConfiguration;
 template <int P, int W, SamplerMode Mode, bool Anchor = true, int Aux = 0>
 using Core = hls::Configuration<P, W, 32, 10, Aux, Mode, Anchor>;
 
-/// Every coefficient of one step from random words of order 0, taken as exact, against the series
-/// of numbers; errors by ref/bound/spline_words.hpp.
+/// Checks every coefficient of one step, from random words of order 0 taken as exact, against the
+/// series of numbers; errors by ref/bound/spline_words.hpp.
 template <class C>
 void expect_series(int steps) {
     constexpr int kBits = C::kCoefBits;
@@ -96,7 +96,7 @@ TEST(SplineNetwork, WordsAreTheSeriesWithinTheirRoundings) {
     expect_series<Core<5, 18, SamplerMode::kSeries>>(300);
 }
 
-/// Largest m = |V|^2 phi of any step, phi as the step before left it: its word ends at 1.
+/// Largest m = |V|^2 phi of any step, with phi as the step before left it: its word ends at 1.
 template <class C>
 double largest_newton_product(double limit,
                               const std::vector<SplineFamily>& families = spline_families(),
@@ -141,7 +141,7 @@ TEST(SplineKernel, NewtonsProductIsAWord) {
          {largest_newton_product<Core<3, 30, SamplerMode::kPolynomial>>(6500),
           largest_newton_product<Core<4, 24, SamplerMode::kPolynomial>>(400),
           largest_newton_product<Core<6, 36, SamplerMode::kPolynomial>>(0.1),
-          // By the time |V| is largest, v has drifted on to where it is larger still.
+          // By the time |V| is largest, v has drifted to where it is larger still.
           largest_newton_product<Core<2, 24, SamplerMode::kPolynomial>>(200, {spline_families()[2]},
                                                                         360, 10),
           largest_newton_product<Core<12, 36, SamplerMode::kSeries>>(0.1)}) {

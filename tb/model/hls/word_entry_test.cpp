@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// hls/word_entry.hpp: of two plans' words, lost, doubled, swapped, changed and of other places or
-// of the other plan, one by one and by whole frames whose numbers fit, nothing enters. A campaign
-// of 20,000; CURVECORE_DAMAGES says how many.
+// Entry of words (hls/word_entry.hpp): no word of two plans enters that was lost, doubled, swapped,
+// changed, or belongs to another place or to the other plan, one by one and by whole frames whose
+// numbers fit. A campaign of 20,000; CURVECORE_DAMAGES sets the number.
 #include "hls/word_entry.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ using Frames = std::vector<std::vector<std::uint64_t>>;
 
 Tag tag_of(std::uint64_t word) { return static_cast<Tag>(hls::get(hls::kTagField, word)); }
 
-/// Of both streams.
+/// A program in both streams.
 struct Program {
     explicit Program(unsigned seed) {
         std::mt19937 random(seed);
@@ -50,7 +50,7 @@ struct Program {
     std::size_t branches = 0;
 };
 
-/// What enters of the words, by whole frames; and whether they are cut.
+/// The words that enter, by whole frames; and whether they are cut.
 struct Entered {
     Frames frames;
     bool cut = false;
@@ -92,7 +92,7 @@ TEST(WordEntry, LetsPlansIn) {
     EXPECT_EQ(pieces.frames, program.pieces);
 }
 
-/// Frames have numbers of their own: their checks are the same.
+/// Frames have their own numbers: their checks are the same.
 TEST(WordEntry, ProgramsFollowOnEachOtherNumberedOn) {
     Program program(1);
     Frames both = program.pieces;
@@ -106,7 +106,7 @@ TEST(WordEntry, ProgramsFollowOnEachOtherNumberedOn) {
         both.push_back(frame);
     }
     EXPECT_FALSE(enter_pieces(both).cut);
-    // Of segments the second program begins where the first one ended, or is foreign.
+    // The second program's segments begin where the first one's ended, or are foreign.
     std::vector<std::uint64_t> again = program.segments.front();
     again[4] = (again[4] & ~(std::uint64_t{0xff} << 36)) |
                std::uint64_t{program.segments.size() & 0xff} << 36;
@@ -126,7 +126,7 @@ TEST(WordEntry, ProgramsFollowOnEachOtherNumberedOn) {
     }
 }
 
-/// Of a rotary axis words leave whole turns out, and say so; a linear one has to join.
+/// Words of a rotary axis leave whole turns out, and say so; a linear one has to join.
 TEST(WordEntry, RotaryAxesStartInAnotherTurn) {
     sysc::CoreParameters core;
     core.aux_axes = 2;
@@ -184,7 +184,7 @@ class Damage {
 
   public:
     Frames frames;
-    bool near_end = false;  // of a word behind which its frame has one check alone, or that has it
+    bool near_end = false;  // in or after a word whose frame has one check alone
 
     static constexpr int kKinds = 12;
     static constexpr std::array<const char*, kKinds> kNames{
@@ -235,7 +235,7 @@ class Damage {
                 return;
             case 9:
             case 10: {
-                if (at.frame == 0) return;  // another program's first is as good
+                if (at.frame == 0) return;  // the first frame of another program is as good
                 const Frames& from = kind == 9 ? ours_ : theirs_;
                 const std::uint64_t number = frame[numbered(frame)] >> 36 & 0xff;
                 frame = from[random_() % from.size()];
@@ -244,7 +244,7 @@ class Damage {
                 return;
             }
             default: {
-                // What stands before the piece, or the segment's length and angle
+                // The words before the piece, or the segment's length and angle
                 const auto& other = ours_[any(ours_).frame];
                 const auto head = [](const std::vector<std::uint64_t>& words) {
                     return static_cast<std::ptrdiff_t>(
@@ -289,8 +289,8 @@ std::vector<std::uint64_t> joined(const Frames& frames) {
 struct Tally {
     int damages = 0;
     int near_end = 0;  // guarded by one byte, others by two or more
-    int entered = 0;   // with a frame that is not as it was
-    int past_two = 0;  // of these, others than near the end
+    int entered = 0;   // let in although a frame was changed
+    int past_two = 0;  // of these, not near the end
 };
 
 using EnterAll = std::function<Entered(const Frames&)>;
@@ -314,7 +314,7 @@ void campaign(const Frames& ours, const Frames& theirs, const EnterAll& enter_al
         all.entered += wrong > 0 ? 1 : 0;
         if (wrong > 0) {
             all.past_two += damage.near_end ? 0 : 1;
-            // Two words swapped may stand in two frames, and then change both checks alike.
+            // Two swapped words may be in two frames, and then change both checks alike.
             ASSERT_LE(wrong, kind == 2 || kind == 3 ? 2U : 1U)
                 << "it is not found in the next frame: "
                 << Damage::kNames[static_cast<std::size_t>(kind)];

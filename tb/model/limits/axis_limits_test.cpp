@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Machines whose axes differ from each other and from the path: each axis keeps its own limits, and
-// costs time only where it is at them.
+// costs time only where it reaches them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Machine with_velocity(int axis, double velocity) {
     return machine;
 }
 
-/// z = 2 sin(x / 10) over 80 mm.
+/// The wave z = 2 sin(x / 10) over 80 mm.
 Program gentle_wave(double feed) {
     ProgramBuilder builder;
     const auto point = [](double x) { return ref::Vec3(x, 0, 2 * std::sin(x / 10)); };
@@ -55,8 +55,8 @@ Program helix(double feed) {
 struct Curve {
     const char* name;
     Program program;
-    int axis;          // that is slow
-    double rules = 0;  // of least_time(), at most
+    int axis;          // the slow axis
+    double rules = 0;  // greatest factor on least_time()
     double optimum = 0;
 };
 std::vector<Curve> curves() {
@@ -66,8 +66,8 @@ std::vector<Curve> curves() {
             {"helix", helix(kFeed), 0, 1.4, 1.1}};
 }
 
-/// Seconds of a motion without ramps that has at every place what velocities and the acceleration
-/// across the path allow there: no motion is faster.
+/// Seconds of a motion without ramps at the speed that velocities and the acceleration across the
+/// path allow at every place: no motion is faster.
 double least_time(const Program& program, const Machine& machine) {
     const ref::Geometry geometry = make_geometry(program, machine, PlanOptions());
     ref::PathPlaces places(program, geometry, PlanOptions().unit_mm);
@@ -115,7 +115,7 @@ TEST(AxisVelocity, BoundsTheSpeedByPlaces) {
     }
 }
 
-/// At every tick, by the exact curve.
+/// Every tick is checked by the exact curve.
 TEST(AxisVelocity, IsKeptOnRandomSplines) {
     double velocity = 0;
     for (unsigned seed = 1; seed < 4; ++seed) {

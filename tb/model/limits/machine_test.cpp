@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LinuxCNC's machine files: units, axes and joints, defaults that are said.
+// LinuxCNC's machine files: units, axes and joints, and reported defaults.
 #include "ref/machine/machine.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Moves that take long come in parts, which are the same path.
+// Moves that take long are cut into parts, which have the same path.
 #include "ref/limits/move_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(MoveParts, LeaveQuickMovesAsTheyAre) {
     EXPECT_EQ(parts_of(program).size(), program.moves.size());
 }
 
-/// Many turns have many knots, at any feed; the more so where an axis is slow.
+/// Many turns have many knots, at any feed; more so where an axis is slow.
 TEST(MoveParts, CutManyTurns) {
     ProgramBuilder builder;
     builder.arc({-10, 0, 0}, {0, 0, 1}, 100 * M_PI, 50, 500);

@@ -14,7 +14,7 @@ using ref::Move;
 using ref::PathPlace;
 using ref::Vec3;
 
-/// Positions of all axes at s of the move, by other formulas.
+/// Positions of all axes at s of the move, by independent formulas.
 AxisVector position(const Move& move, double s) {
     const double length = move.length();
     Vec3 at = move.start + (move.end - move.start) * (s / length);
@@ -81,7 +81,7 @@ TEST(PathPlaces, OfAHelixInAnyPlane) {
     move.start = Vec3(5, 1, 0);
     move.centre = move.start + 4 * Vec3(2, 1, -2) / 3;
     move.angle = 2.5;
-    move.advance = 3 * move.normal + Vec3(0.3, 0.3, -0.4);  // and one in its plane
+    move.advance = 3 * move.normal + Vec3(0.3, 0.3, -0.4);  // with a part in its plane
     const Vec3 arm = move.start - move.centre;
     move.end =
         move.centre + arm * std::cos(2.5) + move.normal.cross(arm) * std::sin(2.5) + move.advance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast cubics are drawn: bounds of their curvature, the machine's limits along the exact curve.
+// Speeds of cubics: bounds of their curvature, the machine's limits along the exact curve.
 #include <gtest/gtest.h>
 
 #include "ref/feed/pieces/limit_report.hpp"
@@ -33,7 +33,7 @@ TEST(SplineLimits, StretchesBoundTheirCurves) {
         for (const auto& [u0, u1, shape] : ref::spline_stretches(move, arc, Machine(), 0, 1)) {
             EXPECT_EQ(u0, from);
             from = u1;
-            if (shape.length <= 1e-5) continue;  // tips: a model of their own
+            if (shape.length <= 1e-5) continue;  // tips have their own model
             for (int k = 0; k <= 20; ++k) {
                 const double u = u0 + (u1 - u0) * k / 20;
                 const Vec3 t = ref::tangent(move.cubic, u);

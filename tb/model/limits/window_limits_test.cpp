@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Machine limits over windows of time, of what is drawn: a curve in chords is no faster than the
+// Machine limits over windows of time of the drawn motion: a curve in chords is no faster than the
 // limits allow, and hardly slower than the curve.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ using ref::Plan;
 using ref::PlanOptions;
 using ref::Program;
 
-/// The rule alone is looked at: not what queues cover, how much faster a smooth path may be, or how
-/// far a planner sees.
+/// The rule is tested alone: without the cover of queues, a faster smooth path, or the planner's
+/// horizon.
 PlanOptions endless_queues() {
     PlanOptions options;
     options.effort = ref::Effort::kRules;
@@ -36,7 +36,7 @@ PlanOptions endless_queues() {
     return options;
 }
 
-/// What the joints' own limits give when nothing adds them up: lines alone, without a stop.
+/// Limits of each joint alone, not added up: lines, without a stop.
 Plan joint_by_joint(const Program& program, const Machine& machine) {
     Plan plan = make_plan(program, machine, endless_queues());
     std::vector<ref::Zone> zones;
@@ -109,7 +109,7 @@ TEST(WindowLimits, JointsThatDoNotAddUpBreakThem) {
     }
 }
 
-/// That the rule has to look at, of a motion at 10 mm/s.
+/// Number of joints that the rule has to check, in a motion at 10 mm/s.
 std::size_t joints(const Program& program) {
     const Machine machine;
     const ref::Geometry geometry = make_geometry(program, machine, PlanOptions());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The helix over a cam, cut into pieces; tables of radii that are broken.
+// The helix over a cam, cut into pieces; invalid tables of radii.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -146,7 +146,7 @@ TEST(CamHelix, StreamsWithFourSections) {
     EXPECT_EQ(found.after_section[2], 0U);
     for (std::size_t i = 3; i < 11; ++i) {
         ASSERT_GT(found.after_section[i], found.after_section[i - 1]);
-        // All up to the section before the last one that came.
+        // All pieces up to the section before the last one that came.
         EXPECT_NEAR(found.pieces[found.after_section[i] - 1].to.x, 10. * (i - 1), 1e-6);
     }
 }

@@ -17,12 +17,12 @@ using ref::PolarCurve;
 using ref::Surface;
 using ref::SurfaceKind;
 
-/// Sections one pitch beyond both ends: what is measured lies between given sections.
+/// A shape with sections one pitch beyond both ends: it is measured between given sections.
 CamShape shape_of(SurfaceKind kind, int n, double dx) {
     return {sample_cam_table(n, dx, static_cast<int>(std::lround(100 / dx)) + 3, -dx), kind};
 }
 
-/// Worst error in um on places of x in [0, 100] and angles `step` of an interval apart.
+/// Worst error, um, at places of x in [0, 100] and angles `step` of an interval apart.
 double worst_error(const CamShape& shape, double step, double along = 1. / 8) {
     double worst = 0;
     for (double x = 0; x <= 100; x += shape.pitch() * along) {
@@ -174,7 +174,7 @@ TEST(Cam, DeviationIsTheLargestOfManyPlaces) {
     }
 }
 
-// Of the section x = 50; one more than without the second look at a piece that is cut.
+// Pieces of the section x = 50; one more than without the second check of a cut piece.
 TEST(Cam, PiecesPerTurn) {
     const double delta[] = {0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001};
     const int of24[] = {31, 36, 53, 68, 91, 140, 193};
@@ -216,7 +216,7 @@ TEST(Cam, ConcavePartsTakeShorterPieces) {
     }
     EXPECT_NEAR(concave.value(), 1.99, 0.06);
     EXPECT_NEAR(convex.value(), 2.56, 0.2);
-    // The same without drawing pieces.
+    // The mean steps without drawing pieces.
     const MeanSteps steps =
         mean_steps([](double theta) { return 40 + 8 * std::cos(3 * theta); }, 0.01);
     EXPECT_NEAR(steps.concave, concave.value(), 0.05);
@@ -230,8 +230,8 @@ TEST(Cam, ConcavePartsTakeShorterPieces) {
     EXPECT_NEAR(circle.convex, 9.5, 0.1) << "of rho'' = -5 cos theta";
 }
 
-// [Tamm], p. 4: "from 7 to 8 degrees" two stages are worth it: spirals alone miss 58 um there where
-// |rho''| is 27 mm, and cubics miss a micrometre.
+// [Tamm], p. 4: "from 7 to 8 degrees" two stages pay: spirals alone miss 58 um there where |rho''|
+// is 27 mm, and cubics miss a micrometre.
 TEST(Cam, RadiiOfSevenDegreesWantCubicsBetween) {
     const auto by_bend = [](int n) { return 27 * std::pow(2 * M_PI / n, 2) / 8; };
     for (const int n : {180, 48}) {
