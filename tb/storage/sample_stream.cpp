@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints what the kernels compute, word by word, from fixed random input. Compiled once for each
-// storage of hls/fixed_word.hpp; the outputs must be equal. C++14, as HLS compilers want it.
+// Prints the kernels' results, word by word, from fixed random input. Compiled once for each
+// storage of hls/fixed_word.hpp; the outputs must be equal. C++14, as HLS compilers require.
 #include <cmath>
 #include <cstdio>
 

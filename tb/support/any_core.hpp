@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Verilated core behind its ports, whatever its widths: a bench is compiled once for all
+// A Verilated core behind its ports, of any widths: a bench is compiled once for all
 // configurations, each of which adds its model (curve_model.cpp, motion_model.cpp).
 #pragma once
 
@@ -12,7 +12,8 @@ namespace curvecore::tb {
 
 constexpr int kPortAxes = 3 + ref::parameter_of(&ref::CoreParameters::aux_axes).high;
 
-/// Ports: a struct with the names of the module's, and rst_ni. Used as ClockedDut is.
+/// The core; Ports is a struct with the names of the module's ports, and rst_ni. Used as ClockedDut
+/// is.
 template <class Ports>
 class AnyCore {
   public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cases of tb/cli/bad_input_cases.json as files.
+// Cases of tb/cli/bad_input_cases.json as files.
 //
 // A case is a program `file` (its `content`, or `base64` bytes, or a `folder`; none: the file is
 // missing), sometimes a `machine` file or the `fit` of points, and the `stderr` that `curvecore
@@ -38,7 +38,7 @@ inline std::string decode_base64(const std::string& text) {
     return bytes;
 }
 
-/// Writes a program or machine of a case, if it is to exist; returns its path.
+/// Writes a program or machine of a case, if it exists there; returns its path.
 inline std::string write_bad_input(const std::filesystem::path& folder,
                                    const nlohmann::json& file) {
     const std::filesystem::path path = folder / file.at("file").get<std::string>();
@@ -52,7 +52,7 @@ inline std::string write_bad_input(const std::filesystem::path& folder,
     return path.string();
 }
 
-/// `stderr` of a case with a path in place of FILE or MACHINE.
+/// Returns `stderr` of a case with a path in place of FILE or MACHINE.
 inline std::string with_path(std::string text, const std::string& name, const std::string& path) {
     return text.rfind(name + ":", 0) == 0 ? text.replace(0, name.size(), path) : text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What [Tamm] claims of tables and pieces, measured on cams in closed form.
+// Claims of [Tamm] about tables and pieces, measured on cams in closed form.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace curvecore::tb {
 
-/// The section's cubic (6) of an interval of angle, in shares of it.
+/// The section's cubic (6) of an interval of angle, by shares of the interval.
 inline ref::PolarCurve section_cubic(const std::vector<double>& rho, int m) {
     const ref::Patch patch = ref::surface_patch(kTensor, {&rho, &rho, &rho, &rho}, m, 0, 0);
     ref::PolarCurve f = ref::PolarCurve::Zero();
@@ -28,8 +28,8 @@ inline int pieces_a_turn(const std::vector<double>& rho, double delta) {
     return count;
 }
 
-/// Worst errors of a section of n radii, mm: its radii joined by Archimedean spirals, and by the
-/// cubics that the paper puts between.
+/// Worst errors of a section of n radii, mm: joined by Archimedean spirals, and by the cubics that
+/// the paper puts between.
 struct StageErrors {
     double spirals = 0;
     double cubics = 0;
@@ -78,7 +78,7 @@ MeanSteps mean_steps(const Radius& radius, double delta) {
     return {mean(1), mean(0)};
 }
 
-/// Pieces a turn of one length, short enough for delta everywhere.
+/// Number of pieces a turn, all of one length, short enough for delta everywhere.
 template <class Radius>
 double even_pieces_a_turn(const Radius& radius, double delta) {
     constexpr int kPlaces = 20000;

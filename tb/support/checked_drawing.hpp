@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A spline segment drawn by the kernel whose words throw. For files that define CURVECORE_CHECKED.
+// A spline segment drawn by the kernel whose words throw on overflow. For files that define
+// CURVECORE_CHECKED.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace curvecore::tb {
 
-/// Every step of a segment, and samples at its ends and between.
+/// Draws every step of a segment, and samples at its ends and between.
 /// @throws std::range_error when a value leaves its word's range
 template <class C>
 void draw_checked(const ref::Segment& segment) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves as they are, and as chains of chords.
+// Curves, and the same curves as chains of chords.
 #pragma once
 
 #include "ref/curve/arc_length.hpp"
@@ -7,7 +7,7 @@
 
 namespace curvecore::tb {
 
-/// Each with a chord in mm, 0: the curve itself, and a feed in mm/s.
+/// A curve by its chord in mm, 0: the curve itself, and its feed in mm/s.
 using ChoppedCurve = ref::Program (*)(double chord, double feed);
 
 /// A turn back of 5 mm width between two lines of 40 mm.
@@ -31,7 +31,7 @@ inline ref::Program chopped_turn(double chord, double feed) {
     return builder.program();
 }
 
-/// y = 3 sin x over one period.
+/// The wave y = 3 sin x over one period.
 inline ref::Program chopped_wave(double chord, double feed) {
     const double end = 2 * M_PI;
     ProgramBuilder builder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The true radius of convergence of u(s) on a cubic: what step limits are judged by.
+// The true radius of convergence of u(s) on a cubic: the reference for step limits.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -24,7 +24,7 @@ class ConvergenceRadius {
         const ref::Vec3 a = 3 * cubic.a;
         const ref::Vec3 b = 2 * cubic.b;
         const ref::Vec3& c = cubic.c;
-        // V.V from the constant term up; a leading term that is nothing is left away.
+        // Coefficients of V.V from the constant term up; negligible leading terms are left out.
         std::vector<double> p{c.squaredNorm(), 2 * b.dot(c), b.squaredNorm() + 2 * a.dot(c),
                               2 * a.dot(b), a.squaredNorm()};
         while (p.size() > 1 && p.back() <= 1e-26 * *std::max_element(p.begin(), p.end())) {
@@ -45,7 +45,7 @@ class ConvergenceRadius {
         zeros_.assign(roots.data(), roots.data() + degree);
     }
 
-    /// Infinite where no zero is met.
+    /// Returns the radius at u0; infinite if no zero is met.
     double operator()(double u0) const {
         double radius = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < zeros_.size(); ++i) {
@@ -58,7 +58,7 @@ class ConvergenceRadius {
     }
 
   private:
-    // Along the straight line from u0 to zero i. About u0, V.V is |V|^2 times the product of
+    // Path along the straight line from u0 to zero i. About u0, V.V is |V|^2 times the product of
     // 1 - (u - u0) / (u* - u0), and no factor leaves the principal branch on a straight line. With
     // u = u* - (u* - u0) x^2 the root's own factor is x^2.
     Complex path_to(double u0, std::size_t i) const {
@@ -76,8 +76,8 @@ class ConvergenceRadius {
                boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
     }
 
-    // u at the end of the straight ray of the s plane: Runge-Kutta on du/ds = 1 / sqrt(V.V), the
-    // branch kept by continuity.
+    // Follows the straight ray of the s plane to its end and returns u: Runge-Kutta on
+    // du/ds = 1 / sqrt(V.V), the branch kept by continuity.
     Complex follow(double u0, Complex s) const {
         constexpr int kSteps = 60;
         Complex u(u0);

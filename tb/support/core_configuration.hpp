@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The configuration of the core that a test is linked with: CONFIGURATION, "Name=Value ..." as its
+// Configuration of the core that a test is linked with: CONFIGURATION, "Name=Value ..." as its
 // model was made (tb/cmake/core_test.cmake).
 #pragma once
 
@@ -16,10 +16,11 @@ struct CoreConfiguration {
     std::size_t profile_queue_words = 0;
 };
 
-/// What the executable was linked with: tb/support/curve_model.cpp or motion_model.cpp.
+/// Configuration that the executable was linked with: tb/support/curve_model.cpp or
+/// motion_model.cpp.
 const CoreConfiguration& core_configuration();
 
-/// @throws sysc::UsageError where a parameter cannot be
+/// Reads a configuration. @throws sysc::UsageError if a parameter is invalid
 CoreConfiguration read_configuration(const std::string& text);
 
 }  // namespace curvecore::tb

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each configuration of a core is compiled for: its model MODEL as an AnyCore's. Included once
-// in an executable.
+// Code that each configuration of a core is compiled for: its model MODEL as an AnyCore's. Included
+// once in an executable.
 #pragma once
 
 #include MODEL_HEADER
@@ -15,7 +15,8 @@ const CoreConfiguration& core_configuration() {
     return core;
 }
 
-/// `drive(ports, model)` and `observe(model, ports)` are found beside Ports' model.
+/// The model as an AnyCore's; `drive(ports, model)` and `observe(model, ports)` are found beside
+/// Ports' model.
 template <class Verilated, class Ports>
 class CoreModel : public AnyCore<Ports>::Model {
   public:
@@ -38,7 +39,7 @@ class CoreModel : public AnyCore<Ports>::Model {
     sysc::ClockedDut<Verilated> dut_;
 };
 
-/// The axes of a sample, from the two ports that carry them side by side.
+/// Reads the axes of a sample from the two ports that carry them side by side.
 template <class Verilated, class Ports>
 void observe_sample(const Verilated& model, Ports& ports) {
     ports.sample_valid_o = model.sample_valid_o != 0;

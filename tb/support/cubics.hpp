@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cubics for tests: random ones of every kind, and such as are hard on whoever follows them.
+// Cubics for tests: random ones of every kind, and ones that are hard to follow.
 #pragma once
 
 #include <cmath>
@@ -21,10 +21,11 @@ class RandomCubics {
     }
     ref::Vec3 vector() { return {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}; }
 
-    /// Four control points in a cube.
+    /// A cubic of four control points in a cube.
     ref::Cubic bezier() { return ref::from_bezier({vector(), vector(), vector(), vector()}); }
 
-    /// V = A (u - u0)^2 + B (u - u0) + E: slow near u0 where E is small, a cusp where it is 0.
+    /// A cubic with V = A (u - u0)^2 + B (u - u0) + E: slow near u0 if E is small, with a cusp if E
+    /// is 0.
     ref::Cubic slow_at(double u0, double slowness) {
         const ref::Vec3 a = vector();
         const ref::Vec3 b = vector();
@@ -32,13 +33,13 @@ class RandomCubics {
         return {a / 3, b / 2 - a * u0, (a * u0 - b) * u0 + e, vector()};
     }
 
-    /// A straight line run through with a speed that varies, and may turn back.
+    /// A straight line with a varying speed that may turn back.
     ref::Cubic straight() {
         const ref::Vec3 along = vector();
         return {along * uniform(-1, 1), along * uniform(-1, 1), along * uniform(-1, 1), vector()};
     }
 
-    /// One of all kinds, by turns of `n`.
+    /// A cubic of any kind, chosen by `n`.
     ref::Cubic any(int n) {
         switch (n % 5) {
             case 0:
@@ -54,7 +55,8 @@ class RandomCubics {
         }
     }
 
-    /// [Chikurov]'s trouble: a parabola (c t, 80 t^2), t = u - 1/2, of radius r at its vertex.
+    /// The cubic that [Chikurov]'s scheme loses: a parabola (c t, 80 t^2), t = u - 1/2, of radius r
+    /// at its vertex.
     static ref::Cubic hairpin(double r) {
         const double c = std::sqrt(160 * r);
         return {{0, 0, 0}, {0, 80, 0}, {c, -80, 0}, {-c / 2, 20, 0}};

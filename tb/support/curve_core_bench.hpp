@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bench for a core that draws curves against hls::MotionKernel: segments and requests go in,
-// samples are compared bit for bit. The widths are those of the core that it is linked with.
+// samples are compared bit for bit. The widths are those of the linked core.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using namespace sysc;
 
 using Fine = std::array<int64_t, kMostAxes>;
 
-/// Shapes: of segments, `next()` and `whole(k, steps)`. Rounds: of 500 samples.
+/// The bench; Shapes makes segments by `next()` and `whole(k, steps)`; a round has 500 samples.
 template <class Shapes, int Rounds>
 class CurveCoreBench : public testing::Test, protected BenchFormat {
   protected:
@@ -36,8 +36,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         dut_.reset();
     }
 
-    /// The core for hls/clocks.hpp. What a module's own parameters cannot say: its build and
-    /// curves.
+    /// The core for hls/clocks.hpp, with its build and curves, which a module's own parameters do
+    /// not tell.
     static hls::TimedCore timed(Build build, bool arcs, bool splines) {
         CoreParameters core = core_configuration().parameters;
         core.build = build;
@@ -53,7 +53,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         bus_.insert(bus_.end(), words.begin(), words.end());
     }
 
-    /// What the kernel says of a request; `more()` adds segments when the path needs them.
+    /// Asks the kernel for the sample of a request; `more()` adds segments when the path needs
+    /// them.
     template <class More>
     Fine predict(int64_t ds, More&& more) {
         Fine fine{};
@@ -69,8 +70,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         return fine;
     }
 
-    /// One clock with the given handshakes; a request is taken from, a sample compared with
-    /// the expectation.
+    /// Advances by one clock with the given handshakes; a request is taken from, and a sample
+    /// compared with, the expectation.
     void clock(bool offer_segment, bool offer_request, bool take_sample) {
         drive(dut_, offer_segment, offer_request, take_sample);
         if (fresh_) {
@@ -136,7 +137,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         }
     }
 
-    /// A path increment of one of the kinds that matter.
+    /// A path increment of one of the relevant kinds.
     int64_t random_ds() {
         const int k = drawn_ == 0 ? 4 : segments_[drawn_ - 1].step_exponent;
         const int64_t step = int64_t{1} << (k + hls::kPathFrac);
@@ -162,7 +163,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         }
     }
 
-    /// Random requests over random segments, at full speed and with stalls on all three ports.
+    /// Compares random requests over random segments, at full speed and with stalls on all three
+    /// ports.
     void equals_kernel_with_random_stalls() {
         Shapes shapes(core_, 11);
         const auto more = [&] { add(shapes.next()); };
@@ -185,8 +187,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         EXPECT_EQ(dut_->empty_segments_o, kernel_.empty_segments());
     }
 
-    /// One sample per interval, over all of these segments, while steps hold the samples of
-    /// `step_clocks`.
+    /// Checks for one sample per interval, over all of these segments, while steps hold the samples
+    /// of `step_clocks`.
     void gives_one_sample_per_interval(const Segments& segments, int step_clocks) {
         const int step_samples = (step_clocks + core_.sample_interval - 1) / core_.sample_interval;
         int64_t count = 0;
@@ -206,7 +208,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>((count - 1) * core_.sample_interval));
     }
 
-    /// Samples that go on by a step each come at the pace of the steps; a sample that waits for its
+    /// Checks that samples a step apart come at the pace of the steps; a sample that waits for its
     /// step is tried every second slot.
     void takes_the_stated_clocks_a_step(const Segments& segments, int clocks) {
         for (const RunSegment& segment : segments) {
@@ -221,7 +223,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
             while (expected_.size() > left && !this->HasFatalFailure()) clock(true, true, true);
             return static_cast<double>(last_sample_);
         };
-        // The first ones find room ahead; the last one of a segment needs no step after it.
+        // The first samples are made ahead; the last one of a segment needs no step after it.
         const std::size_t count = expected_.size() - 9;
         const double first = until(count + 1);
         EXPECT_NEAR(until(1) - first, static_cast<double>(count) * clocks,
@@ -230,7 +232,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         start_afresh();
     }
 
-    /// Clocks from request to sample in [low, low + SampleInterval), in the first of two steps.
+    /// Checks for a number of clocks from request to sample in [low, low + SampleInterval), in the
+    /// first of two steps.
     void has_latency(int low, int step_clocks) {
         for (int n = 0; n < 8 * step_clocks; ++n) clock(true, false, true);
         for (int n = 0; n < 20; ++n) {
@@ -243,7 +246,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         }
     }
 
-    /// Nothing is lost while nobody takes samples.
+    /// Checks that nothing is lost while no samples are taken.
     void holds_its_sample_while_stalled() {
         Shapes shapes(core_, 5);
         add(shapes.whole(6, 2));
@@ -257,7 +260,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         drain([] { return true; });
     }
 
-    /// Clocks that are bounded by `bound`, and come as close to it.
+    /// Checks that clocks are at most `bound`, and within `close` of it.
     static void reaches(uint64_t clocks, uint64_t bound, uint64_t close) {
         EXPECT_LE(clocks, bound);
         EXPECT_GE(clocks + close, bound);
@@ -286,7 +289,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         uint64_t segment = 0;
     };
 
-    /// Segments of two steps of one length, of 2^samples_log2 samples each.
+    /// Measures the pauses in segments of two steps of one length, of 2^samples_log2 samples each.
     void measure(const Segments& segments, int samples_log2, Pauses& pauses) {
         for (const auto& segment : segments) add(segment);
         const int64_t per_step = 1 << samples_log2;
@@ -296,7 +299,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
             requests_.push_back(ds);
             expected_.push_back(predict(ds, [] { FAIL(); }));
         }
-        // A sample at the end of a step is the next step's first, but at a segment's end its last.
+        // A sample at the end of a step is the next step's first; at a segment's end it is the
+        // step's last.
         uint64_t before = 0;
         for (int64_t n = 1; n <= count; ++n) {
             const size_t left = expected_.size();
@@ -312,7 +316,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         start_afresh();
     }
 
-    /// Resets the core, and forgets what it was asked.
+    /// Resets the core, and forgets all requests.
     void start_afresh() {
         dut_.reset(1);
         kernel_ = RunTimeKernel(format_);
@@ -325,8 +329,8 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
         path_end_ = 0;
     }
 
-    /// After a clock of reset, whatever was under way, it is a fresh core, and so is one whose
-    /// registers woke up with anything in them: every output in every clock.
+    /// Checks that one clock of reset makes a fresh core, at any time and with random registers:
+    /// every output in every clock.
     void starts_afresh_after_a_reset() {
         Shapes shapes(core_, 3);
         const auto run = [&](uint64_t clocks) {
@@ -354,13 +358,13 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
     }
 
     CurveCore dut_;
-    std::unique_ptr<CurveCore> fresh_;  // gets the same inputs, must give the same outputs
+    std::unique_ptr<CurveCore> fresh_;  // has the same inputs, must have the same outputs
     RunTimeKernel kernel_{format_};
     std::mt19937_64 random_{7};
     Segments segments_;
     size_t drawn_ = 0;      // segments that the kernel has taken
-    int64_t path_ = 0;      // of the requests
-    int64_t path_end_ = 0;  // of the present segment
+    int64_t path_ = 0;      // path of the requests
+    int64_t path_end_ = 0;  // end of the present segment
     std::deque<uint64_t> bus_;
     std::deque<int64_t> requests_;
     std::deque<Fine> expected_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a cubic strays from an exact curve, found by searching the whole curve: no starting guess
-// that a fit could have shared.
+// Distance of a cubic from an exact curve, found by searching the whole curve: no initial guess
+// that a fit could share.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class CurveDistance {
     }
 
   private:
-    /// Ever finer samples about the best one: derivatives would fail at a cusp.
+    /// Refines the best sample by ever finer ones: derivatives would fail at a cusp.
     double refined(const ref::Vec3& point, double low, double high) const {
         double best = 1e300;
         double nearest = low;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ports of the cores that draw curves: rtl/curve_interpolator.sv, the cores of one kind, and
-// the serial build.
+// Ports of the cores that draw curves: rtl/curve_interpolator.sv, the cores of one kind, and the
+// serial build.
 #pragma once
 
 #include "tb/support/any_core.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limits of a plan's motion as the hardware's own increments draw it.
+// Limits of a plan's motion as the hardware's own increments draw it.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,12 +12,12 @@
 
 namespace curvecore::tb {
 
-/// Windows between those of the report as well.
+/// Windows of the report and further ones between.
 inline const std::vector<double> kManyWindows{
     1e-3,   1.2e-3, 1.4e-3, 1.7e-3, 2e-3,  2.4e-3, 3e-3,  3.6e-3, 4.2e-3, 5e-3,  6e-3,  7e-3,
     8.5e-3, 10e-3,  12e-3,  14e-3,  17e-3, 20e-3,  24e-3, 30e-3,  40e-3,  60e-3, 90e-3, 150e-3};
 
-/// Override: the rate of time, 2^16 = 100 %.
+/// Measures a plan; override: the rate of time, 2^16 = 100 %.
 inline sysc::LimitLoads drawn_limits(const ref::Plan& plan, const ref::Machine& machine,
                                      const ref::PlanOptions& options = {},
                                      std::int32_t override_word = 1 << 16) {
@@ -42,7 +42,7 @@ inline sysc::LimitLoads drawn_limits(const ref::Plan& plan, const ref::Machine& 
     return meter.finish();
 }
 
-/// "velocity 0.900 over 1 ms of 0 at sample 7, acceleration ..."
+/// Text such as "velocity 0.900 over 1 ms of 0 at sample 7, acceleration ...".
 inline std::string text(const sysc::LimitLoads& loads) {
     std::string all;
     for (std::size_t i = 0; i < loads.worst.size(); ++i) {

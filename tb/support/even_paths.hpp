@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths that look the same everywhere, at high feed: the shortest stop on them is known.
+// Paths that are alike everywhere, at high feed: the shortest stop on them is known.
 #pragma once
 
 #include "tb/support/program_builder.hpp"

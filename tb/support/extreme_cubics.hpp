@@ -23,7 +23,8 @@ enum class Extreme { kSlowest, kFastest, kBend, kCubicTerm, kAny, kCount };
 
 class ExtremeCubics {
   public:
-    /// `room`: what the planner leaves of |V| below 1; `hair`: a few last bits of a word.
+    /// Creates the generator. `room`: margin that the planner keeps between |V| and 1; `hair`: a
+    /// few last bits of a word.
     ExtremeCubics(std::uint64_t seed, double room, double hair)
         : random_(seed), scale_(1 + room + hair), hair_(hair) {}
 
@@ -48,7 +49,7 @@ class ExtremeCubics {
     }
 
   private:
-    /// dr/du = size (v0 + v1 u + v2 u^2) along each axis.
+    /// Integrates dr/du = size (v0 + v1 u + v2 u^2) along each axis.
     static ref::Cubic integral(double size, const ref::Vec3& v0, const ref::Vec3& v1,
                                const ref::Vec3& v2) {
         return {size * v2 / 3, size * v1 / 2, size * v0, ref::Vec3::Zero()};
@@ -60,7 +61,7 @@ class ExtremeCubics {
         return {turn * cubic.a, turn * cubic.b, turn * cubic.c, cubic.d};
     }
 
-    /// Size so that `path` of a cubic of size 1 is a whole number of steps, of any length.
+    /// Size for which `path` of a cubic of size 1 is a whole number of steps, of any length.
     double whole_steps(double path, double size) {
         const double step = std::exp2(std::floor(std::log2(size * path) - uniform(0, 4)));
         return std::max(1.0, std::round(size * path / step)) * step / path;
@@ -85,8 +86,8 @@ class ExtremeCubics {
             integral(whole_steps(path, size), x * (1 - q * u0 * u0), 2 * q * u0 * x, -q * x));
     }
 
-    /// V_x from x0 to x1 with a slope at the end, V_y = y; the size puts b + 3 a beta, or 3 a,
-    /// at 2.
+    /// A cubic with V_x from x0 to x1, a slope at the end, and V_y = y; the size puts b + 3 a beta,
+    /// or 3 a, at 2.
     struct Bend {
         double y, x1, slope, x0;
 
@@ -121,8 +122,8 @@ class ExtremeCubics {
         }
     }
 
-    /// Moves x0, by which neither the end's V nor its slope changes, until the last step begins a
-    /// part of a unit before the end: there v's drift is largest and b + 3 a v nearest to 2.
+    /// Moves x0, which changes neither the end's V nor its slope, until the last step begins a part
+    /// of a unit before the end: there v's drift is largest and b + 3 a v nearest to 2.
     bool align(Bend& bend, double size) {
         const auto length = [&](double x0) {
             Bend moved = bend;

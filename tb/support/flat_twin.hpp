@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_system made of scripts/flat.sh's file: it gets what the sources get, and must give what
-// they give, on every clock.
+// A motion_system made of scripts/flat.sh's file: it has the inputs of the sources, and must have
+// their outputs, on every clock.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ class FlatTwin {
         dut_.reset();
     }
 
-    /// One clock, after which both have had the same.
+    /// Advances by one clock, after which both had the same inputs.
     void follow(const Vmotion_system& source, int64_t clock) {
         dut_->rst_ni = source.rst_ni;
         dut_->valid_i = source.valid_i;

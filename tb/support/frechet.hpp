@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far two paths are apart when both are walked from end to end without turning back: Frechet's
+// Distance of two paths when both are walked from end to end without turning back: Frechet's
 // distance of polylines, by the free space of Alt and Godau (1995).
 #pragma once
 
@@ -14,7 +14,7 @@ namespace curvecore::tb {
 
 using Polyline = std::vector<ref::Vec3>;
 
-/// Moves as chords that are off by `error` at most.
+/// Moves as chords with an error of at most `error`.
 inline Polyline polyline(const std::vector<ref::Move>& moves, double error) {
     Polyline points{moves.front().start};
     for (const ref::Move& move : moves) {
@@ -38,14 +38,14 @@ inline Polyline polyline(const std::vector<ref::Move>& moves, double error) {
     return points;
 }
 
-/// Part of a segment.
+/// A part of a segment.
 struct Reach {
     double low = 1;
     double high = 0;
     bool empty() const { return low > high; }
 };
 
-/// What of the segment a, b is within `far` of the point.
+/// Part of the segment a, b within `far` of the point.
 inline Reach within(const ref::Vec3& point, const ref::Vec3& a, const ref::Vec3& b, double far) {
     const ref::Vec3 way = b - a;
     const double square = way.squaredNorm();
@@ -91,7 +91,7 @@ inline bool frechet_within(const Polyline& p, const Polyline& q, double far) {
     return last != left.end() && last->second.high >= 1;
 }
 
-/// To a thousandth of `scale`, which it is searched below; beyond it, infinite.
+/// Frechet's distance, to a thousandth of `scale`, below which it is searched; beyond it, infinite.
 inline double frechet(const Polyline& p, const Polyline& q, double scale) {
     if (!frechet_within(p, q, scale)) return HUGE_VAL;
     double low = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plan drawn under holds and overrides by the hardware's words, stop branches and all, and its
+// A plan drawn under holds and overrides by the hardware's words, with stop branches, and its
 // limits over windows.
 #pragma once
 
@@ -16,7 +16,7 @@ class HoldRun {
           scaler_(plan.hold_acceleration,
                   std::int64_t{plan.hold_acceleration} * plan.hold_slope_steps) {}
 
-    /// Towards a rate of time, 2^16 = 1; returns the rate.
+    /// Draws a tick towards a rate of time, 2^16 = 1; returns the rate.
     std::int32_t tick(std::int32_t target) {
         const auto next_step = [this] { return schedule_.next_step(); };
         const std::int32_t rate = scaler_.tick(target, false, schedule_.due(), next_step);
@@ -26,7 +26,7 @@ class HoldRun {
         return rate;
     }
 
-    /// Ticks until the rate is 0 or the program over.
+    /// Ticks until the rate is 0 or the program is over.
     std::uint64_t stop() {
         std::uint64_t ticks = 1;
         while (tick(0) != 0 && active()) ++ticks;
@@ -52,7 +52,7 @@ class HoldRun {
     TickRun run_;
     hls::TimeScaler scaler_;
     hls::StopSchedule schedule_;
-    std::size_t next_ = 0;  // branch
+    std::size_t next_ = 0;  // next branch
 };
 
 }  // namespace curvecore::tb

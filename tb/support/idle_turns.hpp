@@ -12,7 +12,7 @@ using ref::Vec3;
 
 constexpr double kSlowFeed = 25;  // mm/s: 1.5 m/min
 
-/// Antiparallel lines at a step-over w; k: length of the end tangents.
+/// A turn between antiparallel lines at a step-over w; k: length of the end tangents.
 inline ref::IdleMove u_turn(ref::JoinFit fit, double w, double k) {
     ref::IdleMove move;
     move.start = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlowFeed};
@@ -22,7 +22,7 @@ inline ref::IdleMove u_turn(ref::JoinFit fit, double w, double k) {
     return move;
 }
 
-/// y from 0 to w over x = 0 .. l, x being the parameter.
+/// A move from y = 0 to w over x = 0 .. l, x being the parameter.
 inline ref::IdleMove lane_change(ref::JoinFit fit, double w, double l, int points) {
     ref::IdleMove move = u_turn(fit, w, l);
     move.end = {Vec3(l, w, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlowFeed};

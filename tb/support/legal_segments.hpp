@@ -19,7 +19,7 @@ using namespace sysc;
 
 class LegalSegments {
   public:
-    /// Steps of 2^max_step_exponent units at most.
+    /// Creates a generator with steps of at most 2^max_step_exponent units.
     LegalSegments(const CoreParameters& core, uint64_t seed,
                   int max_step_exponent = hls::kMaxStepExponent)
         // At most eight steps, each of at most 1/64 of the range: all points stay inside.
@@ -72,14 +72,14 @@ class LegalSegments {
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
 
-    /// Of a step; as much as TurnBits allow now and then.
+    /// Angle of a step; sometimes the largest that TurnBits allow.
     double angle() {
         if (core_.turn_bits == 0) return uniform(0.05, 0.49);
         const double most = std::ldexp(1.0, -core_.turn_bits);
         return random_() % 4 == 0 ? most : most * uniform(0.1, 1);
     }
 
-    /// Along an axis now and then: components of exactly 0 and 1.
+    /// A direction, sometimes along an axis: components of exactly 0 and 1.
     Eigen::Vector3d direction() {
         switch (random_() % 6) {
             case 0:
@@ -120,7 +120,7 @@ class LegalSegments {
     int max_step_exponent_;
 };
 
-/// Segments of `length` quanta in all, each of `longest` at most; the last one is not empty.
+/// Makes segments of `length` quanta in all, each of at most `longest`; the last one is not empty.
 template <class Shapes>
 auto chain(Shapes& shapes, int64_t length, int64_t longest = INT64_MAX) {
     std::vector<decltype(shapes.next())> segments;

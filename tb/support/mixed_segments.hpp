@@ -11,14 +11,14 @@ namespace curvecore::tb {
 
 class MixedSegments {
   public:
-    /// Arcs have steps of 2^longest units at most: a request that passes an arc's steps may pass
-    /// hundreds of a spline's.
+    /// Creates a generator whose arcs have steps of at most 2^longest units: a request that passes
+    /// an arc's steps may pass hundreds of a spline's.
     MixedSegments(const CoreParameters& core, std::uint64_t seed, int longest = 12)
         : random_(seed), arcs_(core, seed, longest), splines_(core, seed) {}
 
     RunSegment next() { return random_() % 2 == 0 ? arcs_.next() : splines_.next(); }
 
-    /// One of either kind in turn.
+    /// A segment of full steps, of either kind in turn.
     RunSegment whole(int k, int steps) {
         spline_now_ = !spline_now_;
         return spline_now_ ? splines_.whole(k, steps) : arcs_.whole(k, steps);

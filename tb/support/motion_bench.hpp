@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bench for motion_interpolator against the kernels: path increments from the rates it reports,
-// samples from its path increments.
+// A bench for motion_interpolator against the kernels: path increments from the rates that it
+// reports, samples from its path increments.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,14 +37,14 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         dut_.reset();
     }
 
-    /// Words, of a stream's next program, and the core itself.
+    /// Sets the digest of the core and of each stream's next program.
     void make_for(uint16_t digest) {
         dut_->digest_i = digest;
         piece_check_ = hls::WordCheck(digest);
         segment_check_ = hls::WordCheck(digest);
     }
 
-    /// A program, after those before it: `pieces` and random segments as long.
+    /// Adds a program after those before it: `pieces` and random segments of the same length.
     void program(const std::vector<hls::ProfileWords>& pieces) {
         int64_t length = 0;
         for (const hls::ProfileWords& piece : pieces) length += piece.ds;
@@ -89,8 +89,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         }
     }
 
-    /// Each segment ends where the next one starts, with auxiliary axes in another turn or not; an
-    /// empty one leads there from the program before.
+    /// Makes each segment end where the next one starts, with auxiliary axes in another turn or
+    /// not; an empty segment leads there from the program before.
     void join(std::vector<RunSegment>& segments) {
         if (!segments_.empty()) {
             RunSegment way = segments.front();
@@ -119,7 +119,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         return branch_percent_ > 0 && go(100 - branch_percent_) ? any_stop() : Stop();
     }
 
-    /// From the rate 1 to 0, mostly, in up to 300 ticks.
+    /// A random stop, usually from the rate 1 to 0, in up to 300 ticks.
     Stop any_stop() {
         Stop stop;
         stop.wait = static_cast<int32_t>(1 + random_() % static_cast<unsigned>(most_wait_));
@@ -144,13 +144,13 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         return stop;
     }
 
-    /// The ticks in which the pieces draw each segment: of whole pieces only, so never too many.
+    /// Sets the ticks in which the pieces draw each segment: whole pieces only, so never too many.
     static void set_ticks(const std::vector<hls::ProfileWords>& pieces,
                           std::vector<RunSegment>& segments) {
         std::size_t piece = 0;
         int64_t begin = 0;  // path and ticks of the pieces before
         int64_t ticks = 0;
-        int64_t path = 0;  // of the segments so far
+        int64_t path = 0;  // path of the segments so far
         int64_t drawn = 0;
         for (RunSegment& segment : segments) {
             path += segment.length;
@@ -182,7 +182,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         share_ = hls::SampleShare(n);
     }
 
-    /// One clock. Valid words and requests stay until they are taken.
+    /// Advances by one clock. Valid words and requests stay until they are taken.
     void clock() {
         if (!dut_->segment_valid_i && !segment_words_.empty() && go(segment_stall_) && go(stall_)) {
             dut_->segment_data_i = segment_words_.front();
@@ -215,7 +215,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     void check_move() {
         const auto rate = static_cast<int32_t>(dut_->path_rate_o);
         if (share_.needs_tick()) {
-            // Which tick a program begins in is the RTL's choice; the rest follows.
+            // The RTL chooses the tick in which a program begins; the rest follows.
             const bool waits = !dut_->path_active_o;
             const auto next_piece = [this, rate](hls::ProfileWords& piece) {
                 if (next_piece_ == pieces_.size()) return false;
@@ -238,7 +238,7 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         moves_.push_back(ds);
     }
 
-    /// Of branches the rate is the kernel's, while no stream starves.
+    /// Compares the rate of branches with the kernel's, while no stream starves.
     void follow_rate(int32_t rate) {
         ASSERT_FALSE(targets_.empty());
         const int32_t target = targets_.front();
@@ -252,8 +252,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         rate_ = rate;
     }
 
-    /// First and second differences are bounded where a program is under way; the port has 16 of
-    /// the 32 fraction bits.
+    /// Checks the bounds of first and second differences while a program is under way; the port has
+    /// 16 of the 32 fraction bits.
     void check_rate(int32_t rate, bool moves) {
         if (!moves) rate_ = rate_before_ = rate;
         ASSERT_LE(std::abs(rate - rate_), (kSlope >> 16) + 1) << "move " << moves_.size();
@@ -283,15 +283,15 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         for (int n = 0; n < 6000; ++n) clock();
     }
 
-    /// Requests until the machine stands.
+    /// Requests samples until the machine stands.
     void stand() {
-        for (int n = 0; n < 3; ++n) clock();  // it is told three clocks late
+        for (int n = 0; n < 3; ++n) clock();  // standing is reported three clocks late
         for (int n = 0; n < 100000 && !dut_->standing_o && !HasFatalFailure(); ++n) clock();
         EXPECT_TRUE(dut_->standing_o);
         EXPECT_TRUE(rate_ == 0 || !dut_->active_o);
     }
 
-    /// Requests until the program is over; `each` runs before every clock.
+    /// Requests samples until the program is over; `each` runs before every clock.
     void run(const std::function<void()>& each = [] {}) {
         requesting_ = true;
         while (!HasFatalFailure() && (path_ < length_ || path_kernel_.active())) {
@@ -352,11 +352,11 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     bool requesting_ = false;
     bool taking_ = true;
 
-    /// How time's rates are checked: without stop branches; with them, while no stream starves.
+    /// Check of time's rates: without stop branches; with them, while no stream starves.
     enum class Rates { kBounded, kOfKernel, kAny } rates_ = Rates::kBounded;
-    int branch_percent_ = 0;           // of pieces, that have a branch
-    int most_wait_ = 300;              // ticks from it to the next one
-    std::vector<Stop> planned_stops_;  // of the first pieces
+    int branch_percent_ = 0;           // percentage of pieces that have a branch
+    int most_wait_ = 300;              // greatest number of ticks from it to the next one
+    std::vector<Stop> planned_stops_;  // stops of the first pieces
     std::vector<Stop> stops_;
     hls::StopSchedule schedule_;
     hls::TimeScaler scaler_{kAcceleration, kSlope};

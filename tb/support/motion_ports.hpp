@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ports of rtl/motion_interpolator.sv.
+// Ports of rtl/motion_interpolator.sv.
 #pragma once
 
 #include "tb/support/any_core.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_system.sv with a host and drives, and a part to draw: what its tests share.
+// A bench for rtl/motion_system.sv with a host and drives, and a part to draw.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 
 namespace curvecore::tb {
 
-/// CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo), without stop branches,
-/// which are too many words for short queues.
+/// The part; CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo). It has no
+/// stop branches, which are too many words for short queues.
 inline Part part_to_draw() {
     const char* part = std::getenv("CURVECORE_PART");
     return part == nullptr ? Part("pulses.ngc", ref::Holds::kBranches)
@@ -21,7 +21,7 @@ inline Part part_to_draw() {
 
 class MotionSystem : public testing::Test {
   protected:
-    /// The drives have counted the part, and the registers say the same, from `start` on.
+    /// Checks that the drives have counted the part, and that the registers agree, from `start` on.
     void expect_drawn(const std::vector<int64_t>& start = {0, 0, 0}) {
         EXPECT_EQ(host_.state() & kFaults, 0U);
         for (int a = 0; a < kSystemAxes; ++a) {
@@ -49,7 +49,7 @@ class MotionSystem : public testing::Test {
     }
     void clear_faults() { host_.write(CURVECORE_STATE, kFaults); }
 
-    /// The machine comes on and draws for so many samples.
+    /// Turns the machine on and draws `samples` samples.
     void begin(int64_t samples) {
         host_.prepare(part_);
         RegisterHost::Sent sent;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Valid texts broken at random: what readers must refuse, or read soundly.
+// Random mutations of valid texts, which readers must refuse, or read soundly.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +10,22 @@
 
 namespace curvecore::tb {
 
-/// Cases of a test: these, or as many as CURVECORE_MUTATIONS says (scripts/campaign.sh).
+/// Number of cases of a test: `standard`, or CURVECORE_MUTATIONS (scripts/campaign.sh).
 inline int mutations(int standard) {
     const char* asked = std::getenv("CURVECORE_MUTATIONS");
     return asked == nullptr ? standard : std::stoi(asked);
 }
 
-/// Changes texts at random, always in the same way.
+/// A reproducible random mutator of texts.
 class Mutator {
   public:
-    /// `pieces` are what it likes to insert.
+    /// Creates a mutator; `pieces` are the texts that it inserts.
     Mutator(std::vector<std::string> samples, std::vector<std::string> pieces)
         : samples_(std::move(samples)), pieces_(std::move(pieces)) {}
 
     std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
 
-    /// Up to 30 lines of a sample, mostly from its start.
+    /// An excerpt of up to 30 lines of a sample, usually from its start.
     std::string excerpt() {
         const std::string& sample = samples_[below(samples_.size())];
         std::size_t begin = 0;

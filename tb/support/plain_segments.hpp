@@ -14,7 +14,7 @@ inline namespace CURVECORE_STORAGE {
 
 using namespace curvecore::hls;
 
-/// A plain generator: the same numbers everywhere.
+/// A plain generator: the same numbers on every machine.
 class Random {
   public:
     double uniform(double low, double high) {
@@ -53,8 +53,9 @@ SegmentWords<C> random_segment(Random& random) {
     return segment;
 }
 
-/// V runs over a parabola through three points of a circle, at 0.6 .. 0.9 of 2^lambda: it turns by
-/// up to 1.2 rad, out of the plane too. Steps are short enough for every word's range.
+/// A spline whose V runs over a parabola through three points of a circle, at 0.6 .. 0.9 of
+/// 2^lambda: it turns by up to 1.2 rad, out of the plane too. Steps are short enough for every
+/// word's range.
 template <class C>
 SegmentWords<C> random_spline(Random& random) {
     SegmentWords<C> segment = random_segment<C>(random);

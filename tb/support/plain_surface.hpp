@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cam's surface by its definition (ref/cam/cam_surface.hpp), from radii, one place at a time:
-// what the program's polynomials in each cell are held against.
+// A cam's surface by its definition (ref/cam/cam_surface.hpp), from radii, one place at a time: the
+// reference for the program's polynomials in each cell.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class PlainSurface {
         double rho, by_degree, by_x;  // mm; slopes in the place's own cell
     };
 
-    /// x in mm, any number of turns.
+    /// Place on the surface; x in mm, any number of turns.
     Place at(double x, double degrees) const {
         const double along = (x - sections_.front().x) / dx_;
         const double last = static_cast<double>(sections_.size()) - 2;
@@ -78,7 +78,7 @@ class PlainSurface {
                m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t);
     }
 
-    /// Radius m of section i; beyond the ends on the cubic through the four there (three, two).
+    /// Radius m of section i; beyond the ends on the cubic through the last four (three, two).
     double radius(int i, int m) const {
         const int count = static_cast<int>(sections_.size());
         const auto known = [&](int row) {
@@ -92,7 +92,7 @@ class PlainSurface {
         return through<4>({0, 1, 2, 3}, -1, near);
     }
 
-    /// What generatrix m adds to the radius of section s; u is counted from section i.
+    /// Contribution of generatrix m to the radius of section s; u is counted from section i.
     double rise(int i, int s, int m, double u) const {
         const auto rho = [&](int k) { return radius(s + k, m); };
         const double v = u - (s - i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cubic in 60 decimal digits: what the double functions and the networks are compared with.
+// A cubic in 60 decimal digits: the reference for the double functions and the networks.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,8 @@ struct PreciseCubic {
     Precise speed(const Precise& u) const { return velocity(u).norm(); }
     PreciseVector tangent(const Precise& u) const { return velocity(u) / speed(u); }
 
-    /// Adaptive, from u0 to u1; `split` are points where the speed is not smooth or nearly so.
+    /// Path length from u0 to u1, adaptive; `split` are points where the speed is not smooth or
+    /// nearly so.
     Precise length(const Precise& u0, const Precise& u1, const Precise& tolerance,
                    std::vector<Precise> split = {}) const {
         std::vector<Precise> ends{u0};
@@ -50,7 +51,7 @@ struct PreciseCubic {
         return sum;
     }
 
-    /// u(s) from u0 on, by Newton's method from `guess`.
+    /// Inverse of the length: u(s) from u0 on, by Newton's method from `guess`.
     Precise parameter(const Precise& u0, const Precise& s, Precise guess,
                       const Precise& tolerance) const {
         Precise path = length(u0, guess, tolerance);

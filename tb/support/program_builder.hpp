@@ -21,7 +21,7 @@ class ProgramBuilder {
         return move;
     }
 
-    /// A cubic with these control points behind the last position; the last one is the end.
+    /// Adds a cubic with these control points after the last position; the last one is the end.
     ref::Move& cubic(const ref::Vec3& leg, const ref::Vec3& second, const ref::Vec3& end,
                      double feed) {
         ref::Move& move = next(feed);
@@ -31,7 +31,7 @@ class ProgramBuilder {
         return move;
     }
 
-    /// Counter-clockwise about `normal` by `angle`, rising by `advance` along it.
+    /// Adds an arc counter-clockwise about `normal` by `angle`, rising by `advance` along it.
     ref::Move& arc(const ref::Vec3& centre, const ref::Vec3& normal, double angle, double advance,
                    double feed) {
         ref::Move& move = next(feed);
@@ -46,7 +46,7 @@ class ProgramBuilder {
         return move;
     }
 
-    /// An arc that leaves along `tangent`, with its centre on the side of `towards`.
+    /// Adds an arc that leaves along `tangent`, with its centre on the side of `towards`.
     ref::Move& tangent_arc(const ref::Vec3& tangent, const ref::Vec3& towards, double radius,
                            double angle, double feed) {
         const ref::Vec3 n = (towards - tangent * tangent.dot(towards)).normalized();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drive's view of one axis: it knows its two pins and its four times, and nothing of what makes
-// them.
+// A drive's view of one axis: it knows only its two pins and its four times.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ class PulseMonitor {
   public:
     explicit PulseMonitor(const hls::PulseTimes& times) : times_(times) {}
 
-    /// The pins in one clock; true if a step begins in it.
+    /// Takes the pins in one clock. Returns true if a step begins in it.
     bool watch(int64_t clock, bool step, bool direction) {
         const bool rises = step && !step_;
         const bool falls = !step && step_;

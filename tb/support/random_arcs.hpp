@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Random blocks with arcs as programs write them, rounded to some decimals, and the curve that each
-// asks for: worked out here from the numbers as they are printed, with no code of the reader's.
+// defines: computed here from the printed numbers, without the reader's code.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,20 +15,20 @@
 namespace curvecore::tb {
 
 using Real = long double;
-using Flat = std::complex<Real>;  // in the arc's plane, mm
+using Flat = std::complex<Real>;  // mm, in the arc's plane
 
-/// r(u) = centre + start's radius turned by sweep u + (what lacks to the end) u
+/// An arc r(u) = centre + start's radius turned by sweep u + (gap at the end) u.
 struct WrittenArc {
     int normal_axis = 2;
     Flat start, end, centre;
     Real low = 0, high = 0;  // along the normal, at start and end
     Real sweep = 0;          // signed, counter-clockwise positive; whole turns included
     double radius_word = 0;  // of R; 0: I J K
-    std::string modes;       // the lines before it, that also go to its start
+    std::string modes;       // lines before it, which also go to its start
     std::string block;
 
-    /// By how much roundings of doubles may move the centre, mm: with R its height over the chord
-    /// is a root.
+    /// Distance by which roundings of doubles may move the centre, mm: with R its height over the
+    /// chord is a root.
     double loose() const {
         if (radius_word == 0) return 0;
         const Real square = 8e-15L * radius() * (std::abs(start) + std::abs(end) + radius());
@@ -50,7 +50,7 @@ struct WrittenArc {
         };
         return place(turned(sweep * u) + u * (end - turned(sweep)), low + u * (high - low));
     }
-    /// How far a point of the machine is from the circle about the given centre.
+    /// Distance of a point of the machine from the circle about the given centre.
     double off_circle(const ref::Vec3& point) const {
         const Flat flat(point[(normal_axis + 1) % 3], point[(normal_axis + 2) % 3]);
         return static_cast<double>(std::abs(std::abs(flat - centre) - radius()));
@@ -61,7 +61,8 @@ class ArcWriter {
   public:
     explicit ArcWriter(unsigned seed) : random_(seed) {}
 
-    /// Sweeps of up to 359.99 degrees, nearly full ones often; up to three turns; 2 to 5 decimals.
+    /// Next arc: sweeps of up to 359.99 degrees, nearly full ones often; up to three turns; 2 to 5
+    /// decimals.
     WrittenArc next() {
         for (;;) {
             WrittenArc arc = any();
@@ -84,7 +85,7 @@ class ArcWriter {
   private:
     static constexpr Real kTurn = 2 * 3.14159265358979323846264338327950288L;
 
-    /// A number as it is written; `value` becomes what stands there, in mm.
+    /// Writes a number; `value` becomes the written one, in mm.
     std::string word(char letter, Real value, Real& written) const {
         const std::string text =
             fmt::format("{:.{}f}", static_cast<double>(value / unit()), decimals_);
@@ -176,8 +177,8 @@ class ArcWriter {
         return arc;
     }
 
-    /// Where circles about both ends with the radius meet: of the two, from which the end is seen
-    /// within half a turn, or beyond it for a negative radius.
+    /// Sets the centre to an intersection of the circles about both ends with the radius: the one
+    /// from which the end is seen within half a turn, or beyond it for a negative radius.
     static void centre_of(WrittenArc& arc, Real half, Real radius, bool clockwise) {
         arc.centre = (arc.start + arc.end) / Real(2);
         const Real far = (std::abs(radius) - half) * (std::abs(radius) + half);

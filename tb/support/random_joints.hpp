@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Short programs whose joints are as bad as can be: zigzags, clusters, turns of every size and
-// spacing, curvature that changes sign, axes with limits of their own.
+// Short programs with the worst possible joints: zigzags, clusters, turns of every size and
+// spacing, curvature that changes sign, axes with separate limits.
 #pragma once
 
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines that go anywhere, with every kind of neighbour at every size.
+// Random lines, with every kind of neighbour at every size.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@ inline ref::Program with_tolerance(ref::Program program, double tolerance) {
     return program;
 }
 
-/// By seed: a walk in space, a zigzag in a plane, chords of 0.1 um to 10 mm, or straight runs with
-/// corners and reversals; coordinates are rounded as a file's are.
+/// A program chosen by the seed: a walk in space, a zigzag in a plane, chords of 0.1 um to 10 mm,
+/// or straight runs with corners and reversals; coordinates are rounded as in a file.
 inline ref::Program random_lines(unsigned seed) {
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {

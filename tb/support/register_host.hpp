@@ -39,7 +39,7 @@ constexpr uint32_t kMotionFaults = CURVECORE_STATE_MOTION_MASK;
 
 /// A plan for the board under test, and its words.
 struct Part {
-    /// @param change of the options, for another board or host
+    /// @param change modifies the options, for another board or host
     Part(
         const std::string& file, ref::Holds holds,
         const std::function<void(sysc::Options&)>& change = [](sysc::Options&) {}) {
@@ -63,7 +63,7 @@ struct Part {
             add(pieces, {words, words + count});
         }
     }
-    /// 2^-16 steps in 2^42 units of 2^-10 nm.
+    /// Scale in 2^-16 steps for 2^42 units of 2^-10 nm.
     int64_t scale() const {
         return std::llround(static_cast<double>(kStepsPerMm) * job.options.unit_mm *
                             std::exp2(kFineBits + 16 - 10));
@@ -120,7 +120,7 @@ class RegisterHost {
     }
     void samples(int64_t n) { clocks(n * kSystemPeriod); }
 
-    /// A request; false: it was an error.
+    /// Writes a register. Returns false if the request was an error.
     bool write(uint32_t address, uint32_t data) { return ask(true, address, data); }
     uint32_t read(uint32_t address) {
         EXPECT_TRUE(ask(false, address, 0)) << "reading " << address;
@@ -131,11 +131,12 @@ class RegisterHost {
                write(low_address + 4, static_cast<uint32_t>(word >> 32));
     }
     uint32_t state() { return read(CURVECORE_STATE); }
-    /// A write that says nothing else: reads do not feed the watchdog.
+    /// Feeds the watchdog by a write without other effect: reads do not feed it.
     void live() { EXPECT_TRUE(write(CURVECORE_SEQUENCE, 1)); }
     bool is(uint32_t mask) { return (state() & mask) != 0; }
 
-    /// All that stands still while a part is drawn; the machine comes on, referenced.
+    /// Writes the settings that are constant while a part is drawn; turns the machine on,
+    /// referenced.
     void prepare(const Part& part, uint32_t control = kEnable) {
         for (int a = 0; a < kSystemAxes; ++a) {
             const uint32_t axis = static_cast<uint32_t>(a) * CURVECORE_AXIS_STRIDE;
@@ -155,7 +156,7 @@ class RegisterHost {
         EXPECT_TRUE(write(CURVECORE_CONTROL, control));
     }
 
-    /// The words of a part that have gone.
+    /// Number of words of a part that are sent.
     struct Sent {
         std::size_t segments = 0;
         std::size_t pieces = 0;
@@ -163,7 +164,7 @@ class RegisterHost {
             return segments == part.segments.size() && pieces == part.pieces.size();
         }
     };
-    /// Writes as many words as ROOM says; `between` is called before each.
+    /// Writes the words for which ROOM has space; `between` is called before each.
     void feed(const Part& part, Sent& sent, const std::function<void()>& between) {
         const uint32_t room = read(CURVECORE_ROOM);
         feed(CURVECORE_SEGMENT_LO, part.segments, sent.segments, room & 0xffff, between);
@@ -172,18 +173,18 @@ class RegisterHost {
         clocks(200);
         EXPECT_EQ(state() & kMotionFaults, 0U);
     }
-    /// All words, until the machine stands at the end.
+    /// Writes all words, until the machine stands at the end.
     void draw(
         const Part& part, const std::function<void()>& between = [] {}) {
         Sent sent;
         draw_rest(part, sent, between);
     }
-    /// Those that have not gone.
+    /// Writes the remaining words.
     void draw_rest(const Part& part, Sent& sent, const std::function<void()>& between) {
         while (!sent.all(part) && !testing::Test::HasFailure()) feed(part, sent, between);
         finish(part);
     }
-    /// All words by the streams, with pauses, until the machine stands at the end.
+    /// Writes all words by the streams, with pauses, until the machine stands at the end.
     void stream(const Part& part, std::mt19937& random) {
         Sent sent;
         before_clock_ = [&] {
@@ -204,7 +205,7 @@ class RegisterHost {
         dut_->profile_valid_i = 0;
         finish(part);
     }
-    /// Until the part's path is drawn since `from`, and its last sample is out.
+    /// Runs until the part's path is drawn since `from`, and its last sample is out.
     void finish(const Part& part, uint64_t from = 0) {
         while (path() != from + part.job.plan.path_length() && !testing::Test::HasFailure()) {
             samples(1);
@@ -219,17 +220,17 @@ class RegisterHost {
     }
 
     const PulseMonitor& drive(int axis) const { return drives_[axis]; }
-    /// The last frame of an axis to a scan head.
+    /// Returns the last frame of an axis to a scan head.
     uint32_t galvo_frame(int axis) const { return galvo_frame_[axis]; }
     int64_t now() const { return clock_; }
     Vmotion_system* operator->() { return dut_.operator->(); }
 
-    std::function<void()> each_clock;  // after each
+    std::function<void()> each_clock;  // called after each
 
   private:
     static uint32_t pair(int low, int high) { return static_cast<uint32_t>(low | high << 16); }
 
-    /// The next word: when it is due, and until it is taken.
+    /// Drives the next word from the time when it is due until it is taken.
     template <class Valid, class Data>
     static void offer(const std::vector<uint64_t>& words, std::size_t next, bool due, Valid& valid,
                       Data& data) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cams in closed form: what tables of them are held against.
+// Cams in closed form: the reference for tables of them.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ inline double lobe_cam(double x, double theta) {
 /// Radius at x and theta, as the functions above.
 using CamRadius = double (*)(double, double);
 
-/// `count` sections from x0, n radii each.
+/// A table of `count` sections from x0, n radii each.
 inline std::vector<ref::CamSection> cam_table(CamRadius radius, int n, double dx, int count,
                                               double x0 = 0) {
     std::vector<ref::CamSection> sections(static_cast<std::size_t>(count));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many samples of a core against its kernel: every fine word and position of random chains of
-// segments, mostly at a working density, with random stalls and holds. CURVECORE_SAMPLES sets how
-// many (scripts/campaign.sh: 10^9 over all configurations).
+// A campaign of samples of a core against its kernel: every fine word and position of random chains
+// of segments, mostly at a working density, with random stalls and holds. CURVECORE_SAMPLES sets
+// their number (scripts/campaign.sh: 10^9 over all configurations).
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,15 +17,15 @@
 namespace curvecore::tb {
 using namespace sysc;
 
-/// Models of DSP primitives simulate slowly.
+/// Returns false for models of DSP primitives, which simulate slowly.
 inline bool portable() { return core_configuration().parameters.multiplier_form == 0; }
 
-/// Shapes: of segments.
+/// The campaign; Shapes makes the segments.
 template <class Shapes>
 class SampleCampaign : BenchFormat {
   public:
-    /// `samples` without CURVECORE_SAMPLES: a few seconds' worth, of slow models fewer. 2^density
-    /// samples at least in a step, but for requests that are held.
+    /// Creates it. `samples` without CURVECORE_SAMPLES: a few seconds' worth, fewer for slow
+    /// models. A step has at least 2^density samples, except for held requests.
     SampleCampaign(int samples, int density)
         : samples_(portable() ? samples : samples / 50), least_density_(density) {
         const char* wanted = std::getenv("CURVECORE_SAMPLES");
@@ -58,7 +58,7 @@ class SampleCampaign : BenchFormat {
   private:
     static constexpr std::size_t kRing = 1024;  // more than the core holds in flight
 
-    /// The chain comes again and again; the core and the kernel read it each at its own pace.
+    /// Segment n of the chain, which repeats; the core and the kernel read it each at its own pace.
     const RunSegment& segment(std::size_t n) const { return chain_[n % chain_.size()]; }
 
     std::int64_t next_ds() {
@@ -88,7 +88,7 @@ class SampleCampaign : BenchFormat {
         ++compared_;
     }
 
-    /// One clock; each handshake is offered unless the random bits stall it.
+    /// Advances by one clock; each handshake is offered unless the random bits stall it.
     void clock(unsigned stalls) {
         dut_->segment_valid_i = (stalls & 1) == 0;
         dut_->segment_data_i = bus_[bus_place_];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The serial build's spline program, executed word by word: what rtl/serial/ does, without its
+// The serial build's spline program, executed word by word: equivalent to rtl/serial/ without its
 // pipeline, but with the distances that the pipeline needs between words.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shortest stop along a line, a circle or a helix, by another method: in the plane of speed and
-// acceleration, where such a path looks the same everywhere.
+// acceleration, as such a path is alike everywhere.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,20 @@
 
 namespace curvecore::tb {
 
-/// |r''| and |r'''|; r' r''' = -|r''|^2, r'' r''' = 0. With speed v, acceleration a and jerk u
-/// along it
+/// The path has |r''| and |r'''|; r' r''' = -|r''|^2, r'' r''' = 0. With speed v, acceleration a
+/// and jerk u along it
 ///
 ///     a^2 + k^2 v^4 <= A^2       (u - k^2 v^3)^2 + 9 k^2 v^2 a^2 + (t^2 - k^4) v^6 <= J^2
 ///
 /// The quickest way to rest is the least u until the largest u just ends in rest, at most as far as
-/// A goes.
+/// A allows.
 class ShortestStop {
   public:
     ShortestStop(const ref::Machine& machine, double bend, double third)
         : a_(machine.acceleration), j_(machine.jerk), k2_(bend * bend), t2_(third * third) {
         double v = 0;
         double a = 0;
-        // Backwards from rest.
+        // Integration backwards from rest.
         for (int i = 0; a > -most(v); ++i) {
             ends_.push_back({v, a, i * kStep});
             const double u = room(v, a) + k2_ * v * v * v;

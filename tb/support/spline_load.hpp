@@ -4,7 +4,7 @@
 
 namespace curvecore::tb::load {
 
-constexpr int kSixA = 0;  // here and where three follow: X Y Z
+constexpr int kSixA = 0;  // first of X Y Z, here and where three follow
 constexpr int kV = 3;
 constexpr int kW = 6;
 constexpr int kPhi = 9;

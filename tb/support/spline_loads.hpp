@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a planned motion along splines costs the machine: at every tick, from the exact curve.
+// Loads of a planned motion along splines on the machine: at every tick, from the exact curve.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,9 @@ namespace curvecore::tb {
 
 /// Worst ratios to the limits, of the path and of X Y Z, over all ticks on cubic moves. Speed,
 /// acceleration and jerk along the path are the profile words' own; r', r'' and r''' are the
-/// cubic's. Left out: rests (words round: a stop ends a little above zero), curvatures of more than
-/// a hundredth per path quantum, which only cusps have, and the first tick behind a move's start
+/// cubic's. Left out: rests (a stop's word is rounded, slightly above zero), curvatures of more
+/// than a hundredth per path quantum, which only cusps have, and the first tick after a move's
+/// start and the last before its end, which belong to the joint.
 /// and the last before its end, which belong to the joint.
 struct SplineLoads {
     ref::LimitRatios worst;
@@ -41,7 +42,7 @@ class SplineLoadMeter {
     }
 
   private:
-    /// Onto the move at path s, quanta.
+    /// Moves to the move at path s, quanta.
     void seek(double s) {
         const auto& segments = plan_.segments;
         while (next_ < segments.size() && (arc_ == nullptr || s >= move_end_)) {

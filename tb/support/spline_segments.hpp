@@ -16,7 +16,7 @@ namespace curvecore::tb {
 
 using namespace sysc;
 
-/// The cubic as words of fewer position bits can hold it.
+/// Scales the cubic to fit words of fewer position bits.
 inline ref::Cubic in_range(ref::Cubic cubic, int position_bits, double most) {
     cubic.d *= std::ldexp(1.0, position_bits - 32);
     const auto leaves = [&] {
@@ -34,7 +34,7 @@ inline ref::Cubic in_range(ref::Cubic cubic, int position_bits, double most) {
     return cubic;
 }
 
-/// The first dozen of pieces that the planner makes of a cubic of each family.
+/// The first dozen pieces that the planner makes of a cubic of each family.
 inline std::vector<RunSegment> spline_pieces(const CoreParameters& core, std::uint64_t seed) {
     ref::CoreParameters format;
     format.order = core.order;
@@ -67,7 +67,7 @@ class SplineSegments {
     SplineSegments(const CoreParameters& core, std::uint64_t seed)
         : core_(core), pieces_(spline_pieces(core, seed)), random_(seed) {}
 
-    /// Any of them, up to six steps of it; one in twelve has no length.
+    /// A random piece, up to six steps of it; one in twelve has no length.
     RunSegment next() {
         RunSegment words = pieces_[random_() % pieces_.size()];
         const std::int64_t longest =
@@ -78,7 +78,7 @@ class SplineSegments {
         return with_auxiliary(words);
     }
 
-    /// The one of most steps among those of 2^k units or more, that many whole steps of it at most.
+    /// The piece with the most steps of at least 2^k units, cut to at most `steps` whole steps.
     RunSegment whole(int k, int steps) {
         const auto count = [](const RunSegment& words) {
             return words.length >> (words.step_exponent + 16);

@@ -21,12 +21,12 @@ constexpr int kPeriodLog2 = CFG_PeriodLog2;
 constexpr int kTimeBits = CFG_TimeBits;
 /// Scales of motions: a step is four units of the position or more.
 constexpr int kMotionScaleBits = kScaleBits < kFineBits + 14 ? kScaleBits : kFineBits + 14;
-/// Beside a pulse of 8 clocks at most.
+/// Greatest time beside a pulse of at most 8 clocks.
 constexpr int kMostTime = (1 << kTimeBits) - 9;
 constexpr int64_t kPeriod = int64_t{1} << kPeriodLog2;
 constexpr int64_t kEveryAxis = (1 << kStepAxes) - 1;
 
-/// From the tick of a period to its first clock at axis 0, to the pin
+/// Clocks from the tick of a period to its first clock at axis 0, to the pin
 /// (rtl/pulse/step_generator.sv).
 constexpr int64_t kLatency = 6;
 
@@ -85,7 +85,7 @@ class StepBench {
         dut_->sample_valid_i = 1;
     }
 
-    /// One clock; true if it took the sample.
+    /// Advances by one clock. Returns true if it took the sample.
     bool clock() {
         dut_.settle();
         const bool taken = dut_->sample_valid_i && dut_->sample_ready_o;
@@ -101,7 +101,7 @@ class StepBench {
         while (n-- > 0) clock();
     }
 
-    /// A sample, until it is taken.
+    /// Offers a sample until it is taken.
     void sample(const std::vector<int64_t>& positions) {
         offer(positions);
         while (!clock()) {
@@ -116,7 +116,7 @@ class StepBench {
     int late() const { return late_; }        // clocks of late_o
     Vstep_generator* operator->() { return dut_.operator->(); }
 
-    std::function<void()> each_clock;  // after each
+    std::function<void()> each_clock;  // called after each
 
   private:
     ClockedDut<Vstep_generator> dut_;

@@ -11,7 +11,7 @@
 
 namespace curvecore::tb {
 
-/// floor(position scale / 2^bits), in wide integers.
+/// Returns floor(position scale / 2^bits), in wide integers.
 inline int64_t exact_place(int64_t position, int64_t scale, int bits) {
     const ref::StepCrossings::Wide product = ref::StepCrossings::Wide(position) * scale;
     return static_cast<int64_t>(product >> bits);
@@ -21,7 +21,7 @@ class StepMotion {
   public:
     enum class Kind { kWander, kReverse, kRipple, kMiddles, kKinds };
 
-    /// most: steps per sample.
+    /// Creates a motion of at most `most` steps per sample.
     template <class Random>
     StepMotion(Random& random, int fine_bits, int scale_bits, double most)
         : bits_(fine_bits), range_((int64_t{1} << (fine_bits - 1)) - 1) {
@@ -68,7 +68,7 @@ class StepMotion {
         position_ += static_cast<int64_t>(speed_);
     }
 
-    /// Down to where the place is just below a middle between two steps, or on it.
+    /// Moves down to a place just below a middle between two steps, or on it.
     void seek_middle() {
         const int64_t here = exact_place(position_, scale_, bits_);
         const int64_t beyond = (here - 32768) & 65535;
@@ -80,7 +80,7 @@ class StepMotion {
     int64_t range_;
     Kind kind_;
     int64_t scale_ = 0;
-    double units_ = 0;  // of the position per sample, at most
+    double units_ = 0;  // greatest change of the position per sample
     double speed_ = 0;
     int64_t position_ = 0;
     int64_t last_ = 0;

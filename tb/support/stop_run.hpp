@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stop branch carried out: as the hardware's words draw it, and in real numbers.
+// Execution of a stop branch: as the hardware's words draw it, and in real numbers.
 #pragma once
 
 #include "ref/feed/stops/stop_branch.hpp"
@@ -22,8 +22,8 @@ bool each_rate(const ref::StopSteps& steps, Tick tick) {
     return rate == 0 && slope == 0;
 }
 
-/// The whole plan up to a tick and the stop, by the kernel, measured over windows; `late`: the
-/// stop begins so much of a tick later, 2^-16, as after a hold.
+/// Measures over windows the whole plan up to a tick and the stop, by the kernel; `late`: part of a
+/// tick by which the stop begins later, 2^-16, as after a hold.
 inline sysc::LimitLoads stopped_limits(const ref::Plan& plan, const ref::Machine& machine,
                                        std::uint64_t tick, const ref::StopSteps& steps,
                                        std::int32_t late = 0) {
@@ -36,7 +36,7 @@ inline sysc::LimitLoads stopped_limits(const ref::Plan& plan, const ref::Machine
 }
 
 /// Worst acceleration and jerk of X Y Z during the stop over the machine's, from differences of
-/// places `step` ticks apart: means over 2 and 3 of them, without the room that joints are given.
+/// places `step` ticks apart: means over 2 and 3 of them, without the allowance for joints.
 struct Differences {
     double acceleration = 0;
     double jerk = 0;
@@ -48,7 +48,7 @@ inline Differences stopped_differences(const ref::Plan& plan, const ref::Machine
     std::vector<ref::Vec3> places;
     auto segment = plan.segments.begin();
     std::size_t piece = 0;
-    double start = 0;  // of the piece, ticks
+    double start = 0;  // start of the piece, ticks
     std::uint64_t done = 0;
     double time = 0;
     const auto place = [&] {

@@ -16,12 +16,12 @@ class TickRun {
         take();
     }
 
-    /// Pieces are left.
+    /// Returns true while pieces are left.
     bool active() const { return next_ == 0 || kernel_.active(); }
 
     std::size_t begun() const { return next_; }  // pieces
 
-    /// By a rate of time, 2^16 = 1.
+    /// Draws a tick at a rate of time, 2^16 = 1.
     void tick(std::int32_t rate, bool hold = false) {
         const auto feed = [this](hls::ProfileWords& words) {
             if (next_ == plan_.pieces.size()) return false;

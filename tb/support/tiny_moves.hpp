@@ -8,7 +8,7 @@
 
 namespace curvecore::tb {
 
-/// Lines and arcs of 0.1 to 20 um, almost straight on, and now and then a longer one.
+/// Lines and arcs of 0.1 to 20 um, almost straight on, with an occasional longer one.
 inline ref::Program tiny_moves(unsigned seed, int count) {
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) {
@@ -28,7 +28,7 @@ inline ref::Program tiny_moves(unsigned seed, int count) {
     return builder.program();
 }
 
-/// Lines of 50 nm: nothing but the core bounds the speed.
+/// Lines of 50 nm: only the core bounds the speed.
 inline ref::Program even_lines(int count) {
     ProgramBuilder builder;
     for (int n = 1; n <= count; ++n) builder.line({5e-5 * n, 0, 0}, 500);

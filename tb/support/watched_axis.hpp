@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An axis of the step generator as its drive sees it, held against the exact crossings of its
+// An axis of the step generator as its drive sees it, compared with the exact crossings of its
 // places: every step once, in order, in the first clock that the drive's times allow.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace curvecore::tb {
 
-/// Places in 2^-16 step.
+/// Places in units of 2^-16 step.
 inline const ref::StepCrossings kPlaces(1, int64_t{1} << hls::kStepFraction);
 
 struct DueStep {
@@ -23,7 +23,7 @@ struct DueStep {
     bool back;
 };
 
-/// One axis: what is due by its places, and what its pins give.
+/// An axis: the steps due by its places, and the steps at its pins.
 class WatchedAxis {
   public:
     WatchedAxis(int64_t scale, int fine_bits, int64_t period, const hls::PulseTimes& times)
@@ -31,7 +31,7 @@ class WatchedAxis {
 
     void stands_at(int64_t position) { place_ = place_of(position); }
 
-    /// A period begins, whose first clock reaches the pins after `start`.
+    /// Begins a period, whose first clock reaches the pins after `start`.
     void moves_to(int64_t position, int64_t start) {
         const int64_t place = place_of(position);
         kPlaces.between(place_, place, [&](const ref::StepCrossing& crossing) {
@@ -49,7 +49,7 @@ class WatchedAxis {
         const DueStep due = due_.front();
         due_.pop_front();
         ASSERT_EQ(due.back, direction) << "a step in the wrong direction";
-        // Each goes out in the first clock that the drive's times allow.
+        // Each step goes out in the first clock that the drive's times allow.
         const int64_t possible =
             std::max(before + std::max(times_.steplen, 1) + std::max(times_.stepspace, 1),
                      monitor_.turn() + std::max(times_.dirsetup, 1));
@@ -57,8 +57,9 @@ class WatchedAxis {
         if (possible <= due.clock) ++free_;
     }
 
-    /// Steps wait that one turn, and 7 each way, cannot hold: an overrun is what must be reported.
-    /// It is decided two clocks before the step could go out, and seen one clock later.
+    /// Returns true if more steps wait than one turn, and 7 each way, can hold: an overrun must
+    /// then be reported. It is decided two clocks before the step could go out, and seen one clock
+    /// later.
     bool overruns(int64_t clock) const {
         bool pin = monitor_.direction();
         int waiting[2] = {0, 0};
@@ -72,7 +73,7 @@ class WatchedAxis {
         return false;
     }
 
-    /// The whole step at which it is.
+    /// The whole step at which the axis is.
     int64_t count() const { return kPlaces.count(place_); }
     bool idle() const { return due_.empty(); }
     int64_t free_steps() const { return free_; }

@@ -12,15 +12,16 @@
 
 namespace curvecore::tb {
 
-/// Looks at data and sync whenever the clock falls; a frame ends with the bit whose sync is low.
+/// The receiver samples data and sync whenever the clock falls; a frame ends with the bit whose
+/// sync is low.
 class Xy2Receiver {
   public:
     struct Frame {
         std::array<uint32_t, 3> words{};  // 20 bits
-        std::vector<int64_t> falls;       // of the clock
+        std::vector<int64_t> falls;       // falling edges of the clock
     };
 
-    /// On every clock of the system; the frame that ends with it.
+    /// Takes the pins on every clock of the system. Returns the frame that ends with it.
     std::optional<Frame> look(bool clock, bool sync, unsigned data, int64_t now) {
         const bool falls = clock_ && !clock;
         const bool rises = !clock_ && clock;

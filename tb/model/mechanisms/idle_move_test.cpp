@@ -91,7 +91,7 @@ TEST(IdleMove, TwoOrdinatesOfACubicSplineMeetSlopeAndCurvature) {
 
 Vec3 random_vector() { return Vec3::Random(); }
 
-/// Ends with curvature, in space.
+/// A move whose ends have curvature, in space.
 IdleMove twisted(JoinFit fit, int points) {
     IdleMove move;
     move.start = {Vec3(1, 2, 3), Vec3(1, 2, 2) / 3, Vec3(0.02, -0.01, 0), 30};
@@ -123,7 +123,7 @@ TEST(IdleMove, LeastPointsAreLeastAmongThoseThatMeetTheJoints) {
             EXPECT_LE(met.start.slope + met.end.slope, 1e-9);
             EXPECT_LE(met.start.curvature + met.end.curvature, 1e-9);
             const double reached = bend(best, least);
-            // From any other points the same ones are found, and moving on from them costs.
+            // Any other points lead to the same ones, and moving on from them costs.
             IdleMove other = start;
             for (Vec3& point : other.points) point += 2 * random_vector();
             const IdleMove again = with_least(other, least);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The quintic of idle moves: smooth at its points, one quintic found again, no swinging curvature;
+// The quintic of idle moves: smooth at its points, one quintic recovered, no oscillating curvature;
 // jumps at control points, and jumps of rounding.
 #include <gtest/gtest.h>
 
@@ -18,13 +18,13 @@ Joint at(const Vec3& position, const Vec3& tangent) {
     return {position, tangent, Vec3::Zero(), 25};
 }
 
-/// 5 mm aside over l: tangents of 1 and ends without curvature.
+/// A move 5 mm aside over l: tangents of 1 and ends without curvature.
 IdleMove lane_change(JoinFit fit, double l, int points) {
     return default_idle_move(at(Vec3(0, 0, 0), Vec3(1, 0, 0)), at(Vec3(l, 5, 0), Vec3(1, 0, 0)),
                              fit, points);
 }
 
-/// nth derivative by t of a Bezier piece at its start or end.
+/// The nth derivative by t of a Bezier piece at its start or end.
 Vec3 derivative(BezierPiece piece, int n, bool at_end) {
     for (; n > 0; --n) {
         BezierPiece slope{piece.h, {}};
@@ -94,7 +94,7 @@ TEST(IdleQuintic, OneQuinticIsFoundAgain) {
     }
 }
 
-// With slopes by [Petrakov] (1), and (1) of them, the curvature swings between the points.
+// The curvature oscillates between the points for slopes by [Petrakov] (1), and for (1) of them.
 TEST(IdleQuintic, CurvatureDoesNotSwing) {
     const IdleMove move = lane_change(JoinFit::kQuintic, 40, 3);
     EXPECT_EQ(curvature_extrema(move.pieces()), 3);
@@ -144,7 +144,7 @@ TEST(IdleQuintic, JumpsOfRoundingAreZero) {
         EXPECT_EQ(jump.curvature, 0);
         EXPECT_EQ(jump.across, 0);
     }
-    move.start.curvature.z() += 2e-9;  // a jump, if a small one
+    move.start.curvature.z() += 2e-9;  // a jump, though a small one
     const Joint working{Vec3::Zero(), move.start.tangent, Vec3(0.02, -0.01, 0), 25};
     EXPECT_GT(jump(working, PathTable(move.pieces()).at(0.), 0).curvature, 1e-9);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// join.json: what is written is read back, what is wrong is refused with its line, and no mutation
-// of it gets through as a move that cannot be drawn.
+// The file join.json: it reads back as written, flaws are refused with their line, and no mutation
+// gets through as a move that cannot be drawn.
 #include "sysc/join/join_file.hpp"
 
 #include <gtest/gtest.h>
@@ -101,7 +101,7 @@ TEST(JoinFile, WhatIsWrongIsSaidWithItsLine) {
               "one each");
 }
 
-/// CURVECORE_MUTATIONS of them; the campaign makes 10^5.
+/// Number of mutations, CURVECORE_MUTATIONS; the campaign makes 10^5.
 int mutations() {
     const char* const count = std::getenv("CURVECORE_MUTATIONS");
     return count != nullptr ? std::atoi(count) : 4000;

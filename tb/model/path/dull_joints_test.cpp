@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long lines that meet at dull angles: the jerk of what is drawn, by third differences of its
+// Long lines that meet at dull angles: the jerk of the drawn motion, by third differences of its
 // positions alone. A third difference over h is a mean of the jerk over 3 h.
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::vector<Vec3> drawn_positions(const ref::Plan& plan) {
     return positions;
 }
 
-/// Of the path and its axes, over so many samples thrice.
+/// Worst jerk of the path and its axes, over three times h samples.
 double worst_jerk(const std::vector<Vec3>& p, std::size_t h) {
     double worst = 0;
     for (std::size_t i = 3 * h; i < p.size(); ++i) {

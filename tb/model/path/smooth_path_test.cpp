@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What G64 P makes of programs: within the tolerance, as a search of both paths sees it that knows
-// nothing of how it was made, and smooth.
+// Paths that G64 P makes of programs: smooth, and within the tolerance by an independent search of
+// both paths.
 #include "ref/path/smooth_path.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ Jumps jumps(const Program& program) {
     return worst;
 }
 
-/// Draws a program anew and holds it against what it was: the share that was searched out.
+/// Smooths a program and searches for its greatest distance from the original, as a share of the
+/// tolerance.
 double smooth_and_search(Program& program, Smoothed& smoothed) {
     const double tolerance = program.moves.front().tolerance;
     const std::vector<Move> programmed = program.moves;
@@ -104,7 +105,7 @@ TEST(SmoothPath, OfACornerWithAnArcIsOneCubicToo) {
                     const double seen = smooth_and_search(program, smoothed);
                     EXPECT_LE(seen, 1.002) << turn << " " << radius << " " << tolerance;
                     const double reach = ref::corner_reach(std::abs(turn), tolerance);
-                    if (reach < 0.2 * radius) {  // else it is no longer near a corner of lines
+                    if (reach < 0.2 * radius) {  // beyond it is no longer near a corner of lines
                         EXPECT_GE(seen, 0.9) << turn << " " << radius << " " << tolerance;
                         EXPECT_EQ(smoothed.corners, 1) << turn << " " << radius;
                         EXPECT_EQ(program.moves.size(), 3);
@@ -190,7 +191,7 @@ TEST(SmoothPath, LeavesStopsAndAuxiliaryAxesWhereTheyAre) {
     EXPECT_EQ(program.moves.size(), 5);
 }
 
-/// Lines, or lines and arcs, that go anywhere: every kind of neighbour at every size.
+/// Random lines, or lines and arcs: every kind of neighbour at every size.
 class RandomPaths : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomPaths, testing::Range(0, 40));
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs in G64 P as they are drawn: the machine's limits hold over every window, by differences
-// of the drawn positions, whatever was smoothed.
+// of the drawn positions, however they were smoothed.
 #include <gtest/gtest.h>
 
 #include "ref/feed/planner.hpp"
@@ -18,7 +18,7 @@ using ref::Plan;
 using ref::PlanOptions;
 using ref::Program;
 
-/// Plans what is drawn, and holds it against the limits.
+/// Plans the smooth program, and checks it against the limits.
 void expect_kept(Program program, double tolerance, Effort effort) {
     program = with_tolerance(std::move(program), tolerance);
     const ref::Vec3 end = program.moves.back().end;

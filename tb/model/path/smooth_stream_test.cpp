@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A path made smooth in windows: as good as in one, wherever it is cut.
+// A path made smooth in windows: as good as in one window, wherever it is cut.
 #include "ref/path/smooth_stream.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ double duration(const Program& program) {
     return ref::make_plan(program, Machine(), options).duration_s;
 }
 
-/// Any lines, in windows so short that most of what could be one curve is cut.
+/// Random lines, in windows so short that most of the possible curves are cut.
 TEST(SmoothStream, KeepsTheToleranceWhereverItIsCut) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE(seed);
@@ -79,7 +79,7 @@ TEST(SmoothStream, KeepsTheToleranceWhereverItIsCut) {
     }
 }
 
-/// 60 mm long.
+/// A wave of 60 mm.
 Program wave_in_chords() {
     ProgramBuilder builder;
     for (int i = 1; i <= 3000; ++i) {

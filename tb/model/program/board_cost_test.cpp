@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a whole board takes, against the boards that were placed.
+// Cost of a whole board, compared with the boards that were placed.
 #include "sysc/cost/board_cost.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ nlohmann::json placed_boards() {
 }
 
 TEST(BoardCost, OfAPlacedBoardIsWhatItTook) {
-    std::map<std::string, int> seen;  // the first of a build and family stands for it
+    std::map<std::string, int> seen;  // the first of each build and family represents it
     for (const nlohmann::json& row : placed_boards()) {
         const Device* const device = find_device(device_of_board(row));
         if (device == nullptr) continue;

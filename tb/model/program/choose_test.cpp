@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What choose answers, drawn by the bit-true kernel: the error keeps the requirement on hard
-// curves; a bit less does not.
+// The answer of choose, drawn by the bit-true kernel: the error meets the requirement on hard
+// curves; with a bit less it does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -141,7 +141,7 @@ TEST(ChooseOwnWidths, AreTheSmallestForASampleAClock) {
     EXPECT_EQ(row.missing_bits, 0);
 }
 
-/// Planned for the answer's words, drawn with two bits less, an error is beyond its bound.
+/// Control: words planned for the answer but drawn with two bits less exceed the bound.
 TEST(ChooseControl, NarrowerWordsBreakTheProof) {
     const Requirement requirement =
         NamedRequirement{"Nanometre", 1e-6, 1000, 0, 1000, "ecp5-25"}.requirement();
@@ -153,7 +153,7 @@ TEST(ChooseControl, NarrowerWordsBreakTheProof) {
 TEST(ChooseControl, RelaxationsArePossibleAndNeeded) {
     Requirement requirement = NamedRequirement{"", 1e-3, 300, 0, 10e3 / 60, "up5k"}.requirement();
     requirement.unit_mm = 1e-3;
-    requirement.error_mm = 0.4e-3;  // less than the rounding to the unit
+    requirement.error_mm = 0.4e-3;  // below the rounding to the unit
     EXPECT_TRUE(Chooser(requirement).smallest(1).empty());
     const std::vector<Relaxation> found = relaxations(requirement);
     ASSERT_GE(found.size(), 2U);

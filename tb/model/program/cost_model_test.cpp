@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cost model against the runs it was fitted to: DSP and RAM exactly, the rest as the script
-// that fitted it predicts.
+// The cost model against the runs it was fitted to: DSP and RAM exactly, the rest as the fitting
+// script predicts.
 #include "sysc/cost/cost_model.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(CostModel, CountsDspAndRamExactly) {
     }
 }
 
-/// ECP5: four blocks of 18 x 18 for a product, two or one where words of 18 bits are enough.
+/// Blocks of ECP5: four of 18 x 18 for a product, two or one where words of 18 bits are enough.
 TEST(CostModel, CountsTheBlocksOfEachOrdersWords) {
     const Device& ecp5 = kDevices[2];
     CoreParameters parameters;
@@ -77,7 +77,7 @@ TEST(CostModel, CountsTheBlocksOfEachOrdersWords) {
     EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 26);
 }
 
-/// What Yosys made of rtl/multiplier/multiplier.sv alone, of these widths.
+/// Blocks that Yosys made of rtl/multiplier/multiplier.sv alone, of these widths.
 TEST(CostModel, CountsTheBlocksOfThePortableMultiplier) {
     struct Made {
         const char* device;
@@ -119,7 +119,7 @@ TEST(CostModel, IsNearTheRuns) {
     }
 }
 
-/// Clocks of GW2A-18 scatter more than those of all families together.
+/// Clock estimates of GW2A-18 scatter more than those of all families together.
 TEST(CostModel, HasTheErrorOfTheDevicesFamilyWhereThatIsMore) {
     CoreParameters parameters;
     parameters.build = Build::kSerial;

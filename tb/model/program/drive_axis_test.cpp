@@ -38,7 +38,7 @@ TEST(DriveAxis, FollowsAConstantSpeedByDampingAndFriction) {
     }
 }
 
-/// Undamped it would swing; with damping it overshoots by what the equation says.
+/// Overshoot with damping, by the equation; undamped the axis would oscillate.
 TEST(DriveAxis, OvershootsAStepAsTheEquationDoes) {
     const double damping = 0.3;
     DriveAxis drive(settings(damping, 0), kStep, kPeriod);

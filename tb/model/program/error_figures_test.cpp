@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The figures that `curvecore compare` reports of many errors, and the curve that it takes them
-// from.
+// Error figures of `curvecore compare`, and the curve that it compares with.
 #include "sysc/curves/error_figures.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +64,8 @@ TEST(ValueRanges, KeepWhatAWordHoldsAndCountWhatItLacks) {
     EXPECT_TRUE(ranges.range(Variable::kW, 11).empty());
 }
 
-/// Against the planner's own segments, which tb/model and tb/campaign hold against closed forms.
+/// Compares with the planner's own segments, which tb/model and tb/campaign compare with closed
+/// forms.
 TEST(ExactSamples, AreOnTheSegmentsOfAPlan) {
     const ref::Program program = built_in_curves(CurveSet::kAll);
     const ref::Geometry geometry =

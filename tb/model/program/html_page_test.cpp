@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sysc/cli/html_page.hpp: data in a page stay data, whatever a file is called.
+// HTML pages (sysc/cli/html_page.hpp): data in a page stay data, whatever the name of a file.
 #include "sysc/cli/html_page.hpp"
 
 #include <gtest/gtest.h>

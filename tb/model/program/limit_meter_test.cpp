@@ -17,7 +17,7 @@ using sysc::LimitMeter;
 constexpr double kPeriod = 1e-4;
 constexpr double kUnit = 1e-6;
 
-/// Of x(t), mm, over a second; y and z stand.
+/// Measures x(t), mm, over a second; y and z stand.
 LimitLoads measure(const Machine& machine, const std::function<double(double)>& x,
                    double period = kPeriod, int per_tick = 1, double error = 0, double shake = 0) {
     LimitMeter meter(machine, kUnit, period, per_tick, 3, error);
@@ -29,7 +29,7 @@ LimitLoads measure(const Machine& machine, const std::function<double(double)>& 
     return meter.finish();
 }
 
-/// From 0.5 s on at the speed v, at once.
+/// A motion at the speed v from 0.5 s on, at once.
 std::function<double(double)> jump(double v) {
     return [v](double t) { return v * std::max(0.0, t - 0.5); };
 }
@@ -117,7 +117,7 @@ TEST(LimitMeter, RoundingIsAllowedForAndStated) {
     const double jerk_window = machine.jerk * 1e-3 * 2e-3 + machine.acceleration * 1e-3;
     const double rounding = std::sqrt(3.0) * 8 * kError * kUnit / kPeriod;
     EXPECT_NEAR(loads.rounding(), rounding / (jerk_window + rounding), 1e-9);
-    // As much as rounding can be, the limits being nothing.
+    // Zero limits: the rounding takes all of the allowance.
     Machine none;
     none.acceleration = none.jerk = 1e-9;
     for (ref::AxisLimits& axis : none.axis) axis.acceleration = axis.jerk = 1e-9;
@@ -129,7 +129,7 @@ TEST(LimitMeter, SaysWhereTheWorstIs) {
     const Machine machine;
     LimitMeter meter(machine, kUnit, kPeriod, 1, 3);
     for (int k = 0; k <= 10000; ++k) {
-        const double t = std::max(0.0, k * kPeriod - 0.5);  // 3 mm/s at once, then ever less
+        const double t = std::max(0.0, k * kPeriod - 0.5);  // 3 mm/s at once, then ever slower
         meter.take({0.3 * (1 - std::exp(-10 * t)) / kUnit, 0, 0}, k <= 5000 ? 1 : 2);
     }
     const LimitLoads loads = meter.finish();

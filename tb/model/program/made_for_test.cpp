@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// sysc/job/made_for.hpp: words for another configuration, by one thing or by many, do not enter.
+// The digest (sysc/job/made_for.hpp): words for another configuration, by one setting or by many,
+// do not enter.
 #include "sysc/job/made_for.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,7 @@ struct Configuration {
     std::uint16_t digest() const { return sysc::made_for(options, machine).digest(); }
 };
 
-/// A thing that words depend on, and how to give it one of so many values.
+/// A setting that words depend on, and a function to give it one of `values` values.
 struct Thing {
     const char* name;
     int values;
@@ -65,7 +66,7 @@ std::vector<Thing> things() {
     return all;
 }
 
-/// All values of one thing have their own digests.
+/// Every value of each setting has its own digest.
 TEST(MadeFor, TellsEveryThingApart) {
     for (const Thing& thing : things()) {
         std::set<std::uint16_t> digests;
@@ -78,7 +79,8 @@ TEST(MadeFor, TellsEveryThingApart) {
     }
 }
 
-/// Of 20,000 pairs of configurations that differ in many things; by chance one of 65,536 is alike.
+/// Digests of 20,000 pairs of configurations that differ in many settings; by chance one of 65,536
+/// is equal.
 TEST(MadeFor, TellsConfigurationsApart) {
     std::mt19937 random(1);
     const std::vector<Thing> all = things();
@@ -94,8 +96,8 @@ TEST(MadeFor, TellsConfigurationsApart) {
     EXPECT_LE(alike, 3);
 }
 
-/// What enters of words for one digest where another is asked for: less than a frame, whatever the
-/// two are.
+/// Words for one digest that enter where another is required: less than a frame, for any two
+/// digests.
 TEST(MadeFor, LetsNoFrameInForAnother) {
     ProgramBuilder builder;
     builder.line({7, 3, 0}, 80);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A kernel gives the same words with widths at run time as with widths of its type: bus words of
-// segments, and positions of seeded streams of arcs, helices, lines and splines, at the edges of
-// every parameter.
+// Formats with widths at run time: a kernel gives the same words as with widths of its type. Bus
+// words of segments, and positions of seeded streams of arcs, helices, lines and splines, at the
+// edges of every parameter.
 #include "sysc/core/run_time_format.hpp"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TYPED_TEST(RunTimeFormatOf, DrawsTheSameSamples) {
     std::int64_t walked = 0;
     int samples = 0;
     while (walked < length) {
-        // From a quantum to many steps, and exactly onto segments' ends.
+        // Increments from a quantum to many steps, and exactly onto segments' ends.
         std::int64_t ds = std::int64_t(engine() >> (engine() % 40 + 24)) % (length / 300);
         if (engine() % 8 == 0 && next > 0) {
             std::int64_t end = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time is kept: what a core's clocks make of a plan, sample by sample, stays within the sample
-// period that it was planned for, in both builds and close to the least clock.
+// Time is kept: the samples of a plan, by the core's clocks, stay within the planned sample period,
+// in both builds and close to the least clock.
 #include "sysc/watch/sample_pace.hpp"
 
 #include <gtest/gtest.h>
@@ -42,16 +42,17 @@ TEST(SamplePace, IsTheLeastPeriodAtWhichNoSampleIsLate) {
     }
 }
 
-/// Least period along the plan that a core at `available` clocks a period gets, in these clocks.
+/// Least period along the plan that a core with `available` clocks a period reaches, in these
+/// clocks.
 double share_used(const ref::Program& program, const CoreParameters& core, double available,
                   double planned_for = 1) {
     ref::PlanOptions options;
     options.format = core;
     options.sample_period_s = kPeriod;
     options.core = core_time(core, available * planned_for / kPeriod);
-    options.segment_queue_words = INT_MAX;  // not what queues cover, but what the core can do
+    options.segment_queue_words = INT_MAX;  // the core limits, not the queues
     options.profile_queue_words = INT_MAX;
-    options.window = program.moves.size() + 1;  // nor what it can see
+    options.window = program.moves.size() + 1;  // nor the look-ahead
     const ref::Plan plan = make_plan(program, ref::Machine(), options);
     PathSource source(plan, 0, 1 << 16);
     PredictedPace pace(plan, core);
@@ -70,7 +71,7 @@ struct Case {
     Build build;
     int splines;
     int mode;
-    std::vector<double> available;  // times the least
+    std::vector<double> available;  // clocks, relative to the least
 };
 
 TEST(SamplePace, PlansOfTinySegmentsKeepTime) {
@@ -110,7 +111,7 @@ TEST(SamplePace, ThePeriodIsMadeUseOf) {
             EXPECT_LE(used, 1) << build_name(build) << " " << available;
             EXPECT_GT(used, 0.6) << build_name(build) << " " << available;
             RecordProperty(build_name(build) + std::to_string(available), std::to_string(used));
-            // Control: planned for a core that is twice as fast.
+            // Control: a plan for a core that is twice as fast.
             EXPECT_GT(share_used(program, core, available, 2), 1) << available;
         }
     }
@@ -140,7 +141,7 @@ TEST(SamplePace, APeriodShorterThanTheCoresClocksIsRefused) {
     EXPECT_NO_THROW(check_period(core, false, kPeriod, least / kPeriod));
     EXPECT_THROW(check_period(core, false, kPeriod, 0.999 * least / kPeriod), UsageError);
     EXPECT_THROW(check_period(core, true, kPeriod, least / kPeriod), UsageError);
-    // Ticks of time are shared by samples.
+    // Samples share the clocks of a tick.
     EXPECT_EQ(least, hls::tick_clocks(timed_core(core)));
     const double shared = least_period_clocks(core, false, 2);
     EXPECT_LT(shared, least);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The schemes of `curvecore compare --scheme`, through its own code: the papers' figures come out,
-// our steps on the same curves stay within their bound.
+// The schemes of `curvecore compare --scheme`, through its own code: they have the papers' figures,
+// and our steps on the same curves stay within their bound.
 #include "sysc/compare/tick_comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ std::vector<Row> compare(const std::string& schemes, const std::string& feed,
 }
 
 /// The sixteen variables, one step a tick of 10 ms, mm, computed independently; 0: blows up. (The
-/// gentle curve in space is another one there: its figures are those of ref/README.md.)
+/// gentle curve in space differs there: its figures are those of ref/README.md.)
 TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
     struct Feed {
         const char* feed;
@@ -59,7 +59,7 @@ TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
     }
 }
 
-/// The same numbers as the tables of ref/README.md, by other code.
+/// Values of the tables of ref/README.md, by other code.
 TEST(TickComparison, InDoubleIsWhatTheTablesFollow) {
     const std::vector<ref::TestSpline> curves = ref::test_splines();
     const double step = ref::tick_path(1.5, ref::kSplineTickMs);
@@ -93,7 +93,7 @@ TEST(TickComparison, OurStepsBesideThemStayWithinTheirBound) {
     EXPECT_TRUE(rows[3].has_figures());
 }
 
-/// Words add their roundings to what double loses, by their width.
+/// Words add their roundings, by their width, to the error in double.
 TEST(TickComparison, ThePapersSchemeInWordsIsItsSeriesAndItsRoundings) {
     double last = 10;
     for (const int bits : {20, 28, 36}) {
@@ -106,7 +106,7 @@ TEST(TickComparison, ThePapersSchemeInWordsIsItsSeriesAndItsRoundings) {
         EXPECT_GT(gentle, std::ldexp(45.8, -bits)) << "no better than its words";
         last = gentle;
         EXPECT_NEAR(rows[1].by_move[2], 1.8e-7, 0.1e-7) << "in double no word counts";
-        // Where the series rules: a hairpin of 1 mm in 36 bits.
+        // The series dominates: a hairpin of 1 mm in 36 bits.
         if (bits == 36) {
             EXPECT_NEAR(rows[0].by_move[3] / rows[1].by_move[3], 1, 0.1);
         }

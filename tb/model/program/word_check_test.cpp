@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A part whose words would overflow is refused with its line, whatever the planner thought of it.
+// A part whose words would overflow is refused with its line, independently of the planner's
+// checks.
 #include "sysc/curves/word_check.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bound of a family against its segments, and what it says of the planner's cuts against the
-// planner.
+// The bound of a family of arcs against its segments, and its prediction of the planner's cuts
+// against the planner.
 #include "ref/geometry/arc_cover.hpp"
 
 #include <gtest/gtest.h>
@@ -155,7 +155,7 @@ TEST(ArcCover, ThePlannerRefusesNoneAndKeepsItsRates) {
             shortest = std::min(shortest, length);
             densest = std::max(densest, steps / length);
         }
-        // What is too long for its length word is cut into equal parts.
+        // An arc that exceeds its length word is cut into equal parts.
         const double cut = ref::kLongestSegment / 2;
         EXPECT_GE(shortest, 0.99 * std::min({cover.shortest, own.shortest, cut})) << n;
         EXPECT_LE(densest, 1.01 * std::max(cover.steps_per_unit, own.steps_per_unit)) << n;

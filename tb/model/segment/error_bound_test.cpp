@@ -96,7 +96,7 @@ Worst measure(int kind, int programs, Sizes sizes, double limit, Spoil spoil) {
         ProgramBuilder builder;
         const double part = i % 7 == 0 ? 1 : uniform(0, 1);
         const double size = sizes.low * std::pow(sizes.high / sizes.low, part);
-        // About the origin, so that positions stay within their words.
+        // Curves about the origin keep positions within their words.
         const ref::Vec3 normal = i % 3 == 0 ? ref::Vec3::UnitZ() : direction();
         const ref::Vec3 arm = normal.cross(direction()).normalized() * size;
         ref::Program& program = builder.program();
@@ -122,7 +122,7 @@ Worst measure(int kind, int programs, Sizes sizes, double limit, Spoil spoil) {
     return worst;
 }
 
-/// Decade by decade: an idle bound in one would hide behind the others.
+/// Each decade is checked alone: an idle bound in one would be hidden by the others.
 template <class C>
 void expect_tight(double largest, double limit, int programs, double factor = 8) {
     const auto honest = [](hls::SegmentWords<C>&) {};
@@ -154,7 +154,7 @@ TEST(ErrorBound, CoversAndIsTightAtOrder3Polynomial) {
     expect_tight<Core<3, 36, 10, SamplerMode::kPolynomial>>(100, 0.1, 30);
 }
 TEST(ErrorBound, CoversAndIsTightAtOrder8) { expect_tight<Core<8, 36, 10>>(1000, 0.1, 60); }
-// Some hundred independent roundings in a segment: their worst case is far from what they do.
+// A segment has some hundred independent roundings: their worst case is far from the usual sum.
 TEST(ErrorBound, CoversAtOrder12) { expect_tight<Core<12, 36, 12>>(1000, 0.1, 60, 16); }
 TEST(ErrorBound, CoversAndIsTightAt28Bits) { expect_tight<Core<6, 28, 10>>(100, 0.1, 30); }
 TEST(ErrorBound, CoversAndIsTightAt18Bits) { expect_tight<Core<4, 18, 4>>(0.3, 0.2, 40); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segments of a plan: they join, stay within their bounds and words, and what cannot be is refused.
+// Segments of a plan: they join, stay within their bounds and words, and invalid moves are refused.
 #include "ref/feed/planner.hpp"
 
 #include <gtest/gtest.h>
@@ -147,7 +147,7 @@ TEST(Planner, RotaryAxisLeavesWholeTurnsOut) {
         }
         EXPECT_NEAR(last, -720.5e6, 1e-3);
     }
-    // B is no rotary axis: its words are all of its travel.
+    // B is no rotary axis: its words hold all of its travel.
     Machine machine;
     machine.axis[3].rotary = false;
     EXPECT_THROW(make_plan(builder.program(), machine, PlanOptions()), ref::InputError);

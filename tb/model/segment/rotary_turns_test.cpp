@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ref/geometry/rotary_turns.hpp: what is left of a rotary axis's turns goes into its words.
+// Turns of rotary axes (ref/geometry/rotary_turns.hpp): words hold the remainder of the turns.
 #include "ref/geometry/rotary_turns.hpp"
 
 #include <gtest/gtest.h>

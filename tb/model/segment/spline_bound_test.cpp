@@ -66,7 +66,7 @@ struct Worst {
     int beyond = 0;
 };
 
-/// Cubics of a family, those that the words of the configuration can hold.
+/// Cubics of a family that the words of the configuration can hold.
 template <class C, class Spoil>
 Worst measure(const SplineFamily& family, int curves, double limit, Spoil spoil) {
     SplineMaker random(5);
@@ -114,7 +114,7 @@ TEST(SplineBound, CoversAndIsTightAtOrder3Series) {
 }
 TEST(SplineBound, CoversAndIsTightAtOrder4) { expect_tight<Core<4, 36, 10, kPolynomial>>(0.1, 6); }
 TEST(SplineBound, CoversAndIsTightAtOrder8) { expect_tight<Core<8, 36, 10, kPolynomial>>(0.1, 6); }
-// Some hundred independent roundings: their worst case is far from what they do.
+// Some hundred independent roundings: their worst case is far from the usual sum.
 TEST(SplineBound, CoversAtOrder12) { expect_tight<Core<12, 36, 12, kSeries>>(0.1, 6, 1e9, 16); }
 TEST(SplineBound, CoversAndIsTightAt28Bits) {
     expect_tight<Core<6, 28, 10, kPolynomial>>(0.1, 6, 3e6);
@@ -127,7 +127,7 @@ TEST(SplineBound, CoversAndIsTightWithAFineParameter) {
     expect_tight<Core<3, 24, 8, kSeries, 8>>(0.2, 3, 300e3);
     expect_tight<Core<4, 18, 4, kPolynomial, 1>>(0.5, 6, 50e3);
 }
-// What the finer sum is for: segments as few as the cubic's words allow, not the sum's roundings.
+// Purpose of the finer sum: segments as few as the cubic's words allow, not the sum's roundings.
 TEST(SplineBound, AFineParameterNeedsFewerSegments) {
     std::size_t segments[2] = {0, 0};
     for (const int guard : {0, 4}) {

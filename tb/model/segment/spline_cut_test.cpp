@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a cubic is cut into is found once: as if it were found each time.
+// Cuts of a cubic are found once: they equal those found each time anew.
 #include "ref/segment/spline_cut.hpp"
 
 #include <gtest/gtest.h>

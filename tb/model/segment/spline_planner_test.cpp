@@ -75,7 +75,7 @@ TEST(SplinePlanner, SegmentsJoinAndFollowTheirMoves) {
     }
 }
 
-// The path of n moves is the rounded sum of their lengths, whatever their pieces are.
+// The path of n moves is the rounded sum of their lengths, however they are cut.
 TEST(SplinePlanner, PathLengthsDoNotDrift) {
     const Program program = random_splines(7, 150);
     const PlanOptions options;
@@ -160,7 +160,7 @@ TEST(SplinePlanner, TangentJointsArePassedAtSpeed) {
             EXPECT_GT(segment.feed_end, 39.9);
         }
     }
-    // Control: a corner is not.
+    // Control: a corner stops the motion.
     builder.line({0, 0, 0}, 40);
     const Plan cornered = make_plan(builder.program(), Machine(), PlanOptions());
     EXPECT_LT(feed_at(cornered, {0, 40, 0}), 1e-6);
@@ -209,17 +209,17 @@ TEST(SplinePlanner, LatencyOfTheSplineNetworkBoundsTheSpeed) {
     for (const Segment& segment : plan.segments) {
         steps += std::ceil(std::ldexp(units(segment), -segment.step_exponent));
     }
-    EXPECT_GE(plan.duration_s, steps - 1);  // the first is there
+    EXPECT_GE(plan.duration_s, steps - 1);  // the first step is made before the start
     EXPECT_LE(plan.duration_s, 1.2 * steps);
     double counted = 0;
     for (const ref::PlannedMove& move : geometry.moves) counted += move.steps;
     EXPECT_NEAR(counted, steps, 1e-6 * steps);
-    // Control: that of the other network does not.
+    // Control: the latency of the other network does not slow it.
     std::swap(options.core.spline, options.core.arc);
     EXPECT_LT(make_plan(builder.program(), Machine(), options).duration_s, 5);
 }
 
-/// A hairpin's vertex has the least radius, wherever the planner cuts it.
+/// Sharpest place of a hairpin: its vertex, wherever the planner cuts it.
 TEST(SegmentShape, FindsTheSharpestPlaceAndTheEnds) {
     for (const double radius : {3.0, 0.3, 0.03}) {
         ProgramBuilder builder;

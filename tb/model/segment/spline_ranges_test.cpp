@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No word of a planned spline leaves its range, and no sum handed on: cubics that bring them there,
-// drawn by the kernel whose words throw.
+// Ranges of a planned spline's words and of the sums that are handed on: cubics that reach their
+// limits, drawn by the kernel whose words throw on overflow.
 #define CURVECORE_CHECKED
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ TEST(CheckedWord, HoldsItsRangeAndThrowsBeyond) {
     EXPECT_NO_THROW(hls::Word<72>(hls::Word<72>(largest) * hls::Word<72>(largest)));
 }
 
-/// In units of 1 nm. The speed has its minimum, half its maximum, where a step ends: the phi handed
-/// on is above 2 when all is one segment.
+/// A cubic in units of 1 nm. The speed has its minimum, half its maximum, where a step ends: the
+/// phi handed on is above 2 if all is one segment.
 ref::Cubic slow_at_a_joint() {
     const auto x = [](double mm) { return ref::Vec3(1e6 * mm, 0, 0); };
     return ref::from_bezier(
@@ -42,7 +42,7 @@ TEST(SplineRanges, HandsOnAPhiBelowTwo) {
     for (const ref::Segment& segment : ref::split_spline(slow_at_a_joint(), format_of<C>(), 0.1)) {
         EXPECT_NO_THROW(draw_checked<C>(segment));
     }
-    // Most steps of the whole make that minimum the end of one.
+    // Most step lengths of the whole put that minimum at the end of a step.
     ref::Segment whole = ref::spline_segment(slow_at_a_joint(), format_of<C>());
     whole.step_exponent = whole.lambda - 5;
     EXPECT_THROW(draw_checked<C>(whole), std::range_error);

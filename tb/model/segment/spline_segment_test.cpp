@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cubic cut into what the core can draw: ranges, joints, lengths, refusals; and the bound's
-// sense.
+// A cubic cut into segments that the core can draw: ranges, joints, lengths, refusals; and the
+// direction of the bound.
 #include "ref/segment/spline_segment.hpp"
 
 #include <gtest/gtest.h>

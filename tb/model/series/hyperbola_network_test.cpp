@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The hyperbola's network against its closed form, and what an inconsistent start value does.
+// The hyperbola's network against its closed form, and the effect of an inconsistent start value.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,8 @@ TEST(HyperbolaNetwork, ErrorFallsWithTheOrder) {
     EXPECT_LT(worst_error<Precise>(52), 1e-40);
 }
 
-// y' = C - k y^2 once z + k y^2 = C is not 0: a small C ends the hyperbola, of either sign.
+// The network draws y' = C - k y^2 if z + k y^2 = C is not 0: a small C of either sign ends the
+// hyperbola.
 TEST(HyperbolaNetwork, InconsistentStartIsNeverPulledBack) {
     auto network = interpret<double>(kHyperbola, 8, {1.0});
     constexpr double kC = 1e-6;

@@ -22,7 +22,7 @@ using Vector = Eigen::Matrix<Real, 3, 1>;
 
 constexpr int kOrder = 14;
 
-// Orthonormal: B, and the start r0 / R in its plane.
+// An orthonormal frame: B, and the start r0 / R in its plane.
 template <class T>
 Eigen::Matrix<T, 3, 1> normal() {
     return Eigen::Matrix<T, 3, 1>(T(2), T(-2), T(1)) / T(3);
@@ -44,7 +44,7 @@ Eigen::Matrix<T, 3, 1> position(const std::array<T, 6>& state) {
     return {state[0], state[2], state[4]};
 }
 
-// What a truncated series may leave after `steps` steps of `angle` on a circle of radius R.
+// Error that a truncated series may leave after `steps` steps of `angle` on a circle of radius R.
 Real truncation(const Real& radius, const Real& angle, int order, int steps) {
     Real term = radius;
     for (int i = 1; i <= order + 1; ++i) {

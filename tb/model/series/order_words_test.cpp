@@ -21,8 +21,8 @@ TEST(OrderWords, FactorialBitsAreThoseOfTheFactorial) {
     }
 }
 
-/// Of the words of stage i at a step of theta: t and n as long as a quarter turn lets them grow, 2
-/// half last bits for a coefficient's rounding and one for a product's.
+/// Largest sum of the words of stage i at a step of theta: t and n as long as they grow within a
+/// quarter turn, 2 half last bits for a coefficient's rounding and one for a product's.
 double most_sum(int order, int coef_bits, double theta, int i) {
     const double half = std::ldexp(1.0, 1 - coef_bits);
     const double steps = std::min(kMostSteps, std::ceil(M_PI_2 / theta));

@@ -11,7 +11,7 @@
 namespace curvecore::ref {
 namespace {
 
-// Per tick and per full circle at 1.5, 6 and 60 m/min, mm: computed independently.
+// Errors per tick and per full circle at 1.5, 6 and 60 m/min, mm: computed independently.
 constexpr const char* kPrinted[kPaperOrders][3][2] = {
     {{"1.25e-03", "7.98e-01"}, {"2.00e-02", "3.34e+00"}, {"1.99e+00", "5.57e+01"}},
     {{"4.17e-06", "2.62e-03"}, {"2.67e-04", "4.19e-02"}, {"2.66e-01", "4.17e+00"}},
@@ -60,7 +60,7 @@ TEST_F(PaperTable, LawsHold) {
                 kPaperRadiusMm * std::pow(h, order + 1) / std::tgamma(order + 2.0);
             const double circle_law = step_law * 2 * M_PI / h;
             // The next term of the remainder is h / (P+2) of the first; a step that closes the
-            // circle is shorter than a tick and as good as exact, so up to a tick is missing.
+            // circle is shorter than a tick and nearly exact, so up to a tick is missing.
             EXPECT_NEAR(row(order, feed).step_mm / step_law, 1, h / (order + 2));
             EXPECT_NEAR(row(order, feed).circle_mm / circle_law, 1, h / 2 / M_PI + h / (order + 2));
         }
@@ -70,12 +70,13 @@ TEST_F(PaperTable, LawsHold) {
 TEST_F(PaperTable, RungeKuttaLeavesThirtyMicrometresPerCircleAtSixtyMetres) {
     EXPECT_NEAR(row(4, 2).circle_mm, 32.3e-3, 0.05e-3);
     EXPECT_NEAR(row(4, 2).step_mm, 2.13e-3, 0.005e-3);
-    // "6 m/min exceeds the tolerance": not by integration, 3.4 nm per circle.
+    // "6 m/min exceeds the tolerance": not because of the integration, 3.4 nm per circle.
     EXPECT_LT(row(4, 1).circle_mm, 3.5e-6);
     EXPECT_LT(row(4, 0).circle_mm, 1.4e-8);
 }
 
-// One tick / a full circle / 1000 of them, at 10, 1 and 0.1 ms: computed independently.
+// Least orders for one tick / a full circle / 1000 circles, at 10, 1 and 0.1 ms: computed
+// independently.
 TEST_F(PaperTable, LeastOrdersAreThoseOfTheTheory) {
     constexpr int kLeast[3][3][3] = {{{5, 6, 8}, {2, 3, 5}, {1, 2, 3}},
                                      {{7, 8, 10}, {4, 5, 6}, {2, 3, 4}},
@@ -90,7 +91,7 @@ TEST_F(PaperTable, LeastOrdersAreThoseOfTheTheory) {
         EXPECT_EQ(rows[i].circle, least[1]) << i;
         EXPECT_EQ(rows[i].circles, least[2]) << i;
     }
-    // By powers of one step as by the network, tick after tick.
+    // Powers of one step and the network, tick after tick, agree.
     for (const int order : {1, 4, 9}) {
         EXPECT_NEAR(circles_error(order, 60, 10, 1) / row(order, 2).circle_mm, 1, 1e-12) << order;
     }

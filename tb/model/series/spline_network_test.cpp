@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The spline's network against the exact curve by its path length, in 60 digits and in double, and
-// what the factor 6 is for.
+// the effect of the factor 6.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ TEST(SplineNetwork, LocalErrorFallsWithTheOrder) {
     }
 }
 
-// u_4 is the first term that feels it.
+// The first term that depends on it is u_4.
 TEST(SplineNetwork, WithoutTheFactorSixTheLocalOrderIsFour) {
     const auto printed = without_six();
     const Cubic cubic = gentle();

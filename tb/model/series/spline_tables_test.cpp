@@ -77,7 +77,7 @@ TEST(SplineTables, ErrorsOfATickOfTenMilliseconds) {
     }
 }
 
-// "Unstable already at 1.5 to 2 m/min": so it is below 0.3 mm, but not by Runge-Kutta's fault.
+// "Unstable already at 1.5 to 2 m/min": so it is below 0.3 mm, but Runge-Kutta is not the cause.
 TEST(SplineTables, SharpHairpinsBlowUpInAnyOrderButNotWithOneVariable) {
     const double step = tick_path(1.5, kSplineTickMs);
     const Cubic sharp = named("hairpin 0.1");
@@ -88,7 +88,7 @@ TEST(SplineTables, SharpHairpinsBlowUpInAnyOrderButNotWithOneVariable) {
     EXPECT_NEAR(follow(named("hairpin 0.3"), Method::kScalar, 4, step).position, 3.3e-4, 0.1e-4);
     EXPECT_NEAR(follow(sharp, Method::kScalar, 4, step).position, 7.1e-3, 0.1e-3);
     EXPECT_NEAR(follow(named("hairpin 0.3"), Method::kRungeKutta, 4, step).feed, 5.1, 0.1);
-    // A Newton step polishes phi, it does not rescue it.
+    // A Newton step refines phi, but does not prevent the blow-up.
     EXPECT_TRUE(follow(sharp, Method::kNewton, 8, step).blow_up);
     EXPECT_NEAR(follow(named("hairpin 1"), Method::kNewton, 8, step).position, 2.06e-7, 0.05e-7);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// plan FILE: plans a program for the default core, and says what the plan has.
+// The program plan FILE: plans a program for the default core, and prints the plan's figures.
 #include <cstdio>
 
 #include "hls/interpolator_kernel.hpp"
