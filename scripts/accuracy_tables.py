@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README tables of errors, rates and coverage: campaigns, benches, the demo."""
+"""Tables of errors, rates and coverage: campaigns, benches, the demo."""
 
 import pathlib
-import re
 
-from readme_table import ROOT, load, table
+from result_table import cells, load, table
 
 
 COLUMNS = {
@@ -102,19 +101,12 @@ def demo():
 
 
 def errors():
-    """The worst rows of tb/README.md's two tables of accuracy."""
-    page = (ROOT / "tb/README.md").read_text()
+    """The worst rows of the two tables of accuracy."""
     rows = []
-    for kind, name, words in (
-        ("arcs", "accuracy", ("arcs",)),
-        ("helices", "accuracy", ("helices",)),
-        ("lines", "accuracy", ("lines",)),
-        ("splines", "splines", ("",)),
-    ):
-        body = re.search(rf"<!-- begin: {name}\b.*?-->\n(.*?)<!-- end", page, re.S)[1]
-        lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in body.split("\n")]
-        head, *found = [line for line in lines if line and "---" not in line[0]]
-        found = [row for row in found if row[0].startswith(words)]
+    for kind, name, word in (("arcs", "accuracy", "arcs"), ("helices", "accuracy", "helices"),
+                             ("lines", "accuracy", "lines"), ("splines", "splines", "")):
+        head, found = cells(name)
+        found = [row for row in found if row[0].startswith(word)]
         worst = [max(row[head.index(column)] for row in found)
                  for column in ("worst error, rounded", "before rounding", "derived bound")]
         number = sum(int(row[head.index("number")].replace(",", "")) for row in found)

@@ -68,7 +68,7 @@ build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/spline
 build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
 build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
 build/release/tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json ||
-  echo "limits: these pairs miss what is asked (ref/README.md, Effort)"
+  echo "limits: these pairs miss what is asked (ref/feed/README.md, Effort)"
 
 python3 - <<'PYTHON'
 import glob

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README tables of what `choose` and `compare` answer."""
+"""Tables of what `choose` and `compare` answer."""
 
-from readme_table import load, measured, table
+from result_table import load, measured, table
 
 
 def length(mm):

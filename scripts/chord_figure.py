@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 from demo_figure import BAND, LIMIT, STYLE  # noqa: E402
-from readme_table import ROOT  # noqa: E402
+from result_table import ROOT  # noqa: E402
 
 RADIUS = 10.0  # mm
 FEED = 100.0  # mm/s

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 from PIL import Image  # noqa: E402
 
-from readme_table import BUILD, ROOT  # noqa: E402
+from result_table import BUILD, ROOT  # noqa: E402
 
 STYLE = {
     "figure.facecolor": "#10171f", "axes.facecolor": "#10171f", "axes.edgecolor": "#2a3644",

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plans beside LinuxCNC's own motion: the table of ref/README.md."""
+"""Plans beside LinuxCNC's own motion: scripts/results/linuxcnc.md."""
 
 import math
 
-from readme_table import load, table
+from result_table import load, table
 
 USUAL_P = 0.01  # mm: what curvecore takes where a program names none
 MEASURED_TO = 0.001  # mm: LinuxCNC's points on a circle are 0.6 um inside it, positions 1 nm

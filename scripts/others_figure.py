@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README's figure of others' methods: build/figures/others.json -> scripts/figures/others.svg."""
+"""The figure of tb/README.md: build/figures/others.json -> scripts/figures/others.svg."""
 
 import json
 import pathlib

@@ -44,4 +44,4 @@ if [ ${#mode[@]} = 0 ]; then
   python3 scripts/others_figure.py
   python3 scripts/demo_figure.py
 fi
-scripts/readme_tables.py "${mode[@]}"
+scripts/results.py "${mode[@]}"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of a core's parameters, of hls/README.md."""
 
-from readme_table import table
+from result_table import table
 from synthesis.tables import parameters
 
 

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""README tables of what was placed and routed."""
+"""Tables of what was placed and routed."""
 
 import csv
 import json
-import re
 
-from readme_table import ROOT, load, measured, sources, table
+from result_table import ROOT, cells, measured, sources, table
 
 
 def finished(path):
@@ -105,11 +104,8 @@ def hls():
 
 
 def sizes():
-    """Five rows of rtl/README.md's table."""
-    page = (ROOT / "rtl/README.md").read_text()
-    body = re.search(r"<!-- begin: synthesis\b.*?-->\n(.*?)<!-- end", page, re.S)[1]
-    head, _, *rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in
-                      body.strip().split("\n")]
+    """Five rows of the table of sizes."""
+    head, rows = cells("synthesis")
     wanted = (
         ("spherical-parallel", "ecp5-85, speed 6", "1"),
         ("spherical-parallel", "ecp5-25, speed 6", "4"),

@@ -18,7 +18,7 @@ import sys
 import tempfile
 import time
 
-from readme_table import PAGES, ROOT
+from result_table import PAGES, ROOT
 
 # Commands that only --fresh, CI or a person runs: how they begin, and why.
 LONG = {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""ref/README's figure of cycle times over the optimum: build/figures/oracle.json ->
+"""The figure of ref/feed/README.md of cycle times over the optimum: build/figures/oracle.json ->
 scripts/figures/time_over_optimum.svg."""
 
 import json

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables beside the papers' claims: printed as Markdown, written as JSON for the README files.
+// Tables beside the papers' claims: printed as Markdown, written as JSON for scripts/results.
 #pragma once
 
 #include <fmt/format.h>

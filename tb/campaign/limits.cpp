@@ -23,8 +23,8 @@ using ref::Program;
 constexpr double kLonger = 1.01;   // greatest ratio to the time with the tighter limit
 constexpr double kDoubling = 1.5;  // factor of the work, for each doubling of the limit
 constexpr double kBuiltIn = 4;     // factor of the work a second of motion on the built-in machine
-// The goal is that none exceeds these; 3.1 % of 1,700 do (ref/README.md). More than this is an
-// error.
+// The goal is that none exceeds these; 3.1 % of 1,700 do (ref/feed/README.md). More than this is
+// an error.
 constexpr double kMisses = 0.05;
 
 struct Named {

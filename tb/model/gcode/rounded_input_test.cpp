@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves drawn from rounded numbers of a program or a table, against those numbers (ref/README.md,
-// "Rounded input"); arcs about a centre and by R: asked_arcs_test.cpp.
+// Curves drawn from rounded numbers of a program or a table, against those numbers
+// (ref/gcode/README.md, "Rounded input"); arcs about a centre and by R: asked_arcs_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -38,7 +38,8 @@ std::vector<Row> compare(const std::string& schemes, const std::string& feed,
 }
 
 /// The sixteen variables, one step a tick of 10 ms, mm, computed independently; 0: blows up. (The
-/// gentle curve in space differs there: its figures are those of ref/README.md.)
+/// gentle curve in space differs there: its figures are those of
+/// scripts/results/spline_tick.md.)
 TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
     struct Feed {
         const char* feed;
@@ -59,7 +60,7 @@ TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
     }
 }
 
-/// Values of the tables of ref/README.md, by other code.
+/// Values of scripts/results/spline_tick.md, by other code.
 TEST(TickComparison, InDoubleIsWhatTheTablesFollow) {
     const std::vector<ref::TestSpline> curves = ref::test_splines();
     const double step = ref::tick_path(1.5, ref::kSplineTickMs);

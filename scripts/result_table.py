@@ -1,27 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What every table of a README.md is made with."""
+"""What every page of scripts/results is made with."""
 
 import dataclasses
 import functools
 import json
 import math
 import pathlib
+import re
 import subprocess
 from collections.abc import Callable
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
+RESULTS = ROOT / "scripts/results"
+TREES = ("ref", "hls", "rtl", "sysc", "tb", "scripts")
+PAGES = [ROOT / "README.md",
+         *sorted(page for tree in TREES for page in (ROOT / tree).rglob("README.md"))]
 
 
 @dataclasses.dataclass(frozen=True)
 class Table:
+    title: str
     make: Callable  # its text; None: there is nothing to make it of
-    command: str  # what measures it
+    command: str  # what measures it, or the file that it follows from
+    note: str = ""  # what a reader has to know to read it
     measured: bool = True  # else it follows from files of this tree
     exact: bool = False  # measured, and the same on every machine
-
-
-PAGES = [ROOT / "README.md", *sorted(ROOT.glob("*/README.md"))]
 
 
 def git(*arguments):
@@ -54,6 +58,21 @@ def table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(lines)
+
+
+def cells(name):
+    """Head and rows of the first table of scripts/results/NAME.md."""
+    first = re.search(r"(?:^\|.*\n)+", (RESULTS / f"{name}.md").read_text(), re.M)[0]
+    head, _, *rows = [[cell.strip() for cell in line.split("|")[1:-1]]
+                      for line in first.splitlines()]
+    return head, rows
+
+
+def excerpt(name, columns, keys):
+    """Of scripts/results/NAME.md these columns (their places) of the rows that begin with a key."""
+    head, rows = cells(name)
+    found = [next(row for row in rows if tuple(row[:len(key)]) == key) for key in keys]
+    return table([head[c] for c in columns], [[row[c] for c in columns] for row in found])
 
 
 def short(value):
