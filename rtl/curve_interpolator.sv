@@ -6,7 +6,7 @@
 //   requests ------------------> step tracker -> offset ----^
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
-// order.  It waits until the step it leads to is there.  Nothing is lost at a change of kind.
+// order.  It waits until its step is ready.  Nothing is lost at a change of kind.
 //
 //   clocks (hls/clocks.hpp)           value
 //   between samples                   SampleInterval
@@ -20,7 +20,7 @@
 // TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
 // has words of its own width (ref/format/order_words.hpp).
 // ParameterGuard: fraction bits below the words' in which a spline's parameter adds up.
-// Segments of a kind that is not in Curves are drawn as the other.
+// Segments of a kind not in Curves are drawn as the other kind.
 // Formats: hls/words.hpp.
 `default_nettype none
 module curve_interpolator #(
@@ -31,9 +31,9 @@ module curve_interpolator #(
     parameter int GuardBits      = 10,  // [2, 12]
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
-    parameter int Anchor         = 1,   // of splines: 0, 1
+    parameter int Anchor         = 1,   // 0, 1; for splines
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
-    parameter int ParameterGuard = 0,   // [0, 8], of splines
+    parameter int ParameterGuard = 0,   // [0, 8], for splines
     parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -82,7 +82,7 @@ module curve_interpolator #(
 
   localparam int FineBits = PositionBits + GuardBits;
   localparam int StepBits = curvecore_pkg::StepBits;
-  localparam int TagBits = 10;  // 2^-k, a sample, at its segment's end, step
+  localparam int TagBits = 10;  // 2^-k, sample, at its segment's end, step
 
   logic rst_n;
   reset_stretcher u_reset (
@@ -118,7 +118,7 @@ module curve_interpolator #(
   logic signed [FineBits-1:0] start_point;
   logic signed [FineBits-1:0] end_point;
 
-  // What the steps of either kind write into the banks.
+  // Words that the steps of either kind write into the banks.
   localparam int WordsBits = bank_pkg::Lanes * CoefBits;
   logic [2:0] write_step;
   logic [CoefBits+4:0] arc_rate, spline_rate, rate;  // {there, axis, rate}

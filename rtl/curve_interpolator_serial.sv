@@ -25,7 +25,7 @@
 // The program's constants come with the device's configuration (serial/word_memory.sv), so memories
 // must be initialised.
 //
-// SampleInterval changes nothing: it is there for the common interface.  Formats: hls/words.hpp; a
+// SampleInterval has no effect: it belongs to the common interface.  Formats: hls/words.hpp; a
 // segment's kind counts with Splines only.
 `default_nettype none
 module curve_interpolator_serial #(
@@ -149,8 +149,8 @@ module curve_interpolator_serial #(
       .quiet_i(quiet)
   );
 
-  // Samples that are issued and not taken: two on their way and one at the output, or one more that
-  // the rotation before has issued.
+  // Samples issued and not taken: two on their way and one at the output, or one more that the last
+  // rotation has issued.
   logic       issued;
   logic       taken;
   logic [2:0] held_q;

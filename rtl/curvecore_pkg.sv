@@ -29,7 +29,7 @@ package curvecore_pkg;
   endfunction
 
   // Widths of the pass of order `i` in an arc's series whose steps turn by at most 2^-turn rad,
-  // turn >= 1; turn = 0: all orders alike.  Twin: ref/format/order_words.hpp, which says why.
+  // turn >= 1; turn = 0: all orders alike.  Twin: ref/format/order_words.hpp, with the reason.
   function automatic int factorial_bits(input int i);  // ceil(log2 i!)
     case (i)
       2: factorial_bits = 1;

@@ -2,8 +2,8 @@
 // A hyperbola y = 1 / (k (t0 + t)) in steps of h: [Chikurov] Fig. 3 as a core of its own.
 // Twin: hls::HyperbolaKernel.
 //
-// Per step: the series of y and of its derivative z in tau (0 .. 1 over the step), one order per
-// pulse of y_valid_o, of z_valid_o; order_o is that of both.
+// Each step gives the series of y and of its derivative z in tau (0 .. 1 over the step), one order
+// per pulse of y_valid_o, of z_valid_o; order_o is that of both.
 //
 //   cycle                                      Digits = ceil(CoefBits / 2)
 //   0                                          step_i and ready_o; with load_i: from y_i, else one
@@ -53,7 +53,7 @@ module hyperbola_interpolator #(
       .rst_no(rst_n)
   );
 
-  // A step: y_0, from y_i or from the step before.  The nodes' reset is a clock late.
+  // A step: y_0, from y_i or from the last step.  The nodes' reset is a clock late.
   logic reset_late_q;
   logic busy_q;
   logic fresh_q;
@@ -73,7 +73,7 @@ module hyperbola_interpolator #(
     if (begins) fresh_q <= load_i;
   end
 
-  // z_i follows y_i, but for those that nobody reads and a z_0 that is carried.
+  // z_i follows y_i, except those not read and a carried z_0.
   localparam logic [3:0] LastZ = (Anchor != 0) ? 4'(Order - 1) : 4'(Order);
   logic [CoefBits+4:0] y;
   logic [CoefBits+4:0] z;

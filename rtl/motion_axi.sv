@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // motion_system for systems on a chip: registers behind AXI4-Lite (rtl/bus/axi_lite_port.sv), words
 // by two AXI4-Streams, which wait where a register would refuse. A word is the low 48 bits of
-// TDATA; what segments are, and pieces: hls/words.hpp.
+// TDATA; segments and pieces: hls/words.hpp.
 //
-// A host that writes CONTROL.flush, or finds the machine off, ends its streams first: what they
-// bring later would be the middle of a program, which is a fault.
+// A host that writes CONTROL.flush, or finds the machine off, ends its streams first: later words
+// would be the middle of a program, which is a fault.
 `default_nettype none
 module motion_axi #(
     parameter int Build             = 1,     // 0 parallel, 1 serial
@@ -15,7 +15,7 @@ module motion_axi #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0 series, 1 polynomial
-    parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
+    parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -23,9 +23,9 @@ module motion_axi #(
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
-    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int Galvo             = 0,     // 0, 1
-    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0      // [0, 15]
 ) (
     input wire logic clk_i,
@@ -50,7 +50,7 @@ module motion_axi #(
     output logic      [31:0] rdata_o,
     output logic      [ 1:0] rresp_o,
 
-    // AXI4-Streams: of segments, and of pieces with their branches
+    // AXI4-Streams of segments, and of pieces with their branches
     input  wire logic        segment_tvalid_i,
     output logic             segment_tready_o,
     input  wire logic [63:0] segment_tdata_i,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// motion_system behind a stream of bytes: frames in, answers out (rtl/line/frame_port.sv). What
-// carries the bytes is the board's: rtl/line/uart_line.sv, a FIFO, a socket.
+// motion_system behind a stream of bytes: frames in, answers out (rtl/line/frame_port.sv). The
+// board carries the bytes: by rtl/line/uart_line.sv, a FIFO, a socket.
 `default_nettype none
 module motion_board #(
     parameter int Build             = 1,     // 0 parallel, 1 serial
@@ -11,7 +11,7 @@ module motion_board #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0 series, 1 polynomial
-    parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
+    parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -20,8 +20,8 @@ module motion_board #(
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 0, 1
-    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
-    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
+    parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0      // [0, 15]
 ) (
     input wire logic clk_i,

@@ -8,7 +8,7 @@
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick of time. Its rate
 // follows override_i, or stops for hold_i, kill_i and underrun, with bounded first and second
 // differences; time stops, the geometry stays. Inputs beside the streams belong to that request.
-// While they stop time no program begins. kill_i is a hold for good: killed_o rises at once,
+// While they stop time no program begins. kill_i is a permanent hold: killed_o rises at once,
 // standing_o when the machine stands: at once between programs. While nothing is under way, first
 // and from 16 ticks behind a program on, the rate is override_i at once, and 0 under a hold.
 //
@@ -50,9 +50,9 @@ module motion_interpolator #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 0,     // 1: segments of splines too
     parameter int Mode              = 0,     // 0 series, 1 polynomial
-    parameter int Anchor            = 1,     // of splines: 0, 1; 0 with Build 0 only
+    parameter int Anchor            = 1,     // 0, 1, for splines; 0 with Build 0 only
     parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
-    parameter int ParameterGuard    = 0,     // of splines: [0, 8]; above 0 with Build 0 only
+    parameter int ParameterGuard    = 0,     // [0, 8], for splines; above 0 with Build 0 only
     parameter int TurnBits          = 0,     // [0, 14]; above 0: as curve_interpolator's, Build 0
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
@@ -62,14 +62,14 @@ module motion_interpolator #(
     input wire logic rst_ni,
 
     // Words
-    input  wire logic [15:0] digest_i,          // of what they have to be made for
+    input  wire logic [15:0] digest_i,          // digest of their configuration
     input  wire logic        segment_valid_i,
     output logic             segment_ready_o,
     input  wire logic [47:0] segment_data_i,
     input  wire logic        profile_valid_i,
     output logic             profile_ready_o,
     input  wire logic [47:0] profile_data_i,
-    output logic             segment_leaves_o,  // a word its queue
+    output logic             segment_leaves_o,  // a word left its queue
     output logic             profile_leaves_o,
 
     // Requests
@@ -83,7 +83,7 @@ module motion_interpolator #(
     input wire logic [3:0] samples_per_tick_log2_i,
     input wire logic [31:0] hold_acceleration_i,  // [8, 2^31] second difference of time, 2^-32
     input wire logic [32:0] hold_slope_i,  // [hold_acceleration_i, 2^32] first difference
-    input wire logic [31:0] stop_ticks_i,  // [1, 2^29) of the profile, that a stop needs
+    input wire logic [31:0] stop_ticks_i,  // [1, 2^29) ticks of the profile that a stop needs
 
     // Samples, axis 0 in the low bits
     output logic                                                 sample_valid_o,
@@ -100,7 +100,7 @@ module motion_interpolator #(
     output logic        active_o,         // a program is under way
     output logic        underrun_o,       // sticky
     output logic        killed_o,
-    output logic        standing_o,       // and does until a request's target is not 0
+    output logic        standing_o,       // 1: at rest until a request has a target above 0
     output logic [ 7:0] fault_o,          // sticky
     output logic [15:0] empty_segments_o
 );
@@ -182,7 +182,7 @@ module motion_interpolator #(
       .fault_o(fault_o[5:0])
   );
 
-  // Requests into rates of time
+  // Rates of time from requests
   logic tick_taken;
   logic sent;
   logic wanted;
@@ -235,7 +235,7 @@ module motion_interpolator #(
       .leaves_i(sample_valid_o && sample_ready_i)
   );
 
-  // Ticks into path increments
+  // Path increments from ticks
   logic ds_valid;
   logic ds_ready;
   logic [47:0] ds;
@@ -276,7 +276,7 @@ module motion_interpolator #(
       .next_final_o(take_final)
   );
 
-  // Increments into samples' shares, and the path
+  // Samples' shares from increments, and the path
   logic move_valid;
   logic move_ready;
   logic [47:0] move_ds;
@@ -304,7 +304,7 @@ module motion_interpolator #(
       .path_o
   );
 
-  // Whatever the words were: a sample comes, or this is up.
+  // A bound for invalid words: a sample comes, or this count is up.
   logic [13:0] patience_q;
   logic waits;
   assign waits = move_rate[17] && move_valid && !move_ready && !sample_valid_o;

@@ -7,13 +7,13 @@
 //
 // In position mode samples come from registers as well: rtl/bus/position_buffer.sv.
 //
-// A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are asked for before they are due. A
+// A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due. A
 // request is answered in two clocks, whatever the motion does: rtl/bus/register_file.sv.
 //
 // After a reset no axis is referenced and nothing is enabled, and words are refused. So a host
-// writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words as ROOM lets
-// it; the first sample of the program says where the axes stand. After CONTROL.flush the next
-// program has to begin less than a step from where they stand, or they are referenced anew.
+// writes scales, times and settings, then REFERENCE, then CONTROL.enable, then words within ROOM;
+// the axes stand at the first sample of the program. After CONTROL.flush the next program has to
+// begin less than a step from where they stand, or they are referenced anew.
 //
 //   clock             0       1       2       3       4
 //   estop_i, limit_i  1
@@ -31,7 +31,7 @@ module motion_system #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 1,     // 0, 1
     parameter int Mode              = 1,     // 0 series, 1 polynomial
-    parameter int SampleInterval    = 8,     // of Build 0: 1, 2, 4, 8 clocks
+    parameter int SampleInterval    = 8,     // 1, 2, 4, 8 clocks, with Build 0
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
@@ -40,8 +40,8 @@ module motion_system #(
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
     parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
-    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; of position mode
-    parameter int ClockHertz        = 0,     // for CLOCK
+    parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
+    parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0      // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
 ) (
     input wire logic clk_i,
@@ -120,7 +120,7 @@ module motion_system #(
   logic [31:0] note_data;
   logic [6:0] kept_word;
   logic [31:0] kept;
-  logic words, positions;  // may be taken
+  logic words, positions;  // they may be taken
   register_file #(
       .Axes      (Axes),
       .ScaleBits (ScaleBits),
@@ -187,7 +187,7 @@ module motion_system #(
       .kept_o(kept)
   );
 
-  // What may be
+  // Permissions
   logic hold, ends, empty, begins, active, standing, underrun;
   logic [7:0] motion_fault;
   logic sample_valid, sample_ready;
@@ -286,7 +286,7 @@ module motion_system #(
       .fault_axis_o(fault_axis)
   );
 
-  // What moves the axes
+  // The source of the axes' motion
   sample_sources #(
       .Build(Build),
       .Order(Order),

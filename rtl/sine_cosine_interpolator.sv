@@ -2,7 +2,7 @@
 // Sine and cosine of an angle that grows by theta per step: [Chikurov] Fig. 2 as a core of its own.
 // Twin: hls::Oscillator.
 //
-// Per step: the state and its series, one order per pulse of coef_valid_o,
+// Each step gives the state and its series, one order per pulse of coef_valid_o,
 //
 //     order 0      sine_o, cosine_o are sin and cos at the step's start
 //     order i      their Taylor coefficients in tau (0 .. 1 over the step), divided by theta

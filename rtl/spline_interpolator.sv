@@ -6,7 +6,7 @@
 //   requests -------> step tracker -> offset ---------------------------------^         samples
 //
 // A request moves `ds` quanta (2^-16 length unit) along the path and yields the sample there, in
-// order.  It waits until the step it leads to is there.
+// order.  It waits until its step is ready.
 //
 //   clocks                            value
 //   between samples                   SampleInterval

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The first clocks of spline_anchor: the segment's words pass by, three clocks for each axis, and
+// The first clocks of spline_anchor: the segment's words pass, three clocks for each axis, and
 // go into its memories; then v and phi.
 //
 //   time_i    1 .. 9            3 .. 11                          8      12
@@ -23,7 +23,7 @@ module anchor_opening #(
     input wire logic                                  fresh_i,    // v = 0, phi = theta
     input wire logic signed [               Bits-1:0] theta_i,
     input wire logic signed [               Bits-1:0] phi_end_i,
-    // In time 6: what v grows by, with ParameterGuard fraction bits more
+    // The growth of v, in time 6, with ParameterGuard fraction bits more
     input wire logic signed [Bits+ParameterGuard-1:0] moved_i,
 
     output logic             [     1:0] axis_o,
@@ -50,7 +50,7 @@ module anchor_opening #(
 
   logic        [     1:0] turn_q;
   logic        [     1:0] before_turn_q;
-  logic                   open_q;  // axis_o is of use
+  logic                   open_q;  // axis_o is in use
   logic                   there_q;
   logic        [     1:0] row;
   logic signed [Bits-1:0] b_q;
@@ -69,7 +69,7 @@ module anchor_opening #(
       .data_i(time_i),
       .data_o(time_copy)
   );
-  // v and a half of its last bit in the products: there it is rounded by what is cut off.
+  // v and half of its last bit in the products: there the cut rounds it.
   localparam int FineBits = Bits + ParameterGuard;
   localparam logic [FineBits-1:0] One = {{(FineBits - 1) {1'b0}}, 1'b1};
   localparam logic signed [FineBits-1:0] Half = (One << ParameterGuard) >> 1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program of spline_anchor: which operation works when, in four passes of one clock, for N of
-// three, and where its operands are.
+// The program of spline_anchor: the time of each operation, in four passes of one clock, or three
+// for N, and the places of its operands.
 //
-//   time_i          t       t+5 .. t+8              t: as the table below has it
-//   op_o                    the operation, op_axis_o its axis; where its operands are
+//   time_i          t       t+5 .. t+8              t: as in the table below
+//   op_o                    the operation, op_axis_o its axis; places of its operands
 //   run_o                   1
 //   part_o                  0 .. 3                  first_o, drop_o: for folded_sum
 //   end_o                              1
@@ -52,7 +52,7 @@ module anchor_program (
     at = {kind, axis};
   endfunction
 
-  // It is looked up four clocks ahead, by a time of its own, in two: all eighths, then one.
+  // The table is read four clocks ahead, by a time of its own, in two: all eighths, then one.
   logic [7:0] time_q;
   logic [2:0] eighth_q;
   logic [5:0] found_q[8];

@@ -50,7 +50,7 @@ module anchor_words #(
   logic three_there_q;
   always_ff @(posedge clk_i) three_there_q <= rst_ni && square_there_i;
 
-  // One scale for all.
+  // One scale for all words.
   logic signed [Bits-1:0] x;
   logic        [     5:0] shift;
   localparam int Lift = (ParameterGuard > 3) ? 1 + ParameterGuard : 4;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words that a cubic gives at the start of an integration step, on one 18 x 18 multiplier:
-// lines 1 to 9 and 11 of hls/spline_kernel.hpp, its twin.
+// The words of a cubic at the start of an integration step, on one 18 x 18 multiplier: lines 1 to 9
+// and 11 of hls/spline_kernel.hpp, its twin.
 //
 //     v <- v + q(1) / 2^s                    slope  b + 3a v           W = 2 slope / 2^s
 //     mean = b + 3a v / 2                    V = c + 2 mean v          N = V.V
@@ -25,7 +25,7 @@ module spline_anchor #(
     parameter int CoefBits       = 36,  // [18, 36]
     parameter int ParameterGuard = 0,   // [0, 8]
     parameter int Anchor         = 1,   // 0: V W phi Q R are loaded with a segment only
-    parameter int Own            = 1,   // 0, 1: as folded_sum's, with factors_o and product_i
+    parameter int Own            = 1,   // 0, 1: as in folded_sum, with factors_o and product_i
     parameter int Form           = 0    // 0 portable, 1 ECP5
 ) (
     input wire logic clk_i,
@@ -114,7 +114,7 @@ module spline_anchor #(
   logic signed [Bits-1:0] a_memory                                 [16];
   logic signed [Bits-1:0] b_memory                                 [ 8];
   logic        [     5:0] opening;
-  logic        [     5:0] tag;  // of the total, 3 clocks before it
+  logic        [     5:0] tag;  // tag of total, 3 clocks before it
   logic        [    77:0] total;
   logic        [    41:0] half;
   logic signed [Bits-1:0] a;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where each integration step of a spline starts: X Y Z from the cubic, the auxiliary axes (with
-// Chained X Y Z, too) from the step before,
+// The start of each integration step of a spline: X Y Z from the cubic, the auxiliary axes (with
+// Chained also X Y Z) from the step before,
 //
 //     X Y Z   origin = start + floor(d 2^lambda 2^GuardBits + 1/2)
 //     others  origin' = origin + floor(d 2^k 2^GuardBits + 1/2), at first start
@@ -25,7 +25,7 @@ module spline_origin #(
 
     input wire logic                       there_i,
     input wire logic        [         3:0] axis_i,
-    input wire logic signed [CoefBits-1:0] d_i,      // or the step's before: what it went on by
+    input wire logic signed [CoefBits-1:0] d_i,      // the last step's: its advance
 
     output logic             [         3:0] read_axis_o,
     output logic                            write_o,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where each integration step starts, axis after axis: the segment's start, or the origin before
-// plus the displacement of the step before,
+// The start of each integration step, axis after axis: the segment's start, or the last origin plus
+// the displacement of the last step,
 //
 //     d = sum of c_i = (x[1] + .. + x[Order]) + advance        in units of 2^k
 //     origin' = origin + floor(d 2^k 2^GuardBits + 1/2)
 //
-// `sum` is that of the network's axis; auxiliary axes have none.
+// `sum` comes from the network's axis; auxiliary axes have none.
 //
 //   cycle          0      1      Axes         6      Axes + 5
 //   start_i        1                                              fresh_i: a new segment

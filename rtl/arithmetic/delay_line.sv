@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word `Clocks` enabled clocks later; long delays are small memories.
+// A word, `Clocks` enabled clocks later; long delays are small memories.
 `default_nettype none
 module delay_line #(
     parameter int Bits   = 36,  // [1, 64]

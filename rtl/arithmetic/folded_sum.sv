@@ -3,9 +3,9 @@
 //
 //     total = half + a[1] b[1] + .. + a[n] b[n]      n <= 13
 //
-// The operands pass by four times, part after part of the products: low x low, low x high, high x
-// low, high x high halves.  So the adder needs no more than 42 bits: between the parts the sum
-// moves down by 18.
+// The operands pass four times, part after part of the products: low x low, low x high, high x low,
+// high x high halves.  So the adder needs no more than 42 bits: between the parts the sum moves
+// down by 18.
 //
 //   cycle         0      n-1    n     2n     3n    4n-1          4n+4
 //   valid_i       1  ..  1  ..  1  .. 1  ..  1  .. 1
@@ -82,13 +82,13 @@ module folded_sum #(
     assign product = product_i;
   end
 
-  // What travels beside the product.
+  // Tag and shift travel beside the product.
   localparam int Clocks = 4;
   logic               valid_q   [Clocks];
   logic               first_q   [Clocks];
   logic               drop_q    [Clocks];
   logic [TagBits-1:0] tag_q     [Clocks];
-  logic               negative_q[Clocks];  // the product may be: its sign counts
+  logic               negative_q[Clocks];  // the product may be negative: its sign counts
   always_ff @(posedge clk_i) begin
     valid_q[0]    <= valid_i;
     first_q[0]    <= first_i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What travels with the passes of one Horner unit: the variable x and the tag of each evaluation.
+// The variable x and the tag of each evaluation, which travel with the passes of one Horner unit.
 //
 // A pass enters in clock 0 and is back Loop enabled clocks later: for its next pass in this unit,
 // or in the next unit, whichever `first_i` says then.

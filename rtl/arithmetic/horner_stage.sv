@@ -16,14 +16,14 @@
 // the address, which comes from a wide choice.
 `default_nettype none
 module horner_stage #(
-    parameter int Bits      = 36,     // [18, 36] of sums
+    parameter int Bits      = 36,     // [18, 36] bits of sums
     parameter int XBits     = Bits,   // [18, 36]; Interval > 2: Bits
     parameter int Shift     = 35,     // [0, 35]
     parameter int LastShift = Shift,  // [1, 35] for the last pass; Interval > 2
     parameter int Address   = 2,      // [1, 8] coefficients: Interval passes of every bank
     parameter int Interval  = 1,      // 1, 2, 4, 8 passes
     parameter int First     = 1,      // 1: no stage before
-    parameter int Form      = 0       // of the multiplier
+    parameter int Form      = 0       // form of the multiplier
 ) (
     input wire logic clk_i,
     input wire logic en_i,
@@ -111,7 +111,7 @@ module horner_stage #(
   );
 
   if (Mixed != 0) begin : g_mixed
-    // Of two shifts: the exact product from the bit of one half upwards, rounded here.
+    // One of two shifts: the exact product from the bit of one half upwards, rounded here.
     logic is_last;
     local_copy u_last (
         .clk_i,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word of one scale in another:
+// A word of one scale converted to another:
 //
 //     y = floor(x 2^(Lift - less) / 2^shift + 1/2)
 //
@@ -18,7 +18,7 @@ module step_scale #(
     output logic signed      [OutBits-1:0] y_o
 );
 
-  // Doubled, as long as the longest shift needs; a smaller lift is a longer shift.
+  // Doubled, and as long as the longest shift needs; a smaller lift is a longer shift.
   logic signed [Bits-1:0] x_q;
   logic        [     5:0] shift_q;
   logic signed [    63:0] lifted;

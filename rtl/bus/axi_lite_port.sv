@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// AXI4-Lite in front of the registers. One access at a time; of a write and a read that wait, the
-// one goes that was not before. Registers are whole words: a write with strobes missing is an
-// error, and so is what the registers refuse (SLVERR).
+// AXI4-Lite port of the registers. One access at a time; if a write and a read wait, the one that
+// did not go last goes. Registers are whole words: a write with strobes missing is an error, and so
+// is an access that the registers refuse (SLVERR).
 //
 //   clock               0     1     2     3     4
 //   awvalid_i, wvalid_i 1     1     1     1
@@ -16,7 +16,7 @@ module axi_lite_port (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // AXI4-Lite; the low two bits of addresses are not looked at
+    // AXI4-Lite; the low two bits of addresses are ignored
     input  wire logic        awvalid_i,
     output logic             awready_o,
     input  wire logic [ 8:0] awaddr_i,
@@ -47,7 +47,7 @@ module axi_lite_port (
 
   logic busy_q;
   logic write_q;  // the present access, or the one before
-  logic part_q;  // a write of a part
+  logic part_q;  // write of a part of a word
   logic writes;
   logic starts;
   logic ends;

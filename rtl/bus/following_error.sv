@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts of encoders, and how far each axis is from where its steps say: as the registers ENCODER,
-// FOLLOWING and those around them say, which are words of the memory of register_file. That reads
-// and writes one of them on each clock of slot_i. One adder serves all axes, in 8 slots each; what
-// is read in a slot is added on the clock after it:
+// Counts of encoders, and the distance of each axis from its steps: the registers ENCODER,
+// FOLLOWING and their neighbours, which are words of the memory of register_file. That reads and
+// writes one of them in each clock of slot_i. One adder serves all axes, in 8 slots each; a word
+// read in a slot is added in the next clock:
 //
 //   slot   reads      adds to sum_q                writes
 //   0                                              FOLLOWING_WORST, of the axis before
@@ -14,9 +14,9 @@
 //   6      WORST      (compared)
 //   7      LIMIT      (compared)                   FOLLOWING
 //
-// A visit compares pins and count with those of the visit before. So no step or edge is lost where
-// those of an axis are no closer than a round, 8 Axes slots; two edges or two steps within one are
-// the fault encoder. Of axes without a limit there is no fault.
+// A visit compares pins and count with those of the last visit. So no step or edge is lost if those
+// of an axis are a round apart, 8 Axes slots; two edges or two steps within one are the fault
+// encoder. Axes without a limit have no fault.
 `default_nettype none
 module following_error #(
     parameter int Axes = 3  // [1, 9]
@@ -33,7 +33,7 @@ module following_error #(
     // The memory
     input  wire logic        slot_i,
     output logic      [ 6:0] read_word_o,
-    input  wire logic [31:0] data_i,        // of the last clock
+    input  wire logic [31:0] data_i,        // word of the last clock
     output logic             write_o,
     output logic      [ 6:0] write_word_o,
     output logic      [31:0] data_o,
@@ -44,7 +44,7 @@ module following_error #(
     output logic [3:0] axis_o
 );
 
-  // Which slot, of which axis; what it read is there when read_q
+  // The slot and its axis; the word that it read is there when read_q is 1
   logic [2:0] slot_q;
   logic [2:0] read_slot_q;
   logic read_q;
@@ -63,7 +63,7 @@ module following_error #(
     end
   end
 
-  // What has changed on the axis at hand
+  // Changes on the present axis
   logic [Axes-1:0] here;  // one of them
   logic [3:0] now;
   logic [3:0] was;
@@ -90,9 +90,9 @@ module following_error #(
   assign was_referenced = (were_q & here) != '0;
   logic step_q, step_back_q;
   logic edge_q, edge_back_q;
-  logic bad_q;  // counts are not right
-  logic counts_q;  // it is referenced
-  logic fresh_q;  // since the last visit
+  logic bad_q;  // counts are invalid
+  logic counts_q;  // the axis is referenced
+  logic fresh_q;  // referenced since the last visit
   always_ff @(posedge clk_i) begin
     for (int a = 0; a < Axes; a++) begin
       if (!rst_ni || (visit && here[a])) seen_q[4*a+:4] <= all[4*a+:4];
@@ -110,8 +110,8 @@ module following_error #(
     end
   end
 
-  // The adder. Comparisons: sum_q is beyond what was read, both without signs. Without a carry
-  // a sum_q >= 0 is so when it is more, one below 0 too where what was read is not below 0.
+  // The adder. Comparisons: sum_q is above the word that was read, both unsigned. Without a carry a
+  // sum_q >= 0 is above it if it is more, one below 0 also if the word is not below 0.
   logic signed [31:0] sum_q;
   logic signed [31:0] first;
   logic signed [31:0] second;

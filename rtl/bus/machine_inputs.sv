@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine tells: probe, home switches and encoders, and what is noted of them in the
-// memory of register_file.
+// Inputs of the machine, probe, home switches and encoders, and their notes in the memory of
+// register_file.
 //
 //   probe, home -> probe_catch ------------------------> notes
 //   A, B        -> glitch_filter -> following_error <--> notes
 //
-// Each slot of the memory has one note. What a probe has caught is the first; encoders have all the
+// Each slot of the memory has one note. A caught probe's notes are first; encoders have all the
 // others, and the levels of switches those that encoders leave.
 `default_nettype none
 module machine_inputs #(
@@ -33,7 +33,7 @@ module machine_inputs #(
     input  wire logic        note_ready_i,
     output logic      [ 6:0] note_word_o,
     output logic      [31:0] note_data_o,
-    input  wire logic [ 6:0] word_i,        // of the request
+    input  wire logic [ 6:0] word_i,        // word of the request
     output logic      [ 6:0] kept_word_o,
     input  wire logic [31:0] kept_i,
 
@@ -94,7 +94,7 @@ module machine_inputs #(
         .input_i (levels),
         .output_o({a, b})
     );
-    // Where encoders begin is known when the memory is.
+    // The place of the encoders is known when the memory is.
     logic works_q;
     always_ff @(posedge clk_i) works_q <= rst_ni && (works_q || note_ready_i);
     logic slot;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// May the machine move: enable, hold, flush, references and faults, as the registers CONTROL, STATE
-// and REFERENCE of hls/registers/registers.rdl say; and what moves it: a program, or positions of
-// the host.
+// The machine's permission to move, enable, hold, flush, references and faults, by the registers
+// CONTROL, STATE and REFERENCE of hls/registers/registers.rdl; and its source of motion, a program
+// or positions of the host.
 //
 //   clock         0          1
 //   source        1
-//   enable_o      1          0      of a fault that stops the steps: all but bus and watchdog
+//   enable_o      1          0      for a fault that stops the steps: all but bus and watchdog
 //   state_o                  fault
 //
-// While enable_o is 0, and at the end of a flush, ends_o: the motion gets empty (empty_i) when the
-// sample that is offered (offered_i) has been taken.
+// While enable_o is 0, and at the end of a flush, ends_o: the motion becomes empty (empty_i) when
+// the sample that is offered (offered_i) has been taken.
 `default_nettype none
 module machine_state #(
     parameter int Axes = 3  // [1, 9]
@@ -25,9 +25,9 @@ module machine_state #(
     output logic                 reference_ready_o,
     input  wire logic            homed_write_i,
     input  wire logic [    31:0] command_i,
-    input  wire logic            write_i,            // any, answered
-    input  wire logic            error_i,            // with an error
-    input  wire logic [    15:0] watchdog_i,         // samples without a write that was obeyed
+    input  wire logic            write_i,            // any write, answered
+    input  wire logic            error_i,            // answered with an error
+    input  wire logic [    15:0] watchdog_i,         // samples without an obeyed write
     output logic      [    31:0] state_o,
     output logic      [Axes-1:0] homed_o,
     input  wire logic            caught_i,           // PROBE
@@ -37,30 +37,30 @@ module machine_state #(
     input  wire logic       standing_i,
     input  wire logic       underrun_i,
     input  wire logic [7:0] motion_fault_i,
-    input  wire logic       word_i,          // one was taken
+    input  wire logic       word_i,          // a word was taken
     input  wire logic       offered_i,       // a sample
     input  wire logic       empty_i,
-    input  wire logic       sample_i,        // that was taken
+    input  wire logic       sample_i,        // a sample was taken
     output logic            hold_o,
     output logic            ends_o,
-    output logic            words_o,         // may be taken
+    output logic            words_o,         // words may be taken
     output logic            begins_o,        // the next sample is a program's first
 
     // Positions of the host
-    output logic      position_o,  // move it, not a program
-    output logic      samples_o,   // may be taken
+    output logic      position_o,  // the host moves it, not a program
+    output logic      samples_o,   // samples may be taken
     input  wire logic queued_i,    // samples wait
 
     // Steps
     input  wire logic            tick_i,
-    input  wire logic            estop_i,       // behind the synchroniser
-    input  wire logic [Axes-1:0] limit_i,       // and not masked
+    input  wire logic            estop_i,       // synchronised
+    input  wire logic [Axes-1:0] limit_i,       // not masked
     input  wire logic [Axes-1:0] referenced_i,
     input  wire logic [Axes-1:0] uncertain_i,
-    input  wire logic            overrun_i,     // of any axis
+    input  wire logic            overrun_i,     // an axis has one
     input  wire logic            refused_i,
     input  wire logic            late_i,
-    input  wire logic            encoder_i,     // of the axis fault_axis_i, as is following_i
+    input  wire logic            encoder_i,     // axis fault_axis_i has one, as with following_i
     input  wire logic            following_i,
     input  wire logic [     3:0] fault_axis_i,
     output logic      [Axes-1:0] reference_o,
@@ -70,7 +70,7 @@ module machine_state #(
   localparam int FirstMotion = registers_pkg::StateMotionLow;
   localparam int NoSample = FirstMotion + 7;  // fault_o[7] of motion_interpolator
 
-  // Faults: those of steps count as they begin, for they stay until the next reference.
+  // Faults of steps count at their start, for they stay until the next reference.
   logic [2:0] steps;
   logic [2:0] steps_q;
   logic [17:0] faults_q;
@@ -107,7 +107,7 @@ module machine_state #(
 
   // Enable
   localparam logic [17:0] Stops = 18'(8'b1111_1100) | (18'd1 << NoSample) | 18'h30000;
-  // Of a host that moves the axes itself: if it is gone, nobody does; if it is late, it goes on.
+  // The host moves the axes itself: if it is gone, nobody does; if it is late, motion goes on.
   localparam logic [17:0] Other = (18'd1 << registers_pkg::StateWatchdogLow) |
       (18'd1 << registers_pkg::StateLateLow);
   logic clean_q;
@@ -131,7 +131,7 @@ module machine_state #(
     else if (control_write_i) enable_o <= asks;
   end
 
-  // A program or positions: chosen when nothing of either is under way.
+  // A program or positions, chosen when neither is under way.
   assign clean = clean_q && !offered_i;
   assign asks_position = command_i[registers_pkg::ControlPositionLow];
   always_ff @(posedge clk_i) begin
@@ -139,7 +139,7 @@ module machine_state #(
     else if (control_write_i && asks) position_o <= asks_position;
   end
 
-  // Hold and flush. Samples before the first of a program do not move, and may wait for its words.
+  // Hold and flush. Samples before a program's first do not move, and may wait for its words.
   logic hold_q;
   logic flush_q;
   logic moved_q;
@@ -166,8 +166,7 @@ module machine_state #(
     end
   end
 
-  // References: the next sample is that of the next program, if none came since the queues were
-  // emptied.
+  // References: the next sample is the next program's, if none came since the queues were emptied.
   logic [Axes-1:0] next_q;
   logic ready;
   assign reference_ready_o = clean;
@@ -180,7 +179,7 @@ module machine_state #(
     else next_q <= (next_q & ~referenced_i) | reference_o;
   end
 
-  // Homed: counts of steps say where these axes stand, as long as each pulse was a step.
+  // Homed axes: counts of steps state where they stand, as long as each pulse was a step.
   logic [Axes-1:0] astray;
   assign astray = following_i ? Axes'(1) << fault_axis_i : '0;
   always_ff @(posedge clk_i) begin

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A motion_interpolator that gives samples as they are taken, and can be emptied between two of
-// them.
+// A motion_interpolator whose samples wait until they are taken, and which can be emptied between
+// two of them.
 //
 //   words -> motion_interpolator -> samples that are offered, each until it is taken
 //                   ^ SamplesAhead requests
 //
-// ends_i: no sample more is offered. Once none is, empty_o resets the motion, as long as ends_i is.
+// ends_i: no further sample is offered. When none is, empty_o resets the motion while ends_i is 1.
 `default_nettype none
 module paced_motion #(
     parameter int Build             = 1,
@@ -61,7 +61,7 @@ module paced_motion #(
 
   initial if (SamplesAhead < 1 || SamplesAhead > 15) $fatal(1, "SamplesAhead must be in [1, 15]");
 
-  // A sample that was offered stays.
+  // An offered sample stays.
   logic rst_n;
   logic made;
   logic taken;
@@ -76,7 +76,7 @@ module paced_motion #(
   end
 
   // Requests
-  logic [3:0] ahead_q;  // samples asked for and not taken
+  logic [3:0] ahead_q;  // samples requested and not taken
   logic request;
   logic request_ready;
   assign request = ahead_q != 4'(SamplesAhead);
@@ -85,7 +85,7 @@ module paced_motion #(
     else ahead_q <= ahead_q + {3'b0, request && request_ready} - {3'b0, taken};
   end
 
-  // Words: no more than there is room for.
+  // Words enter only if there is room.
   logic segment_ready;
   logic profile_ready;
   logic segment_valid;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples that a host writes, position by position, until the step generator takes them.
+// Samples written by a host, position by position, until the step generator takes them.
 //
-//   positions, axis 0 first -> memory -> the position of the axis that is asked for
+//   positions, axis 0 first -> memory -> the position of the requested axis
 //
 //   clock          0       1
 //   write_i        last
@@ -9,10 +9,10 @@
 //   axis_i         a
 //   position_o             of axis a
 //
-// Whether a sample is taken is decided at its first position: ready_o. Of one that is not, all are
-// refused, so that axes are never mistaken for each other.
+// ready_o at a sample's first position decides whether the sample is taken. All positions of a
+// refused sample are refused, so that axes are never mistaken for each other.
 //
-// ends_i: no sample more is offered. Once none is, empty_i forgets what there is.
+// ends_i: no further sample is offered. When none is, empty_i empties the buffer.
 `default_nettype none
 module position_buffer #(
     parameter int Axes  = 3,   // [1, 9]
@@ -47,7 +47,7 @@ module position_buffer #(
   localparam int CountBits = $clog2(Words / Axes + 1);
 
   logic [CountBits-1:0] room_q;
-  // Which axis comes next
+  // Next axis
   logic [3:0] axis_q;
   logic refused_q;
   logic first;
@@ -63,7 +63,7 @@ module position_buffer #(
     if (write_i && first) refused_q <= room_q == '0;
   end
 
-  // How many samples: a place is kept from the first position on.
+  // Number of samples: a place is kept from the first position on.
   logic [CountBits-1:0] queued_q;
   logic reserves;
   logic comes;
@@ -88,7 +88,7 @@ module position_buffer #(
   end
 
   logic [AddressBits-1:0] write_q;
-  logic [AddressBits-1:0] read_q;  // axis 0 of the sample that is offered
+  logic [AddressBits-1:0] read_q;  // axis 0 of the offered sample
   logic [AddressBits-1:0] read;
   assign read = read_q + AddressBits'(axis_i);
   always_ff @(posedge clk_i) begin

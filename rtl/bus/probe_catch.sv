@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probe and home switches: the one that PROBE of hls/registers/registers.rdl waits for, and what is
-// noted when it is as asked. No register is spent on that: it goes into the memory of
-// register_file, which says when, 3 clocks later at most; so do the switches, all the time.
+// Probe and home switches: the one that PROBE of hls/registers/registers.rdl waits for, and the
+// notes of its event. Notes need no register: they go into the memory of register_file, which says
+// when, at most 3 clocks later; so do the switches, all the time.
 //
-//   clock           0      2         3                 then as note_ready_i says
+//   clock           0      2         3                 then with note_ready_i
 //   pin             as asked
 //   .. synchronised        as asked
 //   note_data_o                      steps of axis 0   steps of axis 1, .., path, switches again
 //   caught_o                                                                  1
 //
-// A level that is there on one rising edge of the clock is enough. caught_o stays until write_i.
+// A level present on one rising edge of the clock suffices. caught_o stays until write_i.
 `default_nettype none
 module probe_catch #(
     parameter int Axes = 3  // [1, 9]
@@ -29,10 +29,10 @@ module probe_catch #(
 
     // Notes
     input  wire logic        note_ready_i,
-    output logic             notes_o,       // more than the switches
+    output logic             notes_o,       // notes besides the switches
     output logic      [ 6:0] note_word_o,
     output logic      [31:0] note_data_o,
-    input  wire logic [31:0] steps_i,       // of the axis in note_word_o
+    input  wire logic [31:0] steps_i,       // steps of the axis in note_word_o
     input  wire logic [31:0] path_i
 );
 
@@ -47,7 +47,7 @@ module probe_catch #(
       .output_o({probe, home})
   );
 
-  // What is waited for
+  // The awaited event
   logic armed_q;
   logic high_q;
   logic [3:0] switch_q;
@@ -57,7 +57,7 @@ module probe_catch #(
     levels[Axes-1:0] = home;
   end
 
-  // What is noted: steps of each axis, then the path
+  // Notes: steps of each axis, then the path
   localparam logic [3:0] Path = 4'(Axes);
   logic notes_q;
   logic [3:0] note_q;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many words a queue of the motion still takes, of those that were put.
+// The number of words that a queue of the motion still takes.
 `default_nettype none
 module queue_room #(
     parameter int Words = 1024  // [16, 65536]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers of motion_system behind one request port, which every bus shell talks to. What each
-// of them means: hls/registers/registers.rdl.
+// The registers of motion_system behind one request port, which every bus shell uses. Their
+// meaning: hls/registers/registers.rdl.
 //
 //   clock       0        1        2
 //   valid_i     request           until done_o
@@ -8,16 +8,16 @@
 //   done_o                        1
 //   error_o, data_o               of it, until the next one's
 //
-// A request is answered in two clocks, whatever it asks for: a word that does not fit is an error,
-// not a wait. Only after a reset the first answer takes 2^7 clocks more, in which a memory gets its
-// reset values; settings and constants are read from it, and notes (rtl/bus/probe_catch.sv), which
-// wait for two clocks at most.
+// Every request is answered in two clocks: a word without room is an error, not a wait. Only the
+// first answer after a reset takes 2^7 clocks more, in which a memory gets its reset values;
+// settings and constants are read from it, and notes (rtl/bus/probe_catch.sv), which wait for two
+// clocks at most.
 `default_nettype none
 module register_file #(
     parameter int Axes       = 3,   // [1, 9]
     parameter int ScaleBits  = 44,  // [33, 56]
     parameter int TimeBits   = 12,  // [4, 16]
-    parameter int Capability = 0,   // constants, of these names
+    parameter int Capability = 0,   // constants with these names
     parameter int Core       = 0,
     parameter int Widths     = 0,
     parameter int ClockHertz = 0
@@ -25,7 +25,7 @@ module register_file #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Requests: valid_i and what it asks for stay until done_o
+    // Requests: valid_i and its operands stay until done_o
     input  wire logic        valid_i,
     input  wire logic        write_i,
     input  wire logic [ 6:0] word_i,   // address / 4
@@ -50,7 +50,7 @@ module register_file #(
     output logic [    Axes-1:0] direction_inverted_o,
     output logic [    Axes-1:0] limit_masked_o,
 
-    // Scales; like polarities, they change while the drives are off only
+    // Scales; like polarities, they change only while the drives are off
     input  wire logic                 off_i,
     output logic                      scale_write_o,
     output logic      [          3:0] scale_axis_o,
@@ -67,7 +67,7 @@ module register_file #(
     output logic      sample_valid_o,
     input  wire logic sample_ready_i,
 
-    // Commands, with the word that was written
+    // Commands, with the written word
     output logic             control_write_o,
     input  wire logic        control_ready_i,
     output logic             state_write_o,
@@ -77,7 +77,7 @@ module register_file #(
     output logic             homed_write_o,
     output logic      [31:0] command_o,
 
-    // What can be read
+    // Readable values
     input  wire logic [31:0] state_i,
     input  wire logic [31:0] axes_i,
     input  wire logic [31:0] room_i,
@@ -85,10 +85,10 @@ module register_file #(
     input  wire logic [63:0] path_i,
     input  wire logic [16:0] rate_i,
     output logic      [ 3:0] steps_axis_o,
-    input  wire logic [31:0] steps_i,       // of that axis
+    input  wire logic [31:0] steps_i,       // steps of axis_o
 
-    // Notes: what a word is to be read as from now on; in the same clock another word is read, and
-    // is there in the next one
+    // Notes: the new value of a word; in the same clock another word is read, and is there in the
+    // next one
     output logic             note_ready_o,
     input  wire logic [ 6:0] note_word_i,
     input  wire logic [31:0] note_data_i,
@@ -100,7 +100,7 @@ module register_file #(
   initial if (ScaleBits < 33 || ScaleBits > 56) $fatal(1, "ScaleBits must be in [33, 56]");
   initial if (TimeBits < 4 || TimeBits > 16) $fatal(1, "TimeBits must be in [4, 16]");
 
-  // When
+  // Times
   logic [7:0] fill_q;  // words of the memory that have their reset value: up to 2^7
   logic filled;
   logic works_q;
@@ -117,7 +117,7 @@ module register_file #(
     end
   end
 
-  // Which: of an axis, or of all
+  // The word: of an axis, or of all
   logic of_axis;
   logic axis_exists;
   logic [1:0] axis_word;
@@ -135,7 +135,7 @@ module register_file #(
     else exists = write_i ? registers_pkg::can_write(word_i) : registers_pkg::can_read(word_i);
   end
 
-  // Whether
+  // Conditions
   logic taken;
   logic writes;
   logic turns;  // a polarity
@@ -154,7 +154,7 @@ module register_file #(
   end
   assign writes = works_q && write_i && exists && taken;
 
-  // Words that are pushed
+  // Words to be pushed
   logic [31:0] low_q;
   logic low;
   always_comb begin
@@ -223,7 +223,7 @@ module register_file #(
     end
   end
 
-  // The memory. A note does not meet an answer that is read.
+  // The memory. A note never meets an answer that is read.
   logic [31:0] fill_data;
   logic [ 6:0] address;
   logic [31:0] data;
@@ -255,7 +255,7 @@ module register_file #(
     kept_q <= memory[note_ready_o?kept_word_i : word_i];
   end
 
-  // Answers. Of the path all parts are those of one clock.
+  // Answers. All parts of the path are of one clock.
   logic [31:0] high_q;
   logic [16:0] rate_q;
   typedef enum logic [3:0] {

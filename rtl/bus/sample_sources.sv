@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples for the step generator from two places: programs, whose words come by registers or by
+// Samples for the step generator from two sources: programs, whose words come by registers or by
 // streams, or positions of the host.
 //
 //   words     -> word_sources -> paced_motion ----> samples
 //   positions ----------------> position_buffer -> .. axis by axis
 //
-// words_i or positions_i: of one of the two alone something is taken, so samples come of one.
+// words_i or positions_i: only one of the two is taken, so samples have one source.
 `default_nettype none
 module sample_sources #(
     parameter int Build             = 1,
@@ -47,8 +47,8 @@ module sample_sources #(
     output logic             position_ready_o,
     input  wire logic [31:0] position_i,
 
-    output logic        taken_o,    // any of these
-    output logic [31:0] room_o,     // as the registers ROOM and SAMPLES say
+    output logic        taken_o,    // any of these was taken
+    output logic [31:0] room_o,     // contents of the registers ROOM and SAMPLES
     output logic [31:0] samples_o,
     output logic        queued_o,   // samples of the host wait
 
@@ -60,7 +60,7 @@ module sample_sources #(
     input wire logic [32:0] hold_slope_i,
     input wire logic [31:0] stop_ticks_i,
 
-    // Samples: of programs whole, of the host the position of an axis
+    // Samples: all axes of a program's, one axis' position of the host's
     input  wire logic                                            ends_i,
     output logic                                                 empty_o,
     output logic                                                 sample_valid_o,

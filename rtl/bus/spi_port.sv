@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// SPI (mode 0, most significant bit first) in front of the registers. sclk_i is sampled: 16 clocks
-// a bit at least.
+// SPI port of the registers (mode 0, most significant bit first). sclk_i is sampled: at least 16
+// clocks a bit.
 //
 //   cs_ni    ^^\__________________________________________________________/^^
 //   mosi_i      | write, word | -      | data   | -      | data   | ..
 //   miso_o      | -           | status | data   | status | data   | ..
 //                 1, 7 bits     8 bits   32 bits
 //
-// Words follow each other as long as cs_ni is low. A word is read in the last bit of the status
-// before it, and written in its own last bit. Status: 0xA0, and 1 more if the access before was an
-// error, this frame's or the last one's.
+// Words follow each other while cs_ni is low. A word is read in the last bit of the status before
+// it, and written in its own last bit. Status: 0xA0, plus 1 if the last access, of this frame or
+// the one before, was an error.
 `default_nettype none
 module spi_port (
     input wire logic clk_i,
@@ -81,7 +81,7 @@ module spi_port (
   end
   assign data_o = in_q;
 
-  // What goes out, from the next falling edge on
+  // Output, from the next falling edge on
   logic error_q;
   logic [31:0] out_q;
   always_ff @(posedge clk_i) begin

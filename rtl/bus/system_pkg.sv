@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants that tell a host how motion_system is built: hls/registers/registers.rdl.
+// Constants with the build of motion_system for the host: hls/registers/registers.rdl.
 `default_nettype none
 package system_pkg;
 
@@ -31,7 +31,7 @@ package system_pkg;
         (guard_bits << registers_pkg::CoreGuardBitsLow);
   endfunction
 
-  // With the bytes of a word behind it
+  // Adds the bytes of a word to a digest
   function automatic logic [15:0] digest_word(input logic [15:0] digest_before,
                                               input logic [31:0] word);
     logic [15:0] sum;
@@ -41,7 +41,7 @@ package system_pkg;
     digest_word = sum;
   endfunction
 
-  // Of words that are made for the board: hls/registers/board_link.h
+  // Returns the digest of words that are made for the board: hls/registers/board_link.h
   function automatic logic [15:0] digest(input int capability_word, input int core_word,
                                          input int clock_hertz);
     int fields;

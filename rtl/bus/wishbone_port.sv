@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wishbone B4 (classic) in front of the registers. Registers are whole words: a write that does not
-// select all bytes is an error, and so is what the registers refuse (err_o).
+// Wishbone B4 (classic) port of the registers. Registers are whole words: a write that does not
+// select all bytes is an error, and so is an access that the registers refuse (err_o).
 //
 //   clock         0     1     2
 //   cyc_i, stb_i  1     1     1      until ack_o or err_o
@@ -33,7 +33,7 @@ module wishbone_port (
 
   logic asks;
   logic part;
-  logic part_q;  // answered: a write of a part
+  logic part_q;  // answered: write of a part of a word
   assign asks = cyc_i && stb_i;
   assign part = we_i && sel_i != 4'b1111;
   always_ff @(posedge clk_i) part_q <= rst_ni && asks && part && !part_q;

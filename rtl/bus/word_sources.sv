@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words of the motion from two places: registers, one word a request, and streams, one a clock.
+// Words of the motion from two sources: registers, one word a request, and streams, one a clock.
 //
 //   register_valid_i      1             1
 //   stream_valid_i        1    1   1    1    1     segments, pieces alike
 //   stream_ready_o             1   1         1
 //   word_o                reg  st  st   reg  st
 //
-// A word of a register goes first, since its request is answered at once; then segments of the
-// stream, while their queue has room, then pieces. No word goes without words_i, and a word of a
-// stream waits where one of a register is an error.
+// A register's word goes first, since its request is answered at once; then segments of the stream,
+// while their queue has room, then pieces. No word goes without words_i: then a stream's word
+// waits, and a register's is an error.
 `default_nettype none
 module word_sources (
     input wire logic words_i,  // words may be taken

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A weight for digit_multiplier and riemann_integrator: its digits of two bits, lowest first, with
-// the control that goes with them.  Digits = ceil(Bits / 2).
+// their control.  Digits = ceil(Bits / 2).
 //
 //   cycle      0       1      2        3  ..  Digits + 2     Digits + 4
 //   start_i    1

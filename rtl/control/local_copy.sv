@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A control word one clock later, in registers of its own: each copy sits beside those it drives,
-// where one shared register would have to reach across the chip.  Hierarchy is kept in synthesis,
-// or it would find the copies equal and share them.
+// A control word one clock later, in registers of its own: each copy sits beside its loads, where
+// one shared register would have to reach across the chip.  Hierarchy is kept in synthesis, or it
+// would find the copies equal and share them.
 `default_nettype none (* keep_hierarchy *)
 module local_copy #(
     parameter int Bits = 1  // [1, 64]

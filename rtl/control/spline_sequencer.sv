@@ -45,7 +45,7 @@ module spline_sequencer #(
   localparam int Late = 2 * Digits - 31;
   localparam int Pause = (Late > 0) ? Late : 0;
 
-  // From the start of V (of phi with Anchor 0) of the last order.
+  // Clocks from the start of V (of phi with Anchor 0) of the last order.
   localparam int RestQ = Order + Digits + 6;
   localparam int RestX = 4 * Order + 15;
   localparam int RestSeries = (RestX > RestQ) ? RestX : RestQ;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lengths of the integration steps of a segment: 2^k length units each, the last what is left.
+// Lengths of the integration steps of a segment: 2^k length units each, the last one the rest.
 //
-// A step is left when the path exceeds its length, or reaches it and another step of the segment
-// follows.  So both are told by one sign, lengths are given less one quantum unless the step is the
-// last:
+// A step ends when the path exceeds its length, or reaches it and another step of the segment
+// follows.  One sign decides both, since lengths are one quantum less unless the step is the last:
 //
 //   offset_o    length - !last               the largest offset that lies in the step
 //   stride_o    offset_o + !last of the step before: from its largest offset to this one's
@@ -29,11 +28,11 @@ module step_meter (
 
   localparam int Bits = curvecore_pkg::StepBits;
 
-  logic               started_q;  // there is a step before the first of this segment
-  logic               last_before_q;  // the step before was the last of its segment
-  logic        [47:0] rest_q;  // of the segment, from this step's start
+  logic               started_q;  // a step precedes the first of this segment
+  logic               last_before_q;  // the last step was the last of its segment
+  logic        [47:0] rest_q;  // rest of the segment, from this step's start
   logic        [47:0] full_q;
-  logic signed [48:0] beyond_q;  // of the segment, from a full step's end
+  logic signed [48:0] beyond_q;  // rest of the segment, from a full step's end
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segments in, starts of integration steps out, and what a step needs of its segment.
+// Starts of integration steps from segments, and the segment's words that a step needs.
 // Twin: hls/interpolator_kernel.hpp, `open` and `measure`.
 //
 //   cycle     0                 1
@@ -7,8 +7,8 @@
 //
 // A step starts when there is room for it and none is under way: start_o[0] that of a line or arc,
 // start_o[1] that of a spline.  Both are registers, for they reach far.  Until the next start rates
-// follow their axis in the same clock, points a clock later.  Segments of a kind that is not in
-// Curves are taken for the other.  With done_i, last_o, offset_o and stride_o are the step's.
+// follow their axis in the same clock, points a clock later.  Segments of a kind not in Curves
+// count as the other kind.  With done_i, last_o, offset_o and stride_o are the step's.
 `default_nettype none
 module step_starter #(
     parameter int Curves   = 3,   // 1 lines and arcs, 2 splines, 3 both
@@ -26,7 +26,7 @@ module step_starter #(
 
     // Steps
     input  wire logic                               room_i,
-    input  wire logic                               ready_i,   // none is under way, nor done now
+    input  wire logic                               ready_i,   // no step is under way, nor done now
     input  wire logic                               done_i,
     output logic      [                        1:0] start_o,
     output logic                                    fresh_o,   // the first of its segment

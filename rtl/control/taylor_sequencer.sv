@@ -16,7 +16,7 @@
 //   Latency = Order (Digits + 3) + 5: clocks from one start to the next
 //
 // Integrators follow a clock later.  So do zeroth_there_o, collect_there_o, order_there_o and
-// done_o, which say what is on the integrators' outputs.
+// done_o, which name the integrators' outputs.
 `default_nettype none
 module taylor_sequencer #(
     parameter int Order = 6,  // [2, 12]
@@ -33,7 +33,7 @@ module taylor_sequencer #(
     // To the integrators
     output logic [riemann_pkg::ExpansionBits-1:0] control_o,
 
-    // What the integrators show
+    // The integrators' outputs
     output logic       zeroth_there_o,
     output logic       collect_there_o,
     output logic [3:0] order_there_o,
@@ -57,10 +57,10 @@ module taylor_sequencer #(
   } state_t;
 
   state_t state_q, state_d;
-  logic [3:0] order_q, order_d;  // of the coefficient that is there; 0: the step before closes
+  logic [3:0] order_q, order_d;  // order of the present coefficient; 0: the step before closes
   logic [4:0] digit_q, digit_d;
   logic fresh_q;
-  logic copy_q, copy_d;  // order 1 is made, by no multiplication
+  logic copy_q, copy_d;  // order 1 is a copy, without a multiplication
   logic order_zero_q;
   logic order_last_q;  // order_q is Order - 1
   logic digit_last_q;  // digit_q is Digits
@@ -130,7 +130,8 @@ module taylor_sequencer #(
     end
   end
 
-  // Controls are registers: they reach far.  In terms of the present state, which is ready early.
+  // Controls are registers, for they reach far, in terms of the present state, which is ready
+  // early.
   logic order_done;
   logic digit_more;
   logic copy;
@@ -192,7 +193,7 @@ module taylor_sequencer #(
   localparam int Shifted = 2 * Digits;
   logic        [Shifted-1:0] theta_q;
 
-  // Order 1 needs none: its copy leaves the weight of order 2 in peace.
+  // Order 1 needs no weight: its copy keeps the weight of order 2.
   logic                      take_weight;
   logic                      triple_weight;
   logic signed [   Bits-1:0] unused_base;

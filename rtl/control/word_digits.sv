@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The terms of a series, {there, order, coefficient}, for scalers: the digits of twice the
-// coefficient's magnitude and its sign.  Nobody needs the orders above Last.
+// coefficient's magnitude and its sign.  The orders above Last are not used.
 //
 //   cycle      0      2                         3 .. Digits + 5
 //   q_i        q[i]

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plays a part from two memories: the least that a design around motion_interpolator needs.
+// Plays a part from two memories: the minimum design around motion_interpolator.
 // The files are those of `curvecore words PART -o DIR --build serial`; the settings stand in
 // DIR/words.json.
 //
 //   segments.hex, profile.hex -> motion_interpolator <- a request every SampleClocks clocks
 //
-// valid_o is high for one clock with each position. Past the end they stay there.
+// valid_o is high for one clock with each position. Past the end they stay.
 `default_nettype none
 module part_player #(
     parameter     SegmentFile        = "segments.hex",
@@ -49,7 +49,7 @@ module part_player #(
   assign segments_in = !segment_valid || (segment_q != 0 && !segment_ready);
   assign profile_in  = !profile_valid || (profile_q != 0 && !profile_ready);
 
-  // Time starts once the queues hold what they can: what starves is stopped on the path.
+  // Time starts once the queues are full: an underrun would stop on the path.
   always_ff @(posedge clk_i) begin
     if (segment_valid && segment_ready) segment_q <= segment_q + 1;
     if (profile_valid && profile_ready) profile_q <= profile_q + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Prints the first Samples positions of part_player, a line each: by default of part.ngc, whose
-// words stand beside this.
+// Prints the first Samples positions of part_player, a line each: by default for part.ngc, whose
+// words are in this folder.
 `timescale 1ns / 1ns
 `default_nettype none
 module part_player_bench #(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole frames: what arrived of a frame can be read when it has ended and is good, and is forgotten
-// otherwise. A frame has at most 2^8 - 1 bytes with its CRC; one that is longer or does not fit is
-// not good. What is read: its number of bytes, then these.
+// A buffer of whole frames: a frame can be read when it has ended and is good, and is discarded
+// otherwise. A frame has at most 2^8 - 1 bytes with its CRC; a longer one, or one without room, is
+// not good. The output is its number of bytes, then the bytes.
 //
 //   clock        0     1
 //   next_i       1
@@ -11,13 +11,13 @@ module frame_buffer (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // What arrives: rtl/line/slip_receiver.sv
+    // Input: rtl/line/slip_receiver.sv
     input wire logic       data_valid_i,
     input wire logic [7:0] data_i,
     input wire logic       end_valid_i,
     input wire logic       good_i,
 
-    // What is read
+    // Output
     output logic            read_valid_o,
     output logic      [7:0] read_o,
     input  wire logic       next_i
@@ -25,9 +25,9 @@ module frame_buffer (
 
   localparam int Log2 = 9;
 
-  // A ring: frames, each behind its number of bytes
-  logic [Log2-1:0] first_q;  // place for the number of bytes of the frame that arrives
-  logic [Log2-1:0] next_q;  // and for its next byte; in the clock behind an end one less
+  // A ring of frames, each behind its number of bytes
+  logic [Log2-1:0] first_q;  // place for the number of bytes of the arriving frame
+  logic [Log2-1:0] next_q;  // place for its next byte; in the clock behind an end one less
   logic [Log2-1:0] behind;
   logic [Log2-1:0] read_q;
   logic [7:0] bytes_q;

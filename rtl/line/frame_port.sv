@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Registers behind a stream of bytes, each way: frames of LBP16 commands, guarded by a CRC. A frame
-// that is broken changes nothing and has no answer; one that comes twice is obeyed once.
+// Registers behind a stream of bytes, each way: frames of LBP16 commands, guarded by a CRC. A
+// broken frame changes nothing and has no answer; a repeated one is obeyed once.
 //
 //   bytes -> slip_receiver -> frame_buffer -> frame_reader -> requests
 //   bytes <- slip_sender <-------- answers ------+
 //
-// A frame has at most 251 bytes without its CRC. Some may be under way: the buffer has 512 bytes,
-// and forgets frames that do not fit. An answer has the words that its frame reads; where there are
-// none there is no answer.
+// A frame has at most 251 bytes without its CRC. Several may be under way: the buffer has 512
+// bytes, and discards frames that do not fit. An answer has the words that its frame reads; without
+// words there is no answer.
 `default_nettype none
 module frame_port (
     input wire logic clk_i,

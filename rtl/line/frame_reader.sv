@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accesses to registers out of frames: commands of LBP16 (Mesa's, of its space 0), low byte first.
+// Register accesses from frames: commands of LBP16 (Mesa's, of its space 0), low byte first.
 //
 //   command   2 bytes: 15 write, 14 an address follows, 13:10 zero, 9:8 width, 7 increment,
 //             6:0 number
-//   address   2 bytes, of a word, in bytes; without it those words that follow the last ones
+//   address   2 bytes, of a word, in bytes; by default the words that follow the last
 //   data      of a write
 //
 // Width 2: words of 32 bits. Width 3: pairs of words, the low one first, at an address that is a
 // multiple of 8. With the increment each goes to the next address, otherwise all to the same one.
 //
-// Writes are obeyed behind a write of EXPECT that says the number that SEQUENCE has. A frame that
-// begins so, and then gives SEQUENCE a number of its own, is obeyed once and in order, however
-// often it comes; its reads are answered always.
+// Writes are obeyed behind a write of EXPECT with the number that SEQUENCE has. A frame that begins
+// so, and then gives SEQUENCE a number of its own, is obeyed once and in order, however often it
+// comes; its reads are always answered.
 //
-// What is not such a command, or is cut, ends its frame, with an access that the registers refuse,
-// and is answered: with STATE, behind what was read before.
+// An invalid or cut command ends its frame, with an access that the registers refuse, and is
+// answered: with STATE, behind the words read before.
 `default_nettype none
 module frame_reader (
     input wire logic clk_i,
@@ -56,12 +56,12 @@ module frame_reader (
   state_t state_q;
 
   logic [7:0] words_q;  // to come
-  logic writes_q;  // as the command says
+  logic writes_q;  // of the command
   // Bytes
   localparam logic [7:0] CrcBytes = 8'd4;
-  logic [7:0] left_q;  // of the frame
+  logic [7:0] left_q;  // bytes of the frame
   logic last;
-  logic [7:0] low_q;  // the one before
+  logic [7:0] low_q;  // the last byte
   logic takes;
   assign last = left_q == CrcBytes;
   always_comb begin
@@ -82,21 +82,21 @@ module frame_reader (
   // The command
   logic pair_q;
   logic increment_q;
-  logic [1:0] part_q;  // of a word
-  logic known;  // a command whose high byte is read
-  logic aligned;  // an address
+  logic [1:0] part_q;  // byte of a word
+  logic known;  // a valid command, at its high byte
+  logic aligned;  // a valid address
   assign known   = read_i[5:1] == 5'b00001;
   assign aligned = read_i[7:1] == '0 && low_q[1:0] == '0 && !(pair_q && low_q[2]);
 
-  // The access, and which frames are obeyed
-  logic [31:0] word_q;  // to write, or read
+  // The access, and the frames that are obeyed
+  logic [31:0] word_q;  // word to write, or word read
   logic [6:0] place_q;
   logic obeyed_q;
-  logic expects;  // reads SEQUENCE for it
+  logic expects;  // SEQUENCE is read for it
   logic asks;
   logic accessed;
   logic answers;
-  logic done;  // with a word
+  logic done;  // a word is done
   assign expects  = writes_q && place_q == registers_pkg::Expect;
   assign asks     = !writes_q || expects || obeyed_q;
   assign accessed = state_q == Access && (!asks || done_i);
@@ -108,7 +108,7 @@ module frame_reader (
   assign data32_o = word_q;
 
   // Answers
-  logic refused_q;  // it has to be told
+  logic refused_q;  // the refusal is to be reported
   logic tells;
   assign tells = state_q == CommandLow && last && refused_q;
   logic answered_q;
@@ -164,7 +164,7 @@ module frame_reader (
       words_q     <= read_i[0] ? {low_q[6:0], 1'b0} : {1'b0, low_q[6:0]};
     end
     if (state_q == AddressHigh && next_o) place_q <= {read_i[0], low_q[7:2]};
-    if (state_q == Refuse) begin  // what cannot be written
+    if (state_q == Refuse) begin  // an address that cannot be written
       writes_q <= 1'b1;
       place_q  <= registers_pkg::Id;
       words_q  <= 8'd1;

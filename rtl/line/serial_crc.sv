@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// CRC-32 of IEEE 802.3 of the bytes since a start, a bit a clock.
+// CRC-32 of IEEE 802.3 over the bytes since a start, a bit a clock.
 //
 //   clock    0      1 .. 8   9
 //   valid_i  byte
 //   busy_o          1        0
-//   crc_o                    low byte of it; of drain_i instead of a byte: the next one
+//   crc_o                    low byte of it; with drain_i instead of a byte: the next one
 //   good_o                   behind a message and its own CRC, low byte first
 `default_nettype none
 module serial_crc (

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames out of a stream of bytes: SLIP (RFC 1055) around a frame and its CRC-32, low byte first.
+// Frames from a stream of bytes: SLIP (RFC 1055) around a frame and its CRC-32, low byte first.
 //
 //   byte_i        END  a  b  c  d  crc0 .. crc3  END
 //   data_valid_o       a  b  c  d  crc0 .. crc3

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A frame as rtl/line/slip_receiver.sv takes it. After the frame's last byte close_i asks for CRC
-// and END; ready_o answers either.
+// Sender of frames for rtl/line/slip_receiver.sv. close_i after the frame's last byte requests CRC
+// and END; ready_o answers both.
 `default_nettype none
 module slip_sender (
     input  wire logic       clk_i,
@@ -14,7 +14,7 @@ module slip_sender (
     output logic      [7:0] byte_o
 );
 
-  // Of a frame: its bytes, CRC bytes 1 to 4, END
+  // Parts of a frame: its bytes, CRC bytes 1 to 4, END
   localparam logic [2:0] Open = 3'd0;
   localparam logic [2:0] LastCrc = 3'd4;
   localparam logic [2:0] Close = 3'd5;
@@ -24,7 +24,7 @@ module slip_sender (
   logic escaped_q;  // its escape is out
   logic is_end;
   logic escapes;
-  logic leaves;  // all of it
+  logic leaves;  // the whole byte leaves
   assign is_end       = held_q == slip_pkg::End;
   assign escapes      = part_q != Close && !escaped_q && (is_end || held_q == slip_pkg::Escape);
   assign byte_valid_o = waits_q;
@@ -35,7 +35,7 @@ module slip_sender (
   logic [7:0] crc;
   logic unused_good;
   logic takes;
-  logic goes_on;  // to the next part
+  logic goes_on;  // the next part begins
   assign ready_o = part_q == Open && !waits_q && !busy;
   assign takes   = ready_o && data_valid_i && !close_i;
   assign goes_on = !waits_q && !busy && (part_q != Open || close_i);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes over SPI (mode 0, most significant bit first), both ways at once, for frames as a UART has
-// them. sclk_i is sampled: 16 clocks a bit at least. Where there is nothing to say the byte that
-// ends a frame goes out; a host that has nothing to say sends it too. Inside a frame, whose next
-// byte may have to wait for writes between its reads, that would end it: two escapes go out, which
-// are no byte. What arrives has to be taken at once.
+// Bytes over SPI (mode 0, most significant bit first), both ways at once, for the frames of a UART.
+// sclk_i is sampled: at least 16 clocks a bit. The idle byte is the one that ends a frame, in both
+// directions. Inside a frame, whose next byte may wait for writes between its reads, it would end
+// the frame: two escapes go out, which are no byte. Received bytes must be taken at once.
 //
 //   cs_ni         ^^\_________________________________________________/^^
 //   mosi_i          | byte            | byte            | ..
@@ -59,8 +58,8 @@ module spi_line (
     if (rises) byte_o <= {byte_o[6:0], mosi};
   end
 
-  // A byte goes out from the falling edge before it on, and is gone when its first bit is read: a
-  // host may end before that.
+  // A byte goes out from the falling edge before it on, and is consumed when its first bit is read:
+  // a host may end before that.
   logic [7:0] out_q;
   logic something_q;
   logic inside_q;  // a frame has begun and not ended

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes on two pins: 8 data bits, no parity, one stop bit, BitClocks clocks a bit. A byte without
-// its stop bit is dropped. What arrives has to be taken at once.
+// its stop bit is dropped. Received bytes must be taken at once.
 `default_nettype none
 module uart_line #(
     parameter int BitClocks = 217  // [4, 65535]
@@ -27,7 +27,7 @@ module uart_line #(
   localparam logic [15:0] Bit = 16'(BitClocks - 1);
   localparam logic [15:0] Half = 16'(BitClocks / 2 - 1);
 
-  // In: start, 8 bits, stop, each looked at in its middle
+  // Input: start, 8 bits, stop, each sampled in its middle
   logic rx;
   synchroniser u_synchroniser (
       .clk_i,
@@ -57,7 +57,7 @@ module uart_line #(
   end
   assign byte_o = in_q;
 
-  // Out
+  // Output
   logic [15:0] out_wait_q;
   logic [ 3:0] out_left_q;
   logic [ 8:0] out_q;

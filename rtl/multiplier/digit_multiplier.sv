@@ -48,7 +48,7 @@ module digit_multiplier #(
     end
   end
 
-  // A clock ahead of its addition.
+  // The multiple, a clock ahead of its addition.
   logic signed [Bits+1:0] multiple_q;
   logic                   clear_q;
   logic                   step_q;
@@ -65,8 +65,8 @@ module digit_multiplier #(
     endcase
   end
 
-  // The sum of the digits so far in halves: every digit shifts by two places, the last by one, so
-  // what it leaves are whole units, rounded by last_q.
+  // The sum of the digits so far in halves: every digit shifts by two places, the last by one,
+  // which leaves whole units, rounded by last_q.
   logic signed [  Bits:0] half_q;
   logic signed [Bits+1:0] whole;
   logic signed [Bits+1:0] carry;

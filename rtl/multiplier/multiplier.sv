@@ -15,7 +15,7 @@ module multiplier #(
     parameter int BBits = 36,  // [18, 36]
     parameter int Shift = 0,   // [0, 35]
     parameter int Form  = 0,   // 0, 1 or 2
-    parameter int Early = 0    // 1, of Form 0: the product is there a clock earlier
+    parameter int Early = 0    // 1, with Form 0: the product comes a clock earlier
 ) (
     input  wire logic                                clk_i,
     input  wire logic                                en_i,
@@ -29,7 +29,7 @@ module multiplier #(
   initial if (Shift < 0 || Shift > 35) $fatal(1, "Shift must be in [0, 35]");
   initial if (Form < 0 || Form > 2) $fatal(1, "Form must be 0, 1 or 2");
 
-  // Nothing below may stop elaboration before the message above is seen.
+  // Elaboration must not stop below before the message above is seen.
   localparam int Legal = (ABits >= 18 && ABits <= 36 && BBits >= 18 && BBits <= 36) ? 1 : 0;
 
   if (Legal == 1 && Form == 0) begin : g_portable

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step along a line, arc or helix writes into its bank (rtl/sampler/bank_pkg.sv).
+// Words of a step along a line, arc or helix for its bank (rtl/sampler/bank_pkg.sv).
 //
 //   Mode 0   c_1 = x[1] + rate, c_i = x[i]: X Y Z of place i, two clocks after collect_i
 //   Mode 1   at once: n and t with zeroth_i, X Y Z and F G H; the angle's terms with collect_i, Own

@@ -26,7 +26,7 @@ module spherical_steps #(
 
     input  wire logic start_i,
     input  wire logic fresh_i,  // the step is the first of its segment
-    output logic      ready_o,  // none is under way
+    output logic      ready_o,  // no step is under way
     output logic      done_o,
 
     // The segment
@@ -40,8 +40,8 @@ module spherical_steps #(
     input  wire logic signed [FineBits-1:0] start_point_i,
     input  wire logic signed [FineBits-1:0] end_point_i,
 
-    // To the banks: of the rates {there, axis, rate}, of the points {there, axis, end, origin}, of
-    // the sampler (rtl/sampler/bank_pkg.sv)
+    // Outputs to the banks of the rates {there, axis, rate}, of the points {there, axis, end,
+    // origin}, of the sampler (rtl/sampler/bank_pkg.sv)
     input  wire logic [                         1:0] bank_i,
     output logic      [                CoefBits+4:0] rate_o,
     output logic      [              2*FineBits+4:0] point_o,
@@ -80,7 +80,7 @@ module spherical_steps #(
   logic        [         3:0] point_axis;
   logic signed [FineBits-1:0] origin;
 
-  // While the axes pass by, their unit vectors are loaded, a clock later.
+  // The unit vectors are loaded a clock after their axes pass.
   logic        [         2:0] axis;
   logic        [         2:0] initial_load_q;
   logic signed [CoefBits-1:0] initial_normal_q;
@@ -205,7 +205,7 @@ module spherical_steps #(
   if (Mode == 1) begin : g_angle
     logic signed [CoefBits-1:0] sine;
     logic signed [CoefBits-1:0] cosine;
-    logic [riemann_pkg::ExpansionBits-1:0] expansion;  // of every step afresh
+    logic [riemann_pkg::ExpansionBits-1:0] expansion;  // begins afresh in every step
     always_comb begin
       expansion                       = control;
       expansion[riemann_pkg::Advance] = 1'b0;

@@ -4,7 +4,7 @@
 //
 //     dW = 6a' dq    dV = W dq    dP = V dV    [dx = V dq]         dq = phi dtau
 //
-// See spline_network.
+// The network: rtl/network/spline_network.sv.
 `default_nettype none
 module spline_axis #(
     parameter int Axis     = 0,   // 0 X, 1 Y, 2 Z
@@ -46,7 +46,7 @@ module spline_axis #(
   logic [37:0] unused_factors_v, unused_factors_p;
   logic [TermBits-1:0] dv, unused_p;
   logic signed [CoefBits-1:0] unused_state_w, unused_state_v, unused_state_p;
-  assign unused = &{load_i, control_i};  // what other axes and modes read
+  assign unused = &{load_i, control_i};  // read by other axes and modes
 
   // One node per state equation, the equation in its last line.
   // verilog_format: off

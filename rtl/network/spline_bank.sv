@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a step along a spline writes into its bank (rtl/sampler/bank_pkg.sv).
+// Words of a step along a spline for its bank (rtl/sampler/bank_pkg.sv).
 //
 //   Mode 0   the terms of x y z: X Y Z of the term's order
 //   Mode 1   the terms of q: Own.  The cubic, X Y Z of the power of q: a' 3, B' 2, V 1, of which V
@@ -10,7 +10,7 @@
 //   v_i, x_i, q_i         there                term in words_o
 //   w_i                   there                                 B' in words_o
 //
-// One kind of word of the cubic at a time: a' before V, B' a clock after V or later.
+// One kind of word of the cubic comes at a time: a' before V, B' a clock after V or later.
 `default_nettype none
 module spline_bank #(
     parameter int CoefBits = 36,  // [18, 36]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a step has gone along X Y Z, in units of 2^k: the sums of the terms of dx = V dq.
+// Displacement of a step along X Y Z, in units of 2^k: the sums of the terms of dx = V dq.
 //
 //     d = x[1] + .. + x[Order]
 //

@@ -6,7 +6,7 @@
 //     dq = phi dtau    dW = 6a' dq    dV = W dq    dP = V.dV    dphi = Q dP    dQ = R dphi
 //     R = -3 phi^2     [dx = V dq]
 //
-// Twin: hls/spline_network.hpp, which has the words' formats.  Between the nodes go series, term
+// Twin: hls/spline_network.hpp, which has the words' formats.  Between the nodes run series, term
 // after term, {there, order, coefficient}; dV, dP, dphi are D = i times the coefficient.
 //
 // A step: the words of order 0 (and 6a') by their pulses in load_i from initial_i, or all but 6a'
@@ -14,10 +14,10 @@
 // every coefficient once; done_o, in the clock that spline_sequencer states, with the last of q and
 // x.  moved_o (the sum of q) and phi_end_o (the sum of phi) are complete 2 clocks later.
 //
-// 18 x 18 multipliers: 9, with Mode 0 12; q and W have the time to be made digit after digit.  With
+// 18 x 18 multipliers: 9, with Mode 0 12; q and W have time to be made digit after digit.  With
 // Guest = 1 those of Q and R are one outside, a half_product of factors_o, which is a guest's until
 // 40 clocks after start_i and from done_o on.  So Q[i] is made after phi[i] and R[i] after Q[i];
-// with Anchor 1 not the last ones, which nobody reads.
+// with Anchor 1 without the last ones, which are not read.
 `default_nettype none
 module spline_network #(
     parameter int Order    = 6,   // [2, 12]
@@ -140,7 +140,7 @@ module spline_network #(
   assign load_cube   = load_i[spline_pkg::Q];
   assign load_square = load_i[spline_pkg::R];
 
-  // What nobody reads.
+  // Words that are not read.
   logic [37:0] unused_factors;
   logic [TermBits-1:0] unused_dcube;
   logic signed [CoefBits-1:0] unused_cube, unused_square;

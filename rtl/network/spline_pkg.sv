@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words to the spline network: positions.
+// Words of the spline network: positions of their fields.
 package spline_pkg;
-  // Initial conditions, from spline_anchor: whose the word is, one after the other X Y Z
+  // Initial conditions, from spline_anchor, one after the other X Y Z
   localparam int SixA = 0;
   localparam int V = 3;
   localparam int W = 6;
   localparam int Phi = 9;
   localparam int Q = 10;
   localparam int R = 11;
-  localparam int Again = 12;  // all but 6a' go on from the step before
+  localparam int Again = 12;  // all but 6a' continue from the step before
   localparam int LoadBits = 13;
 
   // Orders, from spline_sequencer

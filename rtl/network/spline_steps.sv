@@ -34,7 +34,7 @@ module spline_steps #(
 
     input  wire logic start_i,
     input  wire logic fresh_i,  // the step is the first of its segment
-    output logic      ready_o,  // none is under way
+    output logic      ready_o,  // no step is under way
     output logic      done_o,
 
     // The segment
@@ -44,13 +44,13 @@ module spline_steps #(
     output logic             [         3:0] segment_axis_o,
     input  wire logic signed [CoefBits-1:0] a_i,
     input  wire logic signed [CoefBits-1:0] b_i,
-    input  wire logic signed [CoefBits-1:0] c_i,              // of an auxiliary axis: advance
+    input  wire logic signed [CoefBits-1:0] c_i,              // auxiliary axes: advance
     output logic             [         3:0] segment_point_o,
     input  wire logic signed [FineBits-1:0] start_point_i,
     input  wire logic signed [FineBits-1:0] end_point_i,
 
-    // To the banks: of the rates {there, axis, rate}, of the points {there, axis, end, origin}, of
-    // the sampler (rtl/sampler/bank_pkg.sv)
+    // Outputs to the banks of the rates {there, axis, rate}, of the points {there, axis, end,
+    // origin}, of the sampler (rtl/sampler/bank_pkg.sv)
     input  wire logic [                         1:0] bank_i,
     output logic      [                CoefBits+4:0] rate_o,
     output logic      [              2*FineBits+4:0] point_o,
@@ -82,7 +82,7 @@ module spline_steps #(
   logic signed [            CoefBits-1:0] word;
   logic signed [            CoefBits-1:0] phi_end;
   logic signed [            CoefBits-1:0] moved;
-  // The anchor's multiplier is later the network's; with Anchor 0 each has its own.
+  // The anchor's multiplier later becomes the network's; with Anchor 0 each has its own.
   localparam int Guest = (Anchor != 0) ? 1 : 0;
   logic [37:0] anchor_factors;
   logic [37:0] network_factors;
@@ -185,7 +185,7 @@ module spline_steps #(
       .words_o
   );
 
-  // Auxiliary axes pass by after the anchor has read the others.
+  // Auxiliary axes pass after the anchor has read the others.
   logic [4:0] time_q;
   logic       aux;
   logic [3:0] aux_axis;
@@ -208,8 +208,8 @@ module spline_steps #(
     rate_q       <= c_i;
   end
 
-  // X Y Z come from the cubic, when the anchor has them.  With Anchor 0 and Mode 0 they go on from
-  // the step before as the auxiliary axes do, and pass by just before those.
+  // X Y Z come from the cubic, when the anchor has them.  With Anchor 0 and Mode 0 they continue
+  // from the step before as the auxiliary axes do, and pass just before those.
   localparam int Chained = (Anchor == 0 && Mode == 0) ? 1 : 0;
   logic                       xyz_there;
   logic        [         1:0] xyz_axis;

@@ -59,8 +59,8 @@ module riemann_integrator #(
   logic                   collect_q;
   logic                   first_q;
 
-  // A negative node negates what it multiplies: it keeps its sum negative, so that theta times the
-  // sum comes out right.
+  // A negative node negates its factors: it keeps its sum negative, so that theta times the sum has
+  // the right sign.
   logic signed [Bits-1:0] sum;
   logic signed [Bits-1:0] term;
   assign sum  = first_q ? '0 : sum_o;

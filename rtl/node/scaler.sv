@@ -53,7 +53,7 @@ module scaler #(
       .product_o(product)
   );
 
-  // A control word is not reset on its way: what was under way ends by itself.
+  // A control word is not reset on its way: it ends by itself.
   series_state #(
       .Bits(Bits)
   ) u_state (

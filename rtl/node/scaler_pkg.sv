@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words to scaler: positions.
+// Words of scaler: positions of their fields.
 package scaler_pkg;
   // The digits of a term, above those of digits_pkg
   localparam int Done = 6;

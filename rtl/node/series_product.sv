@@ -13,8 +13,8 @@
 //   x_there_o                                              1 (Quotient = 1)
 //   sum_o                                   D, 5 clocks    X, until the next one's 4n+5
 //
-// Of n clocks each there are four passes.  u[n-1] and s[First] are read at first, u[0] and
-// s[First+n-1] last: what is written in cycle c may be read in c+1, so the newest s in cycle n+1.
+// There are four passes of n clocks each.  u[n-1] and s[First] are read first, u[0] and
+// s[First+n-1] last: a word written in cycle c may be read in c+1, so the newest s in cycle n+1.
 // Reset acts as series_state's.  Twin: hls/series_node.hpp.
 `default_nettype none
 module series_product #(
@@ -64,7 +64,7 @@ module series_product #(
   logic [3:0] j_q;
   logic [3:0] k_q;
   logic       reset_n;
-  logic       start_q;  // a clock late, beside what it starts
+  logic       start_q;  // a clock late, beside the words that it starts
   logic       load_q;  // start_q or divide
   logic [3:0] start_order_q;
   logic [3:0] start_top_q;

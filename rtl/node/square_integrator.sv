@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The node  R = -Gain phi^2: the integral of -2 Gain phi dphi. Gain 3 is the spline's R, [Chikurov]
-// (30); of the paper's recurrences, that of R_i lacks the 6. Gain 1 is the hyperbola's z, Fig. 3.
-// The sum of products is that of the square:
+// (30); the paper's recurrence of R_i lacks the 6. Gain 1 is the hyperbola's z, Fig. 3. The sum of
+// products is that of the square:
 //
 //     S[i] = sum of phi[j] phi[i-j], j = 0 .. i        R[i] = -3 S[i], or -S[i]
 //

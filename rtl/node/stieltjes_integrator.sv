@@ -4,8 +4,8 @@
 //
 //     D[i] = i x[i] = sum of u[j] Ds[i-j], j = 0 .. i-1     x[i] = D[i] / i     state' = sum x
 //
-// With First = 0 Ds[i] is what the node is given as order i-1.  A term of a series is one word,
-// {there, order, coefficient}: `there` for a clock, the rest is kept.
+// With First = 0 Ds[i] comes to the node as order i-1.  A term of a series is one word, {there,
+// order, coefficient}: `there` for a clock, the rest is kept.
 //
 //   cycle              0      4i+6    4i+15
 //   Start, Order       1                      and the words that series_product asks for

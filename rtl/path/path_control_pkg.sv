@@ -4,29 +4,29 @@
 package path_control_pkg;
 
   // For rtl/path/path_datapath.sv
-  localparam int Read = 0;  // 4 bits: the operand; of the present piece: 8 a coefficient, 11 ds
-  localparam int Write = 4;  // 4 bits: what is written
-  localparam int Store = 8;  // it is: the sum,
-  localparam int OfRate = 9;  // the rate in place of its low bits, the sum being 0
-  localparam int OfTicks = 10;  // the ticks of the next piece, the same
-  localparam int Clear = 11;  // the sum
-  localparam int Add = 12;  // the operand to it
-  localparam int Invert = 13;  // the bits of what Add gives
-  localparam int Halve = 14;  // what Add gives
-  localparam int Multiply = 15;  // to the factor's next bit
-  localparam int Round = 16;  // add the bit that Halve dropped in the clock before
-  localparam int Load = 17;  // the sum is the factor
-  localparam int Choose = 18;  // read 2, if the factor's next bit is 1; with Read 0 only
+  localparam int Read = 0;  // 4 bits: the operand; in the present piece 8 is a coefficient, 11 ds
+  localparam int Write = 4;  // 4 bits: the word to write
+  localparam int Store = 8;  // the word written is the sum,
+  localparam int OfRate = 9;  // puts the rate in place of its low bits, the sum being 0
+  localparam int OfTicks = 10;  // puts the ticks of the next piece, likewise
+  localparam int Clear = 11;  // clears the sum
+  localparam int Add = 12;  // adds the operand to it
+  localparam int Invert = 13;  // inverts the bits of Add's result
+  localparam int Halve = 14;  // halves Add's result
+  localparam int Multiply = 15;  // moves to the factor's next bit
+  localparam int Round = 16;  // adds the bit that Halve dropped in the clock before
+  localparam int Load = 17;  // makes the sum the factor
+  localparam int Choose = 18;  // reads 2 if the factor's next bit is 1; with Read 0 only
   localparam int Bits = 19;
 
   // For rtl/path/path_sequencer.sv
-  localparam int Target = 19;  // 6 bits: where it jumps to
-  localparam int Condition = 25;  // 4 bits: if
-  localparam int Stay = 29;  // or else: to be obeyed again
-  localparam int Ready = 30;  // for a tick
-  localparam int Take = 31;  // the next piece
-  localparam int Send = 32;  // the sum is an increment
-  localparam int Next = 33;  // coefficient
+  localparam int Target = 19;  // 6 bits: target of the jump
+  localparam int Condition = 25;  // 4 bits: its condition
+  localparam int Stay = 29;  // otherwise the word is obeyed again
+  localparam int Ready = 30;  // ready for a tick
+  localparam int Take = 31;  // takes the next piece
+  localparam int Send = 32;  // sends the sum as an increment
+  localparam int Next = 33;  // next coefficient
   localparam int WordBits = 34;
 
   // Conditions

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// One adder, a memory of 16 words and the bits of a factor: what evaluates profile pieces in the
-// serial build, by the words of rtl/path/path_program.sv (rtl/path/path_control_pkg.sv).
+// The datapath that evaluates profile pieces in the serial build, one adder, a memory of 16 words
+// and the bits of a factor, by the words of rtl/path/path_program.sv
+// (rtl/path/path_control_pkg.sv).
 //
 //     sum' = sum + memory[read]       Halve: half of that, rounded down; Invert: its bits inverted
 //
 // Differences are sums: a - b = ~(~a + b).
 //
-// Halves with Multiply make the product of Factor and the loaded word, from its lowest bit on. Each
+// Halve with Multiply makes the product of Factor and the loaded word, from its lowest bit on. Each
 // drops a bit that no later one changes, so n of them give the product over 2^n, rounded down; the
 // bit that was dropped last rounds it to nearest.
 //
-// An operand is read a clock before its word is obeyed, so it is not what that clock writes.
+// An operand is read a clock before its word is obeyed, so it is not the word that this clock
+// writes.
 //
 // Words have 48 bits: quanta of the path, ticks with 16 fraction bits, coefficients with 34. Words
 // of the next piece are written as they come; control_i writes nothing in that clock.
@@ -20,8 +22,8 @@ module path_datapath (
     input wire logic rst_ni,
 
     input  wire logic   [path_control_pkg::Bits-1:0] control_i,
-    input  wire logic   [path_control_pkg::Bits-1:0] ahead_i,    // of the next clock
-    input  wire logic   [                       1:0] pass_i,     // of the coefficient read
+    input  wire logic   [path_control_pkg::Bits-1:0] ahead_i,    // word of the next clock
+    input  wire logic   [                       1:0] pass_i,     // pass of the coefficient read
     output logic signed [                      47:0] sum_o,
 
     input wire logic [16:0] rate_i,
@@ -38,8 +40,8 @@ module path_datapath (
   logic multiply;
   assign multiply = control_i[path_control_pkg::Multiply];
 
-  // What is read for the next clock. While a product's word is obeyed again the one behind it is
-  // ahead, so both choose; behind the last bit are zeros, as time in a piece is less than 2^m.
+  // Operand of the next clock. While a product's word is obeyed again the word behind it is ahead,
+  // so both choose; behind the last bit are zeros, as time in a piece is less than 2^m.
   logic [34:0] factor_q;
   logic [3:0] read;
   logic next_bit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rates of time and profile pieces into increments of the path.
+// Increments of the path from rates of time and profile pieces.
 // Twin: PathKernel of hls/path_kernel.hpp.
 //
 //     s = min(max(2^e (c1 tau + c2 tau^2 + c3 tau^3), s before), ds)     tau = t / 2^m
@@ -9,7 +9,7 @@
 //   ds_valid_o           1                  2          37
 //   ds_o                 increment          4, 8       43
 //
-// One tick per Interval clocks; results are not held: whoever sends rates has room for them. A
+// One tick per Interval clocks; results are not held: the sender of rates has room for them. A
 // piece boundary costs no clock when the piece before was 6 clocks long and the next is queued.
 // Build 1 makes one tick after the other, at most every kSerialTickClocks of hls/clocks.hpp, and
 // holds an increment until it is taken.
@@ -26,7 +26,7 @@ module path_generator #(
     input  wire logic        word_valid_i,
     output logic             word_ready_o,
     input  wire logic [47:0] word_i,
-    input  wire logic        queued_i,      // pieces, complete, that did not begin
+    input  wire logic        queued_i,      // complete pieces that have not begun
     input  wire logic        begin_i,       // a program may begin
 
     // Ticks
@@ -37,7 +37,7 @@ module path_generator #(
     output logic             tick_taken_o,
 
     // Stop branches, to the time scaler: rtl/time/stop_memory.sv
-    input  wire logic        scaled_i,      // a tick that the scaler takes in
+    input  wire logic        scaled_i,      // a tick that the scaler takes
     output logic      [20:0] due_o,         // begins, next_wait
     output logic             step_valid_o,
     input  wire logic        step_ready_i,
@@ -45,7 +45,7 @@ module path_generator #(
 
     // Increments, a tick each
     output logic             ds_valid_o,
-    input  wire logic        ds_ready_i,  // Build 1; whoever takes those of Build 0 has room
+    input  wire logic        ds_ready_i,  // Build 1; with Build 0 the receiver has room
     output logic      [47:0] ds_o,
     output logic      [16:0] ds_rate_o,
     output logic             ds_active_o, // a program was under way
@@ -65,7 +65,7 @@ module path_generator #(
       $fatal(1, "Interval must be 1, 2, 4 or 8");
 
   // Pieces are 6 clocks apart at least, evaluations 36 clocks long at most: a bank that is written
-  // is used no more.  The serial build has the present piece and the next one.
+  // is no longer used.  The serial build has the present piece and the next one.
   localparam int BankBits = (Build == 1) ? 1 : 3;
 
   // Pieces
@@ -183,7 +183,7 @@ module path_generator #(
     logic unused;
     assign unused = ^{coef_pass[3:2], coef, next_ds};
 
-    // Less than a tick is none.
+    // A time of less than a tick is none.
     always_ff @(posedge clk_i) begin
       if (!rst_ni) ticks_left_o <= '1;
       else if (look) ticks_left_o <= ~sum[37:16];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a piece's polynomial to the path's increment, in quanta. Twin: the end of PathKernel::tick
-// of hls/path_kernel.hpp.
+// The path's increment, in quanta, from a piece's polynomial. Twin: the end of PathKernel::tick of
+// hls/path_kernel.hpp.
 //
 //     path = min(max(floor(d 2^(exponent - 34) + 1/2), path before), ds)
 //
@@ -22,15 +22,15 @@ module path_increment (
     input wire logic               end_i,
     input wire logic signed [35:0] d_i,         // 34 fraction bits, in units of 2^exponent
     input wire logic        [ 5:0] exponent_i,  // [0, 46]
-    input wire logic        [47:0] ds_i,        // of the piece
-    input wire logic        [17:0] rate_i,      // above the rate: a program is under way
+    input wire logic        [47:0] ds_i,        // ds of the piece
+    input wire logic        [17:0] rate_i,      // bit 17 above the rate: a program is under way
 
     output logic        valid_o,
     output logic [47:0] ds_o,
     output logic [17:0] rate_o
 );
 
-  // What travels along: index n belongs to the stage that index n - 1 feeds.
+  // Words that travel along: index n belongs to the stage that index n - 1 feeds.
   localparam int Stages = 11;
   logic [Stages:1] valid_q;
   logic [9:1] begin_q;
@@ -91,7 +91,7 @@ module path_increment (
   end
 
   // 7: never back, path = max(goal, path before).  The comparison with the path before takes a
-  // clock, so it is made with both values which that may have: the goal before, its path before.
+  // clock, so it is made with both possible values: the goal before, its path before.
   logic [47:0] goal_7_q;
   logic [47:0] path_q;
   logic [47:0] path_before_q;
@@ -120,7 +120,7 @@ module path_increment (
     end
   end
 
-  // 9 .. 11: and what was left of the piece before.
+  // 9 .. 11: the increment, with the rest of the piece before.
   logic [47:0] piece_ds_q;
   logic [47:0] path_9_q;
   logic [47:0] change_q;

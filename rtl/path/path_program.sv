@@ -2,16 +2,16 @@
 // Profile pieces tick by tick, in the serial build: the program of rtl/path/path_datapath.sv.
 // Twin: PathKernel::tick of hls/path_kernel.hpp. Its words: rtl/path/path_control_pkg.sv.
 //
-// A word is read from memory while the one before is written: it does not get that one's.
+// A word is read from memory while the one before is written, so it does not see that word.
 `default_nettype none
 module path_program (
     input  wire logic                                  clk_i,
     input  wire logic                                  en_i,
     input  wire logic [                           5:0] place_i,
-    output logic      [path_control_pkg::WordBits-1:0] word_o    // of the clock before
+    output logic      [path_control_pkg::WordBits-1:0] word_o    // word of the clock before
 );
 
-  // A word goes on to the one below, or to where its jump leads.
+  // A word continues with the one below, or with the target of its jump.
   typedef enum logic [5:0] {
     Start,
     // A tick's end, and the next one
@@ -77,13 +77,13 @@ module path_program (
 
   // Words of the datapath's memory
   localparam logic [3:0] Zero = 4'd0;
-  localparam logic [3:0] Time = 4'd1;  // in the piece, 16 fraction bits
+  localparam logic [3:0] Time = 4'd1;  // time in the piece, 16 fraction bits
   localparam logic [3:0] Factor = 4'd2;
-  localparam logic [3:0] End = 4'd3;  // of the piece, 16 fraction bits
-  localparam logic [3:0] Path = 4'd4;  // since the piece began
+  localparam logic [3:0] End = 4'd3;  // end of the piece, 16 fraction bits
+  localparam logic [3:0] Path = 4'd4;  // path since the piece began
   localparam logic [3:0] Rate = 4'd5;
-  localparam logic [3:0] Rest = 4'd6;  // of the piece before
-  localparam logic [3:0] Ds = 4'd11;  // of the piece
+  localparam logic [3:0] Rest = 4'd6;  // rest of the piece before
+  localparam logic [3:0] Ds = 4'd11;  // path length of the piece
   localparam logic [3:0] Coefficient = 4'd8;  // c3, c2, c1, one after the other
 
   localparam int Bits = path_control_pkg::WordBits;

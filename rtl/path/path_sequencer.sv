@@ -12,7 +12,7 @@
 //   ds_valid_o                           1       n < kSerialTickClocks of hls/clocks.hpp, + what it
 //   ds_ready_i                           1       waited for a piece; until it is taken
 //
-// A tick of rate r moves time by r / 2^16 ticks; what goes beyond a piece's end is time in the next
+// A tick of rate r moves time by r / 2^16 ticks; the time beyond a piece's end belongs to the next
 // piece. Time waits at the end of the last piece there is. A tick waits while its piece is queued
 // but not loaded. No program begins in a tick that is held. One tick is under way at a time.
 `default_nettype none
@@ -22,7 +22,7 @@ module path_sequencer (
 
     // Pieces
     input  wire logic       queued_i,              // complete ones, the next included
-    input  wire logic       next_valid_i,          // until next_take_o
+    input  wire logic       next_valid_i,          // valid until next_take_o
     output logic            next_take_o,
     input  wire logic       next_final_i,
     input  wire logic [4:0] next_time_exponent_i,  // m
@@ -34,12 +34,12 @@ module path_sequencer (
     input  wire logic [16:0] rate_i,
     input  wire logic        held_i,        // target 0
     output logic             tick_taken_o,
-    output logic      [16:0] rate_o,        // of the tick under way
+    output logic      [16:0] rate_o,        // rate of the tick under way
 
     // Datapath
     output logic      [path_control_pkg::Bits-1:0] control_o,
-    output logic      [path_control_pkg::Bits-1:0] ahead_o,    // of the next clock
-    output logic      [                       1:0] pass_o,     // of the coefficient read
+    output logic      [path_control_pkg::Bits-1:0] ahead_o,    // word of the next clock
+    output logic      [                       1:0] pass_o,     // pass of the coefficient read
     input  wire logic                              negative_i, // the sum
 
     // Increments
@@ -88,7 +88,7 @@ module path_sequencer (
   assign control_o = word[path_control_pkg::Bits-1:0];
   assign ahead_o   = fetched[path_control_pkg::Bits-1:0];
 
-  // Numbers of halves: 16 + m of a product, 34 - e of a result; below 0 it doubles
+  // Numbers of halves: 16 + m for a product, 34 - e for a result; below 0 it doubles
   logic held_q;
   logic [4:0] time_exponent_q;
   logic [5:0] exponent_q;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Increments of ticks into those of samples (rtl/path/sample_share.sv), and the path that is gone
-// with them: path_valid_o once per sample, up to 2 clocks after it is taken.
+// Increments of samples from those of ticks (rtl/path/sample_share.sv), and the path travelled with
+// them: path_valid_o once per sample, up to 2 clocks after it is taken.
 `default_nettype none
 module path_shares #(
     parameter int Build = 0,  // 0 parallel, 1 serial
-    parameter int Room  = 64  // [8, 128] ticks that wait, of Build 0
+    parameter int Room  = 64  // [8, 128] waiting ticks, with Build 0
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time within profile pieces: where in which piece each tick ends. Twin: PathKernel::tick of
-// hls/path_kernel.hpp.
+// Time within profile pieces: the piece and the place in it where each tick ends. Twin:
+// PathKernel::tick of hls/path_kernel.hpp.
 //
-// A tick of rate r moves time by r / 2^16 ticks; what goes beyond a piece's end is time in the next
+// A tick of rate r moves time by r / 2^16 ticks; the time beyond a piece's end belongs to the next
 // piece. Time waits at the end of the last piece there is. A tick waits while its piece is queued
 // but not loaded. No program begins in a tick that is held.
 //
@@ -15,7 +15,7 @@
 //   valid_o                    1
 //   time_o, ..                 of the tick
 //
-// An event, valid_o, says how far the path is in piece bank_o when the tick is over:
+// An event, valid_o, states the place of the path in piece bank_o at the end of the tick:
 //   begin_o    the piece before is over, this one begins
 //   still_o    nowhere: no piece is under way
 //   end_o      at the piece's end
@@ -28,7 +28,7 @@ module piece_clock #(
     input wire logic rst_ni,
     input wire logic slot_i,  // a tick may be taken
 
-    // Pieces; next_ticks_i stands still from 2 clocks before next_valid_i
+    // Pieces; next_ticks_i is stable from 2 clocks before next_valid_i
     input  wire logic                queued_i,              // complete ones, the next included
     input  wire logic                next_valid_i,
     output logic                     next_take_o,
@@ -58,12 +58,12 @@ module piece_clock #(
     // The present piece
     output logic               active_o,
     output logic               last_o,       // it is final
-    output logic signed [21:0] ticks_left_o  // at least so many, less 2
+    output logic signed [21:0] ticks_left_o  // a lower bound, less 2
 );
 
   initial if (BankBits < 1 || BankBits > 5) $fatal(1, "BankBits must be in [1, 5]");
 
-  // The tick at hand and the two after it; no tick is a tick of rate 0.
+  // The present tick and the two after it; no tick is a tick of rate 0.
   logic head_valid_q;
   logic [16:0] head_q;
   logic after_valid_q;
@@ -73,23 +73,23 @@ module piece_clock #(
   logic after_held_q;
   logic third_held_q;
 
-  // What is left of the piece after the tick at hand, less one: negative when the tick passes its
-  // end.  Counted in ticks with 16 fraction bits.
+  // Rest of the piece after the present tick, less one: negative when the tick passes its end.
+  // Counted in ticks with 16 fraction bits.
   logic signed [37:0] left_q;
   assign ticks_left_o = left_q[37:16];
   logic over;
   logic active_d;
   assign over = left_q[37];
 
-  // Next piece, less the tick after the one at hand.
+  // Next piece, less the tick after the present one.
   logic signed [37:0] gain_q;
   logic signed [37:0] next_ticks;
   assign next_ticks = {2'b0, next_ticks_i, 16'b0};
 
   logic may;
   logic runs;
-  logic barred_q;  // the tick at hand is held and no program is under way
-  logic ends;  // nothing follows, whatever is queued
+  logic barred_q;  // the present tick is held and no program is under way
+  logic ends;  // nothing follows, even if queued
   logic passes;
   logic stops;
   logic advance;
@@ -145,8 +145,8 @@ module piece_clock #(
     gain_q <= advance ? gain_moved : gain_kept;
   end
 
-  // The present piece.  It is at its very end when time has waited there, or when it is one tick
-  // long and a whole tick was waiting for it.
+  // The present piece.  It is at its end when time has waited there, or when it is one tick long
+  // and a whole tick waited for it.
   logic waits_q;
   logic whole;
   assign active_d = passes || (active_o && !(stops && last_o));
@@ -175,7 +175,7 @@ module piece_clock #(
     end
   end
 
-  // Events: time = ticks - (left + 1 + the tick at hand).
+  // Events: time = ticks - (left + 1 + the present tick).
   logic [2:1] valid_q;
   logic [2:1] begin_q;
   logic [2:1] still_q;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Profile words into the next piece, while the present one runs. Word format: hls/words.hpp.
+// Loader of the next piece from profile words while the present one runs. Word format:
+// hls/words.hpp.
 //
 // The five words of a piece go where they are used: coefficients and bounds into memories of Banks
-// banks (bank_o of the piece), what the clock of pieces needs into outputs beside piece_valid_o.
+// banks (bank_o of the piece), the words for the clock of pieces into outputs beside piece_valid_o.
 // After piece_take_i the next piece is there 6 clocks later, when its words are queued. Words of a
 // stop branch before it are written elsewhere as they come: stop_write_o, step_write_o.
 //
@@ -23,7 +24,7 @@ module piece_loader #(
     output logic             word_ready_o,
     input  wire logic [47:0] word_i,
 
-    output logic stop_write_o,  // of word_i
+    output logic stop_write_o,  // word_i is one
     output logic step_write_o,
 
     output logic                       coef_write_o,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which word of a program is obeyed: the one below, or where a jump leads, or the same again.
+// The next word of a program: the one below, the target of a jump, or the same again.
 //
 //   clock       0            1         2
 //   place_o     n + 1        n + 2     n + 3
-//   fetched_i   word n       n + 1     n + 2     of the place of the clock before
+//   fetched_i   word n       n + 1     n + 2     at the place of the clock before
 //   word_o      word n - 1   n         n + 1     is obeyed
 //   stay_i      of word_o: fetched_i stays, too
 //   jump_i      of word_o: place_o is its target; the next word_o is 0, which does nothing
@@ -25,7 +25,7 @@ module program_fetch #(
     output logic      [Bits-1:0] word_o
 );
 
-  logic fresh_q;  // what is fetched is not of the program
+  logic fresh_q;  // the fetched word is not of the program
   logic [5:0] place_q;
   assign place_o = jump_i ? target_i : place_q + 6'd1;
   assign fetch_o = !stay_i;

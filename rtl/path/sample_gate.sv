@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Admits requests for samples: as many as the path side has room for. The first request of every
-// 2^n starts a tick of time, and says how fast time shall run.
+// Admission of requests for samples, as many as the path side has room for. The first request of
+// every 2^n starts a tick of time, and states its rate.
 //
 //   clock                    0           1
 //   request_valid_i          1
@@ -9,8 +9,8 @@
 //   tick_o                               1
 //   target_o                             0 (kill, hold, underrun, !good) or override, 1 at most
 //
-// wanted_o: samples are admitted that sent_i did not tell yet. Kill is for good, until reset. While
-// pause_i no tick starts; quiet_o: no sample is wanted, and no tick is half asked for.
+// wanted_o: admitted samples remain that sent_i has not reported. Kill lasts until reset. No tick
+// starts during pause_i; quiet_o: no sample is wanted, and no tick is half requested.
 `default_nettype none
 module sample_gate #(
     parameter int Room = 64  // [8, 128] samples between request and sent_i
@@ -20,7 +20,7 @@ module sample_gate #(
 
     input  wire logic [3:0] samples_per_tick_log2_i,  // n, changes only while quiet and paused
     input  wire logic       pause_i,
-    input  wire logic       good_i,                   // the settings are
+    input  wire logic       good_i,                   // the settings are valid
     output logic            quiet_o,
 
     input  wire logic request_valid_i,
@@ -36,9 +36,9 @@ module sample_gate #(
     output logic             killed_o,
 
     // On the way
-    input  wire logic       tick_taken_i,  // from the ticks started, by the path generator
+    input  wire logic       tick_taken_i,  // ticks that the path generator takes of those started
     output logic      [4:0] started_o,     // ticks not yet taken, 16 at most
-    input  wire logic       sent_i,        // a sample
+    input  wire logic       sent_i,        // a sample was sent
     output logic            wanted_o
 );
 
@@ -51,7 +51,7 @@ module sample_gate #(
   logic first;
   assign first = index_q == '0;
 
-  // Both rooms are a clock old: two requests are kept in hand.
+  // Both rooms are a clock old: two requests are kept back.
   logic [7:0] admitted_q;
   logic room_q;
   logic tick_room_q;

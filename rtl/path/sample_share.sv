@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shares each tick's increment among its 2^n samples: after j of them, floor(j ds / 2^n) is gone.
+// Sharer of each tick's increment among its 2^n samples: after j of them floor(j ds / 2^n) is gone.
 // Twin: SampleShare of hls/path_kernel.hpp.
 //
 //   clock            0         1       3       5
@@ -10,7 +10,7 @@
 //   sample_ds_o                                ds/2^n
 //
 // One sample per clock, at tick boundaries too. A sample is sent only when it is wanted: wanted_i
-// is true as long as more samples are asked for than sent_o told. n stands still. The serial build
+// is 1 while more samples are requested than sent_o has reported. n is constant. The serial build
 // has rtl/path/serial_share.sv.
 `default_nettype none
 module sample_share (

@@ -11,7 +11,7 @@
 //   sample_valid_o                       1         until sample_ready_i has taken it
 //   sample_ds_o                          ds/2^n
 //
-// A clock after a sample is taken path_valid_o tells the path with it; sample_ds_o and
+// A clock after a sample is taken path_valid_o reports the path with it; sample_ds_o and
 // sample_rate_o are still its own: a sample every 2 clocks, at most. With the tick that waits in
 // rtl/path/path_sequencer.sv three samples are ready for a core that has made a step meanwhile.
 `default_nettype none

@@ -5,27 +5,27 @@ package time_control_pkg;
 
   // For rtl/path/time_datapath.sv
   localparam int Read = 0;  // 3 bits: the operand
-  localparam int OfPorts = 3;  // from a port: acceleration, slope, goal, change
-  localparam int Write = 4;  // 3 bits: where the sum is written
-  localparam int Store = 7;  // it is
-  localparam int Clear = 8;  // the sum
-  localparam int Add = 9;  // the operand to it
-  localparam int Minus = 10;  // subtract it
+  localparam int OfPorts = 3;  // it is a port: acceleration, slope, goal, change
+  localparam int Write = 4;  // 3 bits: place where the sum is written
+  localparam int Store = 7;  // the sum is written
+  localparam int Clear = 8;  // clears the sum
+  localparam int Add = 9;  // adds the operand to it
+  localparam int Minus = 10;  // subtracts it
   localparam int Bits = 11;
 
   // For rtl/path/time_sequencer.sv
-  localparam int Target = 11;  // 6 bits: where it jumps to
-  localparam int Condition = 17;  // 4 bits: if
-  localparam int Stay = 21;  // or else: to be obeyed again
-  localparam int Turned = 22;  // subtract it if the rate is falling
-  localparam int Ready = 23;  // for a tick
-  localparam int Send = 24;  // the sum is the rate
-  localparam int Turn = 25;  // falling, or rising again; with Swap: rising
+  localparam int Target = 11;  // 6 bits: target of the jump
+  localparam int Condition = 17;  // 4 bits: its condition
+  localparam int Stay = 21;  // otherwise the word is obeyed again
+  localparam int Turned = 22;  // subtracts it if the rate is falling
+  localparam int Ready = 23;  // ready for a tick
+  localparam int Send = 24;  // sends the sum as the rate
+  localparam int Turn = 25;  // turns to falling, or to rising again; with Swap: to rising
   localparam int Moves = 26;  // the sum is the slope
-  localparam int Settles = 27;  // unless the sum is 0
+  localparam int Settles = 27;  // the rate settles unless the sum is 0
   localparam int Settled = 28;
-  localparam int Swap = 29;  // to the side of the target
-  localparam int Coarse = 30;  // to the side below 7/8
+  localparam int Swap = 29;  // changes to the side of the target
+  localparam int Coarse = 30;  // changes to the side below 7/8
   localparam int Border = 31;  // the goal is 7/8
   localparam int Rests = 32;  // the sum is the way left
   localparam int WordBits = 33;

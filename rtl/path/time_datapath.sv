@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
-// One adder and a memory of a few words: what makes rates of time in the serial build, by the words
-// of rtl/path/time_program.sv (rtl/path/time_control_pkg.sv).
+// The datapath that makes rates of time in the serial build, one adder and a memory of a few words,
+// by the words of rtl/path/time_program.sv (rtl/path/time_control_pkg.sv).
 //
 //     sum' = sum +- operand
 //
-// A word is read a clock before it is the operand, so it is not what that clock writes.
+// A word is read a clock before it is the operand, so it is not the word that this clock writes.
 //
 // Words have 32 fraction bits, on the fine side of 7/8 three more: an eighth of a bound is then its
-// bits above the lowest three. What is asked for its sign is less than 2^35: 36 bits are enough.
+// bits above the lowest three. Sums whose sign is used are below 2^35: 36 bits suffice.
 `default_nettype none
 module time_datapath (
     input wire logic clk_i,
     input wire logic rst_ni,
 
     input  wire logic [time_control_pkg::Bits-1:0] control_i,
-    input  wire logic [time_control_pkg::Bits-1:0] ahead_i,    // of the next clock
+    input  wire logic [time_control_pkg::Bits-1:0] ahead_i,    // word of the next clock
     input  wire logic                              fine_i,
     output logic      [                      35:0] sum_o,
-    output logic                                   zero_o,     // it is 0
+    output logic                                   zero_o,     // the sum is 0
 
     input wire logic [31:0] acceleration_i,
     input wire logic [32:0] slope_i,
     input wire logic [16:0] goal_i,
-    input wire logic [31:0] change_i         // on the fine side only
+    input wire logic [31:0] change_i         // used on the fine side only
 );
 
   logic minus;

@@ -2,20 +2,19 @@
 // The rate of time, tick by tick, in the serial build: the program of rtl/path/time_datapath.sv.
 // Twin: TimeScaler::tick of hls/time_scaler.hpp. Its words: rtl/path/time_control_pkg.sv.
 //
-// The rate is kept as it is seen in the direction that it has: falling, it and its goal are
-// negative. So the way that is left is positive, and every step an addition. What is turned has
-// its sign in falling.
+// The rate is kept relative to its direction: while it falls, it and its goal are negative. So the
+// way left is positive, and every step is an addition. Turned words have their sign while it falls.
 //
-// A word is read from memory while the one before is written: it does not get that one's.
+// A word is read from memory while the one before is written, so it does not see that word.
 `default_nettype none
 module time_program (
     input  wire logic                                  clk_i,
     input  wire logic                                  en_i,
     input  wire logic [                           5:0] place_i,
-    output logic      [time_control_pkg::WordBits-1:0] word_o    // of the clock before
+    output logic      [time_control_pkg::WordBits-1:0] word_o    // word of the clock before
 );
 
-  // A word goes on to the one below, or to where its jump leads.
+  // A word continues with the one below, or with the target of its jump.
   typedef enum logic [5:0] {
     Start,
     NoBraking,
@@ -49,7 +48,7 @@ module time_program (
     LandGoal,
     Far,
     FarRest,
-    // What is left of it when the slope stays, and when it grows
+    // The rest of the way when the slope stays, and when it grows
     LessBraking,
     LessSlope,
     Steady,
@@ -88,8 +87,8 @@ module time_program (
 
   // Words of the datapath's memory, and ports
   localparam logic [3:0] Rate = 4'd0;
-  localparam logic [3:0] Slope = 4'd1;  // n a: of the last tick
-  localparam logic [3:0] Braking = 4'd2;  // a n (n - 1) / 2: what the rate still moves in it
+  localparam logic [3:0] Slope = 4'd1;  // n a, of the last tick
+  localparam logic [3:0] Braking = 4'd2;  // a n (n - 1) / 2: way that the rate still moves in it
   localparam logic [3:0] StopSlope = 4'd3;
   localparam logic [3:0] Way = 4'd4;
   localparam logic [3:0] Acceleration = 4'd8;  // a

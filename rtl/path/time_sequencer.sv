@@ -16,23 +16,23 @@ module time_sequencer (
     // Ticks
     output logic      ready_o,
     input  wire logic tick_i,   // only when ready
-    input  wire logic lands_i,  // on its target
-    input  wire logic stops_i,  // it is one of a stop branch
-    input  wire logic ends_i,   // the last one
+    input  wire logic lands_i,  // it lands on its target
+    input  wire logic stops_i,  // it is a step of a stop branch
+    input  wire logic ends_i,   // it is the last one
     input  wire logic high_i,   // its target is on the fine side of 7/8
     output logic      sent_o,   // the sum is the rate
     input  wire logic taken_i,
 
     // Datapath
     output logic      [time_control_pkg::Bits-1:0] control_o,
-    output logic      [time_control_pkg::Bits-1:0] ahead_o,     // of the next clock
+    output logic      [time_control_pkg::Bits-1:0] ahead_o,     // word of the next clock
     output logic                                   fine_o,
     output logic                                   border_o,    // the goal is 7/8
     input  wire logic                              negative_i,  // the sum
     input  wire logic                              zero_i,
 
-    output logic rests_o,  // on the target, before the tick
-    output logic moves_o   // with a slope
+    output logic rests_o,  // rests on the target before the tick
+    output logic moves_o   // moves with a slope
 );
 
   // The program

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pins of a scan head: rtl/pulse/xy2_100.sv, or with Galvo = 0 nothing behind them. A sample that
-// is taken axis by axis goes out whole.
+// Pins of a scan head: rtl/pulse/xy2_100.sv, or nothing with Galvo = 0. A sample that is taken axis
+// by axis goes out whole.
 `default_nettype none
 module galvo_pins #(
     parameter int Galvo      = 0,   // 0, 1
     parameter int Axes       = 3,   // [3, 9]
-    parameter int FineBits   = 42,  // [18, 44] of a position
-    parameter int PeriodLog2 = 9    // with Galvo: [7, 20]
+    parameter int FineBits   = 42,  // [18, 44] bits of a position
+    parameter int PeriodLog2 = 9    // [7, 20] with Galvo
 ) (
     input  wire logic                     clk_i,
     input  wire logic                     rst_ni,
@@ -14,7 +14,7 @@ module galvo_pins #(
     input  wire logic                     sample_taken_i,
     input  wire logic [Axes*FineBits-1:0] sample_i,
     input  wire logic                     by_axis_i,
-    input  wire logic [              3:0] axis_i,          // a clock later its position
+    input  wire logic [              3:0] axis_i,          // its position is a clock later
     input  wire logic [     FineBits-1:0] position_i,
     output logic                          clock_o,
     output logic                          sync_o,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Levels of pins, looked at every Clocks clocks: one counts when it is the same three times. So a
-// level that holds for 3 Clocks counts, and what is gone within 2 Clocks does not.
+// Levels of pins, sampled every Clocks clocks: a level counts when three samples are equal. So a
+// level held for 3 Clocks counts, and one shorter than 2 Clocks does not.
 `default_nettype none
 module glitch_filter #(
     parameter int Bits   = 1,  // [1, 64]

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// All pins that samples move: steps and directions, and what is counted of them; scan heads.
+// All pins moved by samples: steps and directions with their counts; scan heads.
 `default_nettype none
 module motion_pins #(
     parameter int Axes       = 3,   // [3, 9]
-    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int FineBits   = 42,  // [18, 44] bits of a position
     parameter int ScaleBits  = 44,  // [40, 56]
     parameter int PeriodLog2 = 13,  // [6, 20]
     parameter int TimeBits   = 12,  // [4, 16]
@@ -34,17 +34,17 @@ module motion_pins #(
     input  wire logic                     begins_i,
     input  wire logic [         Axes-1:0] reference_i,
 
-    // Or axis by axis: rtl/pulse/place_scaler.sv
+    // Positions axis by axis: rtl/pulse/place_scaler.sv
     input  wire logic                by_axis_i,
     output logic      [         3:0] axis_o,
     input  wire logic [FineBits-1:0] position_i,
 
-    // From outside, and behind the synchroniser
+    // External inputs, and the same synchronised
     input  wire logic            estop_i,
     input  wire logic [Axes-1:0] limit_i,
     output logic                 estop_o,
     output logic      [Axes-1:0] limit_o,
-    input  wire logic [Axes-1:0] limit_masked_i,  // not obeyed
+    input  wire logic [Axes-1:0] limit_masked_i,  // limits to be ignored
     input  wire logic            stop_i,          // all axes, on this clock
 
     // Pins
@@ -57,9 +57,9 @@ module motion_pins #(
     // Steps of an axis since the reset
     input  wire logic [       3:0] steps_axis_i,
     output logic      [      31:0] steps_o,
-    output logic      [2*Axes-1:0] step_counts_o, // low bits, of each axis
+    output logic      [2*Axes-1:0] step_counts_o, // low bits of each axis' count
 
-    // What happens
+    // Events
     output logic            tick_o,
     output logic [Axes-1:0] referenced_o,
     output logic [Axes-1:0] uncertain_o,   // a pulse was cut: by one step

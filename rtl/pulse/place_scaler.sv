@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Positions of a sample into rates: by how much each axis moves in the sample's period.
+// Rates from the positions of samples: the motion of each axis in the sample's period.
 //
 //     place = floor(position scale / 2^FineBits)          2^-16 step
 //     rate  = place - place of the sample before          2^-16 step per period
 //
-// scale: how many 2^-16 steps are in the whole range of positions, 2^FineBits of their units.
-// Places are absolute, so no rounding adds up; a scale that is off by half a last bit moves no
-// place by more than 2^-18 step. One adder serves all axes, bit by bit:
+// scale: number of 2^-16 steps in the whole range of positions, 2^FineBits of their units. Places
+// are absolute, so no rounding adds up; a scale with an error of half a last bit moves no place by
+// more than 2^-18 step. One adder serves all axes, bit by bit:
 //
 //   clock             0  1  2  3  ..  FineBits  +1  +2      +3      +4     +5
 //   a bit is chosen   0  1  2
@@ -15,13 +15,13 @@
 //   memory                                                  place          rate
 //   sample_ready_o                                                         1, of the last axis
 //
-// An axis that is to be referenced (fresh_i) takes its place as it is: the rate is the place's
-// signed fraction of a step, and counts from a standstill on a whole step.
-// A rate that is no word of RateBits, half a step per clock or more, is refused; of the sample that
-// a program begins with (begins_i) that of a step or more: the axis stands elsewhere.
+// An axis to be referenced (fresh_i) takes its place as it is: the rate is the place's signed
+// fraction of a step, and counts from a standstill on a whole step. A rate that does not fit
+// RateBits, half a step per clock or more, is refused, and in a program's first sample (begins_i)
+// one of a step or more: the axis stands elsewhere.
 //
 // A sample is one word of all axes, or with by_axis_i the position of axis_o, a clock later; its
-// lowest bit is 0, for it is looked at in the same clock.
+// lowest bit is 0, for it is used in the same clock.
 //
 // Rates wait in the memory until they are taken: read_i, and two clocks later rate_o. Twin:
 // PlaceScaler of hls/place_scaler.hpp.
@@ -44,21 +44,21 @@ module place_scaler #(
     input  wire logic                     sample_valid_i,
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
-    input  wire logic                     by_axis_i,       // while none is offered, it may change
+    input  wire logic                     by_axis_i,       // stable while a sample is offered
     output logic      [              3:0] axis_o,
-    input  wire logic [     FineBits-1:0] position_i,      // instead, of that axis
-    input  wire logic                     begins_i,        // a program, from a standstill
+    input  wire logic [     FineBits-1:0] position_i,      // position of axis_o, with by_axis_i
+    input  wire logic                     begins_i,        // a program's first, from a standstill
 
-    // Which axes are referenced by this sample, and which count at all
+    // Axes that this sample references, and axes that count
     input  wire logic [Axes-1:0] fresh_i,
     input  wire logic [Axes-1:0] referenced_i,
     output logic      [Axes-1:0] fresh_taken_o,
 
-    // Rates: of all axes, until the last one is taken
+    // Rates of all axes, until the last one is taken
     output logic                     rates_valid_o,
     output logic                     moving_o,       // one of them is not 0
     input  wire logic                rates_taken_i,
-    input  wire logic                read_i,         // while rates are valid
+    input  wire logic                read_i,         // only while rates are valid
     input  wire logic [         3:0] read_axis_i,
     output logic      [RateBits-1:0] rate_o,
     output logic                     moves_o,
@@ -70,7 +70,7 @@ module place_scaler #(
   localparam int SumBits = ScaleBits + 2;
   localparam int IndexBits = $clog2(Axes * FineBits + 1);
 
-  // When: bits of an axis, then its difference.
+  // Times: bits of an axis, then its difference.
   logic [3:0] axis_q;
   logic [5:0] bits_q;
   logic [IndexBits-1:0] index_q;
@@ -79,7 +79,7 @@ module place_scaler #(
   logic sign_q;
   logic [1:0] adding_q;
   logic [4:0] tail_q;
-  logic [Axes-1:0] here;  // the axis at hand, one of them
+  logic [Axes-1:0] here;  // the present axis, one of them
   logic last_bit;
   logic last_axis;
   logic ends;
@@ -124,7 +124,7 @@ module place_scaler #(
     end
   end
 
-  // The bit at hand, and whether its axis begins anew.
+  // The present bit, and whether its axis begins anew.
   logic bit_q;
   logic fresh_q;
   always_ff @(posedge clk_i) begin
@@ -166,7 +166,7 @@ module place_scaler #(
   what_t what_q;
   logic signed [ScaleBits:0] addend_q;
   logic carry_q;
-  logic signed [SumBits-1:0] sum_q;  // [SumBits-1:1]: what the next one is added to
+  logic signed [SumBits-1:0] sum_q;  // the next one is added to [SumBits-1:1]
   logic signed [ScaleBits:0] scale;
   logic signed [ScaleBits:0] place;
   logic signed [SumBits-1:0] sum;
@@ -189,7 +189,7 @@ module place_scaler #(
     else if (adding_q[1] || tail_q[2]) sum_q <= sum;
   end
 
-  // The rate, as the memory keeps it.
+  // The rate as the memory keeps it.
   logic counts_q;
   logic moves_q;
   logic refused_q;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times of the drives as rtl/pulse/step_pulse.sv asks for them, once for all axes: 0 counts as 1,
-// and what is counted from a pulse's beginning.
+// Times of the drives for rtl/pulse/step_pulse.sv, once for all axes: 0 counts as 1, and sums that
+// count from a pulse's beginning.
 `default_nettype none
 module pulse_times #(
     parameter int TimeBits = 12  // [4, 16]
@@ -14,8 +14,8 @@ module pulse_times #(
 
     output logic [TimeBits-1:0] length_o,
     output logic [TimeBits-1:0] setup_o,
-    output logic [TimeBits-1:0] again_o,     // from a pulse to the next
-    output logic [TimeBits-1:0] turn_o,      // from a pulse to a turn
+    output logic [TimeBits-1:0] again_o,     // clocks from a pulse to the next
+    output logic [TimeBits-1:0] turn_o,      // clocks from a pulse to a turn
     output logic                length_1_o,
     output logic                setup_1_o
 );

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample of which rtl/pulse/place_scaler.sv takes the positions axis by axis, whole when it
-// takes the last one: the upper bits, rounded where they are cut, of the first three axes.
+// The sample whose positions rtl/pulse/place_scaler.sv takes axis by axis, whole when it takes the
+// last one: the upper bits, rounded, of the first three axes.
 //
 //   clock        0     1            2
 //   axis_i       a
 //   position_i         of axis a
-//   sample_o                        has it; axes are asked for in order, many clocks each
+//   sample_o                        has it; axes come in order, many clocks each
 `default_nettype none
 module sample_gather #(
     parameter int Axes     = 3,   // [3, 9]
-    parameter int FineBits = 42,  // [18, 44] of a position
-    parameter int Bits     = 17   // [1, FineBits], that are kept; the others are 0
+    parameter int FineBits = 42,  // [18, 44] bits of a position
+    parameter int Bits     = 17   // [1, FineBits] bits that are kept; the others are 0
 ) (
     input  wire logic                     clk_i,
     input  wire logic [              3:0] axis_i,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample period, 2^PeriodLog2 clocks, without end: once in each the rates of all axes are
-// loaded, one per clock.
+// The sample period, 2^PeriodLog2 clocks, endless: once in each the rates of all axes are loaded,
+// one per clock.
 //
 //   clock          0        1    2    3    ..   Axes     Axes + 2
 //   tick_o         1
@@ -9,7 +9,7 @@
 //   load_o                            axis 0    ..       axis Axes - 1
 //   taken_o                                     1
 //
-// A period without rates stops all axes, where they are: they go on with the next. That jerks when
+// A period without rates stops all axes in place: they continue with the next. That is a jerk if
 // they were moving: late_o.
 `default_nettype none
 module sample_period #(
@@ -19,8 +19,8 @@ module sample_period #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input  wire logic       valid_i,      // rates are there
-    input  wire logic       moving_i,     // and one of them is not 0
+    input  wire logic       valid_i,      // rates are present
+    input  wire logic       moving_i,     // one of them is not 0
     output logic            read_o,
     output logic      [3:0] read_axis_o,
     output logic            taken_o,
@@ -28,12 +28,12 @@ module sample_period #(
     output logic            tick_o,
     output logic            late_o,
     output logic [Axes-1:0] load_o,
-    output logic            none_o   // there are none: of a load
+    output logic            none_o   // the load has no rates
 );
 
   logic [PeriodLog2-1:0] count_q;
   logic walks_q;
-  logic [Axes-1:0] next_q;  // what load_o is next
+  logic [Axes-1:0] next_q;  // axis of the next load_o
   logic valid_q;
   logic moving_q;
   logic last;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One axis: rates in, pulses out, from its reference until it is stopped.
 //
-// An axis gives no step until a rate is loaded as fresh: the place of that sample is where it
-// stands. stop_i takes that from it, and so does a rate that was refused. Twin: StepAxis of
-// hls/step_axis.hpp.
+// An axis gives no step until a rate is loaded as fresh: it stands at the place of that sample.
+// stop_i ends this reference, and so does a refused rate. Twin: StepAxis of hls/step_axis.hpp.
 `default_nettype none
 module step_axis #(
     parameter int RateBits = 29,  // [22, 36]
@@ -12,7 +11,7 @@ module step_axis #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Times, of pulse_times
+    // Times, from pulse_times
     input wire logic [TimeBits-1:0] length_i,
     input wire logic [TimeBits-1:0] setup_i,
     input wire logic [TimeBits-1:0] again_i,
@@ -33,7 +32,7 @@ module step_axis #(
     output logic direction_o,
     output logic rise_o,
     output logic referenced_o,
-    output logic refused_o,     // until the next reference, as the others
+    output logic refused_o,     // stays until the next reference, as the others
     output logic overrun_o,
     output logic uncertain_o
 );

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps that an axis has given since the reset.
+// The number of steps that an axis has given since the reset.
 `default_nettype none
 module step_counter (
     input  wire logic        clk_i,

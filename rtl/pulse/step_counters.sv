@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps given since the reset, of each axis; that of one of them is read.
+// The numbers of steps of all axes since the reset; one of them is read.
 `default_nettype none
 module step_counters #(
     parameter int Axes = 3  // [1, 9]
@@ -10,7 +10,7 @@ module step_counters #(
     input  wire logic [  Axes-1:0] back_i,
     input  wire logic [       3:0] axis_i,
     output logic      [      31:0] count_o,
-    output logic      [2*Axes-1:0] low_o     // bits of each
+    output logic      [2*Axes-1:0] low_o     // low bits of each
 );
 
   logic [31:0] counts[16];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples in, steps out: every step when its axis' place, between two samples, is half-way between
-// two whole steps.
+// Steps from samples: an axis steps when its place, between two samples, is half-way between two
+// whole steps.
 //
 //   samples -> place_scaler -> rates -> step_axis -> step, direction      of each axis
 //                 ^ scales       ^ sample_period
 //
-// A sample is wanted every 2^PeriodLog2 clocks. Between two samples the place is a straight line
-// in time, rounded to 2^-16 step at its ends only. So the pins follow positions, not speeds: what
-// they count is at all times what the place says, and no error adds up.
+// A sample is wanted every 2^PeriodLog2 clocks. Between two samples the place is a straight line in
+// time, rounded to 2^-16 step at its ends only. So the pins follow positions, not speeds: their
+// count always equals the place, and no error adds up.
 //
 //   clock               0     Axes (FineBits + 6)
 //   sample_valid_i      1     1
@@ -19,21 +19,21 @@
 //   step_o                                   rises
 //
 // n, from 1 to 2^PeriodLog2, is the first clock of the period at whose end the place has crossed:
-// one latency, and one clock more for each axis. That is when no time of the drive is in the way;
-// which times there are, how steps wait and what is an overrun: rtl/pulse/step_pulse.sv.
+// one latency, and one clock more for each axis, unless the drive's times delay the step. These
+// times, waiting steps and overruns: rtl/pulse/step_pulse.sv.
 //
-// reference_i: the next sample says where the axis stands; before that it gives no steps. estop_i
-// (all axes) and limit_i (each) come from outside: two clocks of a synchroniser and one more, and
-// the step pin is low; of stop_i one clock. The axis then needs a reference, and so it does after a
+// reference_i: the axis stands at the next sample; before that it gives no steps. estop_i (all
+// axes) and limit_i (each) are external: two clocks of a synchroniser and one more, and the step
+// pin is low; with stop_i one clock. The axis then needs a reference, and so it does after a
 // refused rate: half a step per clock or more, or a program that begins a step or more from where
 // the axis stands.
 //
-// The flags of an axis stay until its next reference. late_o, for one clock: a sample was not there
-// in time while the axes were moving; those that were stopped do not.
+// The flags of an axis stay until its next reference. late_o, for one clock: a sample was late
+// while the axes were moving; stopped axes do not count.
 `default_nettype none
 module step_generator #(
     parameter int Axes       = 3,   // [1, 9]
-    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int FineBits   = 42,  // [18, 44] bits of a position
     parameter int ScaleBits  = 44,  // [40, 56]
     parameter int PeriodLog2 = 13,  // [6, 20]
     parameter int TimeBits   = 12   // [4, 16]
@@ -59,27 +59,27 @@ module step_generator #(
     input  wire logic                     sample_valid_i,
     output logic                          sample_ready_o,
     input  wire logic [Axes*FineBits-1:0] sample_i,
-    input  wire logic                     begins_i,        // with a program's first sample
+    input  wire logic                     begins_i,        // a program's first sample
     input  wire logic [         Axes-1:0] reference_i,
 
-    // Or axis by axis: rtl/pulse/place_scaler.sv
+    // Positions axis by axis: rtl/pulse/place_scaler.sv
     input  wire logic                by_axis_i,
     output logic      [         3:0] axis_o,
     input  wire logic [FineBits-1:0] position_i,
 
-    // From outside, and behind the synchroniser
+    // External inputs, and the same synchronised
     input  wire logic            estop_i,
     input  wire logic [Axes-1:0] limit_i,
     output logic                 estop_o,
     output logic      [Axes-1:0] limit_o,
-    input  wire logic [Axes-1:0] limit_masked_i,  // not obeyed
+    input  wire logic [Axes-1:0] limit_masked_i,  // limits to be ignored
     input  wire logic            stop_i,          // all axes, on this clock
 
     // Pins
     output logic [Axes-1:0] step_o,
     output logic [Axes-1:0] direction_o,
 
-    // What happens
+    // Events
     output logic            tick_o,
     output logic [Axes-1:0] rise_o,        // the pulse begins after this clock
     output logic [Axes-1:0] back_o,        // its direction

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One axis between two samples: when the place crosses from one step to the next.
+// One axis between two samples: the clocks in which its place crosses from step to step.
 //
 //     phase <- phase + rate        2^-RateBits step, on every clock; a carry or borrow is a step
 //

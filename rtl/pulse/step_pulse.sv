@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// One axis' steps as pulses that a drive can see.
+// Steps of one axis as pulses that a drive can see.
 //
 //   step_o       ____/^^^^^^^^^\____________________________/^^^^^^^^^\__
 //   direction_o  ______________________________/^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
 //                    | steplen |    dirhold    |  dirsetup  |
 //                              | stepspace, at least        |
 //
-// A step that is due (hit_i, in the direction back_i) goes out two clocks later when nothing is in
-// its way, else in the first clock that the times allow. The pin turns as soon as back_i says so,
-// before the first step back is due, when all steps before are out; not within stepspace.
+// A due step (hit_i, in the direction back_i) goes out two clocks later, or else in the first clock
+// that the times allow. The pin turns with back_i, before the first step back is due, when all
+// earlier steps are out; not within stepspace.
 //
-// Up to 3 steps wait in each direction, and one turn between them. A step beyond is dropped, and
-// overrun_o tells; no step is set off against another.
+// Up to 3 steps wait in each direction, and one turn between them. A step beyond is dropped and
+// reported by overrun_o; steps never cancel each other.
 //
 // stop_i: the pulse ends at once, steps that wait are dropped, both pins stand still. If it cut a
-// pulse short, nobody knows whether the drive saw it: uncertain_o. Both flags stay until clear_i.
+// pulse short, the drive may or may not have seen it: uncertain_o. Both flags stay until clear_i.
 // Twin: StepPulse of hls/step_axis.hpp.
 `default_nettype none
 module step_pulse #(
@@ -23,7 +23,7 @@ module step_pulse #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Times in clocks, of pulse_times
+    // Times in clocks, from pulse_times
     input wire logic [TimeBits-1:0] length_i,
     input wire logic [TimeBits-1:0] setup_i,
     input wire logic [TimeBits-1:0] again_i,
@@ -43,7 +43,7 @@ module step_pulse #(
     output logic uncertain_o
 );
 
-  // Steps that wait, as so many ones from below.
+  // Waiting steps, as that many ones from below.
   logic [2:0] forth_q;
   logic [2:0] back_q;
   logic here;  // some in the direction of the pin
@@ -51,7 +51,7 @@ module step_pulse #(
   assign here  = direction_o ? back_q[0] : forth_q[0];
   assign there = direction_o ? forth_q[0] : back_q[0];
 
-  // Which times are over. age_q: clocks since the last pulse began or the pin turned, as they will
+  // Times that are over. age_q: clocks since the last pulse began or the pin turned, as they will
   // be after the next.
   logic [TimeBits-1:0] age_q;
   logic long_q;  // the pulse is long enough

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An input from outside, two flip-flops later; after a reset it is set, as if it asked to stop.
+// An external input, two flip-flops later; after a reset it is set, as a request to stop.
 `default_nettype none
 module synchroniser #(
     parameter int Bits = 1  // [1, 64]

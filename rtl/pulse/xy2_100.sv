@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples as frames of XY2-100, for the scan heads of lasers: in each sample period a frame with
-// the positions of the first three axes, 20 bits beside each other.
+// Samples as frames of XY2-100, for the scan heads of lasers: each sample period has a frame with
+// the positions of the first three axes, 20 bits in parallel.
 //
 //   bit        0    1    2    3   ..  18   19
 //   data_o     0    0    1   15   ..   0   parity
 //   sync_o     1    1    1    1   ..   1    0
-//   clock_o    1 0  1 0  1 0  1 0 ..  1 0  1 0       a receiver looks as it falls
+//   clock_o    1 0  1 0  1 0  1 0 ..  1 0  1 0       a receiver samples as it falls
 //
-// 15 .. 0: the upper 16 bits of the position, rounded, as a scan head counts: 8000 is the middle
-// of its field, so 2^FineBits units are the field. The parity makes the ones of a frame even.
-// Between two samples, and where there is none, the frame before is repeated.
+// Bits 15 .. 0: the upper 16 bits of the position, rounded, in a scan head's count: 8000 is the
+// middle of its field, so 2^FineBits units are the field. The parity makes the ones of a frame
+// even. Between samples, and without them, the last frame is repeated.
 //
 //   clock               0     n           n + 2^PeriodLog2
 //   sample_taken_i      1
@@ -21,7 +21,7 @@
 `default_nettype none
 module xy2_100 #(
     parameter int Axes       = 3,   // [3, 9]
-    parameter int FineBits   = 42,  // [18, 44] of a position
+    parameter int FineBits   = 42,  // [18, 44] bits of a position
     parameter int PeriodLog2 = 9    // [7, 20]
 ) (
     input wire logic clk_i,
@@ -42,9 +42,9 @@ module xy2_100 #(
   initial if (FineBits < 18 || FineBits > 44) $fatal(1, "FineBits must be in [18, 44]");
   initial if (PeriodLog2 < 7 || PeriodLog2 > 20) $fatal(1, "PeriodLog2 must be in [7, 20]");
 
-  localparam int Halves = 40;  // of bits, in a frame
+  localparam int Halves = 40;  // halves of bits in a frame
 
-  // Which half of which bit
+  // The present half of a bit
   logic [PeriodLog2-1:0] share_q;
   logic [PeriodLog2:0] share;
   logic [5:0] half_q;

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The word at the entry of a queue: it passes if it is the one that has to come, can be, and has
-// the check of itself and of those before, since their program began, on the digest of what it is
-// made for (hls/word_check.hpp).  The first that is not cuts the stream: it and all that follow are
-// taken and dropped, until reset.
-// Which word has to come, and what it may be, the stream says: rtl/queue/segment_entry.sv,
-// rtl/queue/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
+// The word at the entry of a queue: it passes if it is the next one, is valid, and has the right
+// check over itself and the words before it in its program, from the digest of its configuration on
+// (hls/word_check.hpp).  The first other word cuts the stream: it and all that follow are taken and
+// dropped, until reset. The stream defines the next word and its valid values:
+// rtl/queue/segment_entry.sv, rtl/queue/piece_entry.sv.  Twin: FrameEntry of hls/word_entry.hpp.
 //
 //   clock        0      1      2
 //   valid_i      1
@@ -13,10 +12,10 @@
 //   valid_o             1             until ready_i
 //   pass_o              with ready_i
 //   frame_o                    1      it was a frame's last
-//   fault_o                    1      or it could not be: stays
+//   fault_o                    1      or it was invalid: stays
 //
-// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.  digest_i is looked
-// at with a program's first word.
+// cut_i: the stream is cut for another's fault.  wait_i: no word is passed on.  digest_i is read
+// with a program's first word.
 `default_nettype none
 module frame_entry (
     input wire logic clk_i,
@@ -33,13 +32,13 @@ module frame_entry (
     input  wire logic        ready_i,
     output logic      [47:0] data_o,
 
-    input  wire logic [3:0] tag_i,       // that the word must have
+    input  wire logic [3:0] tag_i,       // tag that the word must have
     input  wire logic       can_be_i,
-    input  wire logic       numbered_i,  // above it stands its frame's number
-    input  wire logic       checked_i,   // or a check
-    input  wire logic       follows_i,   // on the frame before
+    input  wire logic       numbered_i,  // its frame's number stands above
+    input  wire logic       checked_i,   // a check stands above
+    input  wire logic       follows_i,   // it follows on the frame before
     input  wire logic       complete_i,  // it ends its frame
-    input  wire logic       last_i,      // and that its program
+    input  wire logic       last_i,      // it ends its program
     output logic            pass_o,
     output logic            frame_o,
     output logic      [1:0] fault_o      // word, sequence
@@ -76,13 +75,13 @@ module frame_entry (
     end
   end
 
-  // The check: 2^8 times what it was, modulo x^16 + x^3 + 1, and the word
+  // The check: 2^8 times its last value, modulo x^16 + x^3 + 1, and the word
   logic begins_q;  // the next word is its program's first
   logic [15:0] check_q;
   logic [15:0] so_far;
   logic [15:0] check;
   logic [7:0] top;
-  logic [43:0] counted;  // without its number, or its check
+  logic [43:0] counted;  // the word without its number, or its check
   assign so_far = begins_q ? digest_i : check_q;
   assign top = so_far[15:8];
   assign check = {so_far[7:0], top} ^ {5'd0, top, 3'd0} ^ {4'd0, counted[43:32]} ^

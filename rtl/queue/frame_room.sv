@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells that a word_queue has no room for one frame more.
+// Signals that a word_queue has no room for one more frame.
 //
 //   clock    0          1
 //   put_i    a word enters
@@ -7,7 +7,7 @@
 //   full_o              1 when fewer than Frame words would fit
 `default_nettype none
 module frame_room #(
-    parameter int Depth = 512,  // [2, 65536] of the queue
+    parameter int Depth = 512,  // [2, 65536] words of the queue
     parameter int Frame = 5     // [2, Depth] words
 ) (
     input wire logic clk_i,
@@ -20,7 +20,7 @@ module frame_room #(
 
   initial if (Frame < 2 || Frame > Depth) $fatal(1, "Frame must be in [2, Depth]");
 
-  // With the two words in the queue's output registers
+  // The number includes the two words in the queue's output registers
   localparam int CountBits = $clog2(Depth + 3);
   localparam int Most = Depth + 2 - Frame;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets words into the queue of pieces: whole pieces, one after the other, of words that can be; a
-// stop branch may stand before each.
+// Lets words into the queue of pieces: whole pieces of valid words, one after the other; a stop
+// branch may stand before each.
 // Clocks: rtl/queue/frame_entry.sv; ticks_o and final_o with piece_o, a piece's last word, and
 // until the clock after. ds_o: data_o passes, and is the path length; with turn_i only.
 // Word format: hls/words.hpp.  Twin: PieceEntry of hls/word_entry.hpp.
@@ -28,7 +28,7 @@ module piece_entry (
     output logic [ 1:0] fault_o   // word, sequence
 );
 
-  // Which word it has to be
+  // The next word
   logic [3:0] tag_q;
   logic [3:0] tag;
   logic [3:0] next_tag;
@@ -86,7 +86,7 @@ module piece_entry (
       .fault_o
   );
 
-  // What it may be: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m; subtracted on the way in
+  // Valid values: 1 <= ticks <= 2^m, in the form ticks - 1 < 2^m; subtracted on the way in
   localparam int FirstSpare = words_pkg::FinalLow + words_pkg::FinalBits;
   logic [words_pkg::PieceTicksBits-1:0] less_one_q;
   logic [words_pkg::TimeExponentBits-1:0] m;
@@ -115,7 +115,7 @@ module piece_entry (
     endcase
   end
 
-  // What the ledgers want to know of it
+  // Outputs to the ledgers
   always_ff @(posedge clk_i) begin
     if (pass && tag == words_pkg::TagPiece) begin
       ticks_o <= data_o[words_pkg::PieceTicksLow+:words_pkg::PieceTicksBits];

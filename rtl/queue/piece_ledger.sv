@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the profile queue holds: whole pieces, their ticks, and how many of them are final.
+// The ledger of the profile queue: whole pieces, their ticks, and the number of final ones.
 //
 //   clock      0       1          2
 //   put_i      1
@@ -7,9 +7,9 @@
 //   finals_o           with it
 //   ticks_o                       with the piece
 //
-// A piece is counted from put_i, after its last word's entry, until take_i of it; put_i and take_i
+// A piece is counted from its put_i, after its last word's entry, to its take_i; put_i and take_i
 // come one at a time. ticks_o follows take_i by 2 clocks: so the ticks of a piece are never counted
-// here and as those of the present one, which is told in the clock after take_i and read a clock
+// both here and in the present one, which is reported in the clock after take_i and read a clock
 // later (rtl/queue/underrun_guard.sv).
 `default_nettype none
 module piece_ledger #(
@@ -28,7 +28,7 @@ module piece_ledger #(
     input wire logic [19:0] take_ticks_i,
     input wire logic        take_final_i,
 
-    output logic        queued_o,  // at least one whole piece
+    output logic        queued_o,  // one or more whole pieces
     output logic [ 9:0] finals_o,
     output logic [31:0] ticks_o
 );
@@ -55,7 +55,7 @@ module piece_ledger #(
   assign queued_o = pieces_q != '0;
   assign finals_o = 10'(finals_q);
 
-  // Those of a piece that is taken with their bits inverted, and the sum's carry.
+  // Ticks of a taken piece with their bits inverted, and the sum's carry.
   logic [19:0] change_q;
   logic less_q;
   logic [31:0] change;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holds the two streams of a program against each other: segments and pieces end a program at the
-// same path and after the same ticks, and a program's words enter before the next one's.
+// Compares the two streams of a program: segments and pieces end a program at the same path and
+// after the same ticks, and a program's words enter before the next one's.
 //
 //   clock               0                  1       2       4
 //   segment_i, piece_i  1, last or final         after their length_valid_i, ds_valid_i
@@ -8,9 +8,9 @@
 //   lead_o                                         segments' ticks, less pieces'
 //   apart_o                                                1       they end apart: stays
 //
-// Of a segment and a piece one comes at a time, and of their lengths. All segments of a program are
-// in: complete_o, of the one under way, and next_complete_o, of the one that begins once the final
-// piece of that is under way. Without one under way both are of the next.
+// Segments and pieces come one at a time, and so do their lengths. All segments of a program are
+// in: complete_o, for the program under way, and next_complete_o, for the one that begins once its
+// final piece is under way. Without one under way both refer to the next.
 `default_nettype none
 module program_ledger (
     input wire logic clk_i,
@@ -24,12 +24,12 @@ module program_ledger (
 
     input wire logic        ds_valid_i,
     input wire logic [43:0] ds_i,
-    input wire logic        ds_turn_i,      // or the length's
+    input wire logic        ds_turn_i,      // 1: turn of ds_i, 0: of length_i
     input wire logic        piece_i,
     input wire logic [19:0] piece_ticks_i,
     input wire logic        final_i,
 
-    // Final pieces: those that wait, and the one under way
+    // Final pieces: the waiting ones, and the one under way
     input wire logic [9:0] finals_i,
     input wire logic       present_final_i,
 
@@ -37,7 +37,7 @@ module program_ledger (
     output logic               wait_pieces_o,
     output logic               complete_o,
     output logic               next_complete_o,
-    output logic signed [31:0] lead_o,           // 2^31 - 1: so many or more
+    output logic signed [31:0] lead_o,           // 2^31 - 1: this number or more
     output logic               apart_o
 );
 
@@ -62,8 +62,8 @@ module program_ledger (
     end
   end
 
-  // The newest program is complete when its last segment is in, those before it are. It has a final
-  // piece, of those that are not over, while wait_pieces_o.
+  // The newest program is complete when its last segment is in; earlier ones are. It has a final
+  // piece, among those not over, while wait_pieces_o.
   logic [9:0] newest;
   logic [9:0] present;
   assign newest  = {9'b0, wait_pieces_o};
@@ -78,7 +78,7 @@ module program_ledger (
     end
   end
 
-  // What the segments are ahead of the pieces: ticks, path. What comes is a piece's with its bits
+  // Lead of the segments over the pieces: ticks, path. The summand is a piece's with its bits
   // inverted, and the sum's carry, or a segment's.
   logic signed [47:0] ticks_q;
   logic signed [59:0] path_q;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Samples on their way out, and room for all those under way: the sampler never stops, instead a
-// request is admitted only when its sample will find a place here.
+// Samples on their way out, with room for all under way: the sampler never stops, but a request is
+// admitted only if its sample will have a place here.
 //
 //   cycle     0         1         2
 //   push_i    1
@@ -37,7 +37,7 @@ module sample_queue #(
   logic [PlaceBits-1:0] next_read;
   logic [PlaceBits-1:0] next_write;
   logic [  PlaceBits:0] admitted_q;
-  logic [  PlaceBits:0] count_q;  // in the memory
+  logic [  PlaceBits:0] count_q;  // samples in the memory
   logic                 stored_q;  // count_q != 0
   assign more  = count_q > (PlaceBits + 1)'(1);
   assign take  = valid_o && ready_i;
@@ -59,15 +59,15 @@ module sample_queue #(
       take_q   <= take;
       if (admit_q && !take_q) admitted_q <= admitted_q + 1'b1;
       if (take_q && !admit_q) admitted_q <= admitted_q - 1'b1;
-      // Three more may be admitted before this is seen.
+      // Three more may be admitted before this takes effect.
       room_o <= admitted_q < (PlaceBits + 1)'(Depth - 3);
       if (fetch) valid_o <= 1'b1;
       else if (ready_i) valid_o <= 1'b0;
     end
   end
 
-  // Not in block RAM: its output is there late in the clock, and samples leave from here.  Slices,
-  // each with its own places: a queue of many samples is wide and deep.
+  // The memory is not block RAM: its output is late in the clock, and samples leave from here.
+  // Slices, each with its own places: a queue of many samples is wide and deep.
   localparam int Slice = 37;
   localparam int Slices = (Bits + Slice - 1) / Slice;
   always_comb begin

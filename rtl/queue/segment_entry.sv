@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lets words into the queue of segments: whole segments, one after the other, of words that can be;
-// each starts where the one before ended, the first after a reset anywhere.
+// Lets words into the queue of segments: whole segments of valid words, one after the other; each
+// starts where the last one ended, the first after a reset anywhere.
 // Clocks: rtl/queue/frame_entry.sv; ticks_o and last_o with segment_o, a segment's last, and until
 // the clock after. length_o: data_o passes, and is the length; it does so with turn_i only.
 // Word format: hls/words.hpp.  Twin: SegmentEntry of hls/word_entry.hpp.
@@ -37,7 +37,7 @@ module segment_entry #(
   localparam int Axes = 3 + AuxAxes;
   localparam int LargestTurn = CoefBits - 1 - TurnBits;  // exponent of theta's largest value
 
-  // Which word it has to be
+  // The next word
   logic [3:0] tag_q, tag_d;
   logic [3:0] axis_q, axis_d;
   logic xyz;
@@ -97,7 +97,7 @@ module segment_entry #(
       .fault_o
   );
 
-  // Where the segment before ended, by axis: read for the axis of the next start
+  // End of the last segment, by axis: read for the axis of the next start
   logic any_start_q;
   logic other_turn_q;
   logic [FineBits-1:0] end_q;
@@ -112,7 +112,7 @@ module segment_entry #(
     else if (pass && complete) any_start_q <= 1'b0;
   end
 
-  // What it may be.  A coefficient of CoefBits is sign-extended in its field, a point in its.
+  // Valid values.  A coefficient of CoefBits is sign-extended in its field, a point in its.
   localparam int CoefField = words_pkg::CoefBits;
   localparam int PointField = words_pkg::PointBits;
   logic positive;
@@ -159,7 +159,7 @@ module segment_entry #(
     endcase
   end
 
-  // What the ledgers want to know of it
+  // Outputs to the ledgers
   always_ff @(posedge clk_i) begin
     if (pass && tag_q == words_pkg::TagTheta) begin
       spline_q <= kind[0];
@@ -168,7 +168,7 @@ module segment_entry #(
     end
     if (pass && tag_q == words_pkg::TagNormal && axis_q == 4'd0)
       other_turn_q <= data_o[words_pkg::OtherTurnLow];
-    // Two bytes of Y, two of Z, and the two of X that are none go out at the far end.
+    // Two bytes of Y, two of Z and two unused ones of X go out at the far end.
     if (pass && (tag_q == words_pkg::TagTangent || tag_q == words_pkg::TagNormal))
       ticks_o <= {data_o[words_pkg::TicksByteLow+:words_pkg::TicksByteBits], ticks_o[31:8]};
   end

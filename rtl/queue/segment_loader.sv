@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Segment words from the bus into two banks: the network reads one while the other is filled.
+// Segment words from the bus in two banks: the network reads one while the other is filled.
 // Word order: hls/words.hpp.
 //
 //   segment_valid_o   the next segment is complete; length_o, theta_o (phi of a spline),
@@ -9,7 +9,7 @@
 //
 // A segment of length zero is consumed and counted, up to 65535.  Reads follow their axis in the
 // same clock; the words of rate_axis_i and cubic_axis_i are the same, read twice, so that lines and
-// arcs on the one hand and splines on the other do not wait for a choice between their axes.
+// arcs, or splines, do not wait for a choice between their axes.
 `default_nettype none
 module segment_loader #(
     parameter int CoefBits = 36,  // [18, 36]
@@ -94,7 +94,7 @@ module segment_loader #(
     end
   end
 
-  logic bank_q;  // that is filled; the present segment is in the other
+  logic bank_q;  // bank that is filled; the present segment is in the other
   assign segment_valid_o = field_q == Full;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -118,7 +118,7 @@ module segment_loader #(
     end
   end
 
-  // A word is written a clock after its acceptance, before anybody can read it.
+  // A word is written a clock after its acceptance, before it can be read.
   logic          write_q;
   field_t        write_field_q;
   logic   [ 4:0] fill_q;

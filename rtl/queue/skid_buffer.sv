@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One word aside, so that `ready_o` is a register: a word that comes while the taker is not ready
+// One spare word, so that `ready_o` is a register: a word that comes while the taker is not ready
 // waits here.  No latency.
 `default_nettype none
 module skid_buffer #(

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stops time before the words run out.  It counts the ticks that are covered: by pieces, those that
-// wait and the rest of the present one, less the ticks that are started and not yet taken from it;
-// and by segments, lead_i more.
+// Stops time before the words run out.  It counts the covered ticks: by pieces, the waiting ones
+// and the rest of the present one, less the ticks started and not yet taken from it; by segments,
+// lead_i more.
 //
 //     hold      when either no longer exceeds the ticks that a stop takes
-//     go on     when both exceed twice as many, or as many with a full queue: it gets no more
+//     go on     when both exceed twice as many, or once with a full queue: it gets no more
 //
-// A stream whose program is complete covers it to its end: for a hold that of the program under way
-// counts, for the next program's begin (begin_o), where it could go on, its own.  No hold when no
-// piece is under way.  A full queue that does not cover a stop never will: fault_o.
+// A stream whose program is complete covers it to its end: for a hold the program under way counts,
+// for the next program's start (begin_o), if time could go on, the next one.  No hold when no piece
+// is under way.  A full queue that does not cover a stop never will: fault_o.
 //
 // The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
 `default_nettype none
@@ -16,7 +16,7 @@ module underrun_guard (
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic [31:0] stop_ticks_i,  // from full rate; stands still
+    input wire logic [31:0] stop_ticks_i,  // ticks from full rate to a stop; constant
 
     // The queues
     input wire logic               pieces_full_i,
@@ -24,7 +24,7 @@ module underrun_guard (
     input wire logic               segments_full_i,
     input wire logic signed [31:0] lead_i,
 
-    // Segments, pieces: of the program under way, and of the one that begins next
+    // Segments and pieces: for the program under way, and for the one that begins next
     input wire logic [1:0] complete_i,
     input wire logic [1:0] next_complete_i,
 
@@ -32,7 +32,7 @@ module underrun_guard (
     input wire logic               active_i,
     input wire logic signed [21:0] present_ticks_i,
 
-    input wire logic [4:0] started_i,  // ticks that are on their way to it
+    input wire logic [4:0] started_i,  // ticks on their way to it
 
     output logic hold_o,
     output logic begin_o,
@@ -42,7 +42,7 @@ module underrun_guard (
 
   localparam logic [5:0] Age = 6'd10;
 
-  // Those that are kept are as if they were started.
+  // Ticks that are kept back count as started.
   logic signed [33:0] stop;
   logic signed [33:0] go;
   logic [5:0] gone;
@@ -82,7 +82,7 @@ module underrun_guard (
     enough             <= {segments_over_go[33], pieces_over_go[33]};
   end
 
-  // Any of the two streams, all of them
+  // Either stream, both streams
   logic [1:0] ample;
   logic runs_low;
   logic covered;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First in, first out: words between a writer and a reader at their own pace, one word per clock.
+// A first-in, first-out queue between a writer and a reader at their own pace, one word per clock.
 //
 //   clock      0      1      2      3
 //   valid_i    1

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a motion, from the bus to the generator and the core: checked at the entry, queued,
-// counted; and the guard that stops time before they run out.
+// The words of a motion, from the bus to the generator and the core: checked at the entry, queued
+// and counted; with the guard that stops time before they run out.
 //
 //   segment words -> entry -> queue -> segment_*_o                  hold_o, begin_o: of time
 //   profile words -> entry -> queue -> piece_*_o                        ^
@@ -20,7 +20,7 @@ module word_streams #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    input wire logic [15:0] digest_i,  // of what words have to be made for
+    input wire logic [15:0] digest_i,  // digest of the words' configuration
 
     // From the bus
     input  wire logic        segment_valid_i,
@@ -39,7 +39,7 @@ module word_streams #(
     output logic             profile_valid_o,
     input  wire logic        profile_ready_i,
     output logic      [47:0] profile_data_o,
-    output logic             queued_o,         // a whole piece
+    output logic             queued_o,         // a whole piece is queued
 
     // The generator's pieces and ticks
     input wire logic               take_i,
@@ -57,7 +57,7 @@ module word_streams #(
     output logic      [ 5:0] fault_o
 );
 
-  // Words: at the entry, in the queue, counted. Lengths of either stream pass in every second
+  // Words at the entry, in the queue, and counted. Lengths of either stream pass in every second
   // clock, so that one sum takes them from there.
   logic ds_turn_q;
   always_ff @(posedge clk_i) ds_turn_q <= rst_ni && !ds_turn_q;
@@ -176,8 +176,8 @@ module word_streams #(
       .full_o(pieces_full)
   );
 
-  // The ledgers count one at a time: a piece that begins, one that has entered, a segment. What
-  // waits stays at its entry, a clock more at most: no other word passes meanwhile.
+  // The ledgers count one at a time: a piece that begins, one that has entered, a segment. A
+  // waiting one stays at its entry, at most a clock longer: no other word passes meanwhile.
   logic piece_counts;
   logic segment_counts;
   assign piece_counts   = (piece_enters || piece_waits_q) && !take_i;

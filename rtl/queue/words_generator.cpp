@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
     file.print("  localparam int SegmentWords = {};\n", ref::segment_bus_words(0));
     file.print("  localparam int AxisWords = {};\n", ref::kAxisBusWords);
     file.print("  localparam int PieceWords = {};\n", kProfileBusWords);
-    file.print("\n  // Of stop branches: hls/stop_schedule.hpp\n");
+    file.print("\n  // Sizes of stop branches: hls/stop_schedule.hpp\n");
     file.print("  localparam int StopLead = {};\n", kStopLead);
     file.print("  localparam int StopSteps = {};\n", kStopSteps);
     file.print(

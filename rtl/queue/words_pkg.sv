@@ -73,7 +73,7 @@ package words_pkg;
   localparam int AxisWords = 3;
   localparam int PieceWords = 5;
 
-  // Of stop branches: hls/stop_schedule.hpp
+  // Sizes of stop branches: hls/stop_schedule.hpp
   localparam int StopLead = 32;
   localparam int StopSteps = 256;
 

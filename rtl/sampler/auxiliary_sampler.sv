@@ -15,7 +15,7 @@ module auxiliary_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From the segment, into a bank
+    // Words of the segment, into a bank
     input wire logic [         1:0] bank_i,
     input wire logic [CoefBits+4:0] rate_i,  // {there, axis, rate}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements of x y z along a step, in units of 2^k, whichever curve it lies on.
+// Displacements of x y z along a step of any curve, in units of 2^k.
 //
 //   Mode 0   both curves are series of tau by Horner's rule,
 //                d = (..(c_P tau + c_(P-1)) tau + ..) tau + c_1) tau
@@ -26,7 +26,7 @@ module curve_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From spherical_steps and spline_steps, into a bank
+    // Words of spherical_steps and spline_steps, into a bank
     input wire logic [                CoefBits+4:0] rate_i,
     input wire logic [          bank_pkg::Bits-1:0] arc_write_i,
     input wire logic [bank_pkg::Lanes*CoefBits-1:0] arc_words_i,

@@ -23,7 +23,7 @@ module polynomial_axis #(
 ) (
     input wire logic clk_i,
 
-    // From the network, into a bank
+    // Words of the network, into a bank
     input wire logic        [         1:0] bank_i,
     input wire logic                       advance_write_i,
     input wire logic signed [CoefBits-1:0] advance_i,

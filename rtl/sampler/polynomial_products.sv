@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The three products of an axis on as few multipliers as the sample interval allows: exact,
+// The three products of an axis on the fewest multipliers that the sample interval allows: exact,
 // curvecore_pkg::MultiplierLatency clocks after their factors.
 //
 //   SampleInterval   multipliers
@@ -7,7 +7,7 @@
 //   2                t sine, rate tau | n versine
 //   4, 8             all three on one
 //
-// The phase inputs say whose factors are there; when neither, rate and tau.
+// The phase inputs state whose factors are present; by default rate and tau.
 `default_nettype none
 module polynomial_products #(
     parameter int CoefBits       = 36,  // [18, 36]

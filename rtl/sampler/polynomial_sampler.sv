@@ -22,7 +22,8 @@ module polynomial_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From spherical_steps, into a bank; a rate {there, axis, rate} into the one that write_i names
+    // Words of spherical_steps, into a bank; a rate {there, axis, rate} into the one that write_i
+    // names
     input wire logic [                CoefBits+4:0] rate_i,
     input wire logic [          bank_pkg::Bits-1:0] write_i,
     input wire logic [bank_pkg::Lanes*CoefBits-1:0] words_i,
@@ -43,7 +44,7 @@ module polynomial_sampler #(
   localparam int VersineClocks = curvecore_pkg::horner_latency(VersinePasses, SampleInterval);
   localparam int Base = Square + VersineClocks;
   localparam int Offset = (SampleInterval == 2) ? 7 : 6;
-  localparam int Tail = Offset + 7;  // from Base to the result
+  localparam int Tail = Offset + 7;  // clocks from Base to the result
   localparam logic [2:0] PhaseMask = 3'(SampleInterval - 1);
 
   logic       unused_place;
@@ -145,7 +146,7 @@ module polynomial_sampler #(
       .tag_o(versine_tag)
   );
 
-  // The sine less one, as late as the versine.
+  // The sine minus one, as late as the versine.
   logic [CoefBits-1:0] less;
   if (SinePasses > 0) begin : g_sine
     logic                unused_valid;
@@ -225,7 +226,7 @@ module polynomial_sampler #(
   assign sine_phase    = (phase_i - 3'((Base + 1) % 8)) & PhaseMask;
   assign versine_phase = (phase_i - 3'((Base + Offset) % 8)) & PhaseMask;
 
-  // From clock Base on: whose sample is where.
+  // Samples and their places, from clock Base on.
   logic [   Tail-1:0] sample_valid_q;
   logic [TagBits-1:0] sample_tag_q  [Tail];
   always_ff @(posedge clk_i) begin

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// From what is left of a step to tau, the offset as a fraction of a full step:
+// Tau, the offset as a fraction of a full step, from the rest of a step:
 //
 //     sigma = offset - left,  tau = floor(sigma 2^-(k+16) 2^(CoefBits-1)) of the fraction
 //
-// A sample that has nothing left of a segment's last step lands: its place is the end word.
+// A sample at the end of a segment's last step lands: its place is the end word.
 //
 //   clock           0          1              2       3, 4
 //                   token_i    look_* read    sigma   shifts
@@ -79,7 +79,7 @@ module sample_offset #(
     down_o <= shift3_q;
   end
 
-  // What travels along: token, sample, step.
+  // Words that travel along: token, sample, step.
   logic [3:0] valid_q;
   logic [3:0] sample_q;
   logic [2:0] step_q[4];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sample side of an interpolator, whatever the curve: all but the sampler of x y z, which
-// stands between tau and d.  Twin: hls/interpolator_kernel.hpp.
+// The sample side of an interpolator for any curve: all but the sampler of x y z, which stands
+// between tau and d.  Twin: hls/interpolator_kernel.hpp.
 //
 //   requests -> step tracker -> offset -> tau .. d -> landers -> samples
 //                    ^             ^                     ^
@@ -16,7 +16,7 @@ module sample_side #(
     parameter int GuardBits      = 10,  // [2, 12]
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
-    parameter int SamplerClocks  = 37,  // from tau to d
+    parameter int SamplerClocks  = 37,  // clocks from tau to d
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,

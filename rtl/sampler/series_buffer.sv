@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four banks between the network, which writes steps ahead, and the sampler, which reads them: who
-// may use which bank, and the words of a step that are no coefficients.
+// Four banks between the network, which writes steps ahead, and the sampler, which reads them: the
+// use of each bank, and the words of a step that are not coefficients.
 //
 // A step number counts modulo 8; its low two bits name its bank.
 //
@@ -36,7 +36,7 @@ module series_buffer (
 
   localparam int Bits = curvecore_pkg::StepBits;
 
-  // Before the first step there is one that is over, number 7.
+  // Step 7, which is over, precedes the first step.
   logic [2:0] write_q;
   logic [2:0] oldest_q;
   always_ff @(posedge clk_i) begin

@@ -20,7 +20,7 @@ module spline_sampler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From spline_steps, into a bank
+    // Words of spline_steps, into a bank
     input wire logic [          bank_pkg::Bits-1:0] write_i,
     input wire logic [bank_pkg::Lanes*CoefBits-1:0] words_i,
 

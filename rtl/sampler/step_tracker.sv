@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which step a sample lies in.  Twin: hls/interpolator_kernel.hpp.
+// Tracker of the step in which a sample lies.  Twin: hls/interpolator_kernel.hpp.
 //
-// The path since reset is summed up modulo 2^50; a step reaches as far as its `reach`.  What is
-// left of the present step and of the next is computed side by side, and the first that is not
-// negative tells the step.  All but that choice is a pipeline:
+// The path since reset is summed modulo 2^50; a step reaches as far as its `reach`.  The rests of
+// the present step and of the next are computed side by side, and the first that is not negative
+// selects the step.  All but that choice is a pipeline:
 //
 //   slot       0           1              2                     3             4
 //              request_*   path + ds      reach - path          choice        sample_o, step_o,
 //                                         next reach - path                   left_o
 //
-// One switch costs nothing.  A sample further on, or one whose next step is not there yet, is tried
-// again, two slots a time, each going on by one step (Again, Try; then Refill behind it).
+// One switch costs nothing.  A sample further on, or one whose next step is not ready, is tried
+// again, two slots a time, each a step farther (Again, Try; then Refill behind it).
 //
 // Everything moves in slots (slot_i).  request_ready_o does not depend on request_valid_i.
 `default_nettype none
@@ -44,7 +44,7 @@ module step_tracker (
   } state_t;
   state_t            state_q;
 
-  // Sum, then two places for the sample that is compared and the one whose choice is due.
+  // Sum, then two places: the sample that is compared, and the one whose choice is due.
   logic              sum_valid_q;
   logic              path_valid_q;
   logic              tried_valid_q;
@@ -56,7 +56,7 @@ module step_tracker (
   logic   [Bits-1:0] next_reach_q;
   logic              next_known_q;
 
-  // What is left, as of the step that was the present one then: a switch since shifts it.
+  // Rests relative to the step that was present then: a later switch shifts them.
   logic   [Bits-1:0] left_q;
   logic   [Bits-1:0] next_left_q;
   logic              next_left_known_q;
@@ -122,7 +122,7 @@ module step_tracker (
       path_q  <= tried_q;
       tried_q <= path_q;
     end
-    // Read only when it is of the present path_q: after Run, Again and Refill.
+    // Read only if it belongs to the present path_q: after Run, Again and Refill.
     if (slot_i) begin
       left_q            <= reach_q - path_q;
       next_left_q       <= next_reach_q - path_q;
@@ -131,7 +131,7 @@ module step_tracker (
     end
   end
 
-  // Steps.  Before the first one there is one that is over: number 7, of which -1 is left.
+  // Steps. Step 7, which is over with a rest of -1, precedes the first.
   logic move;
   logic stride_valid_q;
   logic [Bits-1:0] stride_q;

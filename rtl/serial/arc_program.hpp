@@ -22,7 +22,7 @@ constexpr Address kSine{0xd5, kContext};
 constexpr Address kVersine{0xd6, kContext};
 constexpr Address inward(int axis) { return {0xd8 + axis, kContext}; }
 
-/// One order of every node, from row `first` on.
+/// Adds one order of every node, from row `first` on.
 template <class Network>
 Words expansion(const Network& network, std::size_t first) {
     Words words;
@@ -43,8 +43,8 @@ inline void weights(Program& program) {
     program.frame(words, kLoopHalt, 11);
 }
 
-/// The series of sine and cosine, for the polynomial mode; the versine has no constant term, and
-/// the sine's polynomial may start an order above the last.
+/// Adds the series of sine and cosine, for the polynomial mode; the versine has no constant term,
+/// and the sine's polynomial may start an order above the last.
 inline void angle(Program& program) {
     const std::size_t sine = kAngle + kSineCosine.node("y");
     const std::size_t cosine = kAngle + kSineCosine.node("z");
@@ -62,7 +62,7 @@ inline const std::size_t kOutput[3] = {kSpherical.node("x"), kSpherical.node("y"
 inline const std::size_t kSpeed[3] = {kSpherical.node("F"), kSpherical.node("G"),
                                       kSpherical.node("H")};
 
-/// The sums' frame, then per order the nodes and their sums, then the advance in order 1.
+/// Adds the sums' frame, then per order the nodes and their sums, then the advance in order 1.
 inline void expand(Program& program) {
     Words clear;
     for (std::size_t n = 0; n < kSpherical.size(); ++n) {
@@ -83,7 +83,7 @@ inline void expand(Program& program) {
     program.frame(rate, kHalt, 5);  // samples come later than its results
 }
 
-/// The auxiliary axes' origins a step farther on.
+/// Moves the auxiliary axes' origins a step farther.
 inline Words auxiliary_origins() {
     Words words;
     for (int axis = 3; axis < 9; ++axis) {
@@ -104,7 +104,7 @@ inline void step(Program& program) {
     program.frame(auxiliary_origins(), kHalt);
 }
 
-/// The end of a sample's program: `last` with the displacements of X Y Z, then the others'.
+/// Adds the end of a sample's program: `last` with the displacements of X Y Z, then the others'.
 inline void displacements(Program& program, const Words& last) {
     program.frame(last, kHaltNoAux, 3);
     for (int first = 3; first < 9; first += 3) {

@@ -12,10 +12,10 @@
 // + 1.  more_i, with Splines: the product goes into the sum, which is over with the next operation
 // without it.
 //
-// target_i: 1 the word memory at d_address_i, 2 and 3 what the user makes of d_o.  An operation
-// reads what one nine cycles before has written; c is read five cycles after a and b.  Words from
-// outside are written when no result is: external_ready_o.  Nothing is written under reset, and no
-// result in the place of a constant.
+// target_i: 1 the word memory at d_address_i, 2 and 3 the user's uses of d_o.  An operation reads
+// the result of one nine cycles before; c is read five cycles after a and b.  External words are
+// written when no result is: external_ready_o.  Nothing is written under reset, and no result
+// replaces a constant.
 `default_nettype none
 module folded_datapath #(
     parameter int CoefBits       = 36,  // [18, 36]
@@ -51,11 +51,11 @@ module folded_datapath #(
   localparam int W = (CoefBits < 18 || CoefBits > 36) ? 36 : CoefBits;
   localparam int AddressBits = 8 + Splines;
 
-  // Of the portable form the product is a clock early, and what is left of it waits instead, which
-  // needs fewer registers.
+  // The portable form's product is a clock early, and its rest waits instead, which needs fewer
+  // registers.
   localparam int Early = (MultiplierForm == 0) ? 1 : 0;
 
-  // What travels beside the operands.
+  // Words that travel beside the operands.
   logic [AddressBits-1:0] c_address_q[5];
   logic [AddressBits-1:0] d_address_q[8];
   logic [            2:0] scale_q    [7];
@@ -162,7 +162,7 @@ module folded_datapath #(
     end
     assign rounding = waits_q[Early];
   end else begin : g_sum
-    // A stage later than the product.
+    // This is a stage later than the product.
     logic more_q[6-Early];
     always_ff @(posedge clk_i) begin
       more_q[0] <= more_i;

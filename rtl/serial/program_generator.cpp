@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program of the serial build as two files in the given folder: serial_program_pkg.sv, where
-// its parts begin, and serial_program.sv, the words. What depends on Order, AuxAxes and CoefBits is
-// left to the sequencer: no word does.
+// The program of the serial build as two files in the given folder: serial_program_pkg.sv, the
+// places of its parts, and serial_program.sv, the words. No word depends on Order, AuxAxes or
+// CoefBits: the sequencer does.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -63,13 +63,13 @@ int main(int argc, char** argv) {
 
     const std::string folder = argv[1];
     std::ofstream package(folder + "/serial_program_pkg.sv");
-    package << fmt::format(kMade, "Where the parts of the serial build's program begin")
+    package << fmt::format(kMade, "Places of the parts of the serial build's program")
             << "package serial_program_pkg;\n"
             << entries(arcs, 0) << entries(splines, kArcPlaces) << "endpackage\n";
 
     std::ofstream rom(folder + "/serial_program.sv");
     rom << fmt::format(kMade, "Program of the serial build, that of splines behind that of arcs")
-        << "// Its parts begin where rtl/serial/serial_program_pkg.sv says.\n"
+        << "// Places of its parts: rtl/serial/serial_program_pkg.sv.\n"
            "`default_nettype none\n"
            "module serial_program #(\n"
            "    parameter int Splines = 1  // 0, 1\n"
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
            "    input  wire logic               clk_i,\n"
            "    input  wire logic               en_i,\n"
            "    input  wire logic [6+Splines:0] place_i,\n"
-           "    output logic      [       60:0] word_o    // of the clock before\n"
+           "    output logic      [       60:0] word_o    // word of the clock before\n"
            ");\n\n"
         << fmt::format("  logic [60:0] program_rom[{} * (1 + Splines)];\n", kArcPlaces)
         << "  always_ff @(posedge clk_i) if (en_i) word_o <= program_rom[place_i];\n\n"

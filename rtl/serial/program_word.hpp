@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A word of the serial build's program and the word memory that it works on.
+// The word of the serial build's program, and the word memory that it works on.
 //
 // A word is one operation D = C + round(A B / 2^shift) of rtl/serial/folded_datapath.sv, or one
 // product of a sum that the last of its words rounds. A result can be read nine clocks later (as C:
-// four); frames of at least nine words keep that distance, or a word that waits for a marked one.
+// four); frames of at least nine words, or a word that waits for a marked one, keep that distance.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace curvecore::serial {
 
-/// What the low nibble of an address adds up from; for kContext the high nibble is the context's.
+/// Summands of an address' low nibble; with kContext the high nibble is the context's.
 enum Select { kPlain = 0, kOrder = 1, kInner = 2, kRest = 3, kContext = 4 };  // 0, i, j, i - j
 struct Address {
     int base;
     Select select = kPlain;
 };
 
-/// An index that is `by` higher: an address' low nibble wraps.
+/// Returns an index that is `by` higher: an address' low nibble wraps.
 constexpr Address above(Address address, int by = 1) {
     return {(address.base & ~15) | ((address.base + by) & 15), address.select};
 }
@@ -39,7 +39,7 @@ constexpr Address advance(int axis) { return {0xc0 + axis}; }
 constexpr Address accumulator(int axis) { return {0xd0 + axis, kContext}; }
 constexpr Address kTau{0xd3, kContext};
 
-/// The product's shift, from CoefBits: its code is (shift - CoefBits + 6) modulo 8.
+/// Shift of the product, from CoefBits: its code is (shift - CoefBits + 6) modulo 8.
 enum Scale {
     kLessSix = 0,
     kMoreFour = 2,
@@ -107,7 +107,8 @@ class Program {
 
     void part(const std::string& name) { parts_.push_back({name, words_.size()}); }
 
-    /// Control stands in a frame's last word but two: the fetch of the last two hides the branch.
+    /// Adds a frame. Control stands in its last word but two: the fetch of the last two hides the
+    /// branch.
     void frame(Words words, Control control, std::size_t length = 9) {
         if (words.size() < length) words.resize(length);
         words[words.size() - 3].control = control;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Powers of two for a spline's scalings by 2^-s, s = lambda - k, as products (scaled_down in
-// hls/series_node.hpp): x 2^Lift / 2^shift is rounded with a shift by CoefBits - 1 of
-// x 2^(CoefBits - 1 - e), e = shift - Lift, where that is a word, else with one by CoefBits - 6 of
-// x 2^(CoefBits - 6 - e).  The power that does not serve is 0, as are both for e >= CoefBits: no
-// word is then as large as one half.
+// hls/series_node.hpp): x 2^Lift / 2^shift is rounded with a shift by CoefBits - 1 of x 2^(CoefBits
+// - 1 - e), e = shift - Lift, if that is a word, else with one by CoefBits - 6 of x 2^(CoefBits - 6
+// - e).  The unused power is 0, as are both for e >= CoefBits: no word is then as large as one
+// half.
 //
 //   place_o    0, 1    2, 3    4, 5      6, 7
 //   e          s - 1   s - 4   2 s - 1   2 s - 4      first the power for CoefBits - 1
@@ -30,7 +30,7 @@ module scale_words #(
   logic [4:0] s_q;
   logic [6:0] down;
   logic [6:0] offset;
-  logic [6:0] place_q;  // of the power's one
+  logic [6:0] place_q;  // place of the power's one
   logic       small_q;
   logic       there;
   assign down   = next_q[2] ? {1'b0, s_q, 1'b0} : {2'b00, s_q};
@@ -39,7 +39,7 @@ module scale_words #(
   always_ff @(posedge clk_i) begin
     s_q     <= lambda_i - k_i;
     next_q  <= run_i ? next_q + 4'd1 : 4'd0;
-    place_q <= offset - down;  // -41 at least: as a number without sign it is too large
+    place_q <= offset - down;  // at least -41: too large as an unsigned number
     small_q <= next_q[0];
   end
   assign write_o = next_q != 4'd0;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program word (program_word.hpp has its fields) as operations of the folded datapath: one, or
-// with Splines as many as its order for a sum of products, j = 0 .. i-1.
+// with Splines the order's number for a sum of products, j = 0 .. i-1.
 //
 //   cycle      0                              1
 //              valid_i, word_i with i_i ..    addresses_o, target_o
 //              stall_o: word_i stays
 //
-// A word that waits is issued nine clocks or more after the last one that is marked.
+// A waiting word is issued nine clocks or more after the last marked one.
 `default_nettype none
 module serial_issue #(
     parameter int Splines = 1  // 0, 1
@@ -20,7 +20,7 @@ module serial_issue #(
     input  wire logic [ 1:0] context_i,
     input  wire logic        land_i,
     output logic             stall_o,
-    output logic             first_result_o, // of a sample
+    output logic             first_result_o, // a sample's first
 
     output logic [7+Splines:0] a_address_o,
     output logic [7+Splines:0] b_address_o,

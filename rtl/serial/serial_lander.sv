@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Displacements, one axis at a time, into origins and samples; twin: hls/spherical_kernel.hpp.
+// Origins and samples from displacements, one axis at a time; twin: hls/spherical_kernel.hpp.
 //
 //     fine = land ? end : origin + floor(d 2^k 2^GuardBits + 1/2)
 //
@@ -10,9 +10,8 @@
 //   d_i         d, axis_i                written,   the last:  read, axis by axis
 //   target_i    3 origin                 too                           sample_valid_o
 //
-// Samples, four at most, wait in the memory of points. One is read to the output when all of it is
-// there and that is free: an axis in every clock in which no other point is read. taken_o: it has
-// left the core.
+// At most four samples wait in the memory of points. A complete one is read to the output when that
+// is free: an axis in every clock in which no other point is read. taken_o: it has left the core.
 `default_nettype none
 module serial_lander #(
     parameter int CoefBits     = 36,  // [18, 36]
@@ -24,13 +23,13 @@ module serial_lander #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // From the bus: start or end words of an axis
+    // Words from the bus: start or end of an axis
     input wire logic                                     write_start_i,
     input wire logic                                     write_end_i,
     input wire logic        [                       3:0] write_axis_i,
     input wire logic signed [PositionBits+GuardBits-1:0] write_data_i,
 
-    input wire logic                       spline_i,       // of the segment
+    input wire logic                       spline_i,       // the segment is a spline
     input wire logic        [         4:0] down_i,         // MaxStepExponent - k
     input wire logic        [         4:0] spline_down_i,  // MaxStepExponent - lambda
     input wire logic        [         1:0] target_i,
@@ -48,7 +47,7 @@ module serial_lander #(
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
 
-  // The axis and what becomes of it, clocks 1 to 3.
+  // The axis and its target, clocks 1 to 3.
   logic [1:0] target_q[3];
   logic [3:0] axis_q  [3];
   logic       land_q;
@@ -123,7 +122,7 @@ module serial_lander #(
     fine_q  <= twice[FineBits:1];
   end
 
-  // The walk through the axes of a sample that is complete
+  // The walk through the axes of a complete sample
   logic       walking_q;
   logic       last;
   logic       arrives;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Program of the serial build, that of splines behind that of arcs, made by
 // rtl/serial/program_generator.cpp: do not edit.
-// Its parts begin where rtl/serial/serial_program_pkg.sv says.
+// Places of its parts: rtl/serial/serial_program_pkg.sv.
 `default_nettype none
 module serial_program #(
     parameter int Splines = 1  // 0, 1
@@ -9,7 +9,7 @@ module serial_program #(
     input  wire logic               clk_i,
     input  wire logic               en_i,
     input  wire logic [6+Splines:0] place_i,
-    output logic      [       60:0] word_o    // of the clock before
+    output logic      [       60:0] word_o    // word of the clock before
 );
 
   logic [60:0] program_rom[128 * (1 + Splines)];

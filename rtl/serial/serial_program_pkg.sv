@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the parts of the serial build's program begin, made by
+// Places of the parts of the serial build's program, made by
 // rtl/serial/program_generator.cpp: do not edit.
 package serial_program_pkg;
   localparam logic [7:0] WeightsEntry = 8'd0;

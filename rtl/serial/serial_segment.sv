@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Takes the words of a segment of the serial build (hls/words.hpp): coefficients and points go to
-// their memories, what else the path needs stays here.  Of a spline come its scales as well
-// (scale_words.sv), 9 clocks more.
+// their memories, other words of the path stay here.  A spline's scales are made as well
+// (scale_words.sv), in 9 more clocks.
 //
 //   open_i      the words of a segment are taken, and of the next if it is empty
 //   length_o    segment_data_i is the length

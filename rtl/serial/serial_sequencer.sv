@@ -60,7 +60,7 @@ module serial_sequencer #(
   localparam logic [3:0] EvenFirst = 4'((Order / 2) * 2 - 1);
   localparam logic [4:0] Drain = 5'd24;
 
-  // What a sample starts with: splines and series go by single orders, arcs' polynomials by two.
+  // Start of a sample: splines and series advance by single orders, arcs' polynomials by two.
   logic                 spline;
   logic [PlaceBits-1:0] entry;
   logic [          3:0] first;
@@ -84,7 +84,7 @@ module serial_sequencer #(
   logic [          1:0] spacing_q;
   logic                 sample_q;
   logic [PlaceBits-1:0] follow_q;
-  logic [PlaceBits-1:0] frame_q     [3];  // of a context that rests: the first
+  logic [PlaceBits-1:0] frame_q     [3];  // of a resting context: the first
   logic [          3:0] order_q     [3];
 
   // Fetch

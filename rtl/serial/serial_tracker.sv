@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Follows the path of the serial build: takes segments, runs the network for each step, and turns a
-// request into tau (hls/interpolator_kernel.hpp).  A segment is taken when the path leaves the one
-// before.
+// request into tau (hls/interpolator_kernel.hpp).  A segment is taken when the path leaves the last
+// one.
 //
 //   clocks                             value
 //   request to tau                     3 + the quarter and single shifts of 27 - k
@@ -80,9 +80,9 @@ module serial_tracker #(
   logic        last_q;  // the step is the segment's last
   logic        land_q;
   logic [49:0] sigma_q;  // offset into the step
-  logic [43:0] rest_q;  // of the segment, from the step's start
-  logic [43:0] length_q;  // of the step
-  logic [27:0] full_q;  // of other steps, without its PathFrac bits
+  logic [43:0] rest_q;  // rest of the segment, from the step's start
+  logic [43:0] length_q;  // length of the step
+  logic [27:0] full_q;  // length of other steps, without its PathFrac bits
   logic        before_q;  // its end
   logic        equal_q;
   logic [42:0] shift_q;
@@ -104,7 +104,7 @@ module serial_tracker #(
   assign done = network && started_q && !net_busy_i;
   assign over = !before_q && (!equal_q || !last_q);
 
-  // The network's part of this state
+  // The network's part in this state
   logic [7:0] part;
   logic [7:0] spline_part;
   always_comb begin
@@ -121,7 +121,7 @@ module serial_tracker #(
       Step: begin
         part        = serial_program_pkg::StepEntry;
         spline_part = serial_program_pkg::SplineStepEntry;
-        if (Splines != 0) net_order_o = 4'(Order);  // of sums over all orders
+        if (Splines != 0) net_order_o = 4'(Order);  // the order of sums over all orders
       end
       Displace: spline_part = serial_program_pkg::SplineSeriesEntry;
       default:  ;

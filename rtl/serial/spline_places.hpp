@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the words of a spline are. Segments are loaded to where those of arcs are: b and a in order
-// 0 of rows 0 2 4 and 1 3 5, c in place of the advance, phi in place of theta.
+// Places of a spline's words. Segments are loaded to the places of arcs: b and a in order 0 of rows
+// 0 2 4 and 1 3 5, c in place of the advance, phi in place of theta.
 #pragma once
 
 #include "rtl/serial/program_word.hpp"
@@ -43,8 +43,8 @@ constexpr Address kCubeOfPhi{0x3b};
 constexpr Address kDQ{0x3c};
 constexpr Address kSeriesDX[3] = {{0x3d}, {0x3e}, {0x3f}};
 
-/// Powers of two that scale by 2^-shift, 0 unless a shift by CoefBits - 1, or of kLessSix, makes
-/// the scale of them: rtl/serial/scale_words.sv.
+/// Powers of two that scale by 2^-shift, 0 unless the scale is made by a shift by CoefBits - 1, or
+/// by kLessSix: rtl/serial/scale_words.sv.
 enum Scaling { kMovedScale = 0, kSlopeScale = 2, kAScale = 4, kThreeAScale = 6 };
 constexpr Address right(Scaling scaling) { return {0xb8 + scaling}; }
 constexpr Address left(Scaling scaling) { return {0xb9 + scaling}; }

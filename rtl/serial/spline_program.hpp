@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cubics at constant path speed as a program for one multiplier: [Chikurov] Fig. 10 with anchors,
-// every word as hls/spline_kernel.hpp and hls/spline_network.hpp say. A Stieltjes node is one word
+// every word as in hls/spline_kernel.hpp and hls/spline_network.hpp. A Stieltjes node is one word
 // per order, which the sequencer repeats for every product.
 #pragma once
 
@@ -42,7 +42,7 @@ Words for_axes(Make&& word) {
     return {word(0), word(1), word(2)};
 }
 
-/// What a segment's steps share, and v and phi of its start.
+/// Makes the words that a segment's steps share, and v and phi of its start.
 inline void spline_load(Program& program) {
     Words words = for_axes(
         [](int axis) { return make(three_a(axis), a_of(axis), a_of(axis), kOne, kLessThree); });
@@ -70,7 +70,7 @@ inline void spline_load(Program& program) {
     program.frame(words, kHalt);
 }
 
-/// v and phi a step farther on; i = Order.
+/// Moves v and phi a step farther; i = Order.
 inline void spline_step(Program& program) {
     Words words{marked(sum_of(kMoved, above(in_row(kLowerQ, kInner)), kOne, kCoef)),
                 sum_of(in_row(kPhi), in_row(kPhi, kInner), kOne, kCoef),
@@ -81,7 +81,7 @@ inline void spline_step(Program& program) {
     program.frame(words, kHalt);
 }
 
-/// V, W, phi, S, Q and the origin of v.
+/// Makes V, W, phi, S, Q and the origin of v.
 inline Words anchor() {
     Words words = for_axes(
         [](int axis) { return make(mean(axis), b_of(axis), three_a(axis), kLowerV, kSame); });
@@ -126,8 +126,8 @@ inline Words anchor() {
     return words;
 }
 
-/// One order i of the network; R an order behind. A sum that needs the results just marked waits;
-/// what is not urgent stands in between, and between the three that add up DP.
+/// Makes one order i of the network; R an order behind. A sum that needs the results just marked
+/// waits; less urgent words stand in between, and between the three that add up to DP.
 inline Words network_order() {
     const Address phi = in_row(kPhi, kOrder);
     const Address earlier_phi = below(in_row(kPhi, kRest));
@@ -163,7 +163,7 @@ inline Words network_order() {
     return words;
 }
 
-/// Anchor, orders 1 .. Order - 1, and the last one's q.
+/// Makes the anchor, orders 1 .. Order - 1, and the last one's q.
 inline void spline_expand(Program& program) {
     Words words = anchor();
     words.back().mark = true;
@@ -174,7 +174,7 @@ inline void spline_expand(Program& program) {
                   3);
 }
 
-/// Series of the displacements, for the series mode: orders 1 .. Order.
+/// Makes the series of the displacements, for the series mode: orders 1 .. Order.
 inline void spline_series(Program& program) {
     Words words = for_axes([](int axis) {
         return sum_of(kSeriesDX[axis], in_row(kV + axis, kInner), below(in_row(kPhi, kRest)),
@@ -187,7 +187,7 @@ inline void spline_series(Program& program) {
     program.frame(words, kLoopHalt);
 }
 
-/// A sample in polynomial mode: q(tau), then the cubic in it.
+/// Makes a sample in polynomial mode: q(tau), then the cubic in it.
 inline void spline_polynomial(Program& program) {
     const Address sum = kSquare;
     const Address q = in_row(kLowerQ, kOrder);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// 256 coefficients, or 512, one write and one read port; it starts with the constants of the
-// program:
+// A memory of 256 or 512 coefficients with one write and one read port; it starts with the
+// constants of the program:
 //
 //   0x81 1    0x91 -1    0xad -2    0xae -3/2    0xaf 1/4      CoefBits - 2 fraction bits
 //   0xa0 0    0xa1 1/1, with CoefBits - 2                       0xa2 .. 0xac  1/2 .. 1/12
 //
-// The device's configuration loads them; serial/folded_datapath.sv lets nothing write there.
+// The device's configuration loads them; serial/folded_datapath.sv never writes there.
 //
 //   cycle       0           1
 //   read_i      address

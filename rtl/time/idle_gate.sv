@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between the queue of targets and the time scaler: which ticks are on their target at once, since
+// The gate between the queue of targets and the time scaler: a tick is on its target at once while
 // nothing is under way. Twin: TimeScaler::lands of hls/time_scaler.hpp, PathKernel::idle of
 // hls/path_kernel.hpp.
 //
 //   clock      0
 //   valid_i    1
-//   valid_o    1     or, where it is not known yet what is under way, later
+//   valid_o    1     or later, while it is unknown what is under way
 //   land_o     of the tick: no program was under way in the IdleTicks ticks before it
 //
 // A tick waits only if it would land, that is if a target has changed since one did, and no program
-// is under way, until the path generator has taken all that are ahead of it: any of them may begin
-// one. Those ahead are fewer than IdleTicks, so where a program is under way it need not wait.
+// is under way, until the path generator has taken all ticks ahead of it: any of them may begin
+// one. Those ahead are fewer than IdleTicks, so it need not wait while a program is under way.
 `default_nettype none
 module idle_gate (
     input wire logic clk_i,
@@ -19,22 +19,22 @@ module idle_gate (
     // Ticks
     input  wire logic valid_i,
     output logic      ready_o,
-    input  wire logic differs_i,  // its target, from that of the tick before
+    input  wire logic differs_i,  // its target differs from the last tick's
     output logic      valid_o,
     input  wire logic ready_i,
     output logic      land_o,
 
-    input wire logic stopping_i,    // a branch makes a stop: it goes on
-    input wire logic tick_taken_i,  // by the path generator
-    input wire logic active_i       // a program is under way, of those taken
+    input wire logic stopping_i,    // a branch makes a stop, which goes on
+    input wire logic tick_taken_i,  // the path generator took one
+    input wire logic active_i       // a program is under way, in the ticks taken
 );
 
   localparam int Idle = words_pkg::IdleTicks;
   localparam int Count = $clog2(Idle + 1);
 
   logic [Count-1:0] ahead_q;  // ticks that have passed and are not taken
-  logic [Count-1:0] idle_q;  // the last of those taken that had no program, Idle at most
-  logic taken_q;  // one in the clock before: idle_q does not have it yet
+  logic [Count-1:0] idle_q;  // last ticks taken without a program, Idle at most
+  logic taken_q;  // one was taken in the last clock: idle_q lacks it
   logic unsettled_q;  // a target has changed since a tick landed
   logic may_land;
   logic known;

@@ -9,11 +9,11 @@
 //   .._o        old             new word
 //   good_o      of the old                 of the new
 //
-// pause_o: no tick may start, so that it gets quiet. quiet_i: no sample is on its way, and no tick
-// has begun. restart_o: the time scaler begins anew. good_o: time may run.
+// pause_o: no tick may start, until all is quiet. quiet_i: no sample is on its way, and no tick has
+// begun. restart_o: the time scaler begins anew. good_o: time may run.
 //
 // settings_fault_o, sticky: a program waits while the settings are outside their ranges, or they
-// changed while one is under way; that one goes on with those that it began with.
+// changed while one is under way; that one keeps the settings of its start.
 `default_nettype none
 module motion_settings (
     input wire logic clk_i,
@@ -53,7 +53,7 @@ module motion_settings (
     if (take) taken_q <= asked;
   end
 
-  // What the counters of time carry.
+  // Ranges that the counters of time can hold.
   logic acceleration_fits;
   logic slope_fits;
   logic stop_fits;

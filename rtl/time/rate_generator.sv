@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requests for samples into rates of time, one per tick: how fast time runs in it.
+// Rates of time from requests for samples, one per tick.
 //
 //   requests -> gate -> targets -> idle gate -> scaler -> rates
 //                 ^ settings ^--------------------'
 //
 // A request for the first of 2^samples_per_tick_log2_i samples starts a tick. Its rate follows
 // override_i, or goes to 0 for kill_i, hold_i and underrun_i; at once while nothing is under way.
-// With settings that are not obeyed it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
+// With refused settings it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
 `default_nettype none
 module rate_generator #(
     parameter int Build = 0,  // 0 parallel, 1 serial
@@ -43,18 +43,18 @@ module rate_generator #(
     output logic             held_o,        // the target is 0
 
     // Stop branches: rtl/time/stop_memory.sv
-    output logic             scaled_o,      // a tick is taken in
+    output logic             scaled_o,      // a tick is taken
     input  wire logic [20:0] due_i,         // begins, next_wait
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [43:0] step_i,
 
-    // On the way
-    input  wire logic       tick_taken_i,  // by the path generator
+    // Ticks and samples on their way
+    input  wire logic       tick_taken_i,  // the path generator took one
     output logic      [4:0] started_o,     // ticks not yet taken, 16 at most
-    input  wire logic       sent_i,        // a sample, to the curve core
+    input  wire logic       sent_i,        // a sample was sent to the curve core
     output logic            wanted_o,
-    input  wire logic       leaves_i       // a sample, from there
+    input  wire logic       leaves_i       // a sample left the core
 );
 
   logic        pause;
@@ -115,7 +115,7 @@ module rate_generator #(
   logic next_ready;
   logic [16:0] next_target;
   logic next_differs;
-  logic [16:0] target_q;  // of the tick before
+  logic [16:0] target_q;  // target of the last tick
   always_ff @(posedge clk_i) if (tick) target_q <= target;
   word_queue #(
       .Bits (18),
@@ -222,7 +222,7 @@ module rate_generator #(
     assign held_o       = scaled_held;
   end
 
-  // A clock later, as the tick is told, too.
+  // This is a clock later, as the tick is reported too.
   logic asked_q;
   always_ff @(posedge clk_i) asked_q <= rst_ni && request_valid_i && request_ready_o;
   standstill u_standstill (

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tells that the machine stands: the rate of time rests at 0, or a held tick started when no
-// program was under way and none could begin before it; and all samples that were asked for before
-// have left. It stands until a tick starts whose target is not 0.
+// Signals that the machine stands: the rate of time rests at 0, or a held tick started when no
+// program was under way and none could begin before it; and all samples requested before have left.
+// It stands until a tick starts whose target is not 0.
 //
 //   clock          0       1        2       3
 //   scaled_i       still
@@ -17,12 +17,12 @@ module standstill (
 
     // Ticks: as they start, and, 16 later at most, as their rates come
     input wire logic tick_i,
-    input wire logic stops_i,   // of tick_i: its target is 0
+    input wire logic stops_i,   // target of tick_i is 0
     input wire logic scaled_i,
-    input wire logic held_i,    // of scaled_i: its target was 0
-    input wire logic still_i,   // of scaled_i: the rate rests at 0
+    input wire logic held_i,    // target of scaled_i was 0
+    input wire logic still_i,   // rate rests at 0 with scaled_i
 
-    // The path: ticks not yet taken, with tick_i, and a program under way, of those taken
+    // The path: ticks not yet taken, with tick_i, and a program under way, in those taken
     input wire logic [4:0] started_i,
     input wire logic       taken_i,
     input wire logic       active_i,
@@ -44,7 +44,7 @@ module standstill (
   logic [8:0] under_way_q;
   logic [8:0] under_way_d;
   logic rests_q;
-  logic [8:0] left_q;  // of the samples asked for before it rests
+  logic [8:0] left_q;  // remaining samples of those requested before it rests
   assign under_way_d = under_way_q + {{8{leaves_i && !asked_i}}, leaves_i != asked_i};
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

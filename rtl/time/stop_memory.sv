@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stop branches as they pass: which of them a stop may take, when it begins, and its steps.
+// Stop branches as they pass: the one that a stop may take, the time when it begins, its steps.
 // Twin: StopSchedule of hls/stop_schedule.hpp, tick by tick.
 //
 //   loader -> bank of the next one      piece begins, at the rate 1: it is the present one
 //             bank of the present one -> steps -> time scaler, which takes them from the tick on
 //                                        that is StopLead after that; some are on their way already
 //
-// At other rates the branch only tells how long it is until the next one, and so does a program's
-// first piece without one.
+// At other rates the branch only reports the time until the next one, and so does a program's first
+// piece without one.
 //
-// step_valid_o comes 3 clocks after the step before was taken.
+// step_valid_o comes 3 clocks after the last step was taken.
 `default_nettype none
 module stop_memory #(
-    parameter int Steps = words_pkg::StopSteps  // of a branch, a power of two
+    parameter int Steps = words_pkg::StopSteps  // most steps of a branch, a power of two
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -28,7 +28,7 @@ module stop_memory #(
     input wire logic first_i,       // it is a program's first
     input wire logic full_i,        // the tick's rate is 1
 
-    // Ticks as the scaler takes them in: next_wait_o is that of the next one, begins_o with it
+    // Ticks as the scaler takes them: next_wait_o belongs to the next one, begins_o with it
     input  wire logic        tick_i,
     output logic      [19:0] next_wait_o,
     output logic             begins_o,
@@ -48,7 +48,7 @@ module stop_memory #(
   logic [Address-1:0] write_q;
   logic tells;
   logic accept;
-  logic [Count-1:0] gap_q;  // ticks taken since the last one told, Lead + 1 at most
+  logic [Count-1:0] gap_q;  // ticks taken since the last report, Lead + 1 at most
   logic apart;
   assign apart  = gap_q >= Count'(Lead);
   assign tells  = take_i && (loaded_q || first_i) && apart;
@@ -75,8 +75,8 @@ module stop_memory #(
     end
   end
 
-  // When it is due: ticks that the scaler takes in before
-  logic [Count-1:0] under_way_q;  // between scaler and generator
+  // Time when it is due: ticks that the scaler takes before
+  logic [Count-1:0] under_way_q;  // ticks between scaler and generator
   logic told_q;
   logic due_q;
   logic [Count-1:0] left_q;
@@ -101,7 +101,7 @@ module stop_memory #(
     else if (tick_i && left_q != '0) left_q <= left_q - 1'b1;
   end
 
-  // Steps: block RAM is slow, a register follows it.
+  // Steps: block RAM is slow, so a register follows it.
   logic [43:0] steps[2**(Address+1)];
   logic [43:0] step_q;
   logic [Address-1:0] read_q;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a tick of the time scaler goes to: its target, or by a step of a stop branch to 0.
+// Aim of a tick of the time scaler: its target, or 0 by a step of a stop branch.
 //
 //   clock      0            1
 //   valid_i    1
@@ -9,8 +9,8 @@
 //   obeyed_o   target
 //   stop_o                  of the tick, until the next one is taken
 //
-// A stop from the rate 1 begins with a tick in which a branch does; until then, for as long as one
-// may come, time runs on: for StopLead - 1 ticks at least, for as many at the rate 1 as were told.
+// A stop from the rate 1 begins with a tick in which a branch begins; until then, while one may
+// come, time runs on: for StopLead - 1 ticks at least, and for the reported number at the rate 1.
 // It ends with its last step, on its target.
 `default_nettype none
 module stop_taker (
@@ -26,8 +26,8 @@ module stop_taker (
     input  wire logic [16:0] target_i,
     output logic      [16:0] obeyed_o,
     output logic             stopping_o,
-    output logic             goes_on_o,      // with the stop of the tick before
-    input  wire logic [19:0] next_wait_i,    // of time_scaler
+    output logic             goes_on_o,      // the stop of the last tick continues
+    input  wire logic [19:0] next_wait_i,    // input of time_scaler
     input  wire logic        begins_i,
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
@@ -36,7 +36,7 @@ module stop_taker (
     input  wire logic        step_last_i,
 
     output logic        stop_o,
-    output logic        ends_o,   // with it
+    output logic        ends_o,   // the stop ends with it
     output logic [31:0] change_o
 );
 

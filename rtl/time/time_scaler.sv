@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time's rate follows its target with bounded slope and bounded change of slope. Twin:
+// The rate of time follows its target with bounded slope and bounded change of slope. Twin:
 // hls/time_scaler.hpp, tick by tick.
 //
 //   clock      0        3
@@ -13,18 +13,18 @@
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
 // each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
 // there on an eighth of the bounds holds. A tick with land_i, as the first one after a reset, is on
-// its target at once; it comes when the rates of all before it are out. What follows it, or the end
-// of a branch, waits 2 clocks more. The bounds stand still from the last two clocks of a reset on.
-// Bounds outside their ranges do no harm while every target is 0: then so is every rate.
+// its target at once; it comes when the rates of all before it are out. The tick after it, or after
+// the end of a branch, waits 2 clocks more. The bounds are constant from the last two clocks of a
+// reset on. Bounds outside their ranges do no harm while every target is 0: then so is every rate.
 //
 // The decisions are signs of two margins, kept up to date instead of computed:
 //
 //     faster  >= 0: may go faster             rest - braking - 2 slope - acceleration
 //     steady  >= 0: may go on                 rest - braking - slope
 //
-// where rest is the way to the target in the present direction, braking what braking still moves.
+// with rest the way to the target in the present direction, braking the way that braking takes.
 //
-// A stop from the rate 1 that a branch makes leaves them alone: rtl/time/stop_taker.sv.
+// A stop from the rate 1 by a branch leaves them unchanged: rtl/time/stop_taker.sv.
 `default_nettype none
 module time_scaler (
     input wire logic clk_i,
@@ -37,33 +37,33 @@ module time_scaler (
     input  wire logic        valid_i,
     output logic             ready_o,
     input  wire logic [16:0] target_i,   // 16 fraction bits, up to 1
-    input  wire logic        land_i,     // be there at once
+    input  wire logic        land_i,     // lands at once
     output logic             stopping_o, // a branch goes on with the next tick, which may not land
 
-    // Of target_i: for how long a stop from here on waits for the next branch, or 0; one begins
+    // Branches: time that a stop from here waits for the next one, or 0; one begins
     input  wire logic [19:0] next_wait_i,
     input  wire logic        begins_i,
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [10:0] step_ticks_i,   // [1, 2047]
-    input  wire logic [31:0] step_change_i,  // of the slope, each tick
+    input  wire logic [31:0] step_change_i,  // change of the slope in each tick
     input  wire logic        step_last_i,
 
     output logic        valid_o,
     output logic [16:0] rate_o,
     output logic        held_o,
-    output logic        still_o   // the rate rests at 0, and does until a target is not 0
+    output logic        still_o   // the rate rests at 0, until a target is not 0
 );
 
-  // The tick at hand, and how its target differs.
+  // The present tick, and the difference of its target.
   logic head_valid_q;
-  logic landing_q;  // on its target, at once
+  logic landing_q;  // lands on its target at once
   logic [16:0] target_q;
   logic signed [17:0] delta_q;
   logic change_q;
   logic beyond_q;  // its target is on the other side of 7/8
   logic same_q;
-  logic zero_q;  // its target is 0, whatever is obeyed
+  logic zero_q;  // its target is 0, obeyed or not
 
   // Change adds to both margins: load an operand, give it its sign, add it. Clear and Init begin
   // with other bounds, at rest.
@@ -87,7 +87,7 @@ module time_scaler (
   logic               at_max_q;
   logic               arrived_q;  // at rest on the target
   logic               arriving_q;
-  logic               short_q;  // the way to there is not zero
+  logic               short_q;  // the way to it is not zero
   logic               settling_q;  // the last tick went it: the next one rests
 
   // The bounds on this side of 7/8
@@ -200,7 +200,7 @@ module time_scaler (
     end
   end
 
-  // Where the rate goes next: to the target, or first to 7/8.
+  // The next aim of the rate: the target, or first 7/8.
   logic [16:0] wish;
   assign wish = room ? obeyed : target_q;
   assign high = is_fine(wish);
@@ -255,7 +255,7 @@ module time_scaler (
     end
   end
 
-  // Each sum is there before the decision is: the mux comes last.
+  // Each sum is ready before the decision: the mux comes last.
   logic signed [35:0] faster_up;
   logic signed [35:0] faster_steady;
   logic signed [35:0] faster_add;
@@ -378,7 +378,7 @@ module time_scaler (
     held_q  <= zero_q;
     place_q <= landing_q || head_stop ? target_q : goal_q;
   end
-  // In a stop below 1, whatever its steps.
+  // In a stop below 1, with any steps.
   logic stopped_q;
   always_ff @(posedge clk_i) if (ticked_q) stopped_q <= stops_q;
   logic beyond;

@@ -4,14 +4,14 @@
 //
 //   clock      0        n
 //   valid_i    1
-//   ready_o    1        1    at the latest, but for steps that are not there yet
+//   ready_o    1        1    at the latest, unless steps are missing
 //   target_i   target
 //   valid_o             1    n < kSerialScaleClocks of hls/clocks.hpp, until
 //   taken_i             1
 //   rate_o              rate
 //   held_o              target is 0
 //
-// The bounds stand still while ticks come.
+// The bounds are constant while ticks come.
 `default_nettype none
 module time_scaler_serial (
     input wire logic clk_i,
@@ -24,30 +24,30 @@ module time_scaler_serial (
     input  wire logic        valid_i,
     output logic             ready_o,
     input  wire logic [16:0] target_i,   // 16 fraction bits, up to 1
-    input  wire logic        land_i,     // be there at once
+    input  wire logic        land_i,     // lands at once
     output logic             stopping_o, // a branch goes on with the next tick, which may not land
 
-    // Of target_i: for how long a stop from here on waits for the next branch, or 0; one begins
+    // Branches: time that a stop from here waits for the next one, or 0; one begins
     input  wire logic [19:0] next_wait_i,
     input  wire logic        begins_i,
     input  wire logic        step_valid_i,
     output logic             step_ready_o,
     input  wire logic [10:0] step_ticks_i,   // [1, 2047]
-    input  wire logic [31:0] step_change_i,  // of the slope, each tick
+    input  wire logic [31:0] step_change_i,  // change of the slope in each tick
     input  wire logic        step_last_i,
 
     output logic             valid_o,
     input  wire logic        taken_i,
     output logic      [16:0] rate_o,
     output logic             held_o,
-    output logic             still_o   // the rate rests at 0, and does until a target is not 0
+    output logic             still_o   // the rate rests at 0, until a target is not 0
 );
 
-  // The tick at hand; it comes through many gates, and to the program a clock later.
+  // The present tick; it passes many gates, and reaches the program a clock later.
   logic idle;
   logic takes;
   logic taken_q;
-  logic one_q;  // before it the rate rests on 1, again
+  logic one_q;  // before the tick the rate rests on 1 again
   logic [16:0] obeyed;
   logic stops;
   logic ends;
@@ -78,8 +78,8 @@ module time_scaler_serial (
       .change_o(change)
   );
 
-  logic lands_q;  // on its target
-  logic same_q;  // its target is that of the tick before
+  logic lands_q;  // lands on its target
+  logic same_q;  // its target is that of the last tick
   logic [16:0] target_q;
   logic rests;
   always_ff @(posedge clk_i) begin
@@ -149,7 +149,7 @@ module time_scaler_serial (
       .change_i(change)
   );
 
-  // In a stop below 1, whatever its steps.
+  // In a stop below 1, with any steps.
   logic stopping;
   assign stopping = stops && !ends;
   assign rate_o   = stopping ? {1'b0, sum[34:19] | {16{sum[35]}}} : fine ? sum[35:19] : sum[32:16];
