@@ -39,3 +39,4 @@ for part in arcs demo; do
 done
 python3 scripts/system_rates.py
 python3 scripts/bench_rows.py
+scripts/results.py choose_up5k throughput system_rates

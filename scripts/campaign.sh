@@ -85,6 +85,7 @@ json.dump(equality, open("build/figures/equality.json", "w"))
 print(f"{samples} samples in {len(found)} configurations, {differ} words differ")
 sys.exit(not all(found) or differ > 0)
 PYTHON
+scripts/results.py accuracy splines equality
 export CURVECORE_MUTATIONS=100000
 for label in model unit cli; do scripts/test.sh --preset asan -L "$label"; done
 scripts/coverage.sh

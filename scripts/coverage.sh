@@ -29,3 +29,4 @@ CURVECORE_SAMPLES=5000 ctest --preset coverage -L 'model|unit|cli' -LE '^long$' 
   sed -n '/tests passed/,$p' $build/tests.log
 mkdir -p build/figures
 python3 scripts/coverage_points.py
+scripts/results.py coverage

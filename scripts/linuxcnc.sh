@@ -32,3 +32,4 @@ cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)" --target curvecore
 mkdir -p build/figures
 python3 tb/linuxcnc/motion_over_linuxcnc.py --program build/curvecore -o build/figures/linuxcnc.json
+scripts/results.py linuxcnc

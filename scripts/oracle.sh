@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# How far the planner is from the time optimum of an independent oracle: tables,
+# How far the planner is from the time optimum of an independent oracle: pages of scripts/results,
 # build/figures/oracle.json, drawn.json, and a figure. Some minutes.
 set -euo pipefail
 case ${1:-} in
@@ -18,3 +18,4 @@ mkdir -p build/figures
 python3 tb/oracle/time_over_optimum.py --program build/curvecore -o build/figures/oracle.json
 python3 tb/oracle/drawn_over_optimum.py --program build/curvecore -o build/figures/drawn.json
 python3 scripts/time_figure.py
+scripts/results.py oracle drawn

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Writes the pages of scripts/results from what this tree's runs printed, a table each, and the
-few rows of them that every README.md shows.
+few rows of them that every README.md shows.  The scripts that measure call it for their pages.
 
-    scripts/results.py                       writes what was measured (build/)
+    scripts/results.py [NAME ..]             writes what was measured (build/), or these pages alone
     scripts/results.py --check               compares what follows from this tree's files
     scripts/results.py --check --measured    and what scripts/pages.sh has measured
 
@@ -51,8 +51,9 @@ def page_of(table, body, tree):
     return "\n\n".join(filter(None, (f"# {table.title}", note, by, body.strip()))) + "\n"
 
 
-def write():
-    for name, table in TABLES.items():
+def write(names):
+    for name in names:
+        table = TABLES[name]
         file = RESULTS / f"{name}.md"
         body, tree = table.make(), sources()[0]
         kept = body is None
@@ -130,10 +131,14 @@ def main():
     parser.add_argument("--check", action="store_true", help="compare only")
     parser.add_argument("--measured", action="store_true",
                         help="compare what was measured and is the same on every machine, too")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="a page, all when left out")
     given = parser.parse_args()
+    unknown = [name for name in given.names if name not in TABLES]
+    if unknown:
+        parser.error(f"unknown page '{unknown[0]}': one of {', '.join(TABLES)}")
     if given.check:
         check(given.measured)
-    write()
+    write(given.names or TABLES)
 
 
 if __name__ == "__main__":
