@@ -22,7 +22,7 @@
 // word, to nearest, ties up; y_1 = z_0 has none.
 //
 //     Anchor = 1   z_0 = -y^2 at every step's start: y is the only state
-//     Anchor = 0   at the first; then z goes on by the sum of its words, as in the paper. Nothing
+//     Anchor = 0   at the first; then z is the sum of its words, as in the paper. Nothing
 //                  pulls C = z + y^2 back to 0: y falls through 0 in the end, and leaves its range
 #pragma once
 

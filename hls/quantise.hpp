@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plan to words: the place where real numbers become words, except pieces of a profile and steps of
-// stops, which the planner rounds (ref/feed/pieces/profile_words.hpp says why).
+// stops, which the planner rounds (ref/feed/pieces/profile_words.hpp has the reason).
 #pragma once
 
 #include <cmath>

@@ -36,7 +36,7 @@
 // 17 + 1 products, one after the other. Line 6 is off the chain.
 //
 // With Anchor = 0 lines 2..4 and 7..9 work at load only; V W phi Q R (and the position in series
-// mode) go on by the sums of their words.
+// mode) continue as the sums of their words.
 //
 // A sample, tau = s / 2^k (U) from the path's low bits:
 //

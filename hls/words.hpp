@@ -2,7 +2,7 @@
 // The words that travel to the cores, for segments and profile. THE word formats: kernel and host
 // read the fields here, and rtl/queue/words_pkg.sv is made from them.
 //
-// Every bus word has 48 bits: a tag [47:44] that says which word of a frame it is, and 44 bits.
+// Every bus word has 48 bits: a tag [47:44] with the place of the word in its frame, and 44 bits.
 // Fields are filled from bit 0; bits without a field are 0.
 //
 // Segment:
@@ -110,7 +110,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 5;  // of these formats; every file of words says it
+constexpr int kWordsVersion = 5;  // of these formats; in every file of words
 
 enum class Tag {
     kLength = 1,

@@ -21,25 +21,25 @@
 //
 // A reset empties the queues.
 //
-// Word formats: hls/words.hpp.  Words are made for a digest, that of their configuration: what
-// words.json says, and what digest_i has to be when a program's words begin to come; those of
-// another one do not enter.  A stream that starves is no fault: time stops while queued words
-// still cover the stop, underrun_o tells, and goes on when they cover two, or a queue is full.  A
+// Word formats: hls/words.hpp.  Words are made for a digest, that of their configuration, which is
+// in words.json; digest_i must equal it when a program's words begin to come, and words for another
+// one do not enter.  A stream that starves is no fault: time stops while queued words still cover
+// the stop, which underrun_o reports, and continues when they cover two, or a queue is full.  A
 // program begins when its words cover as much.  So a program whose full queues do not cover a stop
 // (stop_ticks_i + 10 ticks) cannot be drawn: fault.
 //
 // Faults are sticky until reset.  Those of words cut the streams: further words are taken and
-// dropped, what is queued is drawn to a stop.
+// dropped, queued ones are drawn to a stop.
 //
-//   fault_o[0]  a segment word that cannot be, or is not as it was made: lost, doubled, swapped,
-//               changed, foreign, out of range, made for another configuration
-//   fault_o[1]  a segment is missing or came twice, or does not start where the one before ended
-//   fault_o[2]  a profile word that cannot be, or is not as it was made
-//   fault_o[3]  a piece is missing or came twice
+//   fault_o[0]  an invalid or altered segment word: lost, doubled, swapped, changed, foreign, out
+//               of range, made for another configuration
+//   fault_o[1]  a missing or repeated segment, or one that does not start where the last one ended
+//   fault_o[2]  an invalid or altered profile word
+//   fault_o[3]  a missing or repeated piece
 //   fault_o[4]  segments and pieces of a program end apart, in path or ticks
 //   fault_o[5]  a full queue does not cover a stop
-//   fault_o[6]  settings that cannot be, or that changed in motion: not obeyed
-//   fault_o[7]  no sample of a program for 2^13 clocks: words lied, positions cannot be trusted
+//   fault_o[6]  invalid settings, or settings changed in motion: refused
+//   fault_o[7]  no sample of a program for 2^13 clocks: invalid words, positions cannot be trusted
 `default_nettype none
 module motion_interpolator #(
     parameter int Build             = 0,     // 0 parallel, 1 serial

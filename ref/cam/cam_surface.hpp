@@ -49,7 +49,7 @@ using Patch = Eigen::Matrix4d;
 /// lower.
 Patch surface_patch(SurfaceKind kind, const SectionWindow& window, int m, int half_u, int half_w);
 
-/// The section before the first: the cubic through the first four sections goes on (with three
+/// The section before the first: the cubic through the first four sections continued (with three
 /// sections a parabola, with two a line); in reverse order the section after the last.
 std::vector<double> ghost_section(const std::vector<const std::vector<double>*>& sections);
 

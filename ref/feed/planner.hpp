@@ -19,7 +19,7 @@ namespace curvecore::ref {
 /// spline's path cannot be stretched.
 ///
 /// @throws InputError with the move's line: beyond the travel or the position words, a segment
-///         that the configuration cannot carry (says which width would do), an auxiliary axis too
+///         that the configuration cannot carry (with a width that suffices), an auxiliary axis too
 ///          fast along a spline, nothing moves.
 Plan make_plan(const Program& program, const Machine& machine, const PlanOptions& options);
 

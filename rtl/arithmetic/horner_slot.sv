@@ -2,7 +2,7 @@
 // The variable x and the tag of each evaluation, which travel with the passes of one Horner unit.
 //
 // A pass enters in clock 0 and is back Loop enabled clocks later: for its next pass in this unit,
-// or in the next unit, whichever `first_i` says then.
+// or in the next unit, as `first_i` then selects.
 //
 //   clock        0                                   Loop
 //   slot_word_o  first_i ? word_i of the pass        its next pass

@@ -4,11 +4,11 @@
 // lead_i more.
 //
 //     hold      when either no longer exceeds the ticks that a stop takes
-//     go on     when both exceed twice as many, or once with a full queue: it gets no more
+//     continue  when both exceed twice as many, or once with a full queue: it gets no more
 //
 // A stream whose program is complete covers it to its end: for a hold the program under way counts,
-// for the next program's start (begin_o), if time could go on, the next one.  No hold when no piece
-// is under way.  A full queue that does not cover a stop never will: fault_o.
+// for the next program's start (begin_o), if time could continue, the next one.  No hold when no
+// piece is under way.  A full queue that does not cover a stop never will: fault_o.
 //
 // The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
 `default_nettype none

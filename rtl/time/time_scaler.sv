@@ -11,7 +11,7 @@
 //   held_o              target is 0
 //
 // One tick per clock. A tick whose target differs from the one before waits 4 clocks more; 4 more
-// each when the rate turns round and when it arrives, 7 when it passes 7/8, where it rests: from
+// each when the rate reverses and when it arrives, 7 when it passes 7/8, where it rests: from
 // there on an eighth of the bounds holds. A tick with land_i, as the first one after a reset, is on
 // its target at once; it comes when the rates of all before it are out. The tick after it, or after
 // the end of a branch, waits 2 clocks more. The bounds are constant from the last two clocks of a
@@ -20,7 +20,7 @@
 // The decisions are signs of two margins, kept up to date instead of computed:
 //
 //     faster  >= 0: may go faster             rest - braking - 2 slope - acceleration
-//     steady  >= 0: may go on                 rest - braking - slope
+//     steady  >= 0: may keep its slope        rest - braking - slope
 //
 // with rest the way to the target in the present direction, braking the way that braking takes.
 //

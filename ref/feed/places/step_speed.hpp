@@ -8,7 +8,7 @@ namespace curvecore::ref {
 
 /// Returns the highest speeds, mm/s, one per planned move.
 ///
-/// A change is the start of a step or a segment, and costs what CoreTime says. Steps that are made
+/// A change is the start of a step or a segment, and costs its CoreTime. Steps that are made
 /// ahead (step j while samples are taken from step j - 1) must keep pace with the path: from the
 /// start of step j to that of a later step q pass at least the costs of j + 1 .. q, unless the
 /// costs of j .. q fit into one sample period. Steps that are made in turn with the samples must

@@ -82,7 +82,7 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
     }
 }
 
-/// Returns true if V or V' jumps at the end of a move: the path does not go on as inside one.
+/// Returns true if V or V' jumps at the end of a move: a joint.
 bool VelocityCourse::is_joint(const Piece& piece) {
     const Segment& on = segments_[piece.segment];
     const Segment& next = segments_[piece.segment + 1];
