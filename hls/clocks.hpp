@@ -19,8 +19,8 @@ struct TimedCore {
     bool series = true;  // Mode 0
     bool arcs = true;    // Curves
     bool splines = false;
-    int sample_interval = 1;  // of the parallel build
-    bool anchor = true;       // of splines
+    int sample_interval = 1;  // clocks per sample of the parallel build
+    bool anchor = true;       // splines: anchored in every step
 };
 
 /// | field   | parallel build                         | serial build, at most              |

@@ -59,7 +59,7 @@ struct Configuration {
     static constexpr int kCoefFrac = CoefBits - 2;  // coefficients and unit vectors: |x| < 2
     static constexpr int kUnitFrac = CoefBits - 1;  // tau, theta, weights: 0 <= x < 1
     static constexpr bool kSeries = Mode == SamplerMode::kSeries;
-    static constexpr int kTop = Anchor ? Order - 1 : Order;  // of splines: highest phi_i needed
+    static constexpr int kTop = Anchor ? Order - 1 : Order;  // highest phi_i that a spline needs
 
     static constexpr int kMostOrder = kOrder;
     static constexpr int kMostAxes = kAxes;

@@ -83,7 +83,7 @@ class InterpolatorKernel : private C {
     SegmentWords<C> segment_;
     Length sigma_ = 0;        // offset into the present step
     Length rest_ = 0;         // from the present step's start to the segment's end
-    Length step_length_ = 0;  // of the present step
+    Length step_length_ = 0;  // length of the present step
     std::int64_t steps_ = 0;
     std::int64_t segments_ = 0;
     std::int64_t empty_segments_ = 0;

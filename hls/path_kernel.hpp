@@ -100,7 +100,7 @@ class PathKernel {
     bool active_ = false;
     int idle_ticks_ = kIdleTicks;
     std::int64_t time_ = 0;  // within the piece, ticks with 16 fraction bits
-    Length walked_ = 0;      // of the piece's ds
+    Length walked_ = 0;      // path of the piece's ds walked
 };
 
 /// Shares a tick's increment among 2^n samples: after j of them floor(j ds / 2^n) is gone.

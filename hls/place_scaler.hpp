@@ -8,7 +8,7 @@
 namespace curvecore {
 namespace hls {
 
-constexpr int kStepFraction = 16;  // of places, in steps
+constexpr int kStepFraction = 16;  // fraction bits of places, in steps
 
 /// Converts a position of fine_bits bits to 2^-16 step, rounded down; scale: their number in
 /// 2^fine_bits units of the position. It is exact as the hardware adds: dropped bits are never

@@ -72,8 +72,8 @@ class StepGenerator {
     int count_ = 0;  // clocks of the period
     std::vector<PlaceScaler> scalers_;
     std::vector<StepAxis> axes_;
-    std::vector<StepRate> rates_;  // of the sample that was taken
-    std::vector<StepRate> loads_;  // of the period
+    std::vector<StepRate> rates_;  // rates of the taken sample
+    std::vector<StepRate> loads_;  // rates of the period
     std::vector<bool> fresh_;
     std::vector<bool> stopped_;
     bool valid_ = false;

@@ -27,7 +27,7 @@ namespace hls {
 struct StopStep {
     std::int32_t ticks = 1;  // [1, 2047]
     std::int32_t change = 0;
-    bool last = false;  // of its branch: then the rate is 0
+    bool last = false;  // last step of its branch: then the rate is 0
 };
 
 /// Events at the start of a tick: a stop waits for the next branch for `wait` ticks from here on,
@@ -190,7 +190,7 @@ class TimeScaler {
     bool settling_ = false;  // the last tick moved less than a slope step: rest one tick, or a
                              // reversal would change the slope by more than `acceleration`
 
-    std::int32_t target_ = 0;                 // of the last tick, as obeyed
+    std::int32_t target_ = 0;                 // target of the last tick, as obeyed
     bool arrived_ = false;                    // at rest, on it or on 7/8
     bool at_one_ = false;                     // at rest on 1, again
     std::int32_t wait_ = ref::kStopLead - 1;  // ticks at the rate 1 until a branch is due, at most

@@ -76,17 +76,17 @@ template <class C>
 struct SegmentWords {
     SegmentKind kind = SegmentKind::kArc;
     Word<kLengthBits + 1> length = 0;
-    typename C::Coef theta = 0;  // of a spline: phi
+    typename C::Coef theta = 0;  // phi of a spline
     int step_exponent = 0;
     int lambda = 0;           // 0 for arcs
-    std::uint32_t ticks = 0;  // of the profile while it is drawn
-    bool last = false;        // of its program
+    std::uint32_t ticks = 0;  // ticks of the profile while it is drawn
+    bool last = false;        // last segment of its program
     bool other_turn = false;  // auxiliary axes' words leave other turns out than before
     typename C::Fine start[C::kMostAxes] = {};
     typename C::Fine end[C::kMostAxes] = {};
-    typename C::Coef tangent[3] = {};             // of a spline: a
-    typename C::Coef normal[3] = {};              // of a spline: b
-    typename C::Coef advance[C::kMostAxes] = {};  // of a spline's X Y Z: c
+    typename C::Coef tangent[3] = {};             // a of a spline
+    typename C::Coef normal[3] = {};              // b of a spline
+    typename C::Coef advance[C::kMostAxes] = {};  // c of a spline in X Y Z
 };
 
 constexpr int kProfileBits = 36;                // coefficients of a profile piece
@@ -110,7 +110,7 @@ struct Field {
     int bits;
 };
 
-constexpr int kWordsVersion = 5;  // of these formats; in every file of words
+constexpr int kWordsVersion = 5;  // version of these formats; in every file of words
 
 enum class Tag {
     kLength = 1,

@@ -26,16 +26,16 @@ using Series = std::array<double, 14>;
 
 /// Errors that one step adds to y and, with Anchor = 0, to z + y^2.
 struct StepErrors {
-    double rounding = 0;    // of y at the step's end, and within it
+    double rounding = 0;    // error of y at the step's end, and within it
     double truncation = 0;  //
-    double drift = 0;       // of z + y^2
+    double drift = 0;       // error of z + y^2
 };
 
 double rounded(double size, double error, double u) { return size + error < u ? size : u + error; }
 
 StepErrors step_errors(int order, double u, double y, double c) {
     Series a{y};  // sizes of y_i
-    Series b{};   // of z_i
+    Series b{};   // sizes of z_i
     Series ey{};  // their errors
     Series ez{};
     StepErrors step;

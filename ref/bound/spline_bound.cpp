@@ -287,7 +287,7 @@ class Walk {
     double prediction_ = 0;
     double shift_truncation_ = 0;
     double shift_rounding_ = 0;
-    double shown_rounding_ = 0;  // of v in this step's products
+    double shown_rounding_ = 0;  // rounding of v in this step's products
     Interpreter<double, kSpline.size(), 3> network_;
     SplineError result_;
 };

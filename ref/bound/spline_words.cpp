@@ -193,7 +193,7 @@ Enclosed SplineWords::coefficient(std::size_t node, int order, const Enclosed& e
     const bool divided = words.rate != kNoWord || node == spline_node::kU;
     Enclosed word = exact;
     if (divided && !power_of_two(order)) {
-        word.rounding += rate_[node].size() * half(kU);  // of the weight
+        word.rounding += rate_[node].size() * half(kU);  // rounding of the weight
     }
     if (node == spline_node::kR) {  // -3 S, and S is a word
         word.rounding += 3 * half(kS);

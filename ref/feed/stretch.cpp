@@ -18,8 +18,8 @@ constexpr double kJointShare = 0.99;  // the same share at joints
 // share of the speed gained within one.
 constexpr double kRampPieces = 4;
 constexpr double kSpeedPieces = 100;
-constexpr double kCarried = 1.045;       // of a share: what rounding to ticks may add to an optimum
-constexpr double kUnseen = 0.005;        // of it, as a mean over the joint time: less than a tick
+constexpr double kCarried = 1.045;       // ratio to a share: rounding to ticks may add this
+constexpr double kUnseen = 0.005;        // mean of that over the joint time: less than a tick
 constexpr double kSpeedCarried = 1.001;  // the same for velocities
 constexpr double kWorth = 0.01;          // share of the time that an optimum must be able to gain
 constexpr double kRampTime = 0.05;       // s, ramp to full acceleration to which kKnots belongs
@@ -231,7 +231,7 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
     run.tick_s = grid_.tick;
     append_run(phases, length, grid_, run.pieces);
     std::vector<RunLoad> loads;
-    double begin = 0;  // of the move, mm
+    double begin = 0;  // mm, start of the move
     walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
         LimitRatios worst;
         const RunMove& on = moves[part.move_index];

@@ -33,7 +33,7 @@ class Standstills {
     }
 
   private:
-    double tolerance_;  // of two lengths
+    double tolerance_;  // quanta
     std::vector<double> places_;
 };
 

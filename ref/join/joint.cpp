@@ -8,7 +8,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kStanding = 1e-9;  // of the largest speed of a cubic
+constexpr double kStanding = 1e-9;  // share of the largest speed of a cubic
 constexpr double kSharpest = 1e6;   // 1/mm: a radius of 1 nm
 constexpr const char* kRapids = "no working move: a joint wants a move with a feed (G1, G2, ..)";
 
@@ -50,7 +50,7 @@ Program until_last_working_move(Program program) {
     }
     check_joint(program, *last);
     moves.erase(last.base(), moves.end());
-    moves.back().exact_stop = false;  // of the program's end
+    moves.back().exact_stop = false;  // that of the program's end goes
     return program;
 }
 

@@ -73,7 +73,7 @@ std::vector<JoinJumps> compare_joins(const IdleMove& move, SpeedLaw law) {
     const auto mirrored = [&along](const Vec3& v) { return Vec3(v - 2 * along * along.dot(v)); };
 
     const Joint line{{move.start.position, along, Vec3::Zero()}, 0};
-    Joint first = move.start;  // of the arc: curvature 2 sin(angle) / chord, towards the chord
+    Joint first = move.start;  // the arc's: curvature 2 sin(angle) / chord, towards the chord
     const Vec3 across = chord - first.tangent * first.tangent.dot(chord);
     first.curvature = 2 * across / chord.squaredNorm();
     const Joint last{{move.end.position, -mirrored(first.tangent), mirrored(first.curvature)}, 0};

@@ -50,7 +50,7 @@ Jump jump(const Joint& working, const Joint& idle, double acceleration);
 
 struct JoinJumps {
     std::string name;
-    double length = 0;  // of the idle move, mm
+    double length = 0;  // mm, length of the idle move
     Jump start, end;
 };
 

@@ -9,11 +9,11 @@ namespace {
 
 // Shares of an arc's limits that may go across the path at top speed; the rest remains along it.
 constexpr double kCentripetalShare = 0.866;    // hypot(0.866, 0.5) = 1
-constexpr double kCentripetalJerkShare = 0.4;  // of v^3 / R^2
-constexpr double kCrossJerkShare = 0.6;        // of 3 v a / R
+constexpr double kCentripetalJerkShare = 0.4;  // share of v^3 / R^2
+constexpr double kCrossJerkShare = 0.6;        // share of 3 v a / R
 // Splines: the speed that a bend takes must be gained before it.
-constexpr double kSwerveShare = 0.3;       // of v^3 swerve
-constexpr double kCrossSwerveShare = 0.7;  // of 3 v a curvature + v^3 swerve
+constexpr double kSwerveShare = 0.3;       // share of v^3 swerve
+constexpr double kCrossSwerveShare = 0.7;  // share of 3 v a curvature + v^3 swerve
 
 /// One constraint, the path itself or an axis, with its limits.
 struct Load {
@@ -162,7 +162,7 @@ LimitRatios joint_ratios(const PathShape& before, const PathShape& after, const 
                          double v) {
     const double time = machine.joint_time;
     LimitRatios worst;
-    double turn = 0;  // of X Y Z
+    double turn = 0;  // turn of X Y Z
     for (int i = 0; i < kMachineAxes; ++i) {
         const double change = after.tangent_start[i] - before.tangent_end[i];
         if (i < 3) turn = std::hypot(turn, change);

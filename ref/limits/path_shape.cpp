@@ -13,7 +13,7 @@ double largest_rate(double t, double n, double advance, double angle) {
     const auto at = [&](double x) { return std::abs(t * std::cos(x) - n * std::sin(x) + advance); };
     double largest = std::max(at(0), at(angle));
     const double phase = std::atan2(n, t);
-    const double first = std::ceil(phase / M_PI);  // of the extrema, at k pi - phase
+    const double first = std::ceil(phase / M_PI);  // first extremum, at k pi - phase
     for (const double k : {first, first + 1}) {
         if (k * M_PI - phase > angle) break;
         const double amplitude = std::hypot(t, n);

@@ -55,7 +55,7 @@ class BandMatrix {
     }
 
   private:
-    std::vector<std::array<double, kBands + 1>> row_;  // of row i: columns i, i - 1, ..
+    std::vector<std::array<double, kBands + 1>> row_;  // row i has columns i, i - 1, ..
 };
 
 }  // namespace curvecore::ref

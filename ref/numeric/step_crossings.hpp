@@ -10,7 +10,7 @@ namespace curvecore::ref {
 /// to the next in a period.
 struct StepCrossing {
     __extension__ using Wide = __int128;
-    Wide part;   // of the period, part / whole in [0, 1]
+    Wide part;   // place in the period, part / whole in [0, 1]
     Wide whole;  // > 0
     bool back;
 

@@ -16,7 +16,7 @@ constexpr double kWidest = 0.5;    // rad of an arc that a corner may take
 constexpr double kInPlane = 1e-9;  // 1, 1/mm
 constexpr int kNewtonSteps = 12;
 constexpr int kTries = 8;
-constexpr int kPlaces = 64;  // of each half
+constexpr int kPlaces = 64;  // places on each half
 
 /// Legs of a cubic with given ends, tangents and signed curvatures in the plane of `normal`:
 /// (3/2) leg^2 k = height of the other inner point over the tangent, at both ends.
@@ -54,7 +54,7 @@ double deviation(const Cubic& cubic, const Move& before, const Move& after, doub
             way > 0 ? place_on(before, before.length() - way) : place_on(after, -way);
         worst = std::max(worst, (cubic.position(u) - place.position).norm());
     }
-    const double speed = 3 * reach;  // of the pairs, by u; its change is at most twice this
+    const double speed = 3 * reach;  // speed of the pairs, by u; its change is at most twice this
     const double second = std::max(cubic.acceleration(0).norm(), cubic.acceleration(1).norm()) +
                           bend * speed * speed + 2 * speed;
     return worst + second / (8.0 * 4 * kPlaces * kPlaces);

@@ -33,7 +33,7 @@ struct Segment {
 
     Kind kind = Kind::kArc;
     std::size_t move = 0;       // index into Program::moves
-    int line = 0;               // of the program's file
+    int line = 0;               // line in the program's file
     std::uint64_t s_start = 0;  // path quanta (2^-16 unit), program-wide
     std::uint64_t length = 0;   // path quanta
     Vec3 start = Vec3::Zero();  // exact, not rounded
@@ -43,7 +43,7 @@ struct Segment {
     double cos_pitch = 0;         // 0 for lines
     double radius = 0;            // 0 for lines
     Vec3 advance = Vec3::Zero();  // per unit of path
-    Vec3 a = Vec3::Zero();        // of splines, with the next four
+    Vec3 a = Vec3::Zero();        // splines: a, b, c, lambda, beta
     Vec3 b = Vec3::Zero();
     Vec3 c = Vec3::Zero();
     int lambda = 0;
@@ -54,8 +54,8 @@ struct Segment {
     Aux aux_turned{};       // whole turns of a rotary axis that its words leave out, units
     int step_exponent = 0;  // k: an integration step is 2^k units
     double bound = 0;       // derived bound of the error per axis, before the final rounding, units
-    std::uint32_t ticks = 0;  // of the profile while it is drawn: a program's sum is its pieces'
-    bool last = false;        // of the program
+    std::uint32_t ticks = 0;  // profile ticks in which it is drawn; a program's sum is its pieces'
+    bool last = false;        // last segment of the program
     double feed_start = 0;    // mm/s along the path, planned
     double feed_end = 0;
 };
@@ -138,8 +138,8 @@ struct Plan : PlanFrame {
     std::vector<ProfilePiece> pieces;
     std::vector<PlannedBranch> branches;  // by their pieces, none twice
     double duration_s = 0;
-    std::size_t slowed_moves = 0;  // so that queued words outlast a stop
-    int slowed_line = 0;           // of the first of them
+    std::size_t slowed_moves = 0;  // moves slowed so that queued words outlast a stop
+    int slowed_line = 0;           // line of the first of them
     CoreSlowed core_slowed;
 };
 

@@ -33,7 +33,7 @@ struct Node {
     std::string_view integrand;
     std::string_view integrating;
     Gain gain{};
-    std::array<std::string_view, 3> addends{};  // of a sum
+    std::array<std::string_view, 3> addends{};  // outputs that a sum adds
 };
 
 constexpr Node riemann(std::string_view x, std::string_view u, std::string_view s, Gain gain = {}) {

@@ -56,7 +56,7 @@ module frame_reader (
   state_t state_q;
 
   logic [7:0] words_q;  // to come
-  logic writes_q;  // of the command
+  logic writes_q;  // the command writes
   // Bytes
   localparam logic [7:0] CrcBytes = 8'd4;
   logic [7:0] left_q;  // bytes of the frame

@@ -80,7 +80,7 @@ module spline_bank #(
     logic [3*CoefBits-1:0] b;
     for (genvar k = 0; k < 3; k++) begin : g_axis
       logic [TermBits-1:0] w;
-      logic signed [CoefBits:0] quarters;  // of W: floor(W / 4)
+      logic signed [CoefBits:0] quarters;  // floor(W / 4)
       logic signed [CoefBits:0] quarters_q;
       logic signed [CoefBits:0] one;
       logic signed [CoefBits:0] rounded;

@@ -52,7 +52,7 @@ module step_tracker (
   logic   [Bits-1:0] path_q;
   logic   [Bits-1:0] tried_q;
 
-  logic   [Bits-1:0] reach_q;  // of the present step
+  logic   [Bits-1:0] reach_q;  // reach of the present step
   logic   [Bits-1:0] next_reach_q;
   logic              next_known_q;
 

@@ -84,7 +84,7 @@ module serial_sequencer #(
   logic [          1:0] spacing_q;
   logic                 sample_q;
   logic [PlaceBits-1:0] follow_q;
-  logic [PlaceBits-1:0] frame_q     [3];  // of a resting context: the first
+  logic [PlaceBits-1:0] frame_q     [3];  // first frame of a resting context
   logic [          3:0] order_q     [3];
 
   // Fetch

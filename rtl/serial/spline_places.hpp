@@ -17,7 +17,7 @@ constexpr int kDP = 21;
 constexpr int kV = 22;
 constexpr int kW = 25;
 constexpr int kDV = 28;
-constexpr int kX[3] = {0, 2, 4};  // as arcs' displacements: the same program samples them
+constexpr int kX[3] = {0, 2, 4};  // rows of arcs' displacements: the same program samples them
 
 // Words of an axis, and others.
 constexpr Address of_axis(int axis, int place) { return {(1 + 2 * axis) << 4 | place}; }

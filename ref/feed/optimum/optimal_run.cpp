@@ -24,8 +24,8 @@ constexpr double kNextGap = 0.15;
 constexpr double kBackGap = 0.0248;
 constexpr double kGap = 0.004;
 constexpr double kInside = 0.999;    // share of a limit
-constexpr double kKept = 1.02;       // of a limit's share
-constexpr double kTolerated = 1.05;  // of it, after some rounds
+constexpr double kKept = 1.02;       // ratio to a limit's share
+constexpr double kTolerated = 1.05;  // the same after some rounds
 constexpr double kMore = 0.02;       // additional easing of limits from round to round
 constexpr RunLoads kAll{1e300, 1e300};
 constexpr int kRounds = 3;

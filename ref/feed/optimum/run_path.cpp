@@ -196,7 +196,7 @@ void RunPath::add_resting(std::size_t look, PathInterval& interval, double x) co
 RunLoads RunPath::loads(const Phase& phase, std::size_t first, std::size_t end,
                         const RunLoads& most) const {
     RunLoads worst;
-    double square = 0;  // of the worst load
+    double square = 0;  // square of the worst load
     double t = 0;
     for (std::size_t i = first_look_[first]; i < first_look_[end]; ++i) {
         const Look& look = looks_[i];

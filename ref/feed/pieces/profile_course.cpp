@@ -13,7 +13,7 @@ constexpr double kCell = 0.4e-3;  // s, or longer where
 constexpr double kCellTurn =
     0.03;                          // rad is what a curve turns at most: its derivatives go linearly
 constexpr double kWithin = 1e-6;   // share of a stretch: at its very ends a curve may stand still
-constexpr double kNoLimit = 1e15;  // of acceleration and jerk
+constexpr double kNoLimit = 1e15;  // limit of acceleration and jerk
 constexpr double kSame = 1e-6;     // share of a speed, of a limit
 
 bool same(const PlaceLimits& a, const PlaceLimits& b) {

@@ -41,7 +41,7 @@ class PathPlaces {
 
     const Program& program_;
     const Geometry& geometry_;
-    std::vector<double> begin_;  // of planned moves, mm from their move's start
+    std::vector<double> begin_;  // mm, starts of planned moves in their move
     const Move* tabled_ = nullptr;
     std::unique_ptr<ArcLength> length_;
 };

@@ -46,7 +46,7 @@ std::vector<Phase> part_of(const std::vector<Phase>& phases, long double from, l
         const long double end =
             i + 1 < phases.size() ? phases[i + 1].s : phase.place(phase.duration);
         if (end <= from || phase.s >= to) continue;
-        Phase local = phase;  // of which places are small numbers
+        Phase local = phase;  // the phase with small numbers as places
         local.s -= from;
         const double t0 = phase.s < from ? time_at(local, 0, 0) : 0;
         const double t1 =

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kOnTheWay = 64;  // ticks by which the guard's count lags
 constexpr double kRampPieces = 6;        // three of a ramp, and as many that take no time
-constexpr double kSlower = 0.9;          // of the speed that just suffices: pieces are whole ticks
+constexpr double kSlower = 0.9;          // share of the speed that suffices: pieces are whole ticks
 
 /// Path, ticks and words at the ends of frames of one stream.
 struct Ends {

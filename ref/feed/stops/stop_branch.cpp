@@ -318,7 +318,7 @@ StopSteps stop_steps(const ProfileCourse& course, std::uint64_t tick) {
 }
 
 std::uint64_t stop_reach(const Machine& machine, double tick_s) {
-    constexpr double kTimes = 4;  // that of the slowest axis
+    constexpr double kTimes = 4;  // times that of the slowest axis
     double time = machine.velocity / machine.acceleration + machine.acceleration / machine.jerk;
     for (const AxisLimits& axis : machine.axis) {
         time = std::max(time, axis.velocity / axis.acceleration + axis.acceleration / axis.jerk);

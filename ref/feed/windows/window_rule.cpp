@@ -11,7 +11,7 @@ constexpr double kSpare = 4 * kStraight;  // share of A T
 constexpr double kFine = 1.2;             // ratio of lengths
 constexpr double kLarge = 0.02;           // share of A T
 constexpr int kPairs = 24;                // joints
-constexpr double kExponent = 0.6;  // of the ratio by which speed is lowered: jumps go with v, bends
+constexpr double kExponent = 0.6;  // power of the ratio that lowers speed: jumps go with v, bends
                                    // with v^3
 constexpr double kLeast = 0.5;     // share of the speed: it is lowered by no more at once
 constexpr double kSame = 1e-9;     // s

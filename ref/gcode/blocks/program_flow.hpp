@@ -53,7 +53,7 @@ class ProgramFlow {
         enum class Kind { kProgram, kSub, kNumber, kLoop };
         Kind kind = Kind::kProgram;
         KeptPart part;                 // no text: lines_
-        std::size_t at = 0;            // of the next line in it
+        std::size_t at = 0;            // next line in it
         OWord word;                    // word that begins it
         int called_in = 0;             // line of the program, if this is another file's
         int left = 1;                  // remaining times

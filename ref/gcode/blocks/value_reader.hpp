@@ -57,7 +57,7 @@ class ValueReader {
     const ProgramParameters& parameters_;
     const Place& place_;
     std::size_t at_ = 0;
-    int depth_ = 0;  // of nested brackets and signs
+    int depth_ = 0;  // nested brackets and signs
 };
 
 /// Returns the whole number within 1e-4 of `value`, if there is one.

@@ -69,7 +69,7 @@ class Passes {
         : thread_(thread), carry_out_(carry_out) {
         const double rise = std::hypot(thread.taper, thread.height);
         tapered_pitch_ = thread.taper > 0 ? thread.pitch * rise / thread.taper : thread.pitch;
-        along_ = thread.end[2] > thread.start[2] ? -1 : 1;  // of the taper and the compound slope
+        along_ = thread.end[2] > thread.start[2] ? -1 : 1;  // direction of taper and compound slope
     }
 
     /// Cuts a pass at a depth from the drive line.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSlowestFeed = 1e-3 / 60;  // mm/s
 constexpr double kFastestFeed = 1e9 / 60;
-constexpr std::size_t kNamedLines = 3;  // of each code that is left out
+constexpr std::size_t kNamedLines = 3;  // lines named for each code that is left out
 
 /// Returns "S in lines 3, 4, 5 and 20 more".
 std::string with_lines(const std::string& code, const std::vector<int>& lines, int count) {

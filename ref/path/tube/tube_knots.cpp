@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSpanTime = 3.5e-3;  // s, time of a cubic with constant r'''
 constexpr double kSpanTurn = 0.5;     // rad
-constexpr double kSlope = 0.6;        // of the width of spans by s
+constexpr double kSlope = 0.6;        // slope of the width of spans by s
 constexpr double kCorner = 4.53;      // tolerances over sin(turn / 2): a span beside a corner
 constexpr double kReach = 3;          // tolerances: length of chords for turns
 constexpr std::array<double, 3> kChords{12, 48, 200};  // tolerances: lengths of chords for bends

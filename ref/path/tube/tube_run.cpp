@@ -14,7 +14,7 @@ constexpr std::size_t kMostKnots = 50;  // times the first number
 constexpr double kUneven = 4;           // ratio of neighbouring spans
 constexpr double kStrongTurn = 0.3;     // rad: spans are cut at sharper turns
 constexpr double kFull = 0.97;          // share of the tolerance
-constexpr double kChange = 0.35;        // of the jerk limit: jump of r''' v^3 at a knot
+constexpr double kChange = 0.35;        // share of the jerk limit: jump of r''' v^3 at a knot
 constexpr double kLongest = 12e-3;      // s, a span where r''' hardly changes
 // Newton's stages: first with the speeds of the programmed path, then with those of the curve.
 constexpr TubeSpline::Stages kRough{0, 2};

@@ -14,7 +14,7 @@ constexpr double kStart = 0.97;                         // share of the limit th
 constexpr int kWeightings = 6;                          // weightings of least squares
 constexpr std::array<double, 3> kStages{1, 0.2, 0.04};  // barrier, as a share of the energy
 constexpr int kSteps = 6;                               // Newton's steps of a stage
-constexpr double kWorth = 0.02;                         // of the barrier: least promise of a step
+constexpr double kWorth = 0.02;                         // share of the barrier that a step promises
 constexpr int kHalvings = 30;
 
 }  // namespace
@@ -182,7 +182,7 @@ struct TubeSpline::Local {
     using Symmetric = Eigen::Matrix<double, 6, 1>;  // xx, yx, yy, zx, zy, zz
 
     Eigen::Matrix<double, 3, 4> slope = Eigen::Matrix<double, 3, 4>::Zero();
-    Eigen::Matrix<double, 6, 10> bend = Eigen::Matrix<double, 6, 10>::Zero();  // of points i >= j
+    Eigen::Matrix<double, 6, 10> bend = Eigen::Matrix<double, 6, 10>::Zero();  // pairs i >= j
 
     /// Adds f(sum of weight x point) by f' = first e and f'' = diagonal I + square e e^T.
     void add(const std::array<double, 4>& weight, const Vec3& e, double first, double diagonal,
@@ -215,7 +215,7 @@ TubeSpline::Local TubeSpline::local(std::size_t span, double mu) const {
 
 /// Makes a Newton step; returns true if it lowered the barrier.
 bool TubeSpline::newton_step(double mu) {
-    constexpr int kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // of Local::Symmetric
+    constexpr int kAt[3][3]{{0, 1, 3}, {1, 2, 4}, {3, 4, 5}};  // indices into Local::Symmetric
     const std::size_t n = last_ - first_;
     newton_work() += n;
     BandMatrix<11> matrix(3 * n);
