@@ -20,7 +20,7 @@ TEST_F(CurveInterpolatorSerial, EqualsKernelAtFullSpeedAndWithRandomStalls) {
 
 TEST_F(CurveInterpolatorSerial, EqualsKernelOverManySamples) { Campaign(50'000, 6).run(); }
 
-/// Splines whose steps are shorter than the planner would take them, 2^0 to 2^k units: the scales
+/// Splines whose steps are shorter than the planner would make them, 2^0 to 2^k units: the scales
 /// 2^-(lambda - k) of every size.
 TEST_F(CurveInterpolatorSerial, DrawsStepsOfAnyLength) {
     SplineSegments shapes(core_, 5);

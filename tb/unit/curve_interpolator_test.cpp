@@ -10,7 +10,7 @@ namespace {
 class CurveInterpolator : public CurveCoreBench<MixedSegments, 6> {
   protected:
     const hls::TimedCore timed_ = timed(Build::kParallel, true, true);
-    const int step_clocks_ = hls::spline_clocks(timed_).segment;  // an arc's take fewer
+    const int step_clocks_ = hls::spline_clocks(timed_).segment;  // arcs take fewer
 };
 
 TEST_F(CurveInterpolator, EqualsKernelAtFullSpeedAndWithRandomStalls) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The count of segments without a length stays at its end, in either build.
+// The count of segments without a length saturates, in either build.
 #include "tb/support/curve_core_bench.hpp"
 
 namespace curvecore::tb {

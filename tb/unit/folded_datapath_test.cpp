@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/serial/folded_datapath.sv: its constants stay what they are. Its sums and products are tested
+// rtl/serial/folded_datapath.sv: its constants keep their values. Its sums and products are tested
 // within the serial core.
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ class FoldedDatapath : public testing::Test {
         dut_->external_i = 0;
     }
 
-    /// The word at `from`, which goes to address `to` if target is 1.
+    /// Moves the word at `from`, which goes to address `to` if target is 1.
     int64_t move(int from, int to, int target) {
         dut_->a_address_i = from;
         dut_->b_address_i = kOneAddress;

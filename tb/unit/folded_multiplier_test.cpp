@@ -33,7 +33,7 @@ class FoldedMultiplier : public testing::Test {
         for (int n = 0; n < clocks; ++n) dut_.tick();
     }
 
-    /// The sum of the products by the RTL; `pauses` puts clocks without operands between.
+    /// Sum of the products by the RTL; `pauses` inserts clocks without operands.
     int64_t run(const std::vector<Pair>& pairs, bool wide, bool no_sign, std::mt19937_64* pauses) {
         for (int part = 0; part < 4; ++part) {
             for (std::size_t n = 0; n < pairs.size(); ++n) {

@@ -60,7 +60,7 @@ class Horner : public testing::Test {
         return d;
     }
 
-    /// One clock; an evaluation enters in phase 0 when wanted.
+    /// Advances by one clock; an evaluation enters in phase 0 if wanted.
     void clock(bool wanted, bool enabled = true) {
         const bool enters = wanted && phase_ == 0;
         const int bank = static_cast<int>(random_() % kBanks);

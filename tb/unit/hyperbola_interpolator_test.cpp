@@ -21,7 +21,7 @@ constexpr bool kAnchor = CFG_Anchor != 0;
 using Config =
     hls::Configuration<kOrder, kBits, 32, 10, 0, hls::SamplerMode::kSeries, CFG_Anchor != 0>;
 
-// As stated in the header of the RTL.
+// Clocks as stated in the header of the RTL.
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kLastZ = kAnchor ? kOrder - 1 : kOrder;
 
@@ -45,7 +45,7 @@ class HyperbolaInterpolator : public testing::Test {
         start_afresh();
     }
 
-    /// A clock of reset; it is ready two clocks after that.
+    /// Makes a clock of reset; the RTL is ready two clocks later.
     void start_afresh() {
         dut_->step_i = 0;
         dut_.reset(1);
@@ -55,7 +55,7 @@ class HyperbolaInterpolator : public testing::Test {
         }
     }
 
-    /// A word of a start, of any size.
+    /// A start word of any size.
     int64_t start() {
         return static_cast<int64_t>(random_() & low_mask(kBits - 1)) >> random_() % 9;
     }
@@ -69,7 +69,7 @@ class HyperbolaInterpolator : public testing::Test {
         run(false);
     }
 
-    /// A step of the RTL: every pulse in its cycle, every word as the kernel's.
+    /// Runs a step of the RTL: every pulse in its cycle, every word as the kernel's.
     void run(bool load) {
         const bool carried = !kAnchor && !load;
         dut_->step_i = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a program begins on rtl/motion_system.sv: at which rate, and from where.
+// Begin of a program on rtl/motion_system.sv: its rate and its place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using MotionBegin = MotionSystem;
 
-/// Each of the part's points is so many steps away.
+/// Moves each of the part's points by `steps`.
 void move(Part& part, const std::vector<double>& steps) {
     hls::WordCheck check(part.settings.digest);
     constexpr std::size_t kFrame = ref::segment_bus_words(0);
@@ -39,7 +39,7 @@ std::vector<double> way(const std::vector<int64_t>& from, const std::vector<int6
 
 TEST_F(MotionBegin, BeginsAtAnOverrideThatIsWrittenAtRest) {
     host_.prepare(part_);
-    host_.samples(50);  // samples are asked for, at the full rate
+    host_.samples(50);  // samples are requested, at the full rate
     const uint32_t slow = 655;
     host_.write(CURVECORE_OVERRIDE, slow);
     host_.samples(20);
@@ -68,7 +68,7 @@ TEST_F(MotionBegin, BeginsAProgramWhereTheAxesStandAndNowhereElse) {
         while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
         Part part = part_to_draw();
         move(part, start);
-        RegisterHost::Sent sent;  // a segment says where
+        RegisterHost::Sent sent;  // a segment gives the place
         for (; sent.segments < ref::segment_bus_words(0); ++sent.segments) {
             ASSERT_TRUE(host_.push(CURVECORE_SEGMENT_LO, part.segments[sent.segments]));
         }
@@ -90,7 +90,7 @@ TEST_F(MotionBegin, BeginsAProgramWhereTheAxesStandAndNowhereElse) {
     }
 }
 
-/// The steps that were made say where: the path's place is less than a step from there.
+/// The steps that were made give the place: the path's place is less than a step from it.
 TEST_F(MotionBegin, BeginsAProgramWhereAFlushInMotionStopped) {
     for (int repeat = 0; repeat < 2 && !HasFailure(); ++repeat) {
         const std::vector<int64_t> reference = counts();
@@ -107,7 +107,7 @@ TEST_F(MotionBegin, BeginsAProgramWhereAFlushInMotionStopped) {
     }
 }
 
-/// Another board, and another host, than those that draw.
+/// A board, or a host, other than those that draw.
 struct Other {
     const char* what;
     std::function<void(sysc::Options&)> change;
@@ -115,7 +115,7 @@ struct Other {
 
 const std::vector<Other> kOthers{
     {"order", [](sysc::Options& o) { o.core.order = 5; }},
-    {"mode",  // and an order for which its clocks suffice
+    {"mode",  // with an order for which its clocks suffice
      [](sysc::Options& o) {
          o.core.mode = 0;
          o.core.order = 4;
@@ -167,7 +167,7 @@ TEST_F(MotionBegin, LetsNoWordsInThatAreMadeForAnotherConfiguration) {
         clear_faults();
         EXPECT_TRUE(host_.is(CURVECORE_STATE_CLEAN_MASK)) << other.what;
     }
-    // As new
+    // A fresh start
     host_.prepare(part_);
     host_.draw(part_);
     expect_drawn();

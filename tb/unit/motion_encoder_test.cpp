@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_system.sv with encoders: counts, following errors, and what stops the machine.
+// rtl/motion_system.sv with encoders: counts, following errors, and stops.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,18 +12,18 @@ namespace {
 
 constexpr uint32_t kFollowing = CURVECORE_STATE_FOLLOWING_MASK;
 constexpr uint32_t kEncoder = CURVECORE_STATE_ENCODER_MASK;
-/// Clocks of a round: behind a bus that is quiet, and at most.
+/// Clocks of a round, when the bus is quiet and at most.
 constexpr int kRound = 8 * kSystemAxes;
 constexpr int kLongestRound = 3 * kRound;
-/// From a pin until it counts: the synchroniser, three looks, a round.
+/// Clocks from a pin until it counts: the synchroniser, three samples, a round.
 constexpr int kSeen = 2 + 3 * CFG_Encoders + kRound;
 
 class MotionEncoder : public testing::Test {
   protected:
     /// An axis behind its drive, and its encoder.
     struct Axis {
-        int counts = 1;  // so many edges ..
-        int steps = 1;   // .. of so many steps; < 0: backwards
+        int counts = 1;  // this number of edges ..
+        int steps = 1;   // .. in this number of steps; < 0: backwards
         int64_t slipped = 0;
         int64_t edges = 0;
 
@@ -36,7 +36,7 @@ class MotionEncoder : public testing::Test {
     MotionEncoder() {
         host_.each_clock = [this] { turn(); };
     }
-    /// Encoders follow their axes, an edge in `apart_` clocks at most.
+    /// Lets encoders follow their axes, an edge in at most `apart_` clocks.
     void turn() {
         for (int a = 0; a < kSystemAxes; ++a) {
             Axis& axis = axis_[a];
@@ -72,14 +72,14 @@ class MotionEncoder : public testing::Test {
     int32_t of_axis(uint32_t first, int axis) {
         return static_cast<int32_t>(host_.read(first + 4 * axis));
     }
-    /// In steps.
+    /// Following error, steps.
     double error(int axis) {
         return static_cast<double>(of_axis(CURVECORE_FOLLOWING0, axis)) / axis_[axis].counts;
     }
     double worst(int axis) {
         return static_cast<double>(of_axis(CURVECORE_FOLLOWING_WORST0, axis)) / axis_[axis].counts;
     }
-    /// The machine comes on and draws for so many samples.
+    /// Turns the machine on and draws `samples` samples.
     void begin(int64_t samples) {
         host_.write(CURVECORE_CONTROL, 0);
         host_.samples(2);
@@ -114,7 +114,7 @@ TEST_F(MotionEncoder, TellsThatItHasEncoders) {
 }
 
 TEST_F(MotionEncoder, AnAxisThatFollowsIsWithinACountAllTheWay) {
-    // More edges than steps, fewer, backwards.
+    // Ratios: more edges than steps, fewer, backwards.
     set_axis(0, 5, 2, 4);
     set_axis(1, 3, 7, 4);
     set_axis(2, 2, -3, 4);
@@ -130,7 +130,7 @@ TEST_F(MotionEncoder, AnAxisThatFollowsIsWithinACountAllTheWay) {
             EXPECT_EQ(axis_[a].edges, axis_[a].wanted(host_.drive(a).count()));
             const double edge = std::abs(static_cast<double>(axis_[a].steps) / axis_[a].counts);
             EXPECT_LT(std::abs(error(a)), edge);
-            // A step is seen before its edges are.
+            // A step is counted before its edges are.
             EXPECT_LT(std::abs(worst(a)), 1 + edge);
             EXPECT_GE(std::abs(worst(a)), std::abs(error(a)));
             EXPECT_NE(host_.drive(a).steps(), 0);
@@ -167,11 +167,11 @@ TEST_F(MotionEncoder, AnAxisThatSlipsStopsTheMachineBeyondItsLimitAndIsNamed) {
         EXPECT_EQ(host_.state() & kFaults, kFollowing);
         EXPECT_EQ(fault_axis(), static_cast<uint32_t>(slips));
         EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_REFERENCED_MASK, 0U);
-        // A pulse that was cut is uncertain as well.
+        // The place is also uncertain if a pulse was cut.
         EXPECT_EQ(homed() & ~all, 0U);
         EXPECT_EQ(homed() >> slips & 1, 0U);
         cut += homed() != (all & ~(1U << slips)) ? 1 : 0;
-        // Its error can be read, until the axis is referenced.
+        // Its error can be read until the axis is referenced.
         EXPECT_NEAR(std::abs(error(slips)), 20, 2);
         EXPECT_EQ(worst(slips), error(slips));
         EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_interpolator.sv under hold, kill and settings that cannot be: what stands, what moves.
+// rtl/motion_interpolator.sv under hold, kill and invalid settings: what stands, what moves.
 #include "sysc/board/faults.hpp"
 #include "tb/support/motion_bench.hpp"
 
@@ -25,7 +25,7 @@ TEST_F(MotionHold, KillStopsForGood) {
     EXPECT_FALSE(dut_->killed_o);
 }
 
-// Hold, kill or no override, and whether requests went on before.
+// Hold, kill or override 0, with requests before or without.
 TEST_F(MotionHold, NothingMovesWhenTimeIsHeldFromTheStart) {
     for (int round = 0; round < 6; ++round) {
         const bool ahead = round >= 3;
@@ -50,7 +50,7 @@ TEST_F(MotionHold, NothingMovesWhenTimeIsHeldFromTheStart) {
     }
 }
 
-// Between programs, while requests go on or pause.
+// Holds between programs, while requests continue or pause.
 TEST_F(MotionHold, NoProgramBeginsUnderAHold) {
     for (const bool pause : {false, true}) {
         program(pieces(40, 10, 10, 20, 3 << 16));
@@ -73,8 +73,8 @@ TEST_F(MotionHold, NoProgramBeginsUnderAHold) {
     }
 }
 
-// From the ticks before the program's first piece is there to those after it; for a tick or for as
-// long as it takes to stand.
+// Holds from the ticks before the program's first piece comes to those after it; for a tick or
+// until the machine stands.
 TEST_F(MotionHold, HoldsAroundTheStartOfAProgram) {
     for (int before = 0; before < 40; ++before) {
         program(pieces(80 + before, 4, 10, 20, 3 << 16));

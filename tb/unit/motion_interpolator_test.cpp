@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_interpolator.sv against the kernels, whatever stalls, holds, overrides and gaps in the
+// rtl/motion_interpolator.sv against the kernels, under stalls, holds, overrides and gaps in the
 // feed.
 #include "tb/support/motion_bench.hpp"
 
@@ -34,7 +34,7 @@ TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
 TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
     if (core_.build == Build::kSerial)
         GTEST_SKIP() << "the serial core's samples take as long as their steps";
-    // Segments of one step each, of 256 samples: more clocks than a step or a segment's words take.
+    // Segments of one step each, of 256 samples: more clocks than a step or a segment's words need.
     LegalSegments shapes(core_, 3);
     std::vector<RunSegment> steps;
     std::vector<hls::ProfileWords> pieces;
@@ -79,7 +79,7 @@ TEST_F(MotionInterpolator, StopsInTimeWhenTheProfileRunsLowAndGoesOnWhenFed) {
     fill();
     int64_t stood = 0;
     run([&] {
-        // The host feeds, slowly, only when the motion stands.
+        // The host feeds, slowly, only while the motion stands.
         profile_stall_ = rate_ == 0 ? 97 : 100;
         stood += rate_ == 0 ? 1 : 0;
     });

@@ -26,7 +26,7 @@ class MotionProbe : public testing::Test {
         host_.samples(2);
         host_.prepare(part_);
     }
-    /// The machine comes on and draws for so many samples.
+    /// Turns the machine on and draws `samples` samples.
     void begin(int64_t samples) {
         prepare();
         sent_ = {};
@@ -65,7 +65,7 @@ class MotionProbe : public testing::Test {
 };
 
 TEST_F(MotionProbe, NotesStepsAndPathWithinClocksOfTheEdgeAndHoldsOnThePath) {
-    int apart = 0;  // axes that gave a step while all was noted
+    int apart = 0;  // axes that made a step during the notes
     for (int repeat = 0; repeat < 8 && !HasFailure(); ++repeat) {
         const uint32_t which = repeat % 4 == 3 ? kProbe : repeat % 4;
         const bool high = repeat / 4 != 1;
@@ -76,10 +76,10 @@ TEST_F(MotionProbe, NotesStepsAndPathWithinClocksOfTheEdgeAndHoldsOnThePath) {
         EXPECT_FALSE(host_.is(kCaught | CURVECORE_STATE_HOLDING_MASK));
         const uint64_t path = host_.path();
         set_pin(which, high);
-        std::vector<std::vector<int64_t>> counts(kSystemAxes);  // at clocks since the edge
+        std::vector<std::vector<int64_t>> counts(kSystemAxes);  // by clocks since the edge
         for (int n = 0; n <= last_note(kSystemAxes); ++n) {
             for (int a = 0; a < kSystemAxes; ++a) counts[a].push_back(host_.drive(a).count());
-            // One edge of the clock is enough, and requests may fill the bus.
+            // One edge of the clock suffices, and requests may fill the bus.
             if (n == 1) set_pin(which, !high);
             if (repeat % 2 == 0) host_->valid_i = n % 3 != 2;
             host_.clock();
@@ -106,7 +106,7 @@ TEST_F(MotionProbe, NotesStepsAndPathWithinClocksOfTheEdgeAndHoldsOnThePath) {
         EXPECT_EQ(steps(), stands);
         EXPECT_LT(static_cast<uint32_t>(host_.path() >> 16) - noted, 20000000U);
         EXPECT_EQ(host_.state() & kFaults, 0U);
-        // It goes on to the part's end when it is told to.
+        // The motion continues to the part's end on request.
         host_.write(CURVECORE_PROBE, 0);
         EXPECT_FALSE(host_.is(kCaught | CURVECORE_STATE_HOLDING_MASK));
         while (!sent_.all(part_) && !HasFailure()) host_.feed(part_, sent_, [] {});
@@ -182,7 +182,7 @@ TEST_F(MotionProbe, AnAxisIsHomedUntilAPulseIsCut) {
         begin(500 + random_() % 100);
         host_.write(CURVECORE_HOMED, kEveryAxis);
         EXPECT_EQ(homed(), kEveryAxis);
-        // In a pulse, which is long enough for that, or between two.
+        // In a pulse, which is long enough for this, or between two.
         host_.write(CURVECORE_PULSE, 100 | 2 << CURVECORE_PULSE_STEPSPACE_LOW);
         host_.samples(2);
         const bool pulse = repeat % 2 == 0;
@@ -200,7 +200,7 @@ TEST_F(MotionProbe, AnAxisIsHomedUntilAPulseIsCut) {
         host_->estop_i = 0;
         host_.clocks(5);
         host_.write(CURVECORE_STATE, kFaults);
-        // A reference says where the program begins, not where the machine is.
+        // A reference sets the place of the program's start, not the machine's.
         prepare();
         EXPECT_EQ(homed(), kEveryAxis & ~uncertain);
     }

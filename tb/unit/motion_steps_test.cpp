@@ -18,7 +18,7 @@ namespace curvecore::tb {
 namespace {
 
 constexpr int64_t kStepsPerMm = 400;
-constexpr int64_t kAhead = 16;  // samples asked for before they are due: the core pauses at steps
+constexpr int64_t kAhead = 16;  // samples requested before they are due: the core pauses at steps
 
 /// Core and step generator; the sample timer is the step generator's.
 class StepMachine : public Board {
@@ -62,7 +62,7 @@ class StepMachine : public Board {
     bool paced() const override { return true; }
     void request(uint64_t samples) override { requested_ += samples; }
 
-    /// One clock.
+    /// Advances by one clock.
     void work(std::vector<Sample>& samples) override {
         core_->segment_valid_i = !inlets_[0].empty();
         core_->profile_valid_i = !inlets_[1].empty();
@@ -105,7 +105,7 @@ class StepMachine : public Board {
         return {static_cast<uint64_t>(steps_.now()), core_->underrun_o != 0, core_->fault_o, 0, 0};
     }
 
-    /// Stands for some periods where the last sample was.
+    /// Rests for some periods at the last sample.
     void rest() {
         std::vector<Sample> samples;
         request(8);
@@ -136,8 +136,8 @@ class StepMachine : public Board {
     int refused_[2] = {0, 0};
     uint64_t requested_ = 0;
     int64_t under_way_ = 0;
-    bool waits_ = false;   // a sample was taken, its tick is to come
-    bool stands_ = false;  // the first one came
+    bool waits_ = false;   // a sample was taken, its tick follows
+    bool stands_ = false;  // the first sample came
     Sample next_;
 };
 
@@ -151,7 +151,7 @@ int64_t draw(const std::string& file) {
     options.splines_set = true;
     options.clock_hz = static_cast<double>(kPeriod) / options.sample_period_s;
     const Job job = plan_job(options);
-    // 400 steps per mm, of 2^42 units of 2^-10 nm.
+    // Scale of 400 steps per mm, for 2^42 units of 2^-10 nm.
     const auto scale = std::llround(static_cast<double>(kStepsPerMm) * options.unit_mm *
                                     std::exp2(kFineBits + hls::kStepFraction - 10));
     StepMachine machine(board_settings(job), scale, {2, 2, 4, 4});
@@ -178,7 +178,7 @@ int64_t draw(const std::string& file) {
     return steps;
 }
 
-/// CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo).
+/// The part; CURVECORE_PART: another file of tb/data (scripts/campaign.sh: the demo).
 TEST(MotionSteps, CountWhatTheProgramSays) {
     const char* part = std::getenv("CURVECORE_PART");
     EXPECT_GT(draw(part != nullptr ? part : "pulses.ngc"), 1000);

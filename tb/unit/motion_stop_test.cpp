@@ -12,7 +12,7 @@ namespace {
 
 class MotionStop : public MotionInterpolator {
   protected:
-    /// The pieces of a plan with its stop branches and bounds; the segments are any.
+    /// Adds the pieces of a plan with its stop branches and bounds; the segments are random.
     void program_of(const ref::Plan& plan) {
         const int64_t slope = int64_t{plan.hold_acceleration} * plan.hold_slope_steps;
         dut_->hold_acceleration_i = plan.hold_acceleration;
@@ -40,7 +40,7 @@ ref::Plan fast_plan() {
     builder.tangent_arc({0, 0, 1}, {1, 0, 0}, 30, 6, 500);
     ref::PlanOptions options;
     options.unit_mm = 0.1;
-    ref::Machine machine;  // whose stops the queue outlasts, with segments that are as short
+    ref::Machine machine;  // its stops are shorter than the queue with such short segments
     machine.acceleration *= 4;
     machine.jerk *= 20;
     for (ref::AxisLimits& axis : machine.axis) {
@@ -73,8 +73,7 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
     EXPECT_GT(stops, 50);
 }
 
-/// Whenever the rate has been 1 for as long as branches are apart, a hold is over as soon as the
-/// plan says.
+/// A hold lasts as long as the plan says, if the rate has been 1 for as long as branches are apart.
 TEST_F(MotionStop, OfAPlanIsOverInTheTimeThatItTells) {
     rates_ = Rates::kOfKernel;
     const ref::Plan plan = fast_plan();
@@ -83,15 +82,15 @@ TEST_F(MotionStop, OfAPlanIsOverInTheTimeThatItTells) {
     fill();
     const auto longest = static_cast<std::size_t>(longest_stop(plan)) + 1;
     const std::size_t apart = 400;  // ticks, and the way to the core
-    std::size_t held = 0;           // since so many ticks; 0: not
+    std::size_t held = 0;           // ticks since the hold began; 0: none
     std::size_t full = 0;           // ticks at the rate 1
-    std::size_t moves = 0;          // that were looked at
+    std::size_t moves = 0;          // checked moves
     int stops = 0;
     run([&] {
         if (moves == moves_.size()) return;
         moves = moves_.size();
         full = rate_ == 1 << 16 ? full + 1 : 0;
-        const std::size_t under_way = targets_.size();  // the hold is not felt yet
+        const std::size_t under_way = targets_.size();  // the hold has no effect yet
         if (held == 0 && full > apart && random_() % 200 == 0) {
             dut_->hold_i = 1;
             held = moves + under_way;

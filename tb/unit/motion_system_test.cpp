@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_system.sv from its registers to its pins: programs, silence, stops, nonsense.
+// rtl/motion_system.sv from its registers to its pins: programs, silence, stops, invalid words.
 #include <gtest/gtest.h>
 
 #include "hls/registers/board_link.h"
@@ -9,7 +9,7 @@
 namespace curvecore::tb {
 namespace {
 
-/// Of an empty queue, as ROOM can say it.
+/// Room of an empty queue, as far as ROOM can represent it.
 constexpr uint32_t kSegmentRoom = CFG_SegmentQueueWords < 65536 ? CFG_SegmentQueueWords : 65535;
 
 TEST_F(MotionSystem, SaysWhatItIs) {
@@ -92,7 +92,7 @@ TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
     EXPECT_GT(silences, 0);
 }
 
-/// A monitor reads a hundred times as often as the watchdog asks for life.
+/// A monitor reads a hundred times as often as the watchdog requires signs of life.
 TEST_F(MotionSystem, HoldsWhenTheMasterIsGoneHoweverManyRead) {
     begin(700);
     host_.write(CURVECORE_WATCHDOG, 500);
@@ -107,7 +107,7 @@ TEST_F(MotionSystem, HoldsWhenTheMasterIsGoneHoweverManyRead) {
         host_.samples(1);
     }
     EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK)) << "it drew on to the end";
-    // Nor are writes life that are refused.
+    // Refused writes are no signs of life either.
     clear_faults();
     const int64_t refused = host_.now();
     while (!host_.is(CURVECORE_STATE_WATCHDOG_MASK)) {
@@ -131,7 +131,7 @@ TEST_F(MotionSystem, TakesNoWordUntilEveryAxisIsReferenced) {
     host_.write(CURVECORE_REFERENCE, kEveryAxis & ~(kEveryAxis >> 1));
     EXPECT_TRUE(host_.is(CURVECORE_STATE_READY_MASK));
     EXPECT_TRUE(host_.push(CURVECORE_SEGMENT_LO, part_.segments[0]));
-    // Its word may be on the way to the first sample.
+    // Its word may be under way to the first sample.
     EXPECT_FALSE(host_.write(CURVECORE_REFERENCE, kEveryAxis));
 }
 
@@ -189,7 +189,7 @@ TEST_F(MotionSystem, EstopReachesThePinsOneClockAfterTheSynchroniser) {
         EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_ESTOP_INPUT_MASK});
         EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_REFERENCED_MASK, 0U);
         EXPECT_EQ(host_.read(CURVECORE_ROOM) & 0xffff, kSegmentRoom);
-        // It comes on when the pin is free and the fault was cleared, not before.
+        // The machine turns on when the pin is free and the fault is cleared, not before.
         EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));
         host_->estop_i = 0;
         host_.clocks(4);
@@ -202,7 +202,7 @@ TEST_F(MotionSystem, EstopReachesThePinsOneClockAfterTheSynchroniser) {
     expect_drawn(start);
 }
 
-/// What moved before the stop is not waited for.
+/// Motion before the stop is not waited for.
 TEST_F(MotionSystem, ComesOnAtOnceAfterAnEstopInMotion) {
     for (int repeat = 0; repeat < 12 && !HasFailure(); ++repeat) {
         begin(500 + random_() % 500);
@@ -211,7 +211,7 @@ TEST_F(MotionSystem, ComesOnAtOnceAfterAnEstopInMotion) {
         do {
             clear_faults();
         } while (!host_.write(CURVECORE_CONTROL, kEnable));
-        clear_faults();  // of the refused ones
+        clear_faults();  // faults of the refused words
         host_.samples(4);
         EXPECT_EQ(host_.state() & (kFaults | CURVECORE_STATE_ENABLED_MASK),
                   uint32_t{CURVECORE_STATE_ENABLED_MASK});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_interpolator.sv keeps the time that a plan gives it: with requests waiting, a sample
-// is there whenever one is due.
+// rtl/motion_interpolator.sv keeps the time of a plan: with requests waiting, a sample is ready
+// whenever one is due.
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +15,8 @@ namespace {
 
 class MotionTime : public MotionInterpolator {
   protected:
-    /// A plan for so many clocks in a sample period; for a machine that stops quickly, since else
-    /// the bench's short queues would bound the speed.
+    /// Plans for `period` clocks in a sample period; the machine stops quickly, since otherwise the
+    /// bench's short queues would bound the speed.
     /// @returns moves that the queues slowed
     std::size_t planned(const ref::Program& program, int period) {
         constexpr double kPeriod = 100e-6;
@@ -48,7 +48,7 @@ class MotionTime : public MotionInterpolator {
         return plan.slowed_moves;
     }
 
-    /// Samples that are not there when they are due, one every `period` clocks.
+    /// Number of samples that are late, with one due every `period` clocks.
     int late_samples(int period) {
         fill();
         requesting_ = true;
@@ -72,7 +72,7 @@ class MotionTime : public MotionInterpolator {
     }
 };
 
-/// For so few clocks that the core bounds the speed.
+/// Plans for a period short enough that the core bounds the speed.
 TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
     const double clocks = least_period_clocks(core_, core_.splines != 0);
     const int least = std::max(8, static_cast<int>(std::ceil(clocks)));
@@ -84,7 +84,7 @@ TEST_F(MotionTime, EverySampleOfAPlanIsThereWhenItIsDue) {
             start_afresh();
         }
     }
-    // Control: samples are taken twice as fast as was planned.
+    // Control: samples are taken twice as fast as planned.
     planned(even_lines(1000), least);
     EXPECT_GT(late_samples(least / 2), 0);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_interpolator.sv and the host: words that come late, and words that cannot be. Whatever
-// comes, the path is the kernel's, time's rate keeps its bounds, and a sample comes or a fault is
-// up.
+// rtl/motion_interpolator.sv and the host: late words, and invalid words. In each case the path is
+// the kernel's, time's rate keeps its bounds, and a sample comes or a fault is reported.
 #include "hls/word_entry.hpp"
 #include "sysc/board/faults.hpp"
 #include "tb/support/motion_bench.hpp"
@@ -16,11 +15,11 @@ int stalls() {
 
 class MotionWords : public MotionInterpolator {
   protected:
-    /// A host that stops feeding a stream now and then, for any time.
+    /// A host that sometimes stops feeding a stream, for any time.
     class Host {
       public:
         explicit Host(uint32_t seed) : random_(seed) {}
-        /// Percent of clocks in which it feeds nothing.
+        /// Percentage of clocks in which it feeds nothing.
         int stall() {
             if (left_-- == 0) {
                 away_ = !away_;
@@ -38,7 +37,7 @@ class MotionWords : public MotionInterpolator {
         int stalls_ = 0;
     };
 
-    /// Requests until all words are taken and the machine stands or is idle.
+    /// Requests samples until all words are taken and the machine stands or is idle.
     void run_out() {
         requesting_ = true;
         int64_t path = -1;
@@ -63,7 +62,7 @@ TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
         Host segments(2 * seed);
         Host profile(2 * seed + 1);
         program(pieces(seed, 60, 5, 40, (seed % 8) << 16));
-        int64_t waited = 0;  // clocks without a sample of those that were asked for
+        int64_t waited = 0;  // clocks without a requested sample
         int64_t samples = 0;
         run([&] {
             segment_stall_ = seed % 3 == 0 ? 0 : segments.stall();
@@ -90,7 +89,7 @@ TEST_F(MotionWords, StandUntilTheyCoverAStop) {
     EXPECT_FALSE(dut_->underrun_o);
 }
 
-// The program before is complete, and so are the pieces of the next one: its segments come later.
+// The program before is complete, and so are the next one's pieces: its segments come later.
 TEST_F(MotionWords, OfTheNextProgramStandUntilTheyCoverAStop) {
     program(pieces(3, 30, 10, 20, 3 << 16));
     const int64_t first = length_;
@@ -115,7 +114,7 @@ TEST_F(MotionWords, OfSegmentsThatRunLowStopTheMotionInTime) {
     fill();
     int64_t stood = 0;
     run([&] {
-        // The host feeds segments, slowly, only when the motion stands.
+        // The host feeds segments, slowly, only while the motion stands.
         segment_stall_ = rate_ == 0 || !dut_->active_o ? 97 : 100;
         stood += rate_ == 0 ? 1 : 0;
     });
@@ -123,7 +122,7 @@ TEST_F(MotionWords, OfSegmentsThatRunLowStopTheMotionInTime) {
     EXPECT_GT(stood, 0);
 }
 
-// A program of pieces so short that a full queue of them is over before a stop is.
+// A program of pieces so short that a full queue of them is shorter than a stop.
 TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
     program(pieces(5, 400, 1, 1, 3 << 16));
     dut_->stop_ticks_i = 500;
@@ -134,7 +133,7 @@ TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
     EXPECT_EQ(path_, 0);
 }
 
-// Segments that claim more time than they have, and then do not come: the guard is deceived.
+// Segments that claim more time than they have, and then do not come: they mislead the guard.
 TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     const auto whole = pieces(9, 200, 20, 20, 3 << 16);
     LegalSegments shapes(core_, 9, kMaxStepExponent);
@@ -163,22 +162,22 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     EXPECT_EQ(fault(), 1 << kNoSample);
 }
 
-// The words of one stream, as they should be and as they come.
+// Words of one stream, as they should be and as they come.
 struct Stream {
     std::deque<uint64_t>& words;
     const std::deque<uint64_t>& other;
     std::size_t frame;
-    hls::Tag first;  // of a frame
+    hls::Tag first;  // tag of a frame's first word
 };
 
 hls::Tag tag(uint64_t word) { return static_cast<hls::Tag>(hls::get(hls::kTagField, word)); }
 
-/// Something that goes wrong between host and core.
+/// Damages words between host and core.
 void damage(const Stream& stream, std::mt19937& random) {
     std::deque<uint64_t>& words = stream.words;
     const std::size_t at = random() % words.size();
     const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto like_it = [&] {  // another with its tag
+    const auto like_it = [&] {  // another word with the same tag
         std::size_t other = random() % words.size();
         while (tag(words[other]) != tag(*begin)) other = (other + 1) % words.size();
         return words.begin() + static_cast<std::ptrdiff_t>(other);
@@ -222,7 +221,7 @@ void damage(const Stream& stream, std::mt19937& random) {
             *begin ^= uint64_t{1} << random() % 44;
             return;
         default:
-            words.resize(at);  // the host is gone
+            words.resize(at);  // the host stops
             return;
     }
 }
@@ -247,7 +246,7 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
         const std::deque<uint64_t> intended = stream.words;
         damage(stream, random);
 
-        // What the twin of the entry says of it
+        // The entry's twin predicts the result
         const auto digest = static_cast<uint16_t>(dut_->digest_i);
         hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0, digest);
         hls::PieceEntry piece_entry(digest);
@@ -272,7 +271,7 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
     EXPECT_GT(found, rounds / 2);
 }
 
-// Each program has its own digest, which counts when its first word comes.
+// Each program has its own digest, which applies from its first word on.
 TEST_F(MotionWords, AreOfTheDigestThatTheyAreMadeFor) {
     const uint16_t first = 0x1234;
     for (const int other : {0, 1, 0x100, 0x101, 0x8000, 0x5555}) {
@@ -298,8 +297,8 @@ TEST_F(MotionWords, AreOfTheDigestThatTheyAreMadeFor) {
     }
 }
 
-// A program that begins elsewhere than the one before ended, behind it in the queue. Its pieces are
-// there, and time does not begin on them.
+// A program, queued behind another, that begins elsewhere than the first one ended. Its pieces are
+// queued, and time does not begin on them.
 TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn) {
     const int64_t far = int64_t{1} << (core_.position_bits + core_.guard_bits - 3);
     for (const int64_t off : {int64_t{1}, int64_t{-3}, far}) {
@@ -323,7 +322,7 @@ TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn
     }
 }
 
-// Fields that are legal by themselves: a path or ticks that are not the other stream's.
+// Fields that are legal on their own: a path or ticks that differ from the other stream's.
 TEST_F(MotionWords, ThatEndApartAreAFault) {
     for (int round = 0; round < 8; ++round) {
         const auto whole = pieces(400 + round, 40, 10, 20, 3 << 16);

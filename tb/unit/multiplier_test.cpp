@@ -40,7 +40,7 @@ std::vector<int64_t> edge_words(int bits) {
 
 class Multiplier : public testing::Test {
   protected:
-    /// One clock; with `enabled` the operands are taken.
+    /// Advances by one clock; with `enabled` the operands are taken.
     void clock(int64_t a, int64_t b, bool enabled = true) {
         dut_->a_i = to_port(a, kABits);
         dut_->b_i = to_port(b, kBBits);
@@ -49,7 +49,7 @@ class Multiplier : public testing::Test {
         if (enabled) expected_.push_back({a, b, product(a, b)});
     }
 
-    /// What the oldest operands in flight must give, once they have arrived.
+    /// Checks the product of the oldest operands in flight, once it has arrived.
     void check() {
         if (expected_.size() < kLatency) return;
         const Case& now = expected_.front();

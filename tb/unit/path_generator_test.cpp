@@ -35,7 +35,7 @@ class PathGenerator : public testing::Test {
         dut_.reset();
     }
 
-    /// Whole pieces enter the queue.
+    /// Puts whole pieces into the queue.
     void publish(const std::vector<hls::ProfileWords>& pieces) {
         for (const hls::ProfileWords& piece : pieces) {
             published_.push_back(piece);
@@ -45,7 +45,8 @@ class PathGenerator : public testing::Test {
         }
     }
 
-    /// One clock; a tick of `rate` is offered unless it is negative. True: it was taken.
+    /// Advances by one clock; a tick of `rate` is offered unless it is negative. Returns true if it
+    /// was taken.
     bool clock(int32_t rate, bool word_allowed = true) {
         dut_->queued_i = published_.size() > taken_ ? 1 : 0;
         dut_->word_valid_i = word_allowed && !words_.empty() ? 1 : 0;
@@ -55,7 +56,8 @@ class PathGenerator : public testing::Test {
         dut_->held_i = static_cast<int>(random_() % 100) < held_percent_;
         dut_->ds_ready_i = !kSerial || static_cast<int>(random_() % 100) >= hold_percent_;
         dut_.settle();
-        // As soon as a piece has begun, what is left is of it: the ledger counts it no more.
+        // The ticks left are those of a piece as soon as it has begun: the ledger no longer counts
+        // it.
         if (taken_ticks_ > 8) {
             EXPECT_NEAR(static_cast<double>(from_port(dut_->ticks_left_o, 22)),
                         static_cast<double>(taken_ticks_), 3.0);
@@ -98,7 +100,7 @@ class PathGenerator : public testing::Test {
         ++compared_;
     }
 
-    /// Ticks until the program is over and compared.
+    /// Runs ticks until the program is over and compared.
     template <class Rate>
     void run(Rate&& rate, int idle_percent, int word_stall_percent) {
         bool begun = false;
@@ -149,15 +151,15 @@ class PathGenerator : public testing::Test {
     ClockedDut<Vpath_generator> dut_;
     hls::PathKernel kernel_;
     std::vector<hls::ProfileWords> published_;
-    std::size_t next_ = 0;   // piece of the kernel
-    std::size_t taken_ = 0;  // pieces of the RTL
+    std::size_t next_ = 0;   // next piece of the kernel
+    std::size_t taken_ = 0;  // pieces taken by the RTL
     std::deque<uint64_t> words_;
-    std::deque<std::pair<int32_t, bool>> rates_;  // and whether held
+    std::deque<std::pair<int32_t, bool>> rates_;  // rates, and whether each was held
     int held_percent_ = 0;
     int hold_percent_ = 0;  // of clocks in which the serial build's increments are not taken
     std::deque<Expected> expected_;
-    int taken_ticks_ = 0;  // of the piece that began in the clock before, or 0
-    int lefts_ = 0;        // such pieces, compared
+    int taken_ticks_ = 0;  // ticks of the piece that began in the clock before, or 0
+    int lefts_ = 0;        // number of such pieces compared
     int64_t walked_ = 0;
     int64_t ticks_ = 0;
     int64_t compared_ = 0;
@@ -249,7 +251,7 @@ TEST_F(PathGenerator, TakesATickEveryIntervalAcrossPieces) {
 
 TEST_F(PathGenerator, OfTheSerialBuildTakesItsMostClocksWhereALongPieceBegins) {
     if (!kSerial) GTEST_SKIP();
-    hls::ProfileWords piece;  // all of one tick each, but for their words
+    hls::ProfileWords piece;  // one tick each, with different words
     piece.time_exponent = hls::kMaxTimeExponent;
     piece.ticks = 2;
     publish(std::vector<hls::ProfileWords>(20, piece));
@@ -273,7 +275,7 @@ TEST_F(PathGenerator, NoProgramBeginsInATickThatIsHeld) {
         drain();
         ASSERT_EQ(walked_, walked) << "seed " << seed;
         ASSERT_FALSE(dut_->active_o) << "seed " << seed;
-        // Once begun it goes on at its rates, held or not.
+        // A program that has begun continues at its rates, held or not.
         held_percent_ = 90;
         run([this] { return any_rate(); }, 30, 30);
         ASSERT_FALSE(HasFatalFailure()) << "seed " << seed;

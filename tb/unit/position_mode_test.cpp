@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/motion_system.sv in position mode: samples of the host move the axes; equal to the kernel of
-// the step generator clock by clock; hosts that are late, gone, too fast or wrong.
+// rtl/motion_system.sv in position mode: samples of the host move the axes, as the kernel of the
+// step generator does clock by clock; hosts that are late, gone, too fast or wrong.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -15,18 +15,18 @@ namespace {
 
 constexpr uint32_t kPosition = kEnable | CURVECORE_CONTROL_POSITION_MASK;
 constexpr int kMostSamples = CFG_SampleBufferWords / kSystemAxes;
-/// A position of 2^-8 step, in 2^32 of them 2^40 of 2^-16 step.
+/// Units of a step: a position is in 2^-8 step; 2^32 of them are 2^40 of 2^-16 step.
 constexpr int kUnitsPerStep = 256;
 constexpr int64_t kScale = int64_t{1} << 40;
 constexpr int kGuardBits = 10;
-/// From a sample that is taken to its last step, in samples.
+/// Number of samples from a taken one to its last step.
 constexpr int kWay = 4;
 
 using Sample = std::array<int32_t, kSystemAxes>;
 
 class PositionMode : public testing::Test {
   protected:
-    /// Drives on, every axis where the first sample says.
+    /// Turns the drives on; every axis is where the first sample says.
     void begin(uint32_t control = kPosition, int64_t scale = kScale) {
         for (uint32_t a = 0; a < kSystemAxes; ++a) {
             const uint32_t axis = a * CURVECORE_AXIS_STRIDE;
@@ -40,7 +40,7 @@ class PositionMode : public testing::Test {
         EXPECT_TRUE(host_.write(CURVECORE_CONTROL, control));
     }
 
-    /// True: all of its positions were taken.
+    /// Pushes a sample. Returns true if all of its positions were taken.
     bool push(const Sample& sample) {
         int taken = 0;
         for (const int32_t position : sample) {
@@ -91,7 +91,7 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
         kernel.stop(a, false);
         kernel.reference(a);
     }
-    std::deque<Sample> samples;  // that the kernel has not had
+    std::deque<Sample> samples;  // samples that the kernel has not taken yet
     bool begun = false;
     int64_t differ = 0;
     host_.each_clock = [&] {
@@ -137,7 +137,7 @@ TEST_F(PositionMode, GivesTheStepsOfItsSamplesClockByClock) {
     EXPECT_GT(steps, 50'000);
 }
 
-/// Whole samples, in order, and nothing between them.
+/// Scan heads follow whole samples, in order, with nothing between them.
 TEST_F(PositionMode, ScanHeadsFollowItsSamples) {
     if (CFG_Galvo != 1) GTEST_SKIP() << "no scan heads";
     using Frame = std::array<uint32_t, 3>;
@@ -195,7 +195,7 @@ TEST_F(PositionMode, WhereThereIsNoRoomAWholeSampleIsRefused) {
     int taken = 0;
     int refused = 0;
     for (int n = 0; n < 3000 && !HasFailure(); ++n) {
-        // Axes that are mistaken for each other would be too fast.
+        // Interchanged axes would be too fast.
         Sample next;
         for (int a = 0; a < kSystemAxes; ++a) {
             next[a] = kUnitsPerStep * (taken + 100'000 * a);
@@ -262,7 +262,7 @@ TEST_F(PositionMode, AHostThatIsGoneTurnsItOff) {
     for (int n = 0; n < 40; ++n) push(n);
     for (int n = 0; n < 95; ++n) {
         host_.samples(1);
-        host_.state();  // any program may read
+        host_.state();  // any program may read it
     }
     EXPECT_TRUE(host_->enable_o);
     host_.samples(10);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/rate_generator.sv against TimeScaler: rates of ticks under any settings, and what it
-// tells of them. The bench is the path side: it takes rates, sends samples, lets them leave.
+// rtl/time/rate_generator.sv against TimeScaler: rates of ticks under any settings, and its
+// reports. The bench is the path side: it takes rates, sends samples, lets them leave.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -57,18 +57,18 @@ class RateGenerator : public testing::Test {
         dut_->samples_per_tick_log2_i = to_port(settings.samples_log2, 4);
     }
 
-    /// One clock of the bench, with a request or without.
+    /// Advances by one clock, with a request or without.
     void clock(bool request) {
         if (took_) idle_ticks_ = dut_->active_i ? 0 : std::min(idle_ticks_ + 1, hls::kIdleTicks);
         dut_->request_valid_i = request;
         dut_->rate_ready_i = go();
         dut_->tick_taken_i = !taken_.empty() && go();
-        // A sample of the tick in hand is sent, one that was sent leaves.
+        // A sample of the present tick is sent, and a sent one leaves.
         dut_->sent_i = dut_->wanted_o && ticks_taken_ > 0 && sent_ - left_ < 300 && go();
         dut_->leaves_i = sent_ > left_ && go();
         dut_.settle();
         if (dut_->stop_ticks_o != stop_ticks_) begin_anew();
-        // A tick is told of two clocks after its request.
+        // A tick is reported two clocks after its request.
         if (dut_->standing_o) stands_until_ = asked_before_[1];
         asked_before_ = {asked_, asked_before_[0]};
         if (request && dut_->request_ready_o) admit();
@@ -81,7 +81,7 @@ class RateGenerator : public testing::Test {
         dut_->active_i = active;
     }
 
-    /// The path takes a tick. True: a program is under way.
+    /// The path takes a tick. Returns true if a program is under way.
     bool take() {
         const Tick tick = taken_.front();
         taken_.pop_front();
@@ -105,7 +105,7 @@ class RateGenerator : public testing::Test {
         return active;
     }
 
-    /// The settings were taken: stop_ticks_i tells, it differs each time.
+    /// Notes that the settings were taken: stop_ticks_i shows it, as it differs each time.
     void begin_anew() {
         stop_ticks_ = dut_->stop_ticks_o;
         EXPECT_EQ(asked_, sent_) << "they were taken while samples were under way";
@@ -153,7 +153,7 @@ class RateGenerator : public testing::Test {
         }
     }
 
-    /// Until nothing is under way: the rest of a tick is asked for.
+    /// Requests the rest of a tick, until nothing is under way.
     void drain() {
         while (!HasFatalFailure() && (index_ != 0 || left_ < asked_)) clock(index_ != 0);
         run(8, 0);
@@ -172,7 +172,7 @@ class RateGenerator : public testing::Test {
         Settings any{word(32), word(33), word(32), static_cast<int>(random_() % 4)};
         if (random_() % 3 == 0) any.slope = any.acceleration + word(4);
         if (random_() % 3 == 0) any.stop_ticks = 1 + word(28);
-        // Each differs from those before.
+        // Each setting differs from those before.
         if (any.stop_ticks == settings_.stop_ticks) ++any.stop_ticks;
         any.slope &= (int64_t{1} << 33) - 1;
         any.stop_ticks &= (int64_t{1} << 32) - 1;
@@ -186,7 +186,7 @@ class RateGenerator : public testing::Test {
         int32_t rate;
         int32_t target;
         int32_t asked_before;  // target of the tick before
-        int64_t sample;        // its first
+        int64_t sample;        // its first sample
     };
 
     ClockedDut<Vrate_generator> dut_;
@@ -195,15 +195,15 @@ class RateGenerator : public testing::Test {
     uint32_t stop_ticks_ = 0;
     hls::TimeScaler kernel_{settings_.acceleration, settings_.slope};
     bool stalls_ = false;
-    bool begins_ = false;           // programs, in ticks that are not held
-    unsigned begin_percent_ = 100;  // of these
-    unsigned end_percent_ = 0;      // of ticks of programs: the last one
+    bool begins_ = false;           // programs begin in ticks that are not held
+    unsigned begin_percent_ = 100;  // percentage of these
+    unsigned end_percent_ = 0;      // percentage of a program's ticks that are its last
     int idle_ticks_ = hls::kIdleTicks;
-    bool took_ = false;  // a tick, in the clock before
-    int64_t begun_ = 0;  // programs at another rate than the tick before was to have
+    bool took_ = false;  // a tick was taken in the clock before
+    int64_t begun_ = 0;  // programs at another rate than the tick before was due to have
     int32_t last_target_ = 0;
     std::mt19937_64 random_{1};
-    int index_ = 0;  // of the next sample in its tick
+    int index_ = 0;  // index of the next sample in its tick
     std::deque<Tick> expected_;
     std::deque<Tick> taken_;
     int64_t ticks_taken_ = 0;
@@ -236,7 +236,7 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
         obeyed += fits(taken_settings_) ? 1 : 0;
         begins_ = false;
         dut_->active_i = 0;
-        // New ones, in a pause or while requests go on.
+        // New settings come in a pause or while requests continue.
         if (random_() % 2 == 0) drain();
         const int64_t taken = stop_ticks_;
         ask(any_settings());
@@ -248,7 +248,7 @@ TEST_F(RateGenerator, EqualsKernelUnderAnySettings) {
     EXPECT_FALSE(dut_->settings_fault_o) << "no program ever waited";
 }
 
-/// Programs begin and end at any time; overrides and holds come in and between them.
+/// Programs begin and end at any time; overrides and holds come within and between them.
 TEST_F(RateGenerator, WhileNothingIsUnderWayTheRateIsTheTargetAtOnce) {
     begins_ = true;
     for (int round = 0; round < 400 && !HasFailure(); ++round) {
@@ -257,7 +257,7 @@ TEST_F(RateGenerator, WhileNothingIsUnderWayTheRateIsTheTargetAtOnce) {
         const auto every = static_cast<unsigned>(1 + random_() % 300);
         const int requests = round % 4 == 0 ? 100 : round % 4 == 1 ? 30 : 3;
         for (int n = 0; n < 2000 && !HasFailure(); ++n) {
-            // Pauses between programs, and none.
+            // Programs with and without pauses between them.
             if (n % 500 == 0) begin_percent_ = random_() % 2 == 0 ? 100 : random_() % 8;
             if (random_() % every == 0) dut_->override_i = to_port(any_override(), 17);
             if (random_() % every == 0) dut_->hold_i = random_() % 2;
@@ -330,7 +330,7 @@ TEST_F(RateGenerator, AChangeWhileAProgramIsUnderWayIsReportedAndNotObeyed) {
         drain();
         EXPECT_EQ(dut_->samples_per_tick_log2_o, after.samples_log2) << which;
         EXPECT_TRUE(dut_->settings_fault_o) << which;
-        // Afresh.
+        // A fresh start.
         ask(before);
         dut_.reset();
         taken_settings_ = before;
@@ -350,7 +350,7 @@ TEST_F(RateGenerator, TellsWhenTheMachineStands) {
         dut_->active_i = 0;
         dut_->hold_i = 0;
         dut_->override_i = 65536;
-        // As short as a tick, or up to full rate.
+        // Runs as short as a tick, or up to full rate.
         run(round % 3 == 0 ? static_cast<int>(random_() % 20) : 4000, 100);
         if (round % 4 == 0) dut_->override_i = 0;
         if (round % 4 != 0) dut_->hold_i = 1;

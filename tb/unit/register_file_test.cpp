@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/bus/register_file.sv against what registers.json says of each register.
+// rtl/bus/register_file.sv against the description of each register in registers.json.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -21,7 +21,7 @@ constexpr int kWords = 128;
 constexpr int kAnswer = 2;            // clocks
 constexpr int kFirstAnswer = 1 << 7;  // more, after a reset
 
-/// A word as registers.json describes it, with the value that a host believes in.
+/// A word as registers.json describes it, with the value that a host expects.
 struct Word {
     std::string name;
     bool axis = false;
@@ -73,7 +73,7 @@ class RegisterFile : public testing::Test {
         dut_.reset();
     }
 
-    /// What the motion says: anything.
+    /// Gives the motion's inputs random values.
     void live() {
         dut_->state_i = any();
         dut_->axes_i = any();
@@ -89,7 +89,7 @@ class RegisterFile : public testing::Test {
         dut_->reference_ready_i = any() % 2;
     }
 
-    /// One clock; what it pushes, writes or commands is counted. Something is there to be noted.
+    /// Advances by one clock; pushes, writes and commands are counted. A word may be noted.
     void clock() {
         dut_->note_word_i = noted_words_[any() % noted_words_.size()];
         dut_->note_data_i = any();
@@ -111,7 +111,7 @@ class RegisterFile : public testing::Test {
         if (dut_->probe_write_o) happened("PROBE");
         if (dut_->homed_write_o) happened("HOMED");
         dut_.tick();
-        // A word that is noted on the same clock is not read.
+        // A word noted in the same clock is not read.
         if (notes && kept != dut_->note_word_i) {
             EXPECT_EQ(dut_->kept_o, kept_value);
         }
@@ -148,7 +148,7 @@ class RegisterFile : public testing::Test {
 
     uint32_t any() { return random_(); }
 
-    /// Whether a write of `data` to a word of that name is taken now.
+    /// Returns true if a write of `data` to a word of that name is taken now.
     bool ready(const Word& word, uint32_t data) {
         if (word.name == "SEGMENT_HI") return dut_->segment_ready_i;
         if (word.name == "PROFILE_HI") return dut_->profile_ready_i;
@@ -231,7 +231,7 @@ TEST_F(RegisterFile, HasItsResetValuesAndAnswersInTwoClocks) {
             clocks = kAnswer;
         }
         check_settings(words);
-        // A reset undoes what was written.
+        // A reset restores the words.
         for (const auto& [address, word] : words) {
             dut_->off_i = 1;
             if (word.setting) ask(true, address, any());
@@ -270,7 +270,7 @@ TEST_F(RegisterFile, DoesWhatTheDescriptionSaysOfEachWord) {
         EXPECT_EQ(answer.error, !good);
         EXPECT_EQ(answer.data, !write && good ? expected : answer.data);
         if (!write && word.name == "PATH_LO") keep_path();
-        // One thing at most happens, once: what was asked for.
+        // At most one action happens, once: the requested one.
         const std::map<std::string, int> pushes = {
             {"SEGMENT_HI", 1}, {"PROFILE_HI", 1}, {"SCALE_HI", 1}, {"CONTROL", 1}, {"STATE", 1},
             {"REFERENCE", 1},  {"SAMPLE", 1},     {"PROBE", 1},    {"HOMED", 1}};

@@ -20,7 +20,7 @@ using Coef = hls::Word<CFG_CoefBits>;
 constexpr int kOrder = CFG_Order;
 constexpr int kBits = CFG_CoefBits;
 
-// As stated in the header of the RTL.
+// Clocks as stated in the header of the RTL.
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kStepClocks = hls::sine_cosine_step_clocks({false, kOrder, kBits});
 
@@ -32,7 +32,7 @@ class SineCosineInterpolator : public testing::Test {
         start_afresh();
     }
 
-    /// A clock of reset; it is ready a clock after that.
+    /// Makes a clock of reset; the RTL is ready a clock later.
     void start_afresh() {
         dut_->step_i = 0;
         dut_.reset(1);
@@ -63,7 +63,7 @@ class SineCosineInterpolator : public testing::Test {
         run(false);
     }
 
-    /// A step of the RTL: every pulse in its cycle, every word as the kernel's.
+    /// Runs a step of the RTL: every pulse in its cycle, every word as the kernel's.
     void run(bool load) {
         dut_->step_i = 1;
         dut_->load_i = load;

@@ -21,7 +21,7 @@ using Config = hls::Configuration<6, kBits, 32, 10, 0, hls::SamplerMode::kPolyno
                                   CFG_Anchor != 0, 0, CFG_ParameterGuard>;
 using Coef = hls::Word<kBits>;
 
-/// The kernel with its words laid open.
+/// The kernel with access to its words.
 struct Kernel : hls::SplineKernel<Config> {
     using Base = hls::SplineKernel<Config>;
     using Base::net_;
@@ -36,7 +36,7 @@ struct Kernel : hls::SplineKernel<Config> {
     }
 };
 
-// As stated in the header of the RTL.
+// Clocks as stated in the header of the RTL.
 constexpr int kStart = 92;
 constexpr int kLast = 135;
 

@@ -30,7 +30,7 @@ using Network = hls::SplineNetwork<Config>;
 using Coef = hls::Word<kBits>;
 constexpr int kTermBits = kBits + 5;  // {there, order, coefficient}
 
-// As stated in the header of the sequencer.
+// Clocks as stated in the header of the sequencer.
 constexpr int kTop = Config::kTop;
 constexpr int kDigits = (kBits + 1) / 2;
 constexpr int kPause = kTop > 2 || (kAnchor && kTop == 2) ? std::max(0, 2 * kDigits - 31) : 0;
@@ -54,7 +54,7 @@ class SplineNetwork : public testing::Test {
         dut_->start_i = 0;
     }
 
-    /// Words of a step within the ranges that the planner keeps.
+    /// Draws random words of a step within the ranges that the planner keeps.
     void draw() {
         const auto uniform = [&](double low, double high) {
             return low + (high - low) * std::generate_canonical<double, 53>(random_);
@@ -98,7 +98,7 @@ class SplineNetwork : public testing::Test {
         give(load::kPhi, kernel_.phi[0], true);
     }
 
-    /// The next step from the words that this one has reached (Anchor = 0).
+    /// Continues with the next step from the words that this one has reached (Anchor = 0).
     void go_on() {
         kernel_.phi[0] = Network::sum(kernel_.phi, 0, kTop);
         kernel_.Q[0] = Network::sum(kernel_.Q, 0, kOrder);
@@ -113,7 +113,7 @@ class SplineNetwork : public testing::Test {
         clear();
     }
 
-    /// A term that is there must be the series' word; `last` is the order seen last.
+    /// Checks that a present term is the series' word; `last` is the order of the last one.
     static void check(std::uint64_t term, const Coef* series, int top, int& last) {
         if (term >> (kBits + 4) == 0) return;
         const int order = static_cast<int>(term >> kBits & 15);

@@ -40,7 +40,7 @@ CoreParameters core() {
     return core;
 }
 
-/// The kernel with its words laid open.
+/// The kernel with access to its words.
 using Base = hls::SplineKernel<RunTimeFormat>;
 struct Kernel : Base {
     using Base::advance_;
@@ -76,7 +76,7 @@ class SplineSteps : public testing::Test {
         }
     }
 
-    /// Starts a step; theta, k and lambda come a clock later.
+    /// Starts a step; theta, k and lambda follow a clock later.
     void start(bool fresh) {
         dut_->start_i = 1;
         dut_->fresh_i = fresh;
@@ -84,7 +84,8 @@ class SplineSteps : public testing::Test {
         dut_->start_i = 0;
     }
 
-    /// The segment's words, as the RTL asks for them: once a clock, for points come a clock later.
+    /// Answers with the segment's words when the RTL requests them: once a clock, points a clock
+    /// later.
     void answer(const RunSegment& segment) {
         const auto mask = [](std::int64_t word, int bits) { return to_port(word, bits); };
         dut_->theta_i = mask(segment.theta, kBits);
@@ -101,7 +102,7 @@ class SplineSteps : public testing::Test {
         dut_.settle();
     }
 
-    /// What goes into the bank: terms one order after the other, words of the cubic.
+    /// Checks the words that go into the bank: terms one order after the other, words of the cubic.
     void check_write() {
         const std::uint32_t write = dut_->write_o;
         const int place = static_cast<int>(write >> 2 & 15);
@@ -132,7 +133,7 @@ class SplineSteps : public testing::Test {
         ASSERT_EQ(write >> 14, 0U);
     }
 
-    /// All words between two done_o.
+    /// Follows all words between two done_o.
     void follow(const RunSegment& segment, int clocks) {
         int points = 0, rates = 0;
         own_ = 0;
@@ -161,7 +162,7 @@ class SplineSteps : public testing::Test {
             break;
         }
         ASSERT_TRUE(dut_->ready_o);
-        // The last term comes now, into the same bank; the next step has another.
+        // The last term comes now, into the same bank; the next step uses another.
         dut_->bank_i = (bank_ + 1) & 3;
         dut_.settle();
         check_write();
@@ -174,9 +175,9 @@ class SplineSteps : public testing::Test {
     }
 
     ClockedDut<Vspline_steps> dut_;
-    int point_ = 0;  // asked for in the clock before
+    int point_ = 0;  // point requested in the clock before
     unsigned bank_ = 0;
-    // Written in this step: orders of the own series, of X Y Z; words of V, B', a'.
+    // Words written in this step: orders of the own series, of X Y Z; words of V, B', a'.
     int own_ = 0;
     int x_[3] = {};
     int cubic_[3] = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both step blocks of the system: the kernel, which leaves clocks out, changes the pins in the same
+// Both step blocks of the system: the kernel, which skips clocks, changes the pins in the same
 // clocks as the Verilated step generator.
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ class StepBlocks : public testing::Test {
         return setup;
     }
 
-    /// Goes on at some steps per period, more than the pulses allow now and then.
+    /// Continues at some steps per period, sometimes more than the pulses allow.
     void move(std::vector<double>& speed, std::vector<std::int64_t>& position,
               const StepSetup& setup) {
         const double units = std::exp2(kStepFineBits + 16) / static_cast<double>(setup.scale);
@@ -88,7 +88,7 @@ TEST_F(StepBlocks, ChangeThePinsInTheSameClocks) {
     EXPECT_GT(refused, 0);
 }
 
-/// The comparison sees a clock more of one time.
+/// Control: the comparison detects one clock more of a time.
 TEST_F(StepBlocks, ComparisonSeesOneClock) {
     StepSetup setup;
     setup.axes = CFG_Axes;

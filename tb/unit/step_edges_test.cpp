@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the edges of rtl/pulse/step_generator.sv are from where the unrounded place crosses.
+// Distance of the edges of rtl/pulse/step_generator.sv from the crossings of the unrounded place.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 namespace curvecore::tb {
 namespace {
 
-/// 2000 / 3 steps per mm, positions of 2^-10 nm: no word holds that, and places are rounded.
+/// Scale of 2000 / 3 steps per mm, positions of 2^-10 nm: no word represents it, and places are
+/// rounded.
 TEST(StepEdges, AreWhereTheUnroundedPlaceCrossesButForWhatTheRoundingTakes) {
     const ref::StepCrossings exact(2000, int64_t{3'000'000} * 1024);
     const double units = 1.5e3 * 1024;  // per step
@@ -21,7 +22,7 @@ TEST(StepEdges, AreWhereTheUnroundedPlaceCrossesButForWhatTheRoundingTakes) {
     std::mt19937_64 random(1);
     StepBench bench;
     for (const double rate : {4.0, 1.0, 0.5, 0.25, 0.13, 0.06}) {  // steps per sample
-        // What 2^-16 step is at this rate, in clocks.
+        // Clocks that 2^-16 step takes at this rate.
         const double rounding = static_cast<double>(kPeriod) / 65536 / rate;
         double early = 0;
         double late = 0;
@@ -77,7 +78,8 @@ TEST(StepEdges, AreWhereTheUnroundedPlaceCrossesButForWhatTheRoundingTakes) {
         printf("%5.2f steps per sample: 2^-16 step is %.2f clocks; edges at %.2f to %.2f\n", rate,
                rounding, early, late);
         EXPECT_GT(steps, 50);
-        // The clock after the crossing; places are rounded down, scales to a quarter of that.
+        // The edge is in the clock after the crossing; places are rounded down, scales to a quarter
+        // of that.
         EXPECT_GE(early, -1.25 * rounding);
         EXPECT_LE(late, 1 + 1.25 * rounding);
         EXPECT_GT(late - early, 0.8) << "the bound is idle";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/pulse/step_generator.sv: equal to its kernel clock by clock; references, stops, samples that
-// come late or jump.
+// are late or jump.
 #include "hls/step_generator.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int64_t kAll = kEveryAxis;
 constexpr int64_t kScale = int64_t{1} << std::min(kScaleBits - 2, kFineBits + 6);
-/// From a sample that was taken until its last step is out.
+/// Clocks from a taken sample until its last step is out.
 constexpr int64_t kMove = 2 * kPeriod + 32;
 constexpr double kUnitsPerStep = 65536.0 * (int64_t{1} << kFineBits) / kScale;
 
@@ -29,7 +29,7 @@ std::vector<int64_t> everywhere(double steps) {
 
 class StepGenerator : public testing::Test {
   protected:
-    /// All axes at 0, referenced, with the period's tick just over.
+    /// Sets all axes to 0, referenced, with the period's tick just over.
     void begin(const hls::PulseTimes& times = {}) {
         bench_.reset();
         bench_.set_times(times);
@@ -49,7 +49,7 @@ class StepGenerator : public testing::Test {
         while (bench_.ticked() == ticked) bench_.clock();
     }
 
-    /// Pulses of all axes in so many clocks, up less down.
+    /// Pulses of all axes in `clocks` clocks, up less down.
     int64_t count(int64_t clocks) {
         int64_t sum = 0;
         while (clocks-- > 0) {
@@ -99,7 +99,7 @@ TEST_F(StepGenerator, EqualsKernelClockByClock) {
         bool offered = false;
         const int samples = static_cast<int>(std::max<int64_t>(12, 8000 / kPeriod));
         for (int n = 0; n < samples;) {
-            // Settings of a sample while none is on its way through the scaler.
+            // Settings of a sample while none passes through the scaler.
             int64_t referenced = 0;
             if (!offered && any(static_cast<int>(kPeriod)) < 8) {
                 referenced = n == 0 ? kAll : any(1 << kStepAxes) & any(1 << kStepAxes);
@@ -175,7 +175,7 @@ TEST_F(StepGenerator, GivesNoStepUntilAReferenceAndThenCountsFromThere) {
     for (int n = 0; n < 4; ++n) bench_.sample(everywhere(n * 3));
     EXPECT_EQ(count(kMove), 0);
     EXPECT_EQ(bench_.late(), 0) << "nothing counts";
-    // Places between two steps: the nearest is where it stands.
+    // Places between two steps: the axis stands at the nearest.
     for (const double place : {0.0, 100.25, -100.25, 0.499, -0.501, 7.5, -7.5}) {
         start(place);
         bench_.sample(everywhere(std::floor(place + 0.5) + 4));
@@ -193,7 +193,7 @@ TEST_F(StepGenerator, PlacesAreAbsoluteInAllOfTheRange) {
         std::vector<int64_t> counts;
         for (int64_t from : {-end - 1, end, int64_t{-1}, int64_t{0}, end / 3}) {
             for (int a = 0; a < kStepAxes; ++a) bench_.set_scale(a, scale);
-            // There and a bit further, back in one sample.
+            // Forward beyond the end, and back in one sample.
             const auto units =
                 static_cast<int64_t>(0.3 * kPeriod * 65536 * std::exp2(kFineBits) / scale);
             const int64_t to = from > 0 ? from - std::min(units, end) : from + std::min(units, end);
@@ -266,7 +266,7 @@ TEST_F(StepGenerator, StopsReachThePinsOneClockAfterTheSynchroniser) {
         const int64_t limit = estop != 0 ? 0 : 1 + offset / 2 % kAll;
         const int64_t stopped = estop != 0 ? kAll : limit;
         begin(times);
-        std::array<int, kStepAxes> lengths{};  // of the pulse at hand, or the last one
+        std::array<int, kStepAxes> lengths{};  // of the present pulse, or the last one
         bench_.each_clock = [&] {
             for (int a = 0; a < kStepAxes; ++a) {
                 const bool step = bench_.step(a);
@@ -291,7 +291,7 @@ TEST_F(StepGenerator, StopsReachThePinsOneClockAfterTheSynchroniser) {
             EXPECT_EQ(bench_->uncertain_o >> a & 1, short_pulse) << offset << " axis " << a;
             if (high >> a & 1) ++(short_pulse ? cut : whole);
         }
-        // It stays so when the input is gone, until the next reference.
+        // The state stays after the input is gone, until the next reference.
         bench_->estop_i = 0;
         bench_->limit_i = 0;
         const int64_t uncertain = bench_->uncertain_o;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/pulse/step_generator.sv as a drive sees it: monitors of the pins against exact crossings.
-// CURVECORE_STEPS says how many steps (scripts/campaign.sh).
+// CURVECORE_STEPS sets the number of steps (scripts/campaign.sh).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,10 +25,10 @@ class StepPins : public testing::Test {
         return {any(8), any(8), any(turn), any(turn)};
     }
 
-    /// One machine from its reference to its last step.
+    /// Draws one machine's motion from its reference to its last step.
     void draw(int samples) {
         const hls::PulseTimes times = any_times();
-        // The fastest that the pulses allow, or slower.
+        // Speed: the fastest that the pulses allow, or slower.
         const double most = 0.49 * 2 / (times.steplen + times.stepspace) *
                             std::exp2(-static_cast<int>(random_() % 3)) * kPeriod;
         axes_.clear();
@@ -66,7 +66,7 @@ class StepPins : public testing::Test {
             if (++n < samples) {
                 for (int a = 0; a < kStepAxes; ++a) position[a] = motions_[a].next(random_);
             }
-            // At last it stands until all is out, and a bit longer.
+            // At the end the motion stands until all steps are out, and slightly longer.
             if (n > samples + 4 && (idle() || n > samples + 60000 / static_cast<int>(kPeriod)))
                 break;
             bench_.offer(position);

@@ -18,7 +18,7 @@ constexpr int kShift = CFG_Shift;
 constexpr int kDrop = CFG_Drop;
 constexpr int kFirst = CFG_First;
 constexpr int kOrder = 12;
-// As in rtl/node/series_pkg.sv.
+// Bits as in rtl/node/series_pkg.sv.
 constexpr int kAgain = 1 << 0;
 constexpr int kLoad = 1 << 1;
 constexpr int kOrderBit = 2;
@@ -52,13 +52,13 @@ class StieltjesIntegrator : public testing::Test {
     static bool there(uint64_t term) { return (term >> (kBits + 4)) != 0; }
     static int order(uint64_t term) { return static_cast<int>(term >> kBits & 15); }
 
-    /// Words whose sums stay in range.
+    /// A word whose sums stay in range.
     Word word() {
         const int bits = (kBits + kShift - 5) / 2;
         return from_port(random_(), bits < kBits ? bits : kBits);
     }
 
-    /// A new initial word, or the state that the step before has reached.
+    /// Opens a step with a new initial word, or with the state that the step before has reached.
     void open(bool again) {
         if (!again) state_ = word();
         dut_->control_i = again ? kAgain : kLoad;
@@ -69,7 +69,7 @@ class StieltjesIntegrator : public testing::Test {
         ASSERT_EQ(from_port(dut_->x_o, kBits), state_);
     }
 
-    /// One order; its newest Ds is written in the last cycle that is allowed.
+    /// Runs one order; its newest Ds is written in the last allowed cycle.
     void run(int i) {
         u_[i - 1] = word();
         s_[i] = word();

@@ -27,7 +27,7 @@ constexpr bool kSerial = false;
 using Scaler = Vtime_scaler_serial;
 constexpr bool kSerial = true;
 #endif
-constexpr int kFewer = kSerial ? 8 : 1;  // ticks, of which each takes it longer
+constexpr int kFewer = kSerial ? 8 : 1;  // divides the number of ticks, as each takes longer
 
 struct Bounds {
     int64_t acceleration;
@@ -51,14 +51,15 @@ class TimeScalerBench : public testing::Test {
         stops_on_ = false;
     }
 
-    /// One clock; a tick towards `target` is offered unless it is negative. True: it was taken.
+    /// Advances by one clock; a tick towards `target` is offered unless it is negative. Returns
+    /// true if it was taken.
     bool clock(int32_t target, const hls::StopDue& due = {}) {
         dut_->valid_i = target >= 0 ? 1 : 0;
         const bool room = give_way(random_() % 100 >= hold_percent_);
         dut_->target_i = to_port(target, 17);
         dut_->next_wait_i = to_port(due.wait, 20);
         dut_->begins_i = due.begins ? 1 : 0;
-        // A tick that lands comes when the rates of all before it are out.
+        // A tick that lands is offered when the rates of all before it are out.
         const bool idle = idle_percent_ > 0 && expected_.empty() && random_() % 100 < idle_percent_;
         dut_->land_i = target >= 0 && kernel_.lands(target, idle) ? 1 : 0;
         const hls::StopStep offered = step(steps_);
@@ -88,7 +89,7 @@ class TimeScalerBench : public testing::Test {
         const Tick tick = expected_.front();
         ASSERT_EQ(static_cast<int32_t>(dut_->rate_o), tick.rate) << "tick " << ticks_;
         ASSERT_EQ(dut_->held_o != 0, tick.target == 0) << "tick " << ticks_;
-        // Standing still lasts until a target is not 0.
+        // Time stands still until a target is not 0.
         if (tick.target != 0) stands_ = false;
         if (dut_->still_o) stands_ = true;
         ASSERT_TRUE(tick.target == 0 || !dut_->still_o) << "tick " << ticks_;
@@ -102,7 +103,7 @@ class TimeScalerBench : public testing::Test {
         }
     }
 
-    /// The serial build holds a rate until it is taken. True: it may be.
+    /// Holds a rate of the serial build until it is taken. Returns true if it may be.
     bool give_way([[maybe_unused]] bool taken) {
 #if __has_include("Vtime_scaler.h")
         return true;
@@ -112,7 +113,7 @@ class TimeScalerBench : public testing::Test {
 #endif
     }
 
-    /// Branches of a few steps that need not fit together.
+    /// Branch steps that need not match each other.
     static hls::StopStep step(uint64_t index) {
         std::mt19937 random(static_cast<unsigned>(index));
         hls::StopStep step;
@@ -136,9 +137,9 @@ class TimeScalerBench : public testing::Test {
     ClockedDut<Scaler> dut_;
     hls::TimeScaler kernel_{1, 1};
     std::deque<Tick> expected_;
-    uint64_t steps_ = 0;  // taken
+    uint64_t steps_ = 0;  // steps taken
     unsigned hold_percent_ = 0;
-    unsigned idle_percent_ = 0;  // of ticks before which all rates are out
+    unsigned idle_percent_ = 0;  // percentage of ticks before which all rates are out
     int64_t landed_ = 0;
     bool stops_on_ = false;
     bool stands_ = false;
@@ -184,7 +185,7 @@ TEST_P(TimeScaler, EqualsKernelForStopsByBranches) {
     EXPECT_GT(steps, 0U);
 }
 
-/// Whatever the rate does, at rest or on its way, up or down, above or below 7/8.
+/// Rates of any kind, at rest or changing, up or down, above or below 7/8.
 TEST_P(TimeScaler, EqualsKernelWhereNothingIsUnderWay) {
     for (const unsigned every : {3U, 20U, 400U}) {
         int32_t target = 65536;
@@ -244,7 +245,7 @@ TEST_P(TimeScaler, TakesATickPerClockTowardsOneTarget) {
     take(0);
     const uint64_t begin = dut_.cycle();
     for (int n = 0; n < 100000; ++n) take(0);
-    // Twice: the change, the turn, the arrival. Once: the way past 7/8.
+    // Twice: the change, the turn, the arrival. Once: the passage of 7/8.
     EXPECT_LE(dut_.cycle() - begin, 100000U + 2 * 12 + 3);
 }
 
@@ -259,7 +260,7 @@ TEST_P(TimeScaler, LatencyIsThree) {
     EXPECT_EQ(ticks_, 1);
 }
 
-// It rests on 7/8, having come from below, and goes back.
+// The rate rests on 7/8, having come from below, and goes back.
 TEST_F(TimeScalerBench, OfTheSerialBuildTakesItsMostClocksWhereItTurnsRoundOnTheBorder) {
     if (!kSerial) GTEST_SKIP();
     start({1 << 22, 1 << 26});
@@ -272,7 +273,7 @@ TEST_F(TimeScalerBench, OfTheSerialBuildTakesItsMostClocksWhereItTurnsRoundOnThe
     EXPECT_EQ(most, hls::kSerialScaleClocks);
 }
 
-// Any words, also impossible ones: those are never obeyed, every target is 0 then.
+// Random words, also invalid ones, which are never obeyed: every target is then 0.
 TEST_F(TimeScalerBench, EqualsKernelForRandomWords) {
     const auto word = [&](int bits) {
         return static_cast<int64_t>(random_() >> (64 - bits) >> (random_() % bits));

@@ -26,7 +26,7 @@ class WordQueue : public testing::Test {
         dut_->data_i = next_ & low_mask(CFG_Bits);
     }
 
-    /// One clock; true: a word came out.
+    /// Advances by one clock. Returns true if a word came out.
     bool clock(bool write, bool read) {
         offer(write, read);
         dut_.settle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/pulse/xy2_100.sv as a scan head reads it: a receiver that looks at the pins alone.
+// rtl/pulse/xy2_100.sv as a scan head reads it: a receiver that samples the pins alone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,12 +24,12 @@ class Xy2 : public testing::Test {
         dut_->tick_i = 0;
         dut_->sample_taken_i = 0;
         dut_.reset();
-        period({}, false);  // bits before the first tick are of no frame
+        period({}, false);  // bits before the first tick belong to no frame
         frames_.clear();
         receiver_ = {};
     }
 
-    /// A tick after the samples, if there are any; frames come a clock later than their periods.
+    /// Ticks after the samples, if there are any; frames come a clock later than their periods.
     void period(const std::vector<int64_t>& samples, bool checked = true) {
         const auto taken = static_cast<int64_t>(random_() % (kPeriod - 1));
         for (int64_t n = 0; n < kPeriod; ++n) {
@@ -50,7 +50,7 @@ class Xy2 : public testing::Test {
     std::vector<int64_t> any_samples() {
         std::vector<int64_t> samples;
         for (int a = 0; a < CFG_Axes; ++a) {
-            // All of the field, its ends, and the halves between two of its words.
+            // Values over all of the field, its ends, and the halves between two of its words.
             const int64_t field = static_cast<int64_t>(random_()) >> (64 - CFG_FineBits);
             const int64_t most = (int64_t{1} << (CFG_FineBits - 1)) - 1;
             const int64_t half = int64_t{1} << (CFG_FineBits - 17);
@@ -85,7 +85,7 @@ TEST_F(Xy2, EachPeriodHasTheFrameOfItsSample) {
             EXPECT_EQ(word, hls::xy2_frame(samples[n][a], CFG_FineBits));
             EXPECT_EQ(word >> 17, 1U);
             EXPECT_EQ(__builtin_popcount(word) % 2, 0);
-            // As a scan head counts, to half a word.
+            // Place as a scan head counts, to half a word.
             const double place = std::ldexp(static_cast<double>(samples[n][a]), 16 - CFG_FineBits);
             const double seen = static_cast<double>(word >> 1 & 0xffff) - 0x8000;
             EXPECT_LE(std::abs(seen - std::min(place, 32767.0)), 0.5);

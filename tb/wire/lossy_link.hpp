@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A network in time of the board's clocks, which loses, doubles and delays. What becomes of a frame
-// or an answer follows from the seed and its number alone, so that a run is the same each time.
+// A network in time of the board's clocks, which loses, doubles and delays. The fate of a frame or
+// an answer follows from the seed and its number alone, so that a run is reproducible.
 #pragma once
 
 #include <cmath>
@@ -16,14 +16,14 @@ namespace curvecore::sysc {
 
 struct Network {
     unsigned seed = 0;
-    double lost = 0;           // of frames, and of answers
-    double doubled = 0;        // of those that are not lost
-    double late = 0;           // of all that arrive, by up to late_s more, so that others overtake
+    double lost = 0;           // share of frames, and of answers
+    double doubled = 0;        // share of those that are not lost
+    double late = 0;           // share of all that arrive, by up to late_s, so that others overtake
     double late_s = 0.05;      // s
     double latency_s = 0.001;  // s, each way
 };
 
-/// Sends to a virtual board, and gives it the time that its host waits.
+/// Link to a virtual board, which runs for the time that its host waits.
 class LossyLink : public Link {
   public:
     LossyLink(const Network& network, std::function<void(const VirtualStep&)> step)
@@ -91,7 +91,7 @@ class LossyLink : public Link {
         return data;
     }
 
-    /// As a board behind UDP: the next frame goes in when the one before is answered.
+    /// Advances the clock as a board behind UDP: the next frame goes in when the last is answered.
     void clock() {
         if (board_.taken() && !asked_) {
             if (const std::optional<Bytes> frame = arrived(kToBoard)) {
@@ -107,7 +107,7 @@ class LossyLink : public Link {
 
     Network network_;
     VirtualBoard board_;
-    std::multimap<std::uint64_t, Bytes> way_[2];  // by the clock at which they arrive
+    std::multimap<std::uint64_t, Bytes> way_[2];  // by clock of arrival
     unsigned number_[2] = {0, 0};
     bool asked_ = false;
     std::uint64_t lost_ = 0;

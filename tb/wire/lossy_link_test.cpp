@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A program over a network that loses, doubles and delays: every step at the same clock as over a
-// good one. All of it goes by the board's clocks.
+// good one. All times are in the board's clocks.
 #include "tb/wire/lossy_link.hpp"
 
 #include <gtest/gtest.h>
@@ -14,14 +14,14 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Twice as many words as the board's queue of profile words holds, in 1.2 s.
+/// Words, in 1.2 s: twice the number that the board's queue of profile words holds.
 constexpr const char* kPart =
     "G21 G90 G61 F6000\n"
     "G1 X8 Y1 Z1\nG3 X12 Y5 I0 J4\nG5 X15 Y12 I0 J3 P-2 Q-2\nG3 X9 Y12 Z3 I-3 J0\n"
     "G2 X3 Y12 I-3 J0\nG5 X0 Y5 I0 J-3 P1 Q2\nG3 X4 Y1 I4 J0\nG1 X12\nG3 X12 Y9 I0 J4\n"
     "G2 X12 Y17 Z0 I0 J4\nG1 X20\nM2\n";
 
-/// Clock from the first step, axis, direction.
+/// Steps: clock from the first step, axis, direction.
 using Steps = std::vector<std::array<std::int64_t, 3>>;
 
 struct Drawn {
@@ -71,7 +71,7 @@ class LossyLinks : public testing::Test {
 
     static void SetUpTestSuite() { good_ = over({}); }
 
-    /// 10 % lost, 10 % doubled, 20 % late by up to 50 ms.
+    /// A network that loses 10 %, doubles 10 %, and delays 20 % by up to 50 ms.
     static Network bad(unsigned seed) { return {seed, 0.1, 0.1, 0.2}; }
 
     static void expect_the_same_clocks(unsigned first_seed, unsigned last_seed) {
@@ -99,7 +99,7 @@ class LongLossyLinks : public LossyLinks {};
 
 TEST_F(LongLossyLinks, TenBadOnesChangeNoClock) { expect_the_same_clocks(1, 10); }
 
-/// Control: what is too bad is told.
+/// Control: a network that is too bad is reported.
 TEST_F(LongLossyLinks, WorseOneIsTold) {
     const Drawn drawn = over({1, 0.5, 0.1, 0.5, 0.2});
     EXPECT_TRUE(drawn.held);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's end of SPI against the Verilated board's pins, 16 clocks a bit. The clock goes with
-// SPI's: a board that nobody asks stands still.
+// The host's end of SPI against the Verilated board's pins, 16 clocks a bit. The clock runs with
+// SPI's: a board without requests stands still.
 #include "sysc/link/spi_link.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kHalfBit = 8;  // clocks
 
-/// Clock, axis, direction.
+/// Steps: clock, axis, direction.
 using Steps = std::vector<std::array<std::int64_t, 3>>;
 
 class Pins : public SpiBus {
@@ -74,7 +74,7 @@ class Pins : public SpiBus {
     unsigned level_ = 0;
 };
 
-/// Draws the program and returns what the link did.
+/// Draws the program and returns the link's figures.
 LinkFigures draw(Link& link, const std::string& part) {
     Options options;
     options.file = part;
@@ -126,7 +126,7 @@ TEST(SpiLink, DrawsTheStepsThatUdpDraws) {
     EXPECT_EQ(figures.repeated, 0U);
 }
 
-/// Says what it was given, once, and nothing from then on.
+/// A bus that sends its given bytes once, and nothing from then on.
 class Talker : public SpiBus {
   public:
     explicit Talker(Bytes line) : line_(std::move(line)) {}
