@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where motion_axi's streams meet the words of registers, with the signal names that cocotbext-axi
-// looks for.
+// Junction of motion_axi's streams and the words of registers, with the signal names that
+// cocotbext-axi looks for.
 `default_nettype none
 module axi_stream_bench (
     input  wire logic        clk,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The registers behind a bus under test, beside a motion that stands and has room for segments, not
-// for pieces.
+// The registers behind a bus under test, beside a motion that stands and has room for segments, but
+// none for pieces.
 `default_nettype none
 module bench_registers (
     input  wire logic        clk_i,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/bus/following_error.sv: where no two edges of an axis are in one round of 8 Axes slots, every
-// edge is counted, once and in its direction, and none is called illegal; whatever the pauses
-// between slots.
+// rtl/bus/following_error.sv: if no two edges of an axis are in one round of 8 Axes slots, every
+// edge is counted, once and in its direction, and none is reported illegal, for any pauses between
+// slots.
 // control: BACKWARDS s/now\[3\] == was\[2\]/now[3] != was[2]/
 // control: COUNTS_TWICE s/(visit \&\& here\[a\])/(visit \&\& here[a] \&\& !edge_q)/
 // control: COUNTS_FOR_ALL s/(visit \&\& here\[a\])/visit/
@@ -76,7 +76,7 @@ module following_error_formal (
       .axis_o(axis)
   );
 
-  // The memory, of counts alone; and what they were at the axis' last visit
+  // The memory, of counts alone; and its value at the axis' last visit
   localparam logic [6:0] First = registers_pkg::Encoder0;
   logic [1:0] seen_q[2];
   logic started_q = 1'b0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/queue/frame_entry.sv, whatever words come: those that pass are the words that came, none lost
-// or doubled, each with its tag, one that can be, with the check of all before it in its program,
-// begun with the digest that there was at the program's first word, in a frame of the next number
-// that follows on the one before; and every such word passes. The first other one is told, with its
-// cause, and nothing passes after it; nor while another stream is cut, or it has to wait. Words are
-// numbered; a reset makes all as new.
+// rtl/queue/frame_entry.sv, for any words: those that pass are the words that came, none lost or
+// doubled, each with its tag, valid, with the check of all words before it in its program, begun
+// with the digest at the program's first word, in a frame of the next number that follows the one
+// before; and every such word passes. The first other word is reported, with its cause, and nothing
+// passes after it; nor while another stream is cut, or the word has to wait. Words are numbered; a
+// reset makes a fresh start.
 // control: LETS_TAG s/can_be_i && data_o.*;/can_be_i;/
 // control: ANY_ORDER s/!numbered_i ||/1'b1 ||/
 // control: ANY_FOLLOWS s/follows_i \&\&/1'b1 \&\&/

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/line/frame_reader.sv with any bytes, behind registers that answer in two clocks: it goes on
-// whatever they are; a request stays until it is answered, and is no write of EXPECT; an answer
-// is closed once, behind a byte of it.
+// rtl/line/frame_reader.sv with any bytes, behind registers that answer in two clocks: no bytes
+// stop it; a request stays until it is answered, and is no write of EXPECT; an answer is closed
+// once, after a byte of it.
 // control: HANGS_ON_A_BYTE s/takes = !last;/takes = !last \&\& !low_q[7];/
 // control: LEAVES_EARLY s/(!asks || done_i)/1/
 // control: WRITES_NUMBERS s/writes_q \&\& !expects/writes_q/; s/ || expects}/}/
@@ -54,7 +54,7 @@ module frame_reader_formal (
 
   logic started_q = 1'b0;
   logic ran_q;
-  logic [3:0] waits_q;  // clocks in which nothing went on and everybody was willing
+  logic [3:0] waits_q;  // clocks without progress in which every party was ready
   logic goes_on;
   logic asked_q;
   logic [39:0] request_q;

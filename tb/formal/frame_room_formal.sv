@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/frame_room.sv beside the queue that it watches: it is full exactly when fewer words
-// than a frame's would fit, counted from what entered and left; and the queue never holds more than
-// the room that it counts with, but does hold as many.
+// than a frame's would fit, counted from the words that entered and left; and the queue never holds
+// more than the counted room, but does hold as many.
 // control: EARLY s/words_q > CountBits/words_q >= CountBits/
 // control: FORGETS_OUTPUT s/Most = Depth + 2 - Frame/Most = Depth - Frame/
 // control: BOTH_AT_ONCE s/if (put_i != take_i)/if (put_i || take_i)/

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/time/idle_gate.sv, before a scaler and a path generator of any latency in which programs
-// begin and end at any tick. A tick is watched, any, with those before it in their order, which the
-// gate does not know: as it is taken, it lands if and only if no program was under way after each
-// of the 16 before it, its target or one since the last landing was new, and no stop was going on.
-// So no tick lands in a motion. And none waits for ever.
+// begin and end at any tick. One tick, any, is watched, with those before it in their order, which
+// the gate does not know: as it is taken, it lands if and only if no program was under way after
+// each of the 16 before it, its target or one since the last landing was new, and no stop was under
+// way. So no tick lands in a motion. And none waits for ever.
 // control: LANDS_IN_MOTION s/ \&\& !active_i//
 // control: LANDS_EARLY s/idle_q == Count'(Idle) \&\& !stopping_i/!stopping_i/
 // control: LANDS_UNKNOWN s/assign known .*/assign known = 1'b1;/
@@ -95,7 +95,7 @@ module idle_gate_formal (
     if (started_q && rst_ni) begin
       // Of the ticks started and not yet taken the one at the gate is one: 16 at most.
       if (valid_i) assume (ahead_q < 5'(Idle));
-      // What is offered stays.
+      // An offer stays.
       if (kept_q) assume (valid_i);
       Lands : assert (!comes || landed_q == (due_q && idle_q == 5'(Idle)));
       Goes_on : assert (still_q < 3'd3);

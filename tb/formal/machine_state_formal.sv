@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/bus/machine_state.sv: what stops the machine stops it on the next clock, and it comes on only
-// when it is told to and nothing is wrong; words are taken of referenced axes alone; the motion
-// ends only switched off or at rest; a fault stays until it is cleared. Of a program's words and a
-// host's samples one alone is taken, and it changes with nothing of the other under way.
+// rtl/bus/machine_state.sv: a cause to stop stops the machine on the next clock; the machine turns
+// on only on request and without a fault; words are taken of referenced axes alone; the motion ends
+// only switched off or at rest; a fault stays until it is cleared. Either a program's words or a
+// host's samples are taken, and the choice changes only with nothing of the other under way.
 // control: ESTOP_PASSES s/= estop_i \&\& enable_o/= 1'b0/
 // control: LIMIT_PASSES s/= limit_i != '0 \&\& enable_o/= 1'b0/
 // control: COMES_ON_FAULTY s/(!stopped \&\& empty_i)/empty_i/

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/motion_settings.sv: settings change only where nothing is under way, a tick starts only
-// when good_o tells of those that stand, which are then within their ranges or not obeyed, the time
-// scaler begins anew with two clocks of them; they are taken at once when it is quiet; faults come
-// where they must and nowhere else. Words have a few bits at both ends.
+// rtl/time/motion_settings.sv: settings change only where nothing is under way; a tick starts only
+// when good_o reports the present settings, which are then within their ranges or not obeyed; the
+// time scaler restarts with two clocks of them; they are taken at once when it is quiet; faults
+// come where they must and nowhere else. Words have a few bits at both ends.
 // control: TAKES_IN_MOTION s/assign pause_o = .*/assign pause_o = !same_q;/
 // control: TAKES_UNDER_WAY s/ \&\& quiet_i//
 // control: FORGETS_STOP s/ \&\& stop_fits//

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/path_sequencer.sv, whatever the datapath's sum is: every tick that comes is taken once
-// and gives one increment, one after the other; pieces begin only when they are loaded, and with
-// a tick; time waits where no piece is queued, no program begins in a tick that is held; memory
-// words of the present piece are read inside programs only; no tick takes more clocks than it may.
+// rtl/path/path_sequencer.sv, for any sum of the datapath: every tick that comes is taken once and
+// gives one increment, one after the other; pieces begin only when they are loaded, and with a
+// tick; time waits where no piece is queued, no program begins in a tick that is held; memory words
+// of the present piece are read inside programs only; no tick exceeds its clocks.
 // control: LOSES_TICK s/rate_ready_o = .*;/rate_ready_o = 1'b1;/
 // control: TAKES_MISSING s/holds = !next_valid_i/holds = 1'b0/
 // control: SKIPS_QUEUED s/ || !queued_i;/ || !next_valid_i;/

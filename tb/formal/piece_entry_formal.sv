@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/queue/piece_entry.sv, whatever words come: they pass as pieces, word by word, of consecutive
-// numbers, each with a stop branch before it or without; a word passes exactly if it can be, as
-// hls/words.hpp says it, and has the check of those before it in its program, begun with the
-// digest; whole pieces alone are counted, each with the ticks and final of its own words; a path
-// length is told as it passes.
+// rtl/queue/piece_entry.sv, for any words: they pass as pieces, word by word, of consecutive
+// numbers, each with a stop branch before it or without; a word passes exactly if it is valid by
+// hls/words.hpp, and has the check of those before it in its program, begun with the digest; whole
+// pieces alone are counted, each with the ticks and final of its own words; a path length is
+// reported as it passes.
 // control: SKIPS_WORD s/= tag + 4'd1/= tag + 4'd1 + {3'b0, tag == words_pkg::TagC1}/
 // control: ZERO_TICKS s/- 1'b1;/;/
 // control: ANY_EXPONENT s/e <= words_pkg::MostExponent \&\&//

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/queue/piece_ledger.sv: the counts are those of the pieces that wait, in every order of puts
+// rtl/queue/piece_ledger.sv: the counts are those of the waiting pieces, for every order of puts
 // and takes, one at a time, that the queue allows; ticks follow two clocks later. Pieces are of one
 // or two ticks.
 // control: LOSES_PIECE s/take_i) pieces_q/(take_i \&\& finals_q == '0)) pieces_q/

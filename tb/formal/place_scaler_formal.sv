@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/pulse/place_scaler.sv: every sample is taken once, in the clocks that the header says, and
-// not before the rates of the one before are taken; what is fresh is told once.
+// rtl/pulse/place_scaler.sv: every sample is taken once, in the clocks that the header states, and
+// not before the rates of the one before are taken; freshness is reported once.
 // control: OVERWRITES s/ \&\& !rates_valid_o)/)/
 // control: UNOFFERED s/idle_q \&\& sample_valid_i/idle_q/
 // control: LOSES_RATES s/if (ends) rates_valid_o/if (ends \&\& !sample_valid_i) rates_valid_o/

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/bus/probe_catch.sv: a level that an armed switch has on one edge of the clock is caught, and
-// nothing else is; then every axis and the path are noted, once and in order, with what they were
-// on that clock.
+// nothing else is; then every axis and the path are noted, once and in order, with their values on
+// that clock.
 // control: BLINKS s/armed_q \&\& levels/armed_q \&\& note_ready_i \&\& levels/
 // control: ANY_LEVEL s/ == high_q/ != 2'd2/
 // control: ANY_SWITCH s/levels\[switch_q\]/(levels != 16'd0)/

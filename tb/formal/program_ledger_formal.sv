@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/queue/program_ledger.sv: a stream whose program has ended waits until the other's has, too;
-// then the two are apart exactly if path or ticks are not the same, and that stays. complete_o
-// tells whether the last segment of the program under way is in, or of the next if there is none,
-// next_complete_o the same of the one behind the final piece that is under way; lead_o is the ticks
-// of all segments less those of all pieces, and never turns negative from too many. Lengths and
-// ticks are 0, 1 or 2^30.
+// then the two are apart exactly if path or ticks differ, and stay so. complete_o reports whether
+// the last segment of the program under way is in, or of the next if there is none, next_complete_o
+// the same of the one behind the final piece that is under way; lead_o is the ticks of all segments
+// less those of all pieces, and never turns negative by overflow. Lengths and ticks are 0, 1 or
+// 2^30.
 // Frames come one at a time, those of a stream with a clock between; no program is over before its
 // last segment is in.
 // control: BLIND_TO_PATH s/(ticks_q != '0 || path_q != '0)/ticks_q != '0/

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/sample_gate.sv: no more requests and ticks on the way than there is room for, a tick for
-// the first of every 2^n samples and for no other, none while paused, kill for good, no time
+// rtl/path/sample_gate.sv: no more requests and ticks are under way than there is room for, a tick
+// for the first of every 2^n samples and for no other, none while paused, kill is final, no time
 // without good settings, nothing gets stuck. n changes where it may.
 // control: OVERFLOWS s/8'(Room - 2)/8'(Room)/
 // control: TICKS_OVERFLOW s/started_o <= 5'd14/started_o <= 5'd17/

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/queue/sample_queue.sv: whatever the sampler has under way finds a place; samples come out as
-// they went in; nothing gets stuck.  Samples are numbered, modulo more than the queue holds.
+// rtl/queue/sample_queue.sv: every sample that the sampler has under way finds a place; samples
+// come out as they went in; nothing gets stuck. Samples are numbered, modulo more than the queue
+// holds.
 // control: OVERFLOWS s/(Depth - 3)/(Depth + 2)/
 // control: LOSES_SAMPLE s/next_write = push_i ?/next_write = push_i \&\& data_i != 3'd5 ?/
 // control: DOUBLES_SAMPLE s/next_read  = fetch ?/next_read  = fetch \&\& ready_i ?/

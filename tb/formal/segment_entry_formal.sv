@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/queue/segment_entry.sv, whatever words come: they pass as segments, word by word, of
-// consecutive numbers, each from where the one before ended, the first from anywhere; a word passes
-// exactly if it can be, as hls/words.hpp says it, and has the check of those before it in its
-// program, begun with the digest; whole segments alone are counted, each with the ticks and last of
-// its own words; a length is told as it passes.
+// rtl/queue/segment_entry.sv, for any words: they pass as segments, word by word, of consecutive
+// numbers, each from where the one before ended, the first from anywhere; a word passes exactly if
+// it is valid by hls/words.hpp, and has the check of those before it in its program, begun with the
+// digest; whole segments alone are counted, each with the ticks and last of its own words; a length
+// is reported as it passes.
 // control: AUX_AS_XYZ s/ \&\& !xyz//
 // control: ANY_LAMBDA s/ \&\& {1'b0, k_q} <= lambda//
 // control: WIDE_POINT s/PointField-1:FineBits-1\]/PointField-1:FineBits]/g
@@ -80,7 +80,7 @@ module segment_entry_formal #(
   logic [7:0] segments_q;
   logic held_q;
   logic ends_q;
-  // Of ticks the bits at the ends: all would be the cost of this proof.
+  // Bits of ticks at the ends: all bits would make this proof too costly.
   logic [1:0] ticks_q[4];
   logic last_q;
   logic spline_q;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/path/serial_share.sv: every tick gives its 2^n samples as numbered_ticks.sv says; a sample is
-// told, and its rate stands, in the clock after it was taken.
+// reported, and its rate stands, in the clock after it was taken.
 // control: ONE_TOO_MANY s/{more_q\[13:0\], 1'b1}/{more_q[12:0], 2'b11}/
 // control: LOSES_TICK s/assign tick_ready_o = !busy_q/assign tick_ready_o = 1'b1/
 // control: UNWANTED s/ \&\& wanted_i//

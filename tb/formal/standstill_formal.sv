@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/standstill.sv: while it says that the machine stands, no sample moves that was asked for
-// two clocks before or earlier and did not leave; where it could say so, it does. One sample is
-// followed: any one. A tick moves its samples when a program is under way, or begins in it, and the
-// rate of time does not rest.
+// rtl/time/standstill.sv: while it reports that the machine stands, no sample moves that was
+// requested at least two clocks before and did not leave; where it could report this, it does. One
+// sample, any, is followed. A tick moves its samples when a program is under way, or begins in it,
+// and the rate of time does not rest.
 // control: RESTS_TOO_SOON s/ \&\& ahead_q == '0//
 // control: RESTS_IN_MOTION s/ \&\& !active_i//
 // control: FORGETS_A_TICK s/ \&\& open_q == '0//
@@ -80,7 +80,7 @@ module standstill_formal (
   logic [2:0] tick_place_q;  // the same of its tick, 0: taken
   logic moves_q;  // it does
   logic [1:0] age_q;  // clocks since it was asked for, 3 at most
-  logic stood_q;  // meanwhile it was said to stand
+  logic stood_q;  // meanwhile it was reported to stand
   logic resolved;
   assign resolved = followed_q && tick_place_q == 3'd1 && taken;
   logic [3:0] calm_q;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/pulse/step_pulse.sv: whatever comes, the drive's four times hold; every step goes out once,
-// in its direction, and soon, or an overrun is up; a stop is a stop.
+// rtl/pulse/step_pulse.sv, for any inputs: the drive's four times hold; every step goes out once,
+// in its direction, and soon, or an overrun is reported; a stop is a stop.
 // control: NO_HOLD s/space_q \&\& hold_q/space_q/
 // control: NO_SETUP s/turn ? setup_1_i : set_q/set_q/
 // control: SHORT_PULSE s/step_o \&\& (long_q || stop_i)/step_o/

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/stop_memory.sv, with ticks on their way as they like, 16 at most: a branch is told
-// StopLead ticks after the one in which its piece began, a first piece without one as if it had one
-// with a wait of 1, and nothing else is; not before what is under way was told. It begins if that
+// rtl/time/stop_memory.sv, with any ticks under way, at most 16: a branch is announced StopLead
+// ticks after the one in which its piece began, a first piece without one as if it had one with a
+// wait of 1, and nothing else is; not before the branch under way was announced. It begins if that
 // tick had the rate 1.
 // control: ANY_RATE s/ \&\& full_i//
 // control: EARLY s/Count'(Lead - 1)/Count'(Lead - 2)/
@@ -52,7 +52,7 @@ module stop_memory_formal #(
       .step_o(step)
   );
 
-  // Ticks between scaler and generator; those from the generator to the one that it is told in
+  // Ticks between scaler and generator; those from the generator to the one in which it is announced
   logic started_q = 1'b0;
   logic [4:0] under_way_q;
   logic [5:0] to_go_q;

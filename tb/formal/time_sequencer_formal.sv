@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/path/time_sequencer.sv, whatever the datapath's sum is: every tick that comes gives one rate,
+// rtl/path/time_sequencer.sv, for any sum of the datapath: every tick that comes gives one rate,
 // one after the other, within its clocks; the sum is 0 when the next one comes, and nothing is
 // written between them. The sum may be anything, but a way that was turned is ahead and not 0.
 // control: LOSES_TICK s/ready_o  = .*;/ready_o = 1'b1;/

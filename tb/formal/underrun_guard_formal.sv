@@ -2,8 +2,8 @@
 // rtl/queue/underrun_guard.sv: hold comes exactly where the ticks that a stream covers, as they
 // were some clocks before, do not exceed stop ticks + 10; it goes where those of both exceed twice
 // as many + 10, or a full queue's exceed a stop, or nothing can run out; it stays otherwise. A
-// program begins where a hold would go, were that program under way; underrun and fault are sticky;
-// after reset there is neither. Counts are small ones.
+// program begins where a hold would go, if that program were under way; underrun and fault are
+// sticky; after reset there is neither. Counts are small ones.
 // control: LATE s/pieces_over_stop   = stop - pieces_q;/pieces_over_stop   = go - pieces_q;/
 // control: NO_HYSTERESIS s/{1'b0, stop_ticks_i, 1'b0}/{2'b0, stop_ticks_i}/
 // control: FORGETS_SEGMENTS s/pieces_q + 34'(lead_q)/pieces_q/

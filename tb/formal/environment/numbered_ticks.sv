@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Ticks into samples, 2^n_i each, n_i fixed: a tick's rate is its number, and so are its samples'.
-// None is lost, doubled or out of order; they are sent when wanted; offers stay; nothing is stuck.
+// None is lost, doubled or out of order; they are sent on request; offers stay; nothing is stuck.
 `default_nettype none
 module numbered_ticks #(
-    parameter int Inside = 2,  // ticks at most that are taken and not yet over
-    parameter int Idle   = 4   // clocks at most from a wanted sample to its offer
+    parameter int Inside = 2,  // most ticks that are taken and not yet over
+    parameter int Idle   = 4   // most clocks from a wanted sample to its offer
 ) (
     input wire logic        clk_i,
     input wire logic        rst_ni,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/serial/serial_sequencer.sv, u_dut, and what stands around it in a core, in all its ways: the
-// tracker (rtl/serial/serial_tracker.sv) and the lander's room (rtl/curve_interpolator_serial.sv).
+// rtl/serial/serial_sequencer.sv, u_dut, and its surroundings in a core, in all possible
+// behaviours: the tracker (rtl/serial/serial_tracker.sv) and the lander's room
+// (rtl/curve_interpolator_serial.sv).
 //
 //   part      after the samples when all is quiet; a clock or more after the part before, six if it
 //             is the first of a segment or of a step (0, 2)
