@@ -20,7 +20,7 @@ COLUMNS = {
 
 
 def campaign(name, what, *without):
-    """A row for each family of curves that a campaign drew."""
+    """Rows, one for each family of curves that a campaign drew."""
     data = load(f"figures/{name}.json")
     if data is None:
         return None

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Gathers build/bench/ into build/bench.json: rows of what was measured, each with its figure."""
+"""Gathers build/bench/ into build/bench.json: rows of measurements, each with its figure."""
 
 import json
 import pathlib

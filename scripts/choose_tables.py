@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of what `choose` and `compare` answer."""
+"""Tables of the answers of `choose` and `compare`."""
 
 from result_table import load, measured, table
 

@@ -75,7 +75,7 @@ def others_rows():
 
 
 def drawn():
-    """Programs in G64 P: what is drawn, and how long."""
+    """Programs in G64 P: the drawn path, and its duration."""
     data = load("figures/drawn.json")
     if data is None:
         return None
@@ -115,7 +115,7 @@ def oracle():
 
 
 def claims():
-    """The papers' claims, with what the tables' programs measured."""
+    """The papers' claims, with the measurements of the tables' programs."""
     circles = load("figures/paper_table.json")
     splines = load("figures/spline_tables.json")
     searches = load("figures/search_tables.json")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sums up what the tests of build/coverage ran: C++ as GCC counted it, RTL as Verilator did.
+"""Sums up the coverage by the tests of build/coverage: C++ by GCC, RTL by Verilator.
 Writes build/figures/coverage.json, a row for each folder, and build/coverage/uncovered.txt."""
 
 import collections
@@ -17,14 +17,14 @@ POINT = re.compile(r"\x01(\w+)\x02([^\x01']*)")
 
 
 def gcov(data):
-    """What GCC counted in an object, file by file."""
+    """Counts of GCC in an object, file by file."""
     done = subprocess.run(["gcov", "-b", "-j", "-t", data], capture_output=True, check=True,
                           cwd=BUILD)
     return json.loads(done.stdout)["files"]
 
 
 def cpp_points():
-    """(file, line, kind, which) -> times that it ran"""
+    """Map (file, line, kind, which) -> number of runs."""
     points = collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         files = itertools.chain.from_iterable(pool.map(gcov, BUILD.rglob("*.gcda")))
@@ -43,7 +43,7 @@ def cpp_points():
 
 
 def rtl_points():
-    """The same: a line or a branch of a module, in whatever instance and configuration."""
+    """Runs of a line or a branch of a module, in any instance and configuration."""
     points = collections.Counter()
     for name in BUILD.rglob("coverage.*.dat"):
         for entry in name.read_text(errors="replace").splitlines():

@@ -58,7 +58,7 @@ def own_widths(run):
 
 
 def wide_multipliers(run):
-    """As mean_wide in sysc/cost/cost_structure.cpp."""
+    """Equals mean_wide in sysc/cost/cost_structure.cpp."""
     if run["build"] == "serial":
         return 1
     interval, order = run["SampleInterval"], run["Order"]
@@ -77,14 +77,14 @@ def wide_multipliers(run):
 
 
 def narrow_multipliers(run):
-    """As count_multipliers in sysc/cost/cost_structure.cpp."""
+    """Equals count_multipliers in sysc/cost/cost_structure.cpp."""
     if run["build"] == "serial" or run["core"] == "spherical":
         return 0
     return 8 + (3 if run["Mode"] == 0 else 0)
 
 
 def soft_bits(run):
-    """As in sysc/cost/cost_structure.cpp."""
+    """Equals its namesake in sysc/cost/cost_structure.cpp."""
     width, low = run["CoefBits"], run["CoefBits"] - 18
     if run["family"] == "hx8k":
         return width * width
@@ -94,7 +94,7 @@ def soft_bits(run):
 
 
 def wide_block(run):
-    """As in sysc/cost/cost_structure.cpp."""
+    """Equals its namesake in sysc/cost/cost_structure.cpp."""
     return int(run["family"] == "lifcl-40" and run["CoefBits"] == 36)
 
 

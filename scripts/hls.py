@@ -58,13 +58,13 @@ def arguments():
 
 
 def say(text):
-    """What it is at, on a terminal."""
+    """Shows the present step, on a terminal."""
     if sys.stderr.isatty():
         print(f"hls: {text}", file=sys.stderr, flush=True)
 
 
 def done(one, samples, device, seeds, minutes, output):
-    """All that is found out about a kernel; its Verilog and that, in files."""
+    """Returns all results for a kernel; writes them and its Verilog."""
     folder = output / "work" / one.name
     folder.mkdir(parents=True, exist_ok=True)
     with alone(folder / ".lock"):

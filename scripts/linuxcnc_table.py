@@ -15,7 +15,7 @@ HEAD = ["program", "P, um", "LinuxCNC, s", "a/A", "off, um", "J 1e5, s", "a/A", 
 
 
 def keeps(row):
-    """Whether LinuxCNC's own samples keep P and A."""
+    """Returns whether LinuxCNC's own samples keep P and A."""
     tolerance = USUAL_P if row["tolerance_mm"] is None else row["tolerance_mm"]
     theirs = row["linuxcnc"]
     return max(theirs["a"]) <= ROUNDING and theirs["off_mm"] <= tolerance + MEASURED_TO

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of what was placed and routed."""
+"""Tables of placed and routed cores."""
 
 import csv
 import json
@@ -17,7 +17,7 @@ def finished(path):
 
 
 def placed(sweep):
-    """What `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv` has placed."""
+    """Table of the results of `scripts/synth.sh --sweep scripts/sweeps/SWEEP.csv`."""
     return finished(f"synth/{sweep}.csv")
 
 

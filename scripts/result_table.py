@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What every page of scripts/results is made with."""
+"""Parts that every page of scripts/results is made with."""
 
 import dataclasses
 import functools
@@ -21,9 +21,9 @@ PAGES = [ROOT / "README.md",
 @dataclasses.dataclass(frozen=True)
 class Table:
     title: str
-    make: Callable  # its text; None: there is nothing to make it of
+    make: Callable  # its text; None: no data
     command: str  # what measures it, or the file that it follows from
-    note: str = ""  # what a reader has to know to read it
+    note: str = ""  # explanation for readers
     measured: bool = True  # else it follows from files of this tree
     exact: bool = False  # measured, and the same on every machine
 
@@ -69,7 +69,7 @@ def cells(name):
 
 
 def excerpt(name, columns, keys):
-    """Of scripts/results/NAME.md these columns (their places) of the rows that begin with a key."""
+    """Columns of scripts/results/NAME.md, by their places, of the rows that begin with a key."""
     head, rows = cells(name)
     found = [next(row for row in rows if tuple(row[:len(key)]) == key) for key in keys]
     return table([head[c] for c in columns], [[row[c] for c in columns] for row in found])

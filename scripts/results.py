@@ -79,7 +79,7 @@ def known(tree):
 
 
 def page_faults(name, table, measured_too):
-    """What is wrong with a page of scripts/results."""
+    """Returns the fault of a page of scripts/results."""
     file = RESULTS / f"{name}.md"
     if not file.exists():
         return [f"is not there: run {table.command}, then scripts/results.py"]
@@ -99,7 +99,7 @@ def page_faults(name, table, measured_too):
 
 
 def readme_faults(page):
-    """What is wrong with the rows that a README shows."""
+    """Returns the fault of the rows that a README shows."""
     text = page.read_text()
     places = list(PLACE.finditer(text))
     if len(places) != len(re.findall("<!-- (?:begin|end):", text)) / 2:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast the system in SystemC and the virtual board are, in times of real time: a part of some
+"""Speed of the system in SystemC and of the virtual board, relative to real time: a part of some
 seconds with each choice of blocks.  Prints rows and writes build/figures/system_rates.json."""
 
 import json
@@ -31,7 +31,7 @@ def seconds(*arguments):
 
 
 def system(folder):
-    """Beside what planning takes, which each run does too."""
+    """Yields the speed of each choice of blocks, without the planning that each run does too."""
     planning = seconds("plan", PART, "-o", folder, *CORE)
     for name, blocks in BLOCKS.items():
         taken = seconds("run", PART, "--on", "systemc", "--system", blocks, "-o", folder, *CORE)
@@ -40,7 +40,7 @@ def system(folder):
 
 
 def virtual_board(folder):
-    """What it holds of the clock that it says."""
+    """Share of its nominal clock that it keeps."""
     board = subprocess.Popen([PROGRAM, "board", "--listen", "127.0.0.1:0"],
                              stdout=subprocess.PIPE, text=True)
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The kernels that go through HLS, and what may be set of them."""
+"""The kernels that go through HLS, and their settings."""
 
 import dataclasses
 
@@ -8,7 +8,7 @@ from synthesis.cores import check_parameters, parameters
 from synthesis.refused import Refused
 from synthesis.tables import parameters as table
 
-# Those of the RTL alone: a clock's share of the work, a device's multipliers.
+# Parameters of the RTL alone: a clock's share of the work, a device's multipliers.
 RTL_ALONE = ("SampleInterval", "MultiplierForm")
 
 
@@ -17,8 +17,8 @@ class Kernel:
     """A core whose kernel hls/top has a top of."""
 
     name: str
-    steps: int | None  # integration steps that a call goes on; None: it is one
-    stages: int  # of the pipeline, unless said
+    steps: int | None  # integration steps of a call; None: one
+    stages: int  # default stages of the pipeline
 
     @property
     def module(self):
@@ -42,7 +42,7 @@ def parameters_of(kernel):
 
 @dataclasses.dataclass(frozen=True)
 class Wanted:
-    """What is asked for: a kernel, its parameters, the form of its pipeline."""
+    """A request: a kernel, its parameters, the form of its pipeline."""
 
     kernel: Kernel
     given: dict  # parameters as the user set them
@@ -58,12 +58,12 @@ class Wanted:
 
     @property
     def parameters(self):
-        """Those of the kernel, with their values."""
+        """Parameters of the kernel, with their values."""
         known = parameters_of(self.kernel) | self.given
         return {name: int(value) for name, value in known.items()}
 
     def definitions(self):
-        """Of C++: every parameter of the table, and the number of steps."""
+        """Macros of C++: every parameter of the table, and the number of steps."""
         values = {one.name: one.default for one in table().values()} | self.parameters
         values["Steps"] = self.steps or 0
         return [f"-DCFG_{name}={value}" for name, value in values.items()]

@@ -15,7 +15,7 @@ from synthesis.tools import tool
 
 @dataclasses.dataclass
 class FileConfiguration(Configuration):
-    """A module of a Verilog file of its own."""
+    """A module in a separate Verilog file."""
 
     file: object = None
 
@@ -24,7 +24,7 @@ class FileConfiguration(Configuration):
 
 
 def check_device(device):
-    """Refuses a device that there is not, and the lack of its tools."""
+    """Refuses an unknown device, and the lack of its tools."""
     tool("yosys")
     tool(device_named(device).family.nextpnr)
 
@@ -49,9 +49,9 @@ def counted(config, store):
 
 
 def placed(config, seeds, store, minutes):
-    """Frequency and numbers of cells; without seeds, the numbers alone; of what cannot be placed,
-    the numbers, `refused`, and whether it has more cells than the device, of which nextpnr is not
-    asked."""
+    """Returns frequency and numbers of cells; without seeds, the numbers alone; if placement fails,
+    the numbers, `refused`, and whether it has more cells than the device, in which case nextpnr
+    is not run."""
     cells = counted(config, store)
     if seeds == 0:
         return cells

@@ -11,14 +11,14 @@ from synthesis.tools import error_of, run, tool
 
 
 class Differs(Exception):
-    """The Verilog is not what the kernel is."""
+    """The Verilog differs from the kernel."""
 
     def __init__(self, where):
         super().__init__(f"the Verilog is not what the kernel is: {where}")
 
 
 def simulate(made, wanted, samples, folder):
-    """Samples, words, words that differ (none), latency in clocks, clocks of the RTL for a call;
+    """Returns samples, words, differing words (0), latency in clocks, clocks of the RTL for a call;
     raises Differs."""
     bench = ROOT / "tb/hls" / f"{wanted.kernel.name}_bench.cpp"
     flags = ["-std=c++17", "-I" + str(ROOT), *wanted.definitions()]

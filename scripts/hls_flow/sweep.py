@@ -38,13 +38,13 @@ def asked(row):
 
 
 def check_placed(found):
-    """Raises Refused where that failed, unless for the size."""
+    """Raises Refused if the placement failed for another reason than the size."""
     if "refused" in found and not found["too_large"]:
         raise Refused(found["refused"])
 
 
 def both(row, do, minutes, store):
-    """What is found out about the pipeline and the RTL."""
+    """Results for the pipeline and the RTL."""
     found = do(row)
     pipeline = found["placed"]
     check_placed(pipeline)
@@ -59,8 +59,8 @@ def both(row, do, minutes, store):
 
 
 def sweep(file, rows, table, do, minutes, store):
-    """`do(row)` is what scripts/hls.sh does for one.  The results, in `table`, grow row by row; one
-    that fails is there with the reason.  Returns how many failed."""
+    """Runs a table; `do(row)` is the work of scripts/hls.sh for one row. The results, in `table`,
+    grow row by row; a failed row has the reason. Returns the number of failed rows."""
     lines, failed = [], 0
     for row in rows:
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From LLVM's intermediate language to that of XLS: one function, straight through.
+"""Translation of LLVM's intermediate language to that of XLS: one function, straight through.
 
 The function's arguments are pointers to integers or to arrays of them, as clang 14 writes them. An
 argument that is read becomes a parameter, element i in the bits from i times its width on; those
@@ -56,7 +56,7 @@ class Function:
             raise Refused(f"the kernel must become one function, not {len(found)}")
         self.name, arguments, body = found[0]
         self.ports = {port.name: port for port in map(argument, arguments.split(", "))}
-        self.places = {name: (name, 0) for name in self.ports}  # of a pointer: argument, element
+        self.places = {name: (name, 0) for name in self.ports}  # pointer -> argument, element
         self.values = {}
         self.stored = {name: {} for name in self.ports}
         self.lines = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a kernel to Verilog: clang to LLVM's intermediate language, hls_flow.translate, XLS."""
+"""Way of a kernel to Verilog: clang to LLVM's intermediate language, hls_flow.translate, XLS."""
 
 import dataclasses
 import importlib.metadata
@@ -22,13 +22,13 @@ LANGUAGE = ["-std=c++14", "-DCURVECORE_BIT_INT", "-fwrapv", "-I", str(ROOT)]
 
 @dataclasses.dataclass(frozen=True)
 class Made:
-    """What came out: the file, its module, its ports."""
+    """Result: the file, its module, its ports."""
 
     file: pathlib.Path
     module: str
     inputs: list
     outputs: list
-    products: int  # that are left when XLS has simplified
+    products: int  # products left after XLS has simplified
     tools: list
 
 
@@ -45,7 +45,7 @@ def llvm(top, definitions, folder):
     if not shutil.which(CLANG):
         raise Refused(f"tool missing: {CLANG} is not installed: run scripts/setup.sh")
     rolled, kernel = folder / "rolled.ll", folder / "kernel.ll"
-    # The second time makes words of what was in memory until its loops were unrolled.
+    # The second pass turns memory, whose loops are unrolled by then, into words.
     for source in ([*LANGUAGE, *definitions, str(top), "-o", str(rolled)],
                    [str(rolled), "-o", str(kernel)]):
         run([CLANG, *FLAGS, *source], folder / "clang.log",
@@ -54,7 +54,7 @@ def llvm(top, definitions, folder):
 
 
 def tools():
-    """Their versions."""
+    """Versions of the tools."""
     said = subprocess.run([CLANG, "--version"], capture_output=True, text=True).stdout
     return [said.splitlines()[0], f"xls-python {importlib.metadata.version('xls-python')}"]
 
@@ -82,7 +82,7 @@ def pipeline(package, module, stages):
 
 
 def make(wanted, folder):
-    """<module>.v in the folder."""
+    """Writes <module>.v into the folder."""
     module = f"{wanted.kernel.name}_hls"
     text = llvm(ROOT / "hls/top" / f"{wanted.kernel.name}.cpp", wanted.definitions(), folder)
     try:

@@ -15,17 +15,17 @@ from synthesis.netlist import Yosys
 from synthesis.refused import Refused, TooLarge
 from synthesis.tools import alone, error_of, run, tool, version, work_folder, write_whole
 
-# As nextpnr has packed it: what it needs of what there is.
+# nextpnr's count after packing: used and available.
 USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%", re.M)
 
 # Another seed may find one: a matter of chance where a device is nearly full.
 NO_LEGAL_PLACE = "Unable to find legal placement"
-NEARLY = 0.9  # full: where a placement or its routes may not end
+NEARLY = 0.9  # share above which placement or routing may fail
 FEW = 8  # such as the one of GND
 
 
 def explain_fit(board, log, error):
-    """Raises what nextpnr's error, or its silence, comes from."""
+    """Raises the cause of nextpnr's error, or of its silence."""
     used = [(f"{used} {cell} of {there}", int(used) / int(there))
             for cell, used, there in USED.findall(log) if int(there) > FEW]
     over = [text for text, share in used if share > 1]
@@ -38,7 +38,7 @@ def explain_fit(board, log, error):
 
 
 def make(board, folder, seeds, minutes, pins_alone=False):
-    """Writes the bitstream and all that it was made of into `folder`; returns what it is."""
+    """Writes the bitstream and its sources into `folder`; returns its description."""
     tools = tools_of(board)
     folder.mkdir(parents=True, exist_ok=True)
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
@@ -61,7 +61,7 @@ def make(board, folder, seeds, minutes, pins_alone=False):
 
 
 def synthesise(board, tools, work, folder, pins_alone):
-    """netlist.json; returns the number of cells by type."""
+    """Writes netlist.json; returns the number of cells by type."""
     read = ["read_verilog top.v"]
     if board.clock_hz != board.oscillator_hz:
         pll = command(tools.pll, board)
@@ -74,7 +74,7 @@ def synthesise(board, tools, work, folder, pins_alone):
 
 
 def place(board, tools, work, folder, seeds, minutes):
-    """By the first seed that finds a place and keeps the board's clock."""
+    """Places with the first seed that succeeds and keeps the board's clock."""
     nextpnr = tool(tools.family.nextpnr)
     wanted = board.clock_hz / 1e6
     reached = {}
@@ -99,7 +99,7 @@ def place(board, tools, work, folder, seeds, minutes):
 
 
 def check_clock(board, report):
-    """A PLL that cannot make the clock makes another one."""
+    """Checks the clock: a PLL that cannot make it makes another one."""
     asked = {clock["constraint"] for clock in report["fmax"].values()}
     if board.clock_hz != board.oscillator_hz and not any(
             abs(mhz * 1e6 / board.clock_hz - 1) < 1e-3 for mhz in asked):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The files that are made of a board's table: constraints and the top.
+"""Files made of a board's table: constraints and the top.
 
 Switches have pull-ups and close to ground: a wire that is off is an open switch, which stops.
 Without pins of their own limit switches are the home switches too; there is no probe, no encoder.
@@ -69,7 +69,7 @@ PINS = """  reg [7:0] count = 8'd0;
 
 
 def top(board, pins_alone=False):
-    """Verilog of module top; with `pins_alone` something that uses every pin, and no motion."""
+    """Verilog of module top; with `pins_alone` a design that uses every pin, and no motion."""
     axes = f"[{board.axes - 1}:0]"
     none = f"{board.axes}'d0"
     inputs = {"probe": "1'b0", "home": "limit", "encoder_a": none, "encoder_b": none}

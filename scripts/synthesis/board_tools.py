@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the tools of a family make a bitstream of a board."""
+"""Commands by which the tools of a family make a bitstream of a board."""
 
 import dataclasses
 
@@ -10,7 +10,7 @@ from synthesis.refused import Refused
 
 @dataclasses.dataclass(frozen=True)
 class BoardTools:
-    """Commands have {part}, and {..} of what is in the board's `device`.
+    """Commands have {part}, and {..} for values in the board's `device`.
 
     Boards are slow and full: without multiplexers behind LUTs a design needs fewer of these."""
 
@@ -21,7 +21,7 @@ class BoardTools:
     flags: tuple  # of nextpnr
     pack: tuple
     bitstream: str
-    pll: tuple = ()  # what writes pll.v, with {clkin} and {clkout} in MHz
+    pll: tuple = ()  # writes pll.v, with {clkin} and {clkout} in MHz
 
 
 # nextpnr puts a flip-flop beside the LUT that it registers, but not beside an adder's cell, and
@@ -53,7 +53,7 @@ TOOLS = {
 
 
 def tools_of(board):
-    """Raises Refused where they cannot make this board."""
+    """Raises Refused if the tools cannot make this board."""
     if board.family not in TOOLS:
         raise Refused(f"unknown family '{board.family}': one of {', '.join(TOOLS)}")
     tools = TOOLS[board.family]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Boards: a file each, scripts/boards/NAME.json, and what it says together.
+"""Boards: a file each, scripts/boards/NAME.json:
 
     part, family, device    as the family's tools want them (synthesis/board_tools.py)
     oscillator_hz           at the pin clk; clock_hz: of the design, by a PLL where it is another
@@ -54,11 +54,11 @@ class Board:
 
     @property
     def settings(self):
-        """All that the top gives to motion_board."""
+        """Returns all parameters that the top gives to motion_board."""
         return self.parameters | {"ClockHertz": str(self.clock_hz)}
 
     def ports(self):
-        """(port, pin, has a pull-up) of every bit."""
+        """Returns (port, pin, has a pull-up) of every bit."""
         for name in PINS + OPTIONAL:
             if name not in self.pins:
                 continue
@@ -69,7 +69,7 @@ class Board:
                 yield name, self.pins[name], name in PULLED_UP
 
     def figures(self):
-        """What a drive and a host get of it."""
+        """Returns the board's figures for drives and hosts."""
         period_log2 = int((parameters(TOP) | self.settings)["PeriodLog2"])
         return {"clock_mhz": self.clock_hz / 1e6, "axes": self.axes,
                 "samples_s": round(self.clock_hz / 2**period_log2),
@@ -81,7 +81,7 @@ def names():
 
 
 def board_named(name, given=()):
-    """The board of this name, or of a file, with the parameters `given` instead of its own.
+    """Returns the board of this name, or of a file, with the parameters `given` instead of its own.
     Raises Refused."""
     if name not in names() and not name.endswith(".json"):
         raise Refused(f"unknown board '{name}': one of {', '.join(names())}, or a file (.json)")

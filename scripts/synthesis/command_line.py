@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the command lines of scripts/synth.py and scripts/hls.py have in common."""
+"""Common parts of the command lines of scripts/synth.py and scripts/hls.py."""
 
 import argparse
 
@@ -12,7 +12,7 @@ class Parser(argparse.ArgumentParser):
 
 
 def settings(items):
-    """Of `--set Name=Value`: values by name."""
+    """Reads `--set Name=Value`: values by name."""
     for item in items:
         if "=" not in item:
             raise Refused(f"--set {item}: must be Name=Value")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A configuration to place and route, and the names under which its parts are stored.
 
-A name ends in a digest of all that the part comes from (sources, settings, tools): what is in
-the store is never stale, and work on other sources takes nothing away from it.
+A name ends in a digest of all inputs of the part (sources, settings, tools): the store is never
+stale, and work on other sources removes nothing from it.
 """
 
 import dataclasses

@@ -19,7 +19,7 @@ class CoreFile:
 
 
 def core_file(file):
-    """The core of a file: those of its parameters that are not the defaults of its top, but for the
+    """Returns the core of a file: its parameters that are not the defaults of its top, except the
     multipliers, which are the device's."""
     try:
         core = json.loads(Path(file).read_text())

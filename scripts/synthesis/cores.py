@@ -61,7 +61,7 @@ def sources(*tops):
 
 @functools.lru_cache(maxsize=None)
 def parameters(top):
-    """Parameters of a module and what their defaults are written as."""
+    """Returns the parameters of a module and the text of their defaults."""
     if top not in files():
         raise Refused(f"unknown module '{top}'")
     found = re.findall(r"^ +parameter\s+(?:\w+\s+)*?(\w+)\s*=\s*([^,\n]+)", text_of(top), re.M)

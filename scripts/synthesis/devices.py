@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The devices: what each has (sysc/cost/devices.def), and how its tools are called."""
+"""The devices: their resources (sysc/cost/devices.def), and the calls of their tools."""
 
 import dataclasses
 import pathlib
@@ -17,13 +17,13 @@ class Family:
 
     name: str
     nextpnr: str
-    freq: int  # MHz asked for, above what is reached
+    freq: int  # MHz requested, more than can be reached
     yosys: tuple  # commands after reading the sources; {netlist} is the file to write
     lut: dict  # LUTs that a cell occupies
     ff: tuple  # the cells' names begin so
     dsp: dict  # multipliers 18 x 18 (UP5K: 16 x 16) in a cell
     bram: tuple
-    files: tuple = ()  # that its Yosys commands read
+    files: tuple = ()  # files that its Yosys commands read
     routed_timing: bool = True  # nextpnr times every net after routing
 
 
@@ -65,7 +65,7 @@ NEXUS = Family(
 
 @dataclasses.dataclass(frozen=True)
 class Tools:
-    """How a device is placed and routed."""
+    """Placing and routing of a device."""
 
     family: Family
     flags: tuple  # of nextpnr, with {speed} grade and {pins} file
@@ -88,7 +88,7 @@ TOOLS = {
     "gw2a-18": Tools(GOWIN, ("--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18",
                              "--vopt", "cst={pins}"), pins=PINS / "gw2a-18.cst",
                      remark="nextpnr does not time multipliers, nor segment wires once routed"),
-    # router2 finds no way from the clock pin to its buffer, but for the smallest designs
+    # router2 finds no way from the clock pin to its buffer, except in the smallest designs
     "lifcl-40": Tools(NEXUS, ("--device", "LIFCL-40-{speed}BG400C", "--pdc", "{pins}",
                               "--router", "router1"), (7, 8, 9), PINS / "lifcl-40.pdc"),
 }

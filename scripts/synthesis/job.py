@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One job of a sweep, for the Snakefile: job.py PLAN netlists|placements TARGET, in the store.
 
-Where it fails, TARGET.reason says why.
+TARGET.reason has the reason of a failure.
 """
 
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From sources to a netlist: core and harness through Yosys, and what the core consists of."""
+"""Netlist of core and harness by Yosys, and the cells of the core."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from synthesis.tools import alone, error_of, run, tool, work_folder, write_whole
 
 
 def number(value):
-    """Yosys writes integers as strings of 32 bits."""
+    """Converts an integer, which Yosys writes as a string of 32 bits."""
     if isinstance(value, str) and set(value) <= {"0", "1"}:
         return int(value, 2) - ((1 << len(value)) if value[0] == "1" else 0)
     return value
@@ -56,7 +56,7 @@ class Yosys:
         return module["ports"], module.get("parameter_default_values", {})
 
     def synthesise(self, family, log):
-        """netlist.json of harness.v; returns numbers of cells by type, of the core and of all."""
+        """Writes netlist.json of harness.v; returns cells by type, of the core and of all."""
         commands = [command.format(netlist="netlist.json") for command in family.yosys]
         self(log, "read_verilog harness.v", *commands, "tee -o stat.json stat -json")
         netlist = json.loads((self.folder / "netlist.json").read_text())["modules"]
@@ -67,7 +67,7 @@ class Yosys:
 
 
 def synthesise(wanted, folder):
-    """netlist.json and cells.json of a configuration, in its folder of the store."""
+    """Writes netlist.json and cells.json of a configuration, into its folder of the store."""
     folder.mkdir(parents=True, exist_ok=True)
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
         if (folder / "netlist.json").exists():

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the boards of scripts/boards took when they were placed: the one file of it.
+"""Figures of the boards of scripts/boards as placed: the one file of them.
 
     board, part, family, device    as in the board's table
     parameters                     all of rtl/motion_board.sv
     clock_mhz, fmax_mhz            asked, reached
     lut4, ff, dsp, bram            used
-    axes, samples_s, steps_s       what a drive and a host get of it
+    axes, samples_s, steps_s       figures for drives and hosts
     tree                           the last commit that changed rtl before it was placed, if known
 """
 
@@ -30,7 +30,7 @@ def tree():
 
 
 def record(board, facts, file):
-    """Its row anew, the others as they are."""
+    """Replaces its row, and keeps the others."""
     row = {"board": board.name, "part": board.part, "family": board.family,
            "device": board.device,
            "parameters": {name: int(value) for name, value in

@@ -17,7 +17,7 @@ from synthesis.tools import (alone, end_all, error_of, run, tool, version, work_
 
 
 def explain(lines):
-    """Names what a user can act on: another device, or another seed."""
+    """Names the user's remedy: another device, or another seed."""
     error = error_of(lines)
     if re.search(r"no bels|[Uu]nable to (find|place)|[Ff]ailed to place|too many", error, re.I):
         return f"does not fit: {error}"
@@ -27,8 +27,8 @@ def explain(lines):
 
 
 def frequency(family, report, log):
-    """MHz of the slowest path that nextpnr times; the lower of before and after routing where it
-    leaves out nets after it."""
+    """Returns MHz of the slowest path that nextpnr times; the lower of before and after routing if
+    it leaves out nets after routing."""
     reached = [clock["achieved"] for clock in report["fmax"].values()]
     if not family.routed_timing:
         reached += [float(mhz) for mhz in re.findall(r"Max frequency for clock .*: ([\d.]+) MHz",
@@ -39,9 +39,9 @@ def frequency(family, report, log):
 
 
 def place(wanted, seed, folder, minutes):
-    """Writes the report of a placement, which has all that is needed of the netlist too.
+    """Writes the report of a placement, including all that is needed of the netlist.
 
-    The netlist must be there; a report that is there is kept.
+    The netlist must exist; an existing report is kept.
     """
     name = wanted.placement_name(seed)
     with alone(folder / f".{name}.lock"), work_folder(folder / f".{name}.work") as work:
@@ -69,7 +69,7 @@ def place(wanted, seed, folder, minutes):
 
 
 def best(wanted, seeds, store, minutes):
-    """The result of some seeds; what is in the store is not done again."""
+    """Returns the result of some seeds; placements in the store are not repeated."""
     paths = reports(wanted, seeds, store)
     found = result(wanted, paths)
     if found:

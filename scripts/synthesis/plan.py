@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The jobs of a sweep: what the Snakefile and its jobs read."""
+"""The jobs of a sweep, for the Snakefile and its jobs."""
 
 import dataclasses
 import json
@@ -16,7 +16,7 @@ def targets(row, store):
 
 
 def write_plan(file, rows, store, minutes):
-    """Each target with what makes it."""
+    """Returns each target with its configuration."""
     plan = {"minutes": minutes, "netlists": {}, "placements": {}}
     for row in rows:
         wanted = dataclasses.asdict(row.wanted)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What cannot be done, said to the user."""
+"""Requests that are refused, with a message to the user."""
 
 
 class Refused(Exception):

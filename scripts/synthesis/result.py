@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What was found out about a configuration: the best of its seeds."""
+"""Result of a configuration: the best of its seeds."""
 
 import json
 from pathlib import Path
@@ -8,13 +8,13 @@ from synthesis.devices import DEVICES, counts
 
 
 def reports(wanted, seeds, store):
-    """The path of each seed's report, whether there or not."""
+    """Returns the path of each seed's report, which need not exist."""
     folder = Path(store) / wanted.netlist_name()
     return [folder / f"{wanted.placement_name(seed)}.json" for seed in range(1, seeds + 1)]
 
 
 def result(wanted, paths):
-    """From the reports of some seeds; None as long as one is missing."""
+    """Makes the result from the reports of some seeds; None if one is missing."""
     if not all(path.exists() for path in paths):
         return None
     found = [json.loads(path.read_text()) for path in paths]

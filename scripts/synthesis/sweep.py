@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table of configurations through Snakemake; shows what is found as it comes.
+"""A table of configurations through Snakemake; shows results as they come.
 
-Results stay in the store, whatever ends the sweep; started again, it does what is missing.
+Results stay in the store, whatever ends the sweep; a restart does the missing ones.
 """
 
 import ctypes
@@ -93,7 +93,7 @@ class Sweep:
                 self.collect()
 
     def collect(self):
-        """Takes what is new in the store, says it and writes the table of what is finished."""
+        """Takes new results from the store, prints them and writes the table of finished rows."""
         for row in self.runnable:
             name = row.wanted.name
             if name not in self.results:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of configurations: what a sweep reads, and the table of results that it writes."""
+"""Tables of configurations: a sweep's input, and its table of results."""
 
 import csv
 import dataclasses
@@ -108,12 +108,12 @@ def read_table(file, seeds, kind=CONFIGURATIONS):
 
 
 def failure(file, row, reason):
-    """What is said of a row without a result."""
+    """Returns the text of a row without a result."""
     return f"{file}:{row.line}: failed: {row.wanted.name}: {reason}"
 
 
 def write_lines(file, lines):
-    """Columns are the names that the lines have; an empty cell where one has it not."""
+    """Writes a table; its columns are the names of the lines, a missing value is an empty cell."""
     text = io.StringIO()
     names = dict.fromkeys(name for line in lines for name in line)
     table = csv.DictWriter(text, names, restval="", lineterminator="\n")
@@ -123,8 +123,8 @@ def write_lines(file, lines):
 
 
 def write_results(file, rows, results, reasons):
-    """A line for every row: what was found, or why there is nothing.  `results`, `reasons`: by
-    name."""
+    """Returns a line for every row: its result, or the reason why there is none.  `results`,
+    `reasons`: by name."""
     named = list(dict.fromkeys(name for row in rows
                                for name in {**parameters(row.wanted.top), **row.wanted.settings}))
     lines = []

@@ -32,13 +32,13 @@ RUNNING = set()
 
 
 def end_all():
-    """Ends the programs that run() waits for in other threads."""
+    """Terminates the programs that run() waits for in other threads."""
     for process in list(RUNNING):
         process.kill()
 
 
 def run(command, log, explain, minutes=None, cwd=None):
-    """Runs a program, its output in the file `log`; `explain(lines)` says why it failed."""
+    """Runs a program, its output in the file `log`; `explain(lines)` gives a failure's reason."""
     with open(log, "w") as stream:
         process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=cwd)
         RUNNING.add(process)
@@ -58,7 +58,7 @@ def run(command, log, explain, minutes=None, cwd=None):
 
 
 def error_of(lines):
-    """The first ERROR (nextpnr counts its errors at the end), or what else says most."""
+    """Returns the first ERROR (nextpnr counts its errors at the end), or the most telling line."""
     said = ([line for line in lines if "ERROR:" in line]
             or [line for line in lines if "error" in line.lower()][-1:]
             or lines[-1:] or ["no output"])
@@ -66,7 +66,7 @@ def error_of(lines):
 
 
 def write_whole(path, text):
-    """Nobody ever sees half of the file, whatever happens."""
+    """Writes a file atomically: no reader ever sees half of it."""
     path = pathlib.Path(path)
     part = path.with_name(f".{path.name}.{os.getpid()}")
     try:
@@ -86,7 +86,7 @@ def alone(path, wait=True):
 
 @contextlib.contextmanager
 def work_folder(path):
-    """An empty folder that goes at the end; what a killed run left there goes at the beginning."""
+    """An empty folder, removed at the end; remains of a killed run are removed at the beginning."""
     shutil.rmtree(path, ignore_errors=True)
     path.mkdir(parents=True)
     try:

@@ -10,7 +10,7 @@
 
 namespace curvecore::sysc {
 
-/// Why a configuration fails, or would fail with one bit less.
+/// Reason why a configuration fails, or would fail with one bit less.
 ///
 ///   kAccuracy   no segment's derived bound is below the limit
 ///   kDataRate   there are more segments than the host can send

@@ -11,16 +11,16 @@
 
 #include "../../hls/registers/registers.h"
 
-#define LINE_SAMPLES 4096 /* that wait here at most */
-/* Of a buffer that is twice as full as it shall be, or empty: distances by 1 % more or less; never
- * by more than 2 %. A drift of 200 ppm moves the level by 2 %. */
+#define LINE_SAMPLES 4096 /* most samples that wait here */
+/* Gain of the distances: 1 % more or less for a buffer twice as full as wanted, or empty; at most
+ * 2 %. A drift of 200 ppm moves the level by 2 %. */
 #define LINE_GAIN 0.01
 #define LINE_MOST 0.02
-/* So many times what shall wait: motion shall hold until they are drawn. Of joints that stand no
- * more samples are made than shall wait. So a link or board that comes late is waited for, on the
- * path. */
+/* Multiple of the wanted level at which motion holds until the samples are drawn. While joints
+ * stand, no samples are made beyond the wanted level. So motion waits, on the path, for a late link
+ * or board. */
 #define LINE_HOLDS 2
-/* Periods over which the level is averaged: it goes up and down by a servo period's samples. */
+/* Periods over which the level is averaged: it varies by a servo period's samples. */
 #define LINE_PERIODS 64
 #define LINE_UNIT_BITS 8 /* of a position, in a step */
 #define LINE_UNITS (1 << LINE_UNIT_BITS)

@@ -35,13 +35,13 @@ struct link_frame {
     int64_t sent; /* when, ns; 0: more than once */
 };
 
-/* What an answer says. */
+/* Contents of an answer. */
 struct board_status {
     uint32_t state, axes, samples;
     int32_t steps[CURVECORE_MOST_AXES];
     int32_t edges[CURVECORE_MOST_AXES], following[CURVECORE_MOST_AXES]; /* of encoders */
 };
-/* Of the first answer only. */
+/* Contents of the first answer only. */
 struct board_kind {
     uint32_t id, version, capability, core, hertz, widths;
 };
@@ -105,7 +105,7 @@ static unsigned link_steps(int axis) {
     return CURVECORE_AXIS_STEPS + (unsigned)axis * CURVECORE_AXIS_STRIDE;
 }
 
-/* What every frame asks for at its end, in bytes, and what is answered. */
+/* Bytes that every frame requests at its end, and bytes of the answer. */
 static int link_asked(const struct board_link* link) {
     return 4 * (3 + link->axes + (link->watched > 0 ? 2 : 0));
 }
@@ -225,7 +225,7 @@ static void link_know(struct board_link* link, const uint8_t* bytes, int64_t now
     link->watched = kind->capability & CURVECORE_CAPABILITY_ENCODERS_MASK ? link->axes : 0;
 }
 
-/* What has come. A board that is silent, or does not obey any more, has to be known anew. */
+/* Takes the answers. A board that is silent, or no longer obeys, has to be identified again. */
 static void link_receive(struct board_link* link, int64_t now) {
     uint8_t bytes[LINK_LONGEST + 64];
     ssize_t got;

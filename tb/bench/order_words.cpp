@@ -51,7 +51,7 @@ int tau_bits(const ref::CoreParameters& format, int i) {
     return ref::tau_bits(format.coef_bits, format.turn_bits, i);
 }
 
-/// Of the sampler's multipliers, axes and orders: 18 x 18 blocks, then bits.
+/// Cost of the sampler's multipliers, axes and orders: 18 x 18 blocks, then bits.
 std::pair<int, int> cost(const ref::CoreParameters& format) {
     const auto halves = [](int bits) { return bits > 18 ? 2 : 1; };
     std::pair<int, int> sum;

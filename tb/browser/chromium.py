@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A headless Chromium that a test drives like a user: mouse, keys, files in and out.
 
-Speaks Chromium's DevTools protocol over the pipe of --remote-debugging-pipe: messages of JSON that
-end in a zero byte, so no driver, socket or package is needed."""
+It speaks Chromium's DevTools protocol over the pipe of --remote-debugging-pipe: messages of JSON
+that end in a zero byte, so no driver, socket or package is needed."""
 
 import fcntl
 import json
@@ -14,7 +14,7 @@ import subprocess
 import tempfile
 import time
 
-TIMEOUT = 900  # s, of any one answer: none comes
+TIMEOUT = 900  # s, for any one answer
 ENTER = {"key": "Enter", "code": "Enter", "windowsVirtualKeyCode": 13}
 
 
@@ -106,7 +106,7 @@ class Chromium:
             self.events.append(self.receive(deadline))
 
     def get(self, expression):
-        """The value of an expression in the page."""
+        """Returns the value of an expression in the page."""
         found = self.send("Runtime.evaluate", expression=expression, returnByValue=True,
                           awaitPromise=True)
         if "exceptionDetails" in found:
@@ -115,12 +115,12 @@ class Chromium:
         return found["result"].get("value")
 
     def errors(self):
-        """What the page's own scripts threw."""
+        """Returns the errors that the page's own scripts threw."""
         return [event["params"]["exceptionDetails"] for event in self.events
                 if event.get("method") == "Runtime.exceptionThrown"]
 
     def addresses(self):
-        """Everything that was asked for, but files and what the page made itself."""
+        """Returns all requests except files and objects that the page made itself."""
         wanted = [event["params"]["request"]["url"] for event in self.events
                   if event.get("method") == "Network.requestWillBeSent"]
         return [url for url in wanted if not url.startswith(("file:", "blob:", "data:", "about:"))]
@@ -149,7 +149,7 @@ class Chromium:
         self.mouse("mouseReleased", *end)
 
     def type(self, selector, text):
-        """Into a field, in place of what stands there, and Enter."""
+        """Replaces the text of a field, and presses Enter."""
         self.click(selector)
         self.get(f"document.querySelector({json.dumps(selector)}).select()")
         self.send("Input.insertText", text=text)

@@ -155,7 +155,7 @@ class JoinPage(unittest.TestCase):
                 self.assertIn("Y7.25", program.read_text())
             done = self.curvecore("run", str(program), "-o", "ran")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        # The program finds the same numbers in what the page saved.
+        # The program finds the same numbers in the saved file.
         saved = self.browser.download("#save", "join.json")
         loaded = self.join("again", "--load", str(saved))
         self.assertLessEqual(gap(loaded["result"], own), 1e-9)

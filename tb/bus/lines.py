@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bytes to and from a bench, by masters that are not of this project."""
+"""Bytes to and from a bench, by masters from other projects."""
 
 from collections import deque
 
@@ -28,7 +28,7 @@ class UartLine:
 
 
 class SpiLine:
-    """Both ways at once: who listens sends what says nothing."""
+    """A line that works both ways at once: a listener sends idle bytes."""
 
     def __init__(self, dut):
         self.master = spi_master(dut, 8)

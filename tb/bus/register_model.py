@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a host may expect of bench_registers.sv, from registers.json."""
+"""Expectations of a host on bench_registers.sv, from registers.json."""
 
 import json
 import os
 import random
 
 AXES = 3
-# Of those that registers.json leaves to the build: constants that the bench does not set.
+# Words that registers.json leaves to the build: constants that the bench does not set.
 ZERO = {"CAPABILITY", "CORE", "CLOCK", "WIDTHS", "STATE", "AXES", "ROOM", "SAMPLES", "PATH_LO",
         "PATH_HI", "RATE", "STEPS"}
 REFUSED = {"PROFILE_HI", "SAMPLE", "REFERENCE"}  # by the motion beside them
 
 
 class Registers:
-    """Words by address; access() says what an access has to give."""
+    """Words by address; access() returns the expected result of an access."""
 
     def __init__(self):
         with open(os.environ["REGISTERS_JSON"], encoding="ascii") as file:
@@ -28,7 +28,7 @@ class Registers:
         version["value"] |= int(os.environ["WORDS_VERSION"]) << version["fields"][1]["low"]
 
     def access(self, write, address, data):
-        """(error, what is read)"""
+        """Returns (error, word read)."""
         word = self.words.get(address)
         if word is None or not word["write" if write else "read"]:
             return True, None
@@ -42,10 +42,10 @@ class Registers:
 
 
     def accesses(self, number, seed=1):
-        """(write, address, data), random; of four addresses three are those of registers."""
+        """Returns a random (write, address, data); three of four addresses are registers'."""
         chance = random.Random(seed)
         known = list(self.words)
-        # What PATH_HI and RATE keep.
+        # Values that PATH_HI and RATE keep.
         yield False, next(at for at in known if self.words[at]["name"] == "PATH_LO"), 0
         for n in range(1, number):
             address = chance.choice(known) if n % 4 else 4 * chance.randrange(128)

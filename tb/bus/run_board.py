@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A board's top, as scripts/synth.sh --board makes it, under Icarus, behind a UART that is not of
-this project:
+"""A board's top, as scripts/synth.sh --board makes it, under Icarus, behind a UART from another
+project:
 
     run_board.py BOARD REGISTERS_JSON FOLDER
 """

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A bus port under Icarus, driven by a master that is not of this project:
+"""A bus port under Icarus, driven by a master from another project:
 
     run_bus.py BUS ACCESSES REGISTERS_JSON FOLDER [PORT_SOURCE]
 
-BUS is one of FILES. PORT_SOURCE takes the place of the file of its bus.
+BUS is one of FILES. PORT_SOURCE replaces the file of its bus.
 """
 
 import pathlib

@@ -4,7 +4,7 @@
 
     run_motion_axi.py CURVECORE REGISTERS_JSON FOLDER [SOURCE]
 
-SOURCE takes the place of the file of rtl with its name.
+SOURCE replaces the file of rtl with its name.
 """
 
 import pathlib

@@ -4,7 +4,7 @@
 import cocotb.clock
 from cocotb.types import Logic
 
-# What cocotbext-spi 0.5.0 imports of cocotb 1.
+# Names that cocotbext-spi 0.5.0 imports from cocotb 1.
 cocotb.clock.BaseClock = type("BaseClock", (), {
     "__init__": lambda self, signal: setattr(self, "signal", signal)})
 Logic.integer = property(int)
@@ -12,6 +12,6 @@ from cocotbext.spi import SpiBus, SpiConfig, SpiMaster  # noqa: E402
 
 
 def spi_master(dut, bits):
-    """Of words of so many bits."""
+    """Returns a master for words of this number of bits."""
     return SpiMaster(SpiBus.from_prefix(dut, "spi"), SpiConfig(
         word_width=bits, sclk_freq=1e9 / 160, frame_spacing_ns=160))

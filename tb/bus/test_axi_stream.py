@@ -23,7 +23,7 @@ def pauses(seed, share):
 
 
 class Queue:
-    """What a stream sends, and what its queue gets."""
+    """Words that a stream sends, and words that its queue receives."""
 
     def __init__(self, dut, name, words):
         self.source = AxiStreamSource(AxiStreamBus.from_prefix(dut, name), dut.clk, dut.rst_n,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A board comes up by itself, says over its UART what its table says, and sees its switches."""
+"""A board starts by itself, reports its table's values over its UART, and sees its switches."""
 
 import json
 import os

@@ -41,12 +41,12 @@ def write(address, word):
 
 
 def number(before, after):
-    """How a frame begins that is obeyed if its number is the board's."""
+    """Begin of a frame that is obeyed if its number is the board's."""
     return command(WRITE | PAIRS, 1, EXPECT, before, after)
 
 
 class Host:
-    """Sends frames and knows what their answers have to be."""
+    """Sends frames and knows their expected answers."""
 
     def __init__(self, dut):
         self.line = line_of(dut)
@@ -69,14 +69,14 @@ class Host:
         raise AssertionError("Timeout: no answer")
 
     def access(self, is_write, address, data=0):
-        """What the model answers, 4 bytes of a read."""
+        """Returns the model's answer, 4 bytes a read."""
         self.accesses += 1
         error, value = self.registers.access(is_write, address, data)
         self.errors += error
         return b"" if is_write else None if error else value.to_bytes(4, "little")
 
     def commands(self, obeyed, number):
-        """Random commands: their bytes, and their answers, None for those that may be anything."""
+        """Returns random commands as bytes, and their answers; None: any answer."""
         frame, answers = b"", []
         for is_write, address, data in self.registers.accesses(number, self.chance.random()):
             if address in (EXPECT, SEQUENCE):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A program through AXI: settings by cocotbext-axi's AXI4-Lite master, words by two of its
-AXI4-Streams, all with pauses; the pins count what was programmed."""
+AXI4-Streams, all with pauses; the pins give the programmed steps."""
 
 import itertools
 import json
@@ -29,7 +29,7 @@ def pauses(seed, share):
 
 
 def words_of(name):
-    """As bytes of TDATA; upper bits are not looked at."""
+    """Converts words to bytes of TDATA; upper bits are ignored."""
     lines = (WORDS / PLAN[name]["file"]).read_text(encoding="ascii").split("\n")
     words = [int(line, 16) for line in lines if line and not line.startswith("//")]
     return [(word | 0xABCD << 48).to_bytes(8, "little") for word in words]
@@ -75,7 +75,7 @@ class Host:
 
 
 async def count_steps(dut, counts):
-    """At the pins of all axes."""
+    """Counts steps at the pins of all axes."""
     before = 0
     while True:
         await ValueChange(dut.step)

@@ -8,7 +8,7 @@
 # core_test(<bench> <configuration> TOP <module> PORTS curve|motion [PARAMS ...] [SOURCES ...])
 # the same for a bench of any widths, compiled once: bench_objects(<bench>).
 
-# Reading these is two thirds of a test's compilation: once for all.
+# Reading these headers is two thirds of a test's compilation: once for all.
 set(nothing ${CMAKE_CURRENT_BINARY_DIR}/nothing.cpp)
 file(TOUCH ${nothing})
 add_library(core_test_headers OBJECT ${nothing})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# Negative controls that are kept: a copy of a source with one thing broken, and the test that must
-# turn red, of label long: scripts/campaign.sh builds and runs them. A mutation whose text is no
-# longer in the source stops the configuration.
+# Kept negative controls: a copy of a source with one defect, and the test that must turn red, of
+# label long: scripts/campaign.sh builds and runs them. A mutation whose text is no longer in the
+# source stops the configuration.
 
 # mutated_file(<result> <mutant> <file> "old text" "new text"): the broken copy, in the build tree
 function(mutated_file result mutant file old new)
@@ -26,7 +26,7 @@ function(killed_by mutant)
   label_needs(long ${target})
 endfunction()
 
-# survives(<mutant> COMMAND ...): what this test cannot see, stated as a test of its own
+# survives(<mutant> COMMAND ...): a defect that this test cannot see, stated as a test
 function(survives mutant)
   cmake_parse_arguments(ARG "" "" "COMMAND" ${ARGN})
   add_test(NAME unit.Mutant.${mutant}Survives COMMAND ${ARG_COMMAND})

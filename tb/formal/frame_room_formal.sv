@@ -17,7 +17,7 @@ module frame_room_formal (
 
   localparam int Depth = 4;
   localparam int Frame = 3;
-  localparam logic [5:0] Room = 6'd6;  // with the queue's output registers
+  localparam logic [5:0] Room = 6'd6;  // includes the queue's output registers
 
   logic ready;
   logic valid;

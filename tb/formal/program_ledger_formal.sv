@@ -32,7 +32,7 @@ module program_ledger_formal (
     input wire logic piece_ticks_i,
     input wire logic final_i,
     input wire logic take_i,           // the final piece of the program under way, not present yet
-    input wire logic over_i            // that program
+    input wire logic over_i            // the program under way is over
 );
 
   // As it should be, at once

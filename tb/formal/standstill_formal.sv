@@ -15,8 +15,8 @@ module standstill_formal (
     input wire logic clk_i,
     input wire logic rst_ni,
     input wire logic asked_i,
-    input wire logic first_i,   // of asked_i: a tick starts with it
-    input wire logic stops_i,   // that tick's target is 0
+    input wire logic first_i,   // a tick starts with the sample of asked_i
+    input wire logic stops_i,   // the target of the tick is 0
     input wire logic scaled_i,
     input wire logic still_i,
     input wire logic taken_i,

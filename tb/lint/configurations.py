@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Of every bench in tb/configurations.csv: each class of a parameter's values stands in a row of
-the short form, each two classes of two parameters that may stand together do so in a row of the
-short form or of the pairs.  Says what is missing.
+"""Every bench in tb/configurations.csv: each class of a parameter's values is in a row of the short
+form, and each two legal classes of two parameters are together in a row of the short form or of
+the pairs.  Prints the missing ones.
 
     tb/lint/configurations.py [FILE]     default: tb/configurations.csv
 """
@@ -18,7 +18,7 @@ sys.path.insert(0, str(HERE.parent.parent / "scripts"))
 from synthesis.tables import parameters  # noqa: E402
 
 PARAMETERS = parameters()
-# What parameters.def leaves to the build: the core itself.
+# The parameter that parameters.def leaves to the build: the core itself.
 DEFAULTS = {name: one.default for name, one in PARAMETERS.items()} | {"Build": 0}
 
 
@@ -27,7 +27,7 @@ def every(*values):
 
 
 def ends(name):
-    """The least value, the greatest, and those between."""
+    """Returns the least value, the greatest, and those between."""
     low, high = PARAMETERS[name].low, PARAMETERS[name].high
     if high == low + 1:
         return every(low, high)
@@ -55,14 +55,14 @@ CLASSES = {bench: {"Order": EVEN_AND_ODD, "SampleInterval": INTERVAL} for bench 
         **{name: default_or_not(name) for name in ("Order", "CoefBits", "PositionBits",
                                                    "GuardBits", "ParameterGuard", "TurnBits")}},
 }
-# Of the core that a bench is of, where no column says it.
+# Core of a bench, if no column gives it.
 CORES = {"spline_interpolator": {"Splines": 1}, "curve_interpolator": {"Splines": 1},
          "spherical_interpolator_serial": {"Build": 1},
          "curve_interpolator_serial": {"Build": 1, "Splines": 1}}
 
 
 def legal(core):
-    """As parameters.def says: what a value other than the default works with."""
+    """Returns the values with which a non-default value works, by parameters.def."""
     for name, one in PARAMETERS.items():
         if core[name] == one.default:
             continue

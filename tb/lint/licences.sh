@@ -20,13 +20,13 @@ for file in $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp; do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-2.0-or-later' ||
     complain "$file: not under LinuxCNC's licence"
 done
-# Nothing of the rest in it
+# The LinuxCNC side includes nothing of the rest
 grep -nE '#include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
   $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp |
   grep -vE '#include "../../hls/registers/(registers|board_link).h"' |
   grep -vE '#include "(udp_link|canon_lines|sample_line).h"' &&
   complain "$inside uses the rest"
-# Nothing of it in the rest
+# The rest includes nothing of the LinuxCNC side
 grep -rnE --include='*.[ch]pp' --exclude-dir=linuxcnc \
   '#include.*(sysc/linuxcnc/|<(linuxcnc|canon\.hh|emc|rs274|interp_))' \
   ref hls rtl sysc tb scripts && complain "the rest includes it"

@@ -23,7 +23,7 @@ def listed(variable):
 
 
 def unmet(pinned, left_out):
-    """What a pinned package requires and neither list has, or which has another version."""
+    """Yields requirements of pinned packages that neither list has, or has in another version."""
     for name, version in pinned.items():
         package = importlib.metadata.distribution(name)
         if package.version != version:

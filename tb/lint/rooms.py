@@ -16,7 +16,7 @@ SOURCES = (".cpp", ".hpp", ".h", ".in", ".def", ".html", ".js", ".css", ".json")
 
 
 def rooms(tree):
-    """Of a README's rows `| `room/` | ...`, in their order; the tree itself is `here`."""
+    """Returns the rooms of a README's rows `| `room/` | ...`, in order, or the tree itself."""
     rows = re.findall(r"^\| `([\w/]+)/` \|.*\|.*\S \|$", (ROOT / tree / "README.md").read_text(),
                       re.M)
     return [f"{tree}/{row}" for row in rows] or [tree]

@@ -31,7 +31,7 @@ def parsed(top, parameters, files, cells=()):
     words = ["slang", "-Werror", "--timescale", "1ns/1ps", "--top", top]
     words += [f"-G{name}={value}" for name, value in parameters.items()]
     words += [word for cell in cells for word in ("-v", cell)]
-    # Of a DSP cell many ports stay open; of our own modules Verilator tells.
+    # DSP cells have many open ports; Verilator reports those of our own modules.
     words += ["-Wno-unconnected-input-port", "-Wno-unconnected-output-port"]
     words += ["-DNO_ICE40_DEFAULT_ASSIGNMENTS", *map(str, files)]
     if not (slang.parseCommandLine(" ".join(words)) and slang.processOptions()):
@@ -40,7 +40,7 @@ def parsed(top, parameters, files, cells=()):
 
 
 def clean(top, parameters, files, cells=()):
-    """Whether `top` elaborates without an error or a warning; slang says what it finds."""
+    """Returns whether `top` elaborates without an error or a warning; slang prints its findings."""
     slang, whole = parsed(top, parameters, files, cells)
     compilation = slang.createCompilation()
     slang.reportCompilation(compilation, True)
@@ -59,7 +59,7 @@ def configurations(modules):
 
 
 def sees_faults():
-    """Whether a use before the declaration and a changed sign are found."""
+    """Returns whether a use before the declaration and a changed sign are found."""
     faults = ["module fault; wire a = b; logic b; assign b = 0; endmodule",
               "module taker(input logic signed [3:0] a); endmodule\n"
               "module fault; logic [3:0] a; taker u(.a); endmodule"]

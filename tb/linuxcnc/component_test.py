@@ -47,7 +47,7 @@ def may_run():
 
 
 def distance(point, line):
-    """From a polyline, along the axis where it is longest."""
+    """Distances from a polyline, along the axis where it is longest."""
     way = np.diff(line, axis=0)
     along = np.einsum("ij,ij->i", point - line[:-1], way) / np.maximum(
         np.einsum("ij,ij->i", way, way), 1e-30)
@@ -69,7 +69,7 @@ class ComponentTest(unittest.TestCase):
                        check=True, capture_output=True)
 
     def run_program(self, port, buffer, meanwhile):
-        """What LinuxCNC says of every servo period: commanded, given, latency, late so far."""
+        """LinuxCNC's values of every servo period: commanded, given, latency, late so far."""
         out = self.folder / "out"
         simulate = (f"{INSIDE}/simulate.py {PROGRAM} --folder {out} --board 127.0.0.1:{port} "
                     f"--scale {STEPS_PER_MM} --buffer {buffer} --following {FOLLOWING}")
@@ -88,7 +88,7 @@ class ComponentTest(unittest.TestCase):
         return rows[:, :3], rows[:, 9:12], rows[:, 12], rows[:, 13]
 
     def check_follows(self, commanded, given, latency):
-        """Steps stand on the commanded path, no further back than what waits reaches."""
+        """Checks that steps are on the commanded path, no further back than the waiting samples."""
         moves = np.abs(np.diff(commanded, axis=0)).max(axis=1) > 0
         path = commanded[np.concatenate(([True], moves))]
         at = np.concatenate(([0], np.cumsum(moves)))  # of each period, on the path
@@ -107,7 +107,7 @@ class ComponentTest(unittest.TestCase):
               f"{behind:.0f} behind at most, {1e3 * latency.max():.0f} ms", flush=True)
 
     def draw(self, through=lambda board: board, meanwhile=lambda board: None, board=()):
-        """How often it was late."""
+        """Draws the program and returns the number of late samples."""
         self.compile()
         board = Board(str(self.folder / "board"), *board)
         self.addCleanup(board.kill)
@@ -123,7 +123,7 @@ class ComponentTest(unittest.TestCase):
             time.sleep(0.02)
 
     def stall(self, board):
-        """Stops the servo thread for longer than samples last, in mid-motion, some times."""
+        """Stops the servo thread several times in motion, for longer than samples last."""
         for steps in (500, 1500, 2500):
             self.wait_for(board, steps)
             thread = self.servo_process()
@@ -132,7 +132,7 @@ class ComponentTest(unittest.TestCase):
             os.kill(thread, signal.SIGCONT)
 
     def servo_process(self):
-        """It alone has this test's folder in its environment, and that name."""
+        """Finds the process of this name whose environment has this test's folder: only LinuxCNC's."""
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             try:
                 if (process / "comm").read_text().strip() in ("rtapi_app", "rtapi_app:T#1") and (
@@ -143,8 +143,8 @@ class ComponentTest(unittest.TestCase):
         return self.fail("no servo thread")
 
     def check_line(self, folder, drift):
-        """Of a board whose clock drifts: (worst distance of samples in percent off, lowest and
-        highest level, late samples)."""
+        """Returns for a board whose clock drifts: (worst error of the samples' distance, percent,
+        lowest and highest level, late samples)."""
         check = self.folder / "check"
         subprocess.run(["cc", "-O1", "-o", check, folder / "sample_line_check.c", "-lm"],
                        check=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""interpret.py as a program that is called: its lines, its limits, its messages.
+"""The program interpret.py: its lines, its limits, its messages.
 
 Exit status 77: LinuxCNC is not installed, and nothing but the message of that was tested.
 """
@@ -17,7 +17,7 @@ INSTALLED = Path("/usr/share/linuxcnc/ncfiles").exists()
 
 
 def interpret(text, *options, python=()):
-    """Lines of a program, and how the interpreter ended."""
+    """Returns the lines of a program and the interpreter's exit status."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "part.ngc"
         file.write_text(text)

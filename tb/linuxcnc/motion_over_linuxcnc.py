@@ -34,7 +34,7 @@ FEED = 500.0  # mm/s
 AHEAD = 2.0  # mm: how far a place may be ahead of where the path was followed to
 SAME = 1e-4  # mm: distances that nothing tells apart
 
-# Of mills, without probing, each less than 50 s
+# Programs of mills, without probing, each less than 50 s
 SHIPPED = ("b-index", "skeleton", "toplevel", "hole-circle", "polar",
            "gmoccapy_2_tools_with_cutter_radius_compensation", "useful-subroutines", "systems",
            "comp", "daisy", "comp-g1", "3dtest")
@@ -67,13 +67,13 @@ def machine(jerk):
 
 
 def moving(places):
-    """Without what stands still."""
+    """Leaves out the places at rest."""
     moves = np.abs(np.diff(places, axis=0)).max(axis=1) > 0
     return places[np.concatenate(([True], moves))]
 
 
 def accelerations(places):
-    """Worst of an axis over windows, of the limit."""
+    """Worst acceleration of an axis over windows, relative to the limit."""
     worst = []
     for window in WINDOWS:
         before, at, after = places[:-2 * window], places[window:-window], places[2 * window:]
@@ -83,7 +83,7 @@ def accelerations(places):
 
 
 def distances(point, a, way):
-    """Of a point from stretches, and how far along each."""
+    """Distances of a point from stretches, and its place along each."""
     along = np.clip(np.einsum("ij,ij->i", point - a, way)
                     / np.maximum(np.einsum("ij,ij->i", way, way), 1e-30), 0, 1)
     gap = np.linalg.norm(a + along[:, None] * way - point, axis=1)
@@ -91,7 +91,7 @@ def distances(point, a, way):
 
 
 def finer(places):
-    """With a point of a cubic through four neighbours between every two."""
+    """Inserts a point of a cubic through four neighbours between every two."""
     if len(places) < 4:
         return places
     ends = np.vstack((places[:1], places, places[-1:]))
@@ -102,7 +102,7 @@ def finer(places):
 
 
 def off(places, path):
-    """How far places and path are off each other, both ways, on nine axes, a degree as a mm."""
+    """Distance of places and path, both ways, on nine axes, a degree as a mm."""
     length = np.linalg.norm(np.diff(path, axis=0), axis=1)
     path = path[np.concatenate(([True], length > 1e-9))]
     way = np.diff(path, axis=0)
@@ -117,7 +117,7 @@ def off(places, path):
         low = max(0, np.searchsorted(reached, s - 0.5) - 1)
         high = max(low + 1, min(len(way), np.searchsorted(reached, ahead) + 1))
         gap, along = distances(place, path[low:high], way[low:high])
-        # A path may come back over itself: of equal distances that where the motion goes on.
+        # A path may return over itself: of equal distances, the one where the motion continues.
         found = reached[low:high] + along * length[low:high]
         expected = s + np.linalg.norm(place - last)
         found = np.where(gap <= gap.min() + SAME, found, np.inf)
@@ -135,14 +135,14 @@ def off(places, path):
 
 
 def figures(places, path, step):
-    """Of positions every millisecond; `step`: the time between those that were given."""
+    """Figures of positions every millisecond; `step`: the time between the given ones."""
     sampled = places[::round(PERIOD / step)]
     return {"s": (len(moving(places)) - 1) * step, "a": accelerations(sampled),
             "off_mm": off(moving(sampled), path)}
 
 
 def tolerance(file, folder):
-    """The largest P of G64 that moves are under, mm; 0: G61; none: some are under none."""
+    """Returns the largest P of G64 in force, mm; 0: G61; None: some moves have no P."""
     done = subprocess.run([INTERPRET, file, "--scratch", folder / "scratch", "--ini",
                            HERE / "machine.ini"], check=True, capture_output=True, text=True)
     largest, allowed = 0.0, None

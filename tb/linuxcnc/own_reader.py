@@ -40,7 +40,7 @@ def machine(folder):
 
 
 def path_of(file):
-    """Vertices that move, the path length at each, and the room of each."""
+    """Returns the moving vertices, the path length at each, and the tolerance of each."""
     table = np.fromfile(file).reshape(-1, 10)
     length = shipped.travel(np.diff(table[:, :9], axis=0))
     table = table[np.concatenate(([True], length > 1e-9))]
@@ -49,7 +49,7 @@ def path_of(file):
 
 
 def distance(a, b):
-    """How far two paths are from each other, mm, at their vertices and ends."""
+    """Distance of two paths, mm, at their vertices and ends."""
     if len(a[0]) < 2 or len(b[0]) < 2:
         return 0.0 if len(a[0]) == len(b[0]) else float("inf")
     room = max(a[2].max(), b[2].max())
@@ -87,7 +87,7 @@ def run(moves_of, file):
 
 
 def programs():
-    """Those of the package, of the posts and of the bug reports."""
+    """Programs of the package, of the posts and of the bug reports."""
     files = list(shipped.PROGRAMS.glob("*.ngc"))
     for folder in ("posts", "cases"):
         files += [file for file in (DATA / folder).iterdir() if file.suffix not in (".csv", ".md")]

@@ -55,7 +55,7 @@ def read_samples(file):
 
 
 def off(s, places, vertices, reached, room):
-    """How far every place is off the chords near its path length, beyond the room of each."""
+    """Distance of every place from the chords near its path length, beyond their tolerance."""
     worst = np.full(len(s), np.inf)
     near = np.searchsorted(reached, s)
     for shift in range(-8, 9):
@@ -71,7 +71,7 @@ def off(s, places, vertices, reached, room):
 
 
 def compare(path, samples):
-    """How far the samples are off the path, mm, and how many they are."""
+    """Returns the distance of the samples from the path, mm, and their number."""
     table = np.fromfile(path).reshape(-1, 10)
     length = travel(np.diff(table[:, :9], axis=0))
     stay = np.concatenate(([True], length > 1e-9))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The path that a plan draws, from its segments.json, as curves for the oracle."""
+"""Path that a plan draws, from its segments.json, as curves for the oracle."""
 
 import json
 

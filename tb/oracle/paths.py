@@ -15,7 +15,7 @@ HEAD = "G21 G90 G17 G94 G61\n"
 
 @dataclass(frozen=True)
 class Line:
-    """From start along a unit direction."""
+    """A line from start along a unit direction."""
 
     start: tuple
     end: tuple
@@ -36,7 +36,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Arc:
-    """Counter-clockwise in XY from an angle, a helix where it rises."""
+    """An arc counter-clockwise in XY from an angle; a helix if it rises."""
 
     centre: tuple
     radius: float
@@ -71,7 +71,7 @@ class Arc:
 
 
 class Cubic:
-    """Of Bezier's control points; s(u) by quadrature, u(s) by interpolation and Newton's method."""
+    """A cubic by Bezier points; s(u) by quadrature, u(s) by interpolation and Newton's method."""
 
     def __init__(self, points, parts=4000):
         self.points = np.array(points, float)
@@ -136,7 +136,7 @@ def stadium(straight, radius):
 
 
 def wave(height, length, rate, step):
-    """y = height sin(rate x) as cubics with its slopes every step."""
+    """The wave y = height sin(rate x) as cubics with its slopes every step."""
     curves = []
     count = round(length / step)
     for i in range(count):
@@ -165,7 +165,7 @@ def random_chain(seed, count):
 
 
 def space_chain(seed, count):
-    """The same in space."""
+    """Smooth cubics as above, in space."""
     random = np.random.default_rng(seed)
     curves = []
     at = np.zeros(3)

@@ -31,7 +31,7 @@ def circle(chord):
 
 
 def turn(chord):
-    """Between two lines of 40 mm, 5 mm apart."""
+    """A turn between two lines of 40 mm, 5 mm apart."""
     half = chords(lambda t: (40 + 2.5 * math.sin(t), 2.5 - 2.5 * math.cos(t), 0), math.pi, chord)
     return np.vstack(([(0, 0, 0)], half, [(0, 5, 0)]))
 
@@ -43,7 +43,7 @@ def spiral(chord):
 
 
 def surface(chord):
-    """Rows of 20 mm, 0.3 mm apart, over a wavy surface, there and back."""
+    """Rows of 20 mm, 0.3 mm apart, to and fro over a wavy surface."""
     rows = []
     for k in range(6):
         x = np.arange(0, 20 + chord / 2, chord)

@@ -24,7 +24,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Limits:
-    """Of the path, and of X Y Z where these have their own: (velocity, acceleration, jerk)."""
+    """Limits of the path, and of X Y Z if they have their own: (velocity, acceleration, jerk)."""
 
     velocity: float = 500.0
     acceleration: float = 5000.0
@@ -33,13 +33,13 @@ class Limits:
     axes: tuple = ()
 
     def shares(self, acceleration, jerk):
-        """Inside the path; joints keep the whole limit."""
+        """Reduces the limits inside the path; joints keep the whole limit."""
         axes = tuple((v, a * acceleration, j * jerk) for v, a, j in self.axes)
         return Limits(self.velocity, self.acceleration * acceleration, self.jerk * jerk,
                       self.joint_time / jerk, axes)
 
     def each(self):
-        """(rows of X Y Z that it sees, velocity, acceleration, jerk) of every limit."""
+        """Returns (rows of X Y Z concerned, velocity, acceleration, jerk) of every limit."""
         yield slice(0, 3), self.velocity, self.acceleration, self.jerk
         for i, (velocity, acceleration, jerk) in enumerate(self.axes):
             yield slice(i, i + 1), velocity, acceleration, jerk
@@ -51,7 +51,7 @@ class Limits:
 
 @dataclass
 class Motion:
-    """At grid points: place, velocity, acceleration, time from the start."""
+    """State at grid points: place, velocity, acceleration, time from the start."""
 
     s: np.ndarray
     v: np.ndarray
@@ -67,7 +67,7 @@ class Motion:
 
 
 def grid_of(curves, count):
-    """Places with all joints among them, closer to rest; curve of each interval, its own s."""
+    """Returns places, denser near rest and with all joints; the curve of each interval, its s."""
     total = sum(curve.length for curve in curves)
     u = np.linspace(0, 1, count + 1)
     even = total * u**2 * (3 - 2 * u)
@@ -106,7 +106,7 @@ def ends_of(curves, s):
 
 
 def oracle(curves, limits, feed, count=400, start=None, quiet=True):
-    """feed in mm/s.  `start`: a Motion to begin from; else a slow bump."""
+    """Solves for the least time; feed in mm/s; `start`: a Motion to begin from, or a slow bump."""
     s = grid_of(curves, count)
     n = len(s) - 1
     ds = np.diff(s)
@@ -163,7 +163,7 @@ def oracle(curves, limits, feed, count=400, start=None, quiet=True):
 
 
 def velocities(ends, limits, top):
-    """The most at the grid's points: from within on both sides, and through joints."""
+    """Returns the worst at the grid's points: from within on both sides, and through joints."""
     caps = np.full(ends[0][0].shape[1] + 1, top)
     steps = ends[0][1][:, 1:] - ends[1][1][:, :-1]
     for rows, velocity, _, jerk in limits.each():

@@ -42,7 +42,7 @@ UNEQUAL_SLOWER = 1.03  # than the oracle under the whole limits
 
 
 def shares():
-    """As the planner has them."""
+    """Shares of the limits as in the planner."""
     text = (ROOT / "ref/limits/limits.hpp").read_text()
     return [float(re.search(rf"{name} = ([\d.]+);", text)[1])
             for name in ("kAccelerationShare", "kJerkShare")]
@@ -59,7 +59,7 @@ def machine(limits):
 
 
 def plan(program, text, effort, folder, holds="branches", limits=Limits()):
-    """The report of a program's text; everything else is in folder / "out"."""
+    """Returns the report of a program's text; all other files are in folder / "out"."""
     file = folder / "path.ngc"
     file.write_text(text)
     own = []
@@ -101,7 +101,7 @@ def seven_phases(length, limits, feed):
 
 
 def off_on_lines(limits, grid):
-    """By how much the oracle misses Ruckig's time at worst, as a share."""
+    """Returns the oracle's worst error against Ruckig's time, as a share."""
     worst = 0
     for length in (1.0, 10.0, 100.0, 300.0):
         for feed in FEEDS:
@@ -124,7 +124,7 @@ def row(program, name, feed, grid, folder, limits=Limits()):
 
 
 def axes_row(program, name, axes, grid, folder):
-    """Of a machine with these limits of X, Y and Z."""
+    """Rows of a machine with these limits of X, Y and Z."""
     found = row(program, name, FEEDS[0], grid, folder, Limits(axes=axes))
     return {"axes": axes, **found, "ratio": found["optimum_s"] / found["oracle_s"]}
 
@@ -140,7 +140,7 @@ def check(program, folder):
         ratio = found["optimum_s"] / found["oracle_shares_s"]
         print(f"{name}: {found['optimum_s']:.4f} s, {ratio:.4f} of the oracle's time")
         status |= ratio > SLOWER
-        # Control: the rules are told from the optimum, but on lines.
+        # Control: the rules differ from the optimum, except on lines.
         status |= name != "line100" and found["rules_s"] / found["oracle_shares_s"] < 1.1
     for name, axes in CHECKED_UNEQUAL:
         found = axes_row(program, name, axes, 600, folder)
@@ -151,7 +151,7 @@ def check(program, folder):
 
 
 def arguments(text):
-    """The command line that both programs have, and what one of them adds."""
+    """Command line that both programs share; one of them adds options."""
     parser = argparse.ArgumentParser(description=text,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True, metavar="CURVECORE")
@@ -161,7 +161,7 @@ def arguments(text):
 
 
 def printed(rows):
-    """The same rows, printed as they come."""
+    """Yields the rows and prints them."""
     found = []
     for row in rows:
         print(", ".join(f"{name} {value}" for name, value in row.items()), flush=True)
@@ -170,7 +170,7 @@ def printed(rows):
 
 
 def axes_of(text):
-    """V,A,J/V,A,J/V,A,J"""
+    """Reads V,A,J/V,A,J/V,A,J."""
     axes = tuple(tuple(float(value) for value in axis.split(",")) for axis in text.split("/"))
     if [len(axis) for axis in axes] != [3, 3, 3]:
         raise argparse.ArgumentTypeError("three times V,A,J, with / between them")

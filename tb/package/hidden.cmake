@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What stands in HIDDEN is not on this machine, and may not be looked for.
+# Packages in HIDDEN count as missing on this machine; a search for one is an error.
 function(refuse_hidden)
   foreach(name ${ARGN})
     if(name IN_LIST HIDDEN)

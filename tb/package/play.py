@@ -20,7 +20,7 @@ STREAMS = ("segments", "profile")
 
 
 def motion(positions):
-    """Without what is drawn at rest, at the origin before and at the end after."""
+    """Leaves out positions at rest, at the origin before the motion and at the end after it."""
     while positions[:1] == ["0,0,0"]:
         positions = positions[1:]
     while positions[-2:-1] == positions[-1:]:
@@ -35,7 +35,7 @@ def curvecore(program, command, folder, *options):
 
 
 def parameters(folder, samples):
-    """Those of part_player_bench for the words of `folder`."""
+    """Parameters of part_player_bench for the words of `folder`."""
     settings = json.loads((folder / "words.json").read_text())
     return {"Samples": samples + 100, "SegmentWords": settings["segments"]["words"],
             "ProfileWords": settings["profile"]["words"],

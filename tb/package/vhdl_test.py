@@ -21,7 +21,7 @@ CORES = {"spherical_interpolator": {"Order": 2, "CoefBits": 18, "AuxAxes": 1},
 
 
 def widths(top, parameters):
-    """Port to bits, of the sources."""
+    """Returns the ports of the sources with their bits."""
     slang, _ = parsed(top, parameters, sources())
     body = slang.createCompilation().getRoot().topInstances[0].body
     return {port.name: port.type.bitWidth for port in body.portList}

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Encoders at a virtual board whose axes are late, or slip: what the host is told, what pins did.
+"""Encoders at a virtual board whose axes lag, or slip: the host's report, and the pins.
 
     encoder_test.py CURVECORE [unittest's options]
 """
@@ -54,7 +54,7 @@ class EncoderTest(unittest.TestCase):
         return board
 
     def stream(self, board, status=0, text="", with_machine=True):
-        """What the report says of following errors."""
+        """Returns the following errors of the report."""
         given = ["--machine", str(self.machine)] if with_machine else []
         host = subprocess.run(
             [CURVECORE, "stream", str(self.folder / "part.ngc"), "--to",

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`curvecore home` and `curvecore board` with home switches: what the pins of the board did.
+"""`curvecore home` and `curvecore board` with home switches, by the pins of the board.
 
     home_test.py CURVECORE [unittest's options]
 """
@@ -44,7 +44,7 @@ def switches(places):
 
 
 def edges(places):
-    """Where it latches: an axis that latches as a switch opens is one step off it."""
+    """Returns the latch: an axis that latches as a switch opens is one step off it."""
     return [place + (1 if axis == 1 else 0) for axis, place in enumerate(places)]
 
 
@@ -84,7 +84,7 @@ class HomeTest(unittest.TestCase):
         self.finish(host, status, text)
 
     def check_overrun(self, steps, places):
-        """Each axis stays within 1.5 mm of its edge: 30 ms at 20 mm/s, and the way to rest."""
+        """Checks that each axis is within 1.5 mm of its edge: 30 ms at 20 mm/s, and the stop."""
         stands = [0, 0, 0]
         for _, axis, way in steps:
             stands[axis] += way
@@ -92,7 +92,7 @@ class HomeTest(unittest.TestCase):
             self.assertLessEqual(beyond, 1.5 * STEPS_PER_MM, f"axis {axis}")
 
     def check_homed(self, steps, places):
-        """All axes stand at HOME, of which their switches are OFFSET."""
+        """Checks that all axes stand at HOME, which is OFFSET from their switches."""
         for axis, edge in enumerate(edges(places)):
             stands = edge + round((HOME[axis] - OFFSET[axis]) * STEPS_PER_MM)
             self.assertLessEqual(abs(counts(steps)[axis] - stands), 1, f"axis {axis}")
@@ -183,7 +183,7 @@ class HomeTest(unittest.TestCase):
         self.stream(board, "G1 X5", 2, "beyond the machine's travel")
         self.home(board, "--axes", "X")
         self.stream(board, "G1 X1", 2, "Y stands at 2 mm, and the program begins at 0 mm")
-        # Another scale: nobody knows where it stands.
+        # Another scale: the place is unknown.
         part = self.folder / "part.ngc"
         self.finish(self.start(["stream", str(part)], board, "--steps-per-mm", "200"), 2,
                     "X is not homed")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Boards, wires and what came of them: for wire_test.py and home_test.py."""
+"""Boards, wires and their results, for wire_test.py and home_test.py."""
 
 import contextlib
 import csv
@@ -24,7 +24,7 @@ QUANTA_PER_MM = 65536e6
 
 
 def until(reached):
-    """Asks until it is so; each question gives a fast board 5 ms.  ctest ends what never is."""
+    """Asks until a condition holds; each question gives a fast board 5 ms. ctest ends a hang."""
     while not reached():
         pass
 
@@ -40,7 +40,7 @@ class Board:
         self.port = int(re.search(r":(\d+):", self.process.stdout.readline())[1])
 
     def end(self):
-        """Its steps: (clock, axis, direction)."""
+        """Returns its steps: (clock, axis, direction)."""
         self.process.send_signal(signal.SIGINT)
         self.process.wait()
         with open(pathlib.Path(self.folder) / "steps.csv", newline="", encoding="ascii") as file:
@@ -58,7 +58,7 @@ def command(flags, number, address, *words):
 
 
 def read(port, address):
-    """A register, as any program may read it."""
+    """Reads a register, as any program may."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
         host.connect(("127.0.0.1", port))
         host.settimeout(1)
@@ -113,10 +113,10 @@ def system_steps(part, folder):
 
 
 class Wire(threading.Thread):
-    """Between a host and a board: loses some datagrams, doubles some, and lets some wait until
-    others have overtaken them.  What happens to one follows from its number, and nothing from time.
+    """A wire between a host and a board: loses or doubles some datagrams, and lets some wait until
+    others have overtaken them.  The fate of one follows from its number alone, not from time.
 
-    `change` sees each answer, and says what becomes of it.  Once it has shown a path of `gate_mm`
+    `change` takes each answer, and returns its replacement.  Once an answer has a path of `gate_mm`
     the wire carries nothing to the board, until `open_gate` is called."""
 
     def __init__(self, port, chance=0, overtaken=0, change=lambda answer: answer, gate_mm=math.inf):
@@ -139,7 +139,7 @@ class Wire(threading.Thread):
         self.opened.set()
 
     def fates(self, data, chance, waiting):
-        """What is sent now: of this datagram, and of those that waited for it to pass."""
+        """Returns the datagrams to send now: this one, and those that waited for it to pass."""
         copies = [data]
         if chance.random() < self.chance:
             copies, self.lost = [], self.lost + 1
@@ -190,7 +190,7 @@ class Wire(threading.Thread):
 
 
 def bridge(line, port):
-    """Between a serial line, of which every 50th frame is broken, and a board behind UDP."""
+    """A bridge between a serial line, which breaks every 50th frame, and a board behind UDP."""
     held, frames = b"", 0
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as board:
         board.connect(("127.0.0.1", port))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""`curvecore stream` and `curvecore board`, each other's only acquaintance, over a bad wire.
+"""`curvecore stream` and `curvecore board`, connected by a bad wire alone.
 
     wire_test.py CURVECORE [unittest's options]
 """
@@ -76,7 +76,7 @@ class WireTest(unittest.TestCase):
         return board.end(), wire
 
     def check_equal(self, steps, expected):
-        """Without a text of how they differ, which takes minutes."""
+        """Compares without a text of the differences, which takes minutes."""
         differ = [pair for pair in zip(steps, expected) if pair[0] != pair[1]]
         self.assertEqual((len(steps), differ[:1]), (len(expected), []))
 
@@ -110,14 +110,14 @@ class WireTest(unittest.TestCase):
         self.assertLess(durations[1], 0.7 * durations[0])
 
     def stream_to_gate(self, board, mm, *options):
-        """The path has come so far, and does not go on before the gate is opened."""
+        """Waits until the path has reached the gate, where it stays until the gate is opened."""
         wire = Wire(board.port, gate_mm=mm)
         host = self.stream(f"udp:127.0.0.1:{wire.port}", *options)
         wire.wait_for_gate()
         return host, wire
 
     def test_bad_wire_changes_no_step(self):
-        # That words come in time is a matter of time: lossy_link_test.cpp, in the board's.
+        # Words in time depend on real time: lossy_link_test.cpp tests them in the board's.
         expected, _ = self.draw("--fast", name="good")
         steps, wire = self.draw("--fast", through=lambda port: Wire(port, 0.1, 5), name="bad")
         for count in (wire.lost, wire.doubled, wire.late, self.report()["link"]["repeated"]):
@@ -218,7 +218,7 @@ class WireTest(unittest.TestCase):
                     "more than 2047 clocks of the board")
 
     def test_boards_of_other_widths_are_asked(self):
-        # What the board says of itself is changed on its way: times of 10 bits, scales of 40.
+        # The board's description is changed on its way: times of 10 bits, scales of 40.
         def change(answer):
             words = [int.from_bytes(answer[n:n + 4], "little") for n in range(0, len(answer), 4)]
             if words and words[0] == 12 | 44 << 5 | 15 << 11:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Stands for Yosys and nextpnr in the tests of scripts/synth.py, and for clang and Verilator in
-those of scripts/hls.py: quick, and fails as told.
+"""Stand-in for Yosys and nextpnr in the tests of scripts/synth.py, and for clang and Verilator in
+those of scripts/hls.py: quick, and fails on demand.
 
     fake_synthesis.py NAME ARGUMENTS..     writes what the tool NAME would write
 
@@ -26,7 +26,7 @@ def order_of(text):
 
 
 def board_netlist():
-    """Of synth.sh --board."""
+    """Stands in for the tools of synth.sh --board."""
     Path("netlist.json").write_text(json.dumps({"order": order_of(Path("top.v").read_text())}))
     Path("stat.json").write_text(json.dumps({"design": {"num_cells_by_type": {
         "LUT4": 600, "TRELLIS_FF": 50}}}))
@@ -87,7 +87,7 @@ def pack(arguments):
 
 
 def ecppll(arguments):
-    """Multiples of 2 MHz."""
+    """Rounds to multiples of 2 MHz."""
     Path(arguments[-1]).write_text(str(int(arguments[arguments.index("-o") + 1]) // 2 * 2))
 
 

@@ -18,7 +18,7 @@ module numbered_ticks #(
     input wire logic [17:0] sample_rate_i,
 
     output logic [17:0] tick_rate_o,
-    output logic [ 3:0] tick_o,       // of the sample that is offered or comes next
+    output logic [ 3:0] tick_o,       // tick of the sample that is offered or comes next
     output logic        checks_o
 );
 

@@ -29,7 +29,7 @@ class Search {
     void run(std::size_t enough);
 
     const StateSet& states() const { return states_; }
-    std::size_t clocks() const { return clocks_; }  ///< to the state farthest from the start
+    std::size_t clocks() const { return clocks_; }  ///< number to the farthest state from the start
     std::size_t reached() const { return reached_; }
     /// Returns the state in which each bad literal was first 1.
     const std::vector<std::optional<std::uint32_t>>& where() const { return where_; }
