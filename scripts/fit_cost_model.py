@@ -9,8 +9,9 @@ is `holdout` are not fitted but predicted, and their error is the model's.  Wher
 than three of them, each run is predicted from the fit to all others instead.  A family whose runs
 are off by more than that has an error of its own.
 
-LUT4, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
-build by least squares of the relative error.  A little ridge, not on the families' own constants,
+LUTs, flip-flops and the clock period are sums of features (FEATURES) times coefficients, fitted per
+build by least squares of the relative error.  Runs of Yosys' cells alone, which were not placed,
+have a fit of their own, and no clock period.  A little ridge, not on the families' own constants,
 keeps coefficients at zero that the runs cannot tell, and a feature that would make a core smaller
 as it grows is left out.
 """
@@ -153,6 +154,16 @@ def quantity_of(name):
     return (lambda run: 1000 / run[column]) if name == "period_ns" else lambda run: run[column]
 
 
+def placed(run):
+    return run["fmax_mhz"] is not None
+
+
+def source(runs):
+    held = sum(r["holdout"] for r in runs)
+    how = "placed and routed" if placed(runs[0]) else "cells of Yosys, not placed"
+    return f"fitted to {len(runs) - held} runs, {how}; {held} held out"
+
+
 def rms(errors):
     return math.sqrt(sum(e * e for e in errors) / len(errors))
 
@@ -208,7 +219,7 @@ def read(path):
                     continue
                 row["TurnBits"] = row["TurnBits"] or "0"  # the serial build has none
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
-                run["fmax_mhz"] = float(row["fmax_mhz"])
+                run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
                 device = DEVICES[row["device"]]
                 run["family"] = device.cost_family
             except (KeyError, TypeError, ValueError) as error:
@@ -228,23 +239,23 @@ def main():
     parser.add_argument("-o", "--output", default=ROOT / "sysc/cost/cost_model.json")
     arguments = parser.parse_args()
     runs = read(arguments.runs)
-    models = [model(build, name, runs) for build in ("serial", "parallel") for name in COUNTS]
+    kinds = [[r for r in runs if placed(r)], [r for r in runs if not placed(r)]]
+    models = [model(build, name, kind) for kind in kinds for build in ("serial", "parallel")
+              for name in COUNTS if kind and (placed(kind[0]) or name != "period_ns")]
     models = [m for m in models if m]
-    held = sum(r["holdout"] for r in runs)
-    fitted = len(runs) - held
+    sources = {r["family"]: source(kind) for kind in kinds for r in kind}
     checks = []
     for one in runs:  # predictions that tb/model/program/cost_model_test.cpp must repeat
         predictions = {}
         for m in models:
-            if m["build"] == one["build"]:
+            if m["build"] == one["build"] and one["family"] in m["families"]:
                 features, coefficients = zip(*m["terms"])
                 predictions[m["quantity"]] = round(predict(coefficients, features, one), 6)
         checks.append(
             {k: one[k] for k in ("core", "build", "device", *PARAMETERS, "lut4", "ff", "dsp")}
             | {"bram": one["bram"], "predicted": predictions}
         )
-    text = f"fitted to {fitted} runs, placed and routed; {held} held out"
-    lines = [f'{{"source": {json.dumps(text)},', ' "models": [']
+    lines = [f'{{"sources": {json.dumps(sources)},', ' "models": [']
     lines.append(",\n".join("  " + json.dumps(m) for m in models))
     lines.append(' ],\n "runs": [')
     lines.append(",\n".join("  " + json.dumps(c) for c in checks))

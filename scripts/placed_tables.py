@@ -159,10 +159,11 @@ def parameter_guard_placed():
 
 def cost_model():
     data = json.loads((ROOT / "sysc/cost/cost_model.json").read_text())
-    names = {"lut4": "LUT4", "ff": "flip-flops", "period_ns": "clock period"}
+    names = {"lut4": "LUTs", "ff": "flip-flops", "period_ns": "clock period"}
     rows = [
         (
             m["build"],
+            ", ".join(m["families"]),
             names[m["quantity"]],
             m["runs"],
             f"{100 * m['fitted']:.1f} %",
@@ -172,5 +173,5 @@ def cost_model():
         )
         for m in data["models"]
     ]
-    head = ["build", "estimate", "runs fitted", "rms", "runs held out", "rms", "worst"]
+    head = ["build", "families", "estimate", "runs fitted", "rms", "runs held out", "rms", "worst"]
     return table(head, rows)

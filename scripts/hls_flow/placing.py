@@ -26,7 +26,9 @@ class FileConfiguration(Configuration):
 def check_device(device):
     """Refuses an unknown device, and the lack of its tools."""
     tool("yosys")
-    tool(device_named(device).family.nextpnr)
+    nextpnr = device_named(device).family.nextpnr
+    if nextpnr:
+        tool(nextpnr)
 
 
 def of_verilog(wanted, made, device):

@@ -38,10 +38,24 @@ def frequency(family, report, log):
     return max(reached) if family.routed_timing else min(reached)
 
 
+def run_nextpnr(wanted, seed, work, log, minutes):
+    """Places work/netlist.json; its clock and what it takes of the device."""
+    pins = DEVICES[wanted.device].pins
+    if pins:
+        shutil.copy(pins, work)
+    run([tool(wanted.family.nextpnr), "--json", "netlist.json", *wanted.nextpnr_flags(),
+         "--timing-allow-fail", "--seed", str(seed), "--report", "report.json"], log, explain,
+        minutes=minutes, cwd=work)
+    report = json.loads((work / "report.json").read_text())
+    return {"fmax_mhz": frequency(wanted.family, report, log),
+            "utilization": report.get("utilization", {})}
+
+
 def place(wanted, seed, folder, minutes):
     """Writes the report of a placement, including all that is needed of the netlist.
 
-    The netlist must exist; an existing report is kept.
+    The netlist must exist; an existing report is kept.  Without place and route for the device
+    its cells are counted alone.
     """
     name = wanted.placement_name(seed)
     with alone(folder / f".{name}.lock"), work_folder(folder / f".{name}.work") as work:
@@ -49,22 +63,19 @@ def place(wanted, seed, folder, minutes):
             return
         cells = json.loads((folder / "cells.json").read_text())
         check_fit(wanted.device, cells["all"])
-        (work / "netlist.json").hardlink_to(folder / "netlist.json")
-        pins = DEVICES[wanted.device].pins
-        if pins:
-            shutil.copy(pins, work)
-        nextpnr = tool(wanted.family.nextpnr)
+        yosys = version(tool("yosys"))
         begin = time.monotonic()
-        run([nextpnr, "--json", "netlist.json", *wanted.nextpnr_flags(), "--timing-allow-fail",
-             "--seed", str(seed), "--report", "report.json"], folder / f"{name}.log", explain,
-            minutes=minutes, cwd=work)
-        report = json.loads((work / "report.json").read_text())
+        if wanted.family.nextpnr:
+            (work / "netlist.json").hardlink_to(folder / "netlist.json")
+            found = run_nextpnr(wanted, seed, work, folder / f"{name}.log", minutes)
+            tools = [yosys, version(tool(wanted.family.nextpnr))]
+        else:
+            found, tools = {"fmax_mhz": None, "utilization": {}}, [yosys]
         write_whole(folder / f"{name}.json", json.dumps({
-            "fmax_mhz": frequency(wanted.family, report, folder / f"{name}.log"),
-            "utilization": report.get("utilization", {}),
+            **found,
             "seconds": round(time.monotonic() - begin, 1),
             "cells": cells,
-            "tools": [version(tool("yosys")), version(nextpnr)],
+            "tools": tools,
         }, indent=2) + "\n")
 
 

@@ -42,6 +42,10 @@ double proven_error(const Choice& choice) {
     return (choice.demand.bound() + candidate.parameters.rounding()) * candidate.unit_mm;
 }
 
+Json optional_json(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
 Json choice_json(const Choice& choice) {
     const Candidate& candidate = choice.candidate;
     const CostEstimate& cost = candidate.cost;
@@ -63,9 +67,11 @@ Json choice_json(const Choice& choice) {
               {"ff", std::round(cost.ff)},
               {"dsp", cost.dsp},
               {"bram", cost.ram},
-              {"fmax_mhz", cost.mhz},
+              {"fmax_mhz", optional_json(cost.mhz)},
               {"relative_error",
-               {{"lut4", cost.lut4_error}, {"ff", cost.ff_error}, {"fmax_mhz", cost.mhz_error}}},
+               {{"lut4", cost.lut4_error},
+                {"ff", cost.ff_error},
+                {"fmax_mhz", cost.mhz ? Json(cost.mhz_error) : Json(nullptr)}}},
               {"size", candidate.size}}}};
 }
 
@@ -108,11 +114,11 @@ void add_row(std::string& text, const Choice& choice, const Columns& columns) {
     for (const ref::Parameter* one : columns) {
         fmt::format_to(out, " {:>{}}", p.*one->value, std::strlen(one->name));
     }
-    fmt::format_to(out,
-                   " {:>8} {:>9} {:>8.0f} {:>9.3g} | {:>6.0f} {:>6.0f} {:>4} {:>4} {:>5.0f}  {}\n",
-                   exact_length(choice.candidate.unit_mm), length_text(proven_error(choice)),
-                   choice.demand.segments() * kSegmentWords, choice.need.least() / 1e6, cost.lut4,
-                   cost.ff, cost.dsp, cost.ram, cost.mhz, binds_text(choice));
+    fmt::format_to(
+        out, " {:>8} {:>9} {:>8.0f} {:>9.3g} | {:>6.0f} {:>6.0f} {:>4} {:>4} {:>5}  {}\n",
+        exact_length(choice.candidate.unit_mm), length_text(proven_error(choice)),
+        choice.demand.segments() * kSegmentWords, choice.need.least() / 1e6, cost.lut4, cost.ff,
+        cost.dsp, cost.ram, cost.mhz ? fmt::format("{:.0f}", *cost.mhz) : "-", binds_text(choice));
 }
 
 }  // namespace
@@ -131,8 +137,9 @@ std::string ChooseReport::text() const {
     for (const ref::Parameter* one : columns) head += std::string(" ") + one->name;
     head += fmt::format(" {:>8} {:>9} {:>8} {:>9}", "unit", "error <=", "words/s", "needs MHz");
     fmt::format_to(out, "{:{}} | estimate\n", "", head.size());
-    fmt::format_to(out, "{} | {:>6} {:>6} {:>4} {:>4} {:>5}  {}\n", head, "LUT4", "FF", "DSP",
-                   "RAM", "MHz", "a bit less is ruled out by");
+    fmt::format_to(out, "{} | {:>6} {:>6} {:>4} {:>4} {:>5}  {}\n", head,
+                   requirement.device->lut_name(), "FF", "DSP", "RAM", "MHz",
+                   "a bit less is ruled out by");
     for (const Choice& choice : choices) add_row(text, choice, columns);
     const Choice& winner = choices.front();
     const CostEstimate& cost = winner.candidate.cost;
@@ -141,10 +148,12 @@ std::string ChooseReport::text() const {
         "\nThe first is the smallest. Its error is a derived bound, for every such "
         "curve, of segments planned\nwith --core core.json, which choose -o DIR writes.\n");
     fmt::format_to(out,
-                   "Estimates are off by {:.0f} % (LUT4), {:.0f} % (FF), {:.0f} % (MHz), root mean "
-                   "square; {}.\n{}\n",
-                   100 * cost.lut4_error, 100 * cost.ff_error, 100 * cost.mhz_error,
-                   cost_model_source(),
+                   "Estimates are off by {:.0f} % ({}), {:.0f} % (FF){}, root mean square; {}.\n",
+                   100 * cost.lut4_error, requirement.device->lut_name(), 100 * cost.ff_error,
+                   cost.mhz ? fmt::format(", {:.0f} % (MHz)", 100 * cost.mhz_error) : "",
+                   cost_model_source(*requirement.device));
+    if (!cost.mhz) text += "Whether the device reaches the clock is not known.\n";
+    fmt::format_to(out, "{}\n",
                    requirement.whole_board
                        ? "That is of the core; the rest of the board is as another one was placed, "
                          "with queues of 1,024\nwords."
@@ -161,7 +170,7 @@ std::string ChooseReport::text() const {
             confirmation->lut4, off(confirmation->lut4, cost.lut4), confirmation->ff,
             off(confirmation->ff, cost.ff), confirmation->dsp, confirmation->dsp - cost.dsp,
             confirmation->ram, confirmation->ram - cost.ram, confirmation->mhz,
-            off(confirmation->mhz, cost.mhz), confirmation->seeds,
+            off(confirmation->mhz, *cost.mhz), confirmation->seeds,
             std::max(requirement.clock_hz.value_or(0), winner.need.least()) / 1e6);
     }
     return text;
@@ -183,19 +192,19 @@ Json ChooseReport::json() const {
     Json json{{"version", CURVECORE_PROGRAM_VERSION},
               {"requirement",
                {{"error_mm", requirement.error_mm},
-                {"unit_mm", requirement.unit_mm ? Json(*requirement.unit_mm) : Json(nullptr)},
+                {"unit_mm", optional_json(requirement.unit_mm)},
                 {"radius_mm", requirement.radius_mm},
                 {"least_radius_mm", requirement.least_radius_mm},
                 {"length_mm", requirement.length_mm},
                 {"feed_mm_s", requirement.feed},
                 {"travel_mm", requirement.travel_mm},
                 {"sample_period_s", requirement.sample_period_s},
-                {"clock_hz", requirement.clock_hz ? Json(*requirement.clock_hz) : Json(nullptr)},
+                {"clock_hz", optional_json(requirement.clock_hz)},
                 {"host_words_per_s", requirement.host_words},
                 {"device", requirement.device->name},
                 {"whole_board", requirement.whole_board}}},
               {"possible", !choices.empty()},
-              {"cost_model", cost_model_source()},
+              {"cost_model", cost_model_source(*requirement.device)},
               {"seconds", seconds}};
     if (choices.empty()) {
         json["give_up"] = Json::array();

@@ -64,6 +64,10 @@ Chooser::Group Chooser::group(const Candidate& candidate) {
     return {candidate.unit_mm, values};
 }
 
+double Chooser::fastest(const Candidate& candidate) const {
+    return candidate.cost.mhz ? *candidate.cost.mhz * 1e6 : *requirement_.clock_hz;
+}
+
 /// Returns the largest load that a build can serve at this clock and the host can send.
 Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
     int step = std::numeric_limits<int>::max();
@@ -116,11 +120,11 @@ const Demand& Chooser::demand(const Candidate& candidate, const Load& most) {
 }
 
 Reason Chooser::judge(const Candidate& candidate, Choice& choice) {
-    const double reached = candidate.cost.mhz * 1e6 * (1 - candidate.cost.mhz_error);
+    const std::optional<double> reached = candidate.cost.reached();
     choice.candidate = candidate;
-    choice.clock_hz = requirement_.clock_hz.value_or(reached);
+    choice.clock_hz = requirement_.clock_hz ? *requirement_.clock_hz : *reached;
     if (!candidate.cost.fits(*requirement_.device)) return Reason::kArea;
-    if (choice.clock_hz > reached) return Reason::kClock;
+    if (reached && choice.clock_hz > *reached) return Reason::kClock;
     Demand least;
     least.arcs.segments = least.arcs.steps = requirement_.arcs() ? 1 : 0;
     least.splines.segments = least.splines.steps = requirement_.splines() ? 1 : 0;
@@ -163,7 +167,7 @@ std::vector<Choice> Chooser::smallest(std::size_t count) {
         const bool enough = choices.size() >= count || looked_at > kMostLookedAt;
         if (same_build ? enough : other.has_value()) continue;
         Choice choice;
-        if (hopeless(candidate, most_load(candidate, candidate.cost.mhz * 1e6)) ||
+        if (hopeless(candidate, most_load(candidate, fastest(candidate))) ||
             judge(candidate, choice) != Reason::kNone) {
             continue;
         }
@@ -188,7 +192,7 @@ bool Chooser::possible() {
     return std::any_of(candidates.rbegin(), candidates.rend(), [&](const Candidate& candidate) {
         Choice choice;
         return coarse(candidate.parameters) &&
-               !hopeless(candidate, most_load(candidate, candidate.cost.mhz * 1e6)) &&
+               !hopeless(candidate, most_load(candidate, fastest(candidate))) &&
                judge(candidate, choice) == Reason::kNone;
     });
 }

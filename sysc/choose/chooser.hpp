@@ -39,6 +39,7 @@ struct Choice {
 
 class Chooser {
   public:
+    /// Its clock_hz is given where the device's clock is not known.
     explicit Chooser(const Requirement& requirement)
         : requirement_(requirement), model_(requirement) {}
 
@@ -63,6 +64,7 @@ class Chooser {
         Demand demand;
     };
 
+    double fastest(const Candidate& candidate) const;
     static Group group(const Candidate& candidate);
     Load most_load(const Candidate& candidate, double clock_hz) const;
     const Demand& demand(const Candidate& candidate, const Load& most);

@@ -80,6 +80,7 @@ class Search {
         for (const Device& device : kDevices) {
             Requirement other = requirement_;
             other.device = &device;
+            if (!requirement_.clock_hz && !clock_is_known(device)) continue;
             const bool smaller = best == nullptr || device.lut4 < best->lut4;
             if (&device != requirement_.device && smaller && possible(other)) best = &device;
         }
@@ -106,6 +107,13 @@ class Search {
     /// Adds the clock that the smallest core needs, or reaches.
     void clock() {
         if (!requirement_.clock_hz) return;
+        if (!clock_is_known(*requirement_.device)) {
+            number(
+                "clock", *requirement_.clock_hz, kFarthest,
+                [](Requirement& other, double factor) { *other.clock_hz *= factor; },
+                frequency_text);
+            return;
+        }
         Requirement other = requirement_;
         other.clock_hz.reset();
         const std::vector<Choice> any = Chooser(other).smallest(1);

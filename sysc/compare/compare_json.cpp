@@ -73,7 +73,7 @@ Json estimate_json(const std::optional<CostEstimate>& cost, const Device& device
             {"ff", std::round(cost->ff)},
             {"dsp", cost->dsp},
             {"ram", cost->ram},
-            {"mhz", std::round(cost->mhz)},
+            {"mhz", cost->mhz ? Json(std::round(*cost->mhz)) : Json(nullptr)},
             {"of_device", cost->fullest(device)}};
 }
 
@@ -157,8 +157,9 @@ Json CompareReport::json() const {
             {"pareto", front},
             {"estimate",
              {{"device", device.name},
+              {"lut", device.lut_name()},
               {"build", build_name(options.settings.front().build)},
-              {"source", cost_model_source()}}},
+              {"source", cost_model_source(device)}}},
             {"parameters", columns},
             {"rows", rows}};
 }

@@ -58,6 +58,10 @@ std::string feed_text(const TickScheme& ticks) {
     return fmt::format("{:.4g} m/min", ticks.feed * 60e-3);
 }
 
+std::string mhz_text(const CostEstimate& cost, const char* unknown) {
+    return cost.mhz ? fmt::format("{:.0f}", *cost.mhz) : unknown;
+}
+
 /// Value of a parameter of a row; empty where the scheme has no such parameter.
 std::string value_of(const Row& row, const ref::Parameter& one) {
     const bool used = !row.ticks || row.ticks->uses(one);
@@ -147,8 +151,8 @@ std::string CompareReport::csv() const {
                        row.has_figures() ? number(row.speed_relative) : "", number(row.bound),
                        number(row.of_bound), of_core(row.missing_bits), of_core(row.cost.bits));
         if (row.estimate) {
-            fmt::format_to(out, "{:.0f},{},{},{:.0f},", row.estimate->lut4, row.estimate->dsp,
-                           row.estimate->ram, row.estimate->mhz);
+            fmt::format_to(out, "{:.0f},{},{},{},", row.estimate->lut4, row.estimate->dsp,
+                           row.estimate->ram, mhz_text(*row.estimate, ""));
         } else {
             text += ",,,,";
         }
@@ -173,7 +177,8 @@ std::string CompareReport::table() const {
         "{:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} {:>7} {:>8} {:>6} {:>4} "
         "{:>4}\n",
         "worst", "rms", "99.9 %", "unrounded", "along", "across", "bound", "/ seen", "speed",
-        "segments", "steps", "mul bits", "~LUT4", "DSP", "~MHz");
+        "segments", "steps", "mul bits", fmt::format("~{}", options.sweep.device->lut_name()),
+        "DSP", "~MHz");
     for (const Row& row : result.rows) {
         const auto out = std::back_inserter(text);
         if (options.schemes) {
@@ -201,8 +206,8 @@ std::string CompareReport::table() const {
         fmt::format_to(out, " {:>8} {:>7} {:>8}", row.segments, row.steps,
                        row.ticks ? "" : fmt::format("{}", row.cost.bits));
         if (row.estimate) {
-            fmt::format_to(out, " {:>6.0f} {:>4} {:>4.0f}", row.estimate->lut4, row.estimate->dsp,
-                           row.estimate->mhz);
+            fmt::format_to(out, " {:>6.0f} {:>4} {:>4}", row.estimate->lut4, row.estimate->dsp,
+                           mhz_text(*row.estimate, "-"));
         } else {
             fmt::format_to(out, "{:17}", "");
         }
@@ -218,7 +223,7 @@ std::string CompareReport::table() const {
                                   build_name(build), device.name);
     }
     return text + fmt::format("~ estimated, {} build on {}: {}\n", build_name(build), device.name,
-                              cost_model_source());
+                              cost_model_source(device));
 }
 
 std::string CompareReport::curves_table() const {

@@ -59,7 +59,7 @@ std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& para
     cost->ff += placed->ff - theirs.ff;
     cost->dsp += placed->dsp - theirs.dsp;
     cost->ram += placed->ram - theirs.ram;
-    cost->mhz = std::min(cost->mhz, placed->mhz);
+    cost->mhz = std::min(cost->mhz.value_or(placed->mhz), placed->mhz);
     return cost;
 }
 

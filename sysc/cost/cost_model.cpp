@@ -51,12 +51,6 @@ struct Model {
         return std::max(error, family_errors.find(family)->second);
     }
 
-    bool knows(std::string_view family) const {
-        return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
-            return term.family == family && term.factors.empty();
-        });
-    }
-
     double predict(std::string_view family, const Values& values) const {
         double sum = 0;
         for (const Term& term : terms) {
@@ -86,12 +80,12 @@ Term read_term(const std::string& feature, double coefficient) {
 }
 
 struct ModelFile {
-    std::string source;
+    std::map<std::string, std::string, std::less<>> sources;  // by family
     std::vector<Model> models;
 
     ModelFile() {
         const auto json = nlohmann::json::parse(kCostModel);
-        source = json.at("source");
+        json.at("sources").get_to(sources);
         for (const auto& one : json.at("models")) {
             Model model{one.at("build"), one.at("quantity"), {}, one.at("error"), {}};
             one.at("families").get_to(model.family_errors);
@@ -102,9 +96,12 @@ struct ModelFile {
         }
     }
 
-    const Model* find(std::string_view build, std::string_view quantity) const {
+    const Model* find(Build build, std::string_view quantity, std::string_view family) const {
         for (const Model& model : models) {
-            if (model.build == build && model.quantity == quantity) return &model;
+            if (model.build == build_name(build) && model.quantity == quantity &&
+                model.family_errors.count(family) > 0) {
+                return &model;
+            }
         }
         return nullptr;
     }
@@ -113,29 +110,6 @@ struct ModelFile {
 const ModelFile& model_file() {
     static const ModelFile file;
     return file;
-}
-
-/// Models of one build: LUT4, flip-flops and period.
-struct BuildModels {
-    const Model* lut4;
-    const Model* ff;
-    const Model* period;
-
-    explicit BuildModels(Build build)
-        : lut4(model_file().find(build_name(build), "lut4")),
-          ff(model_file().find(build_name(build), "ff")),
-          period(model_file().find(build_name(build), "period_ns")) {}
-
-    bool know(std::string_view family) const {
-        return lut4 != nullptr && ff != nullptr && period != nullptr && lut4->knows(family) &&
-               ff->knows(family) && period->knows(family);
-    }
-};
-
-const BuildModels& models_of(Build build) {
-    static const BuildModels serial(Build::kSerial);
-    static const BuildModels parallel(Build::kParallel);
-    return build == Build::kSerial ? serial : parallel;
 }
 
 }  // namespace
@@ -154,6 +128,11 @@ const char* core_name(Core core) {
 Core core_for(bool arcs, bool splines, Build build) {
     if (!splines) return Core::kSpherical;
     return arcs || build == Build::kSerial ? Core::kCurve : Core::kSpline;
+}
+
+std::optional<double> CostEstimate::reached() const {
+    if (!mhz) return std::nullopt;
+    return *mhz * 1e6 * (1 - mhz_error);
 }
 
 bool CostEstimate::fits(const Device& device) const { return fullest(device) <= 1; }
@@ -175,13 +154,21 @@ double CostEstimate::fullest(const Device& device) const {
 }
 
 bool cost_is_known(Build build, const Device& device) {
-    return models_of(build).know(device.family);
+    return model_file().find(build, "lut4", device.family) != nullptr;
+}
+
+bool clock_is_known(const Device& device) {
+    return model_file().find(Build::kSerial, "period_ns", device.family) != nullptr;
 }
 
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
                                      const Device& device) {
-    if (!cost_is_known(parameters.build, device)) return std::nullopt;
-    const BuildModels& models = models_of(parameters.build);
+    const auto model = [&](std::string_view quantity) {
+        return model_file().find(parameters.build, quantity, device.family);
+    };
+    const Model* const lut4 = model("lut4");
+    const Model* const ff = model("ff");
+    if (lut4 == nullptr || ff == nullptr) return std::nullopt;
     Values values{};
     values[kOrder] = parameters.order;
     values[kCoefBits] = parameters.coef_bits;
@@ -195,18 +182,23 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kSoft] = soft_bits(parameters, device);
     values[kWideBlock] = wide_block(parameters, device) ? 1 : 0;
     CostEstimate cost;
-    cost.lut4 = models.lut4->predict(device.family, values);
-    cost.ff = models.ff->predict(device.family, values);
-    cost.mhz = 1000 / models.period->predict(device.family, values);
+    cost.lut4 = lut4->predict(device.family, values);
+    cost.ff = ff->predict(device.family, values);
+    cost.lut4_error = lut4->error_in(device.family);
+    cost.ff_error = ff->error_in(device.family);
     cost.dsp = count_dsp(core, parameters, device);
     cost.ram = count_ram(core, parameters, device);
-    if (cost.dsp > 0 && device.dsp_mhz > 0) cost.mhz = std::min(cost.mhz, device.dsp_mhz);
-    cost.lut4_error = models.lut4->error_in(device.family);
-    cost.ff_error = models.ff->error_in(device.family);
-    cost.mhz_error = models.period->error_in(device.family);
+    if (const Model* const period = model("period_ns")) {
+        cost.mhz = 1000 / period->predict(device.family, values);
+        if (cost.dsp > 0 && device.dsp_mhz > 0) cost.mhz = std::min(*cost.mhz, device.dsp_mhz);
+        cost.mhz_error = period->error_in(device.family);
+    }
     return cost;
 }
 
-std::string cost_model_source() { return model_file().source; }
+std::string cost_model_source(const Device& device) {
+    const auto found = model_file().sources.find(device.family);
+    return found == model_file().sources.end() ? "no runs" : found->second;
+}
 
 }  // namespace curvecore::sysc

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Cost of a core in a device, without place and route.
 //
-// DSP and RAM blocks are counted from the RTL's structure and are exact. LUT4, flip-flops and the
+// DSP and RAM blocks are counted from the RTL's structure and are exact. LUTs, flip-flops and the
 // clock period are linear in a few features of the widths; scripts/fit_cost_model.py fits their
 // coefficients to runs of scripts/synth.sh and writes sysc/cost/cost_model.json, which is compiled
 // in. They are estimates: `error` is the model's error on runs that it was not fitted to.
@@ -27,20 +27,23 @@ Core core_for(bool arcs, bool splines, Build build);
 /// | field        | meaning                                                                 |
 /// |--------------|-------------------------------------------------------------------------|
 /// | lut4, ff     | estimates, of the core alone                                            |
-/// | mhz          | estimate of what place and route reaches, at most the DSP blocks' limit |
+/// | mhz          | estimate of what place and route reaches, at most the DSP blocks'       |
+/// |              | limit; none where nothing is placed: XC7                                |
 /// | dsp, ram     | exact                                                                   |
 /// | lut4_error.. | relative error of the estimate: root mean square over runs left out, or |
 /// |              | over those of the device's family where that is more                    |
 struct CostEstimate {
     double lut4 = 0;
     double ff = 0;
-    double mhz = 0;
+    std::optional<double> mhz;
     int dsp = 0;
     int ram = 0;
     double lut4_error = 0;
     double ff_error = 0;
     double mhz_error = 0;
 
+    /// Clock that is reached by the estimate less its error, Hz.
+    std::optional<double> reached() const;
     bool fits(const Device& device) const;
     /// Shares of the device: the larger of LUT4 and flip-flops, DSP blocks, RAM blocks.
     std::array<double, 3> shares(const Device& device) const;
@@ -52,6 +55,9 @@ struct CostEstimate {
 
 /// Returns true if runs of this build were measured in the device's family.
 bool cost_is_known(Build build, const Device& device);
+
+/// Returns true if cores were placed in the device's family.
+bool clock_is_known(const Device& device);
 
 /// Estimates the cost; none if no runs were measured.
 std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters,
@@ -65,7 +71,7 @@ struct MultiplierCount {
 };
 MultiplierCount count_multipliers(Core core, const CoreParameters& parameters);
 
-/// Origin of the fit, for reports: "fitted to 17 runs, ...".
-std::string cost_model_source();
+/// Origin of a device's estimates, for reports: "fitted to 17 runs, ...".
+std::string cost_model_source(const Device& device);
 
 }  // namespace curvecore::sysc

@@ -9,7 +9,11 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr int kGowinLeast = 3;  // bits of an operand for which Yosys takes a block of a GW2A
+// Bits for which Yosys takes a block of a GW2A: of an operand; and of an XC7: of an operand, of
+// the product.
+constexpr int kGowinLeast = 3;
+constexpr int kXilinxLeast = 2;
+constexpr int kXilinxLeastProduct = 9;
 
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
@@ -28,6 +32,10 @@ int portable(int a_bits, int b_bits, const Device& device) {
         const auto crossed = [](int low) { return low == 18 ? 2 : low > 0 ? 1 : 0; };
         return 1 + crossed(a_low) + crossed(b_low) + (lows > 0 ? 1 : 0);
     }
+    if (device.family == "xc7") {  // 25 x 18 bits signed
+        const bool blocked = lows >= kXilinxLeast && a_low + b_low >= kXilinxLeastProduct;
+        return 1 + (a_low > 0 ? 1 : 0) + (b_low > 0 ? 1 : 0) + (blocked ? lows == 18 ? 2 : 1 : 0);
+    }
     return 0;
 }
 
@@ -36,6 +44,12 @@ int multiplier(int a_bits, int b_bits, const Device& device) {
     if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
     if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
     return portable(a_bits, b_bits, device);
+}
+
+/// Blocks of a product of the spline's network: 18 x 18 bits, one of them signed by a bit more.
+int narrow_multiplier(const Device& device) {
+    if (device.form == 1) return 1;
+    return device.family == "xc7" ? 2 : 0;
 }
 
 /// Visits each order's word in a sampler of arcs with a width for each.
@@ -82,7 +96,11 @@ int count_dsp(Core core, const CoreParameters& parameters, const Device& device)
         each_stage(parameters,
                    [&](int sum, int tau) { narrowed += 3 * multiplier(sum, tau, device); });
     }
-    return wide * multiplier(bits, bits, device) + narrowed + (device.form == 1 ? count.narrow : 0);
+    // Of tau^2 Yosys makes the two products that are the same one once.
+    const bool square = device.family == "xc7" && parameters.build == Build::kParallel &&
+                        parameters.mode == 1 && core != Core::kSpline && bits > 18;
+    return wide * multiplier(bits, bits, device) + narrowed +
+           count.narrow * narrow_multiplier(device) - (square ? 1 : 0);
 }
 
 double mean_wide(Core core, const CoreParameters& parameters) {
@@ -111,9 +129,11 @@ int count_ram(Core core, const CoreParameters& parameters, const Device& device)
     // Three copies of the words, the program and, where there is no distributed memory, two copies
     // of points. Some of the program's 61 bits are alike.
     const bool splines = core == Core::kCurve;
+    const int fine_bits = parameters.position_bits + parameters.guard_bits;
+    if (device.family == "xc7") return 3 + blocks(fine_bits, 36);  // one of points, no program
     if (device.family != "up5k" && device.family != "hx8k") return 3 + 2;  // words of 36 bits
     const int words = blocks(parameters.coef_bits, splines ? 8 : 16);
-    const int points = blocks(parameters.position_bits + parameters.guard_bits, 16);
+    const int points = blocks(fine_bits, 16);
     return 3 * words + 2 * points + (splines ? 4 : 3);
 }
 

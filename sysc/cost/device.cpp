@@ -18,6 +18,13 @@ std::string device_names() {
     return names;
 }
 
+std::string clock_unknown(const Device& device) {
+    return fmt::format(
+        "--device {}: its cells are counted, nothing is placed for it, so that its clock is not "
+        "known: say --clock",
+        device.name);
+}
+
 const Device* find_device(const std::string& name) {
     const auto* const found =
         std::find_if(kDevices.begin(), kDevices.end(),

@@ -18,6 +18,8 @@ struct Device {
     int dsp;
     int ram;
     double dsp_mhz;
+
+    std::string_view lut_name() const { return family == "xc7" ? "LUT6" : "LUT4"; }
 };
 
 inline constexpr std::array kDevices{
@@ -27,6 +29,9 @@ inline constexpr std::array kDevices{
 
 /// Names as text: "up5k, hx8k, ...".
 std::string device_names();
+
+/// Error text for a device that nothing is placed for.
+std::string clock_unknown(const Device& device);
 
 /// Finds a device by its name; null: none.
 const Device* find_device(const std::string& name);

@@ -20,7 +20,8 @@ void take_device(Options& options) {
             "--device {}: there are no measured runs of the {} build for it yet: say --clock",
             device.name, build_name(options.core.build)));
     }
-    options.clock_hz = cost->mhz * 1e6 * (1 - cost->mhz_error);
+    if (!cost->mhz) throw UsageError(clock_unknown(device));
+    options.clock_hz = *cost->reached();
 }
 
 }  // namespace curvecore::sysc

@@ -63,6 +63,13 @@ void interpret(const RawRequirement& raw, ChooseOptions& options) {
     }
     if (!raw.build.empty()) requirement.build = build_of(raw.build);
     if (!options.machine.empty()) requirement.machine = ref::read_machine(options.machine);
+    if (!clock_is_known(*requirement.device)) {
+        if (!requirement.clock_hz) throw UsageError(clock_unknown(*requirement.device));
+        if (options.confirm) {
+            throw UsageError(fmt::format("--confirm: nothing is placed for {}: leave it out",
+                                         requirement.device->name));
+        }
+    }
     if (!cost_is_known(requirement)) {
         throw UsageError(fmt::format(
             "--{} {}: there are no measured runs{} for it yet",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/format/parameter_text.hpp"
+#include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
 namespace curvecore::tb {
@@ -106,8 +107,10 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"ErrorWithoutUnit", with({"--error", "1"}),
      "curvecore: error: --error '1': the unit must be nm, um, mm, m or in"},
     {"DeviceUnknown", with({"--device", "ecp6"}),
-     "curvecore: error: --device 'ecp6': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
-     "gw2a-18, lifcl-40"},
+     "curvecore: error: --device 'ecp6': must be one of " + device_list()},
+    {"DeviceWithoutClock", with({"--device", "xc7a35t"}),
+     "curvecore: error: --device xc7a35t: its cells are counted, nothing is placed for it, so that "
+     "its clock is not known: say --clock"},
     {"BuildUnknown", with({"--build", "folded"}),
      "curvecore: error: --build 'folded': must be parallel or serial"},
     {"SetUnknown", with({"--set", "Width=36"}),

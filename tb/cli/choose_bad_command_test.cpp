@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
 namespace curvecore::tb {
@@ -34,8 +35,7 @@ const std::vector<BadRequirement> kBadRequirementes{
     {"FeedNegative", {"--feed", "-10mm/s"}, "--feed must be in [0.001, 1e9] mm/min"},
     {"DeviceUnknown",
      {"--device", "ecp5-12"},
-     "--device 'ecp5-12': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
-     "gw2a-18, lifcl-40"},
+     "--device 'ecp5-12': must be one of " + device_list()},
     {"BoardBesideDevice",
      {"--board", "colorlight_i5"},
      "--device or --board must be given, one of them"},

@@ -124,6 +124,42 @@ TEST_F(ChooseCommand, KnowsDevicesByTheirSerialBuild) {
     }
 }
 
+/// Cells are counted of Artix-7, and nothing is placed: the clock is the user's word.
+TEST_F(ChooseCommand, TakesTheClockAsReachedWhereNothingIsPlaced) {
+    Arguments asked = kMicrometre;
+    asked.back() = "xc7a35t";
+    const ProgramResult none = run(asked);
+    EXPECT_EQ(none.status, 2);
+    EXPECT_EQ(
+        none.err,
+        "curvecore: error: --device xc7a35t: its cells are counted, nothing is placed for it, "
+        "so that its clock is not known: say --clock\n");
+    const Json json = choose(asked, {"--clock", "100MHz"});
+    const Json& choice = json["choice"];
+    EXPECT_TRUE(choice["estimate"]["fmax_mhz"].is_null());
+    EXPECT_TRUE(choice["estimate"]["relative_error"]["fmax_mhz"].is_null());
+    EXPECT_EQ(choice["clock_available_hz"], 100e6);
+    EXPECT_EQ(choice["estimate"]["dsp"], 1);
+    EXPECT_NE(json["cost_model"].get<std::string>().find("not placed"), std::string::npos);
+    const ProgramResult table = run(asked, {"--clock", "100MHz"});
+    EXPECT_NE(table.out.find("LUT6"), std::string::npos) << table.out;
+    EXPECT_EQ(table.out.find("MHz)"), std::string::npos) << table.out;
+    EXPECT_NE(table.out.find("Whether the device reaches the clock is not known."),
+              std::string::npos)
+        << table.out;
+    EXPECT_EQ(run(asked, {"--clock", "100MHz", "--confirm"}).err,
+              "curvecore: error: --confirm: nothing is placed for xc7a35t: leave it out\n");
+}
+
+/// The least clock that is enough, since there is no greatest.
+TEST_F(ChooseCommand, SaysWhichClockIsEnoughWhereNothingIsPlaced) {
+    Arguments asked = kMicrometre;
+    asked.back() = "xc7a35t";
+    const ProgramResult slow = run(asked, {"--clock", "10kHz"});
+    EXPECT_EQ(slow.status, 3) << slow.err;
+    EXPECT_NE(slow.out.find("    clock "), std::string::npos) << slow.out;
+}
+
 TEST_F(ChooseCommand, AFinerRequirementNeedsMore) {
     const Json coarse = choose(kNanometre, {"--host-words", "1000000"});
     const Json fine = choose(kNanometre, {"--host-words", "5000"});

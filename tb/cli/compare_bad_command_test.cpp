@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/format/parameter_text.hpp"
+#include "tb/cli/device_list.hpp"
 #include "tb/cli/program_run.hpp"
 
 namespace curvecore::tb {
@@ -181,8 +182,7 @@ const std::vector<BadComparison> kBadComparisons{
      ".gc .g .iso .din are read as G-code, .csv as points; - reads standard input"},
     {"UnknownDevice",
      {"--device", "ecp5-26"},
-     "curvecore: error: --device 'ecp5-26': must be one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
-     "gw2a-18, lifcl-40"},
+     "curvecore: error: --device 'ecp5-26': must be one of " + device_list()},
     {"UnknownBuild",
      {"--build", "folded"},
      "curvecore: error: --build 'folded': must be parallel or serial"},

@@ -48,6 +48,26 @@ class Compare : public testing::Test {
     ProgramRun program_;
 };
 
+/// Blocks are counted; of Artix-7 there are no clocks.
+TEST_F(Compare, KnowsNoClockWhereNothingIsPlaced) {
+    program_.write("part.ngc", kPart);
+    const Arguments options{"part.ngc",  "--device", "xc7a35t", "--build",        "serial",
+                            "--samples", "200",      "--set",   "CoefBits=18,36", "--set",
+                            "Order=6",   "--set",    "Mode=0"};
+    const Json json = compare(options);
+    EXPECT_EQ(json["estimate"]["lut"], "LUT6");
+    EXPECT_EQ(json["rows"][0]["estimate"]["dsp"], 1);
+    EXPECT_EQ(json["rows"][1]["estimate"]["dsp"], 5);
+    EXPECT_EQ(json["rows"][1]["estimate"]["ram"], 5);
+    for (const Json& row : json["rows"]) EXPECT_TRUE(row["estimate"]["mhz"].is_null());
+    EXPECT_NE(program_.read("out/compare.csv").find(",5,5,,"), std::string::npos);
+    Arguments table{"compare", "-o", "again"};
+    table.insert(table.end(), options.begin(), options.end());
+    const std::string text = program_.run(table).out;
+    EXPECT_NE(text.find("~LUT6"), std::string::npos) << text;
+    EXPECT_NE(text.find("cells of Yosys, not placed"), std::string::npos) << text;
+}
+
 TEST_F(Compare, WritesARowForEveryCombination) {
     program_.write("part.ngc", kPart);
     const Json json = compare({"part.ngc", "--set", "Order=4,6", "--set", "CoefBits=28:36:4",

@@ -109,6 +109,24 @@ TEST(SynthCommand, SpeedAndParametersAreInTheName) {
 }
 
 TEST(SynthCommand, TakesTheCoreThatChooseWrote) {
+TEST(SynthCommand, CountsCellsAloneWhereThereIsNoPlaceAndRoute) {
+    const SynthRun synth({"yosys"});
+    const std::vector<std::string> artix{"--build", "serial", "--device", "xc7a35t"};
+    const ProgramResult result = synth.synth(artix);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out,
+              "spherical-serial-xc7a35t: not placed, 600 LUT6, 0 FF, 0 DSP, 0 RAM; "
+              "out/spherical-serial-xc7a35t.json\n");
+    const auto facts = nlohmann::json::parse(synth.read("out/spherical-serial-xc7a35t.json"));
+    EXPECT_TRUE(facts["fmax_mhz"].is_null());
+    EXPECT_EQ(facts["seeds"], 0);
+    std::vector<std::string> fast = artix;
+    fast.insert(fast.end(), {"--at-least", "100"});
+    EXPECT_EQ(synth.synth(fast).err,
+              "synth: --at-least 100: xc7a35t is not placed here, so that its clock is not known: "
+              "leave it out\n");
+}
+
     const SynthRun synth;
     synth.write("core.json",
                 R"({"core": "spherical", "build": "serial", "device": "ecp5-25", "parameters":

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "tb/cli/device_list.hpp"
 #include "tb/cli/synth_run.hpp"
 
 namespace curvecore::tb {
@@ -40,14 +41,14 @@ const std::vector<BadTable> kBadTables{
          "spline,serial,ecp5-25,,1,,4\n"
          "curve,serial,ecp5-25,,1,,4\n"
          "curve,serial,ecp5-25,6,1,,4\n",
-     "t.csv:3: error: unknown device 'ecp5-26': one of up5k, hx8k, ecp5-25, ecp5-45, ecp5-85, "
-     "gw2a-18, lifcl-40\n"
-     "t.csv:4: error: speed '9' of ecp5-25 must be one of 6, 7, 8\n"
-     "t.csv:5: error: seeds '0' must be in [1, 100]\n"
-     "t.csv:6: error: Order must be in [2, 12] (Order is 13)\n"
-     "t.csv:7: error: 8 cells, the header has 7\n"
-     "t.csv:8: error: there is no serial build of spline\n"
-     "t.csv:10: error: the same configuration as line 9\n"},
+     "t.csv:3: error: unknown device 'ecp5-26': one of " + device_list() +
+         "\n"
+         "t.csv:4: error: speed '9' of ecp5-25 must be one of 6, 7, 8\n"
+         "t.csv:5: error: seeds '0' must be in [1, 100]\n"
+         "t.csv:6: error: Order must be in [2, 12] (Order is 13)\n"
+         "t.csv:7: error: 8 cells, the header has 7\n"
+         "t.csv:8: error: there is no serial build of spline\n"
+         "t.csv:10: error: the same configuration as line 9\n"},
     {"NotAParameterOfThisCore", "core,build,device,Anchor\ncurve,serial,ecp5-25,1\n",
      "t.csv:2: error: curve_interpolator_serial has no parameter Anchor: one of "},
     {"NotText", "\xff\xfe", "t.csv: error: not a text in UTF-8\n"},
