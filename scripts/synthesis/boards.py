@@ -12,11 +12,11 @@
 """
 
 import dataclasses
-import json
 from pathlib import Path
 
 from synthesis.board_tools import tools_of
 from synthesis.cores import ROOT, check_parameters, parameters
+from synthesis.json_file import check_keys, read_json
 from synthesis.refused import Refused
 
 FOLDER = ROOT / "scripts" / "boards"
@@ -86,14 +86,14 @@ def board_named(name, given=()):
     if name not in names() and not name.endswith(".json"):
         raise Refused(f"unknown board '{name}': one of {', '.join(names())}, or a file (.json)")
     file = Path(name) if name.endswith(".json") else FOLDER / f"{name}.json"
+    table = read_json(file)
     try:
-        table = json.loads(file.read_text())
+        check_keys(table, [field.name for field in dataclasses.fields(Board)
+                           if field.name not in ("name", "loader")], ["loader"], "a board")
         values = {name: str(value) for name, value in table["parameters"].items()} | dict(given)
         board = Board(**table | {"name": file.stem, "parameters": values})
         check(board)
         return board
-    except OSError as error:
-        raise Refused(f"{file}: {error.strerror}") from None
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise Refused(f"{file.name}: is no board: {error!r}") from None
     except Refused as error:

@@ -37,6 +37,9 @@ if(CURVECORE_PROGRAM)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
           FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/formats
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore COMPONENT program
+          FILES_MATCHING PATTERN *.schema.json)
   # LinuxCNC's interpreter, in a separate process and under its own licence.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/linuxcnc
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program

@@ -9,15 +9,15 @@
 #include <cmath>
 #include <regex>
 
-#include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 #include "sysc/cli/shipped_files.hpp"
 #include "sysc/cli/usage_error.hpp"
+#include "sysc/formats/json_file.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".json";
@@ -49,15 +49,40 @@ std::map<std::string, int> defaults_of(const fs::path& module) {
     return values;
 }
 
+BoardFile board_of(const Json& json, std::map<std::string, int> values) {
+    for (const auto& [parameter, value] : member(json, "parameters").items()) {
+        if (values.count(parameter) == 0) {
+            throw JsonFlaw{parameter, "motion_board has no parameter " + parameter};
+        }
+        values[parameter] = whole_number(value, parameter);
+    }
+    BoardFile board;
+    board.core.parameters = core_of_board(values);
+    const std::string reason = ref::why_not_built(board.core.parameters);
+    if (!reason.empty()) throw JsonFlaw{reason.substr(0, reason.find_first_of(" =")), reason};
+    const double clock_hz = number(member(json, "clock_hz"), "clock_hz");
+    if (!(clock_hz > 0)) throw JsonFlaw{"clock_hz", "clock_hz must be above 0"};
+    board.device = device_of_board(json);
+    board.core.clock_hz = clock_hz;
+    board.core.sample_period_s = std::exp2(values.at("PeriodLog2")) / clock_hz;
+    board.segment_queue_words = values.at("SegmentQueueWords");
+    board.profile_queue_words = values.at("ProfileQueueWords");
+    return board;
+}
+
 }  // namespace
 
 std::string device_of_board(const Json& board) {
     if (!board.contains("device")) return "";
+    const auto text = [](const Json& inside, const char* key) {
+        const Json& value = member(inside, key, "device");
+        if (!value.is_string()) throw JsonFlaw{key, fmt::format("'{}': not a text", key)};
+        return value.get<std::string>();
+    };
     const Json& device = board.at("device");
-    const std::string family = board.at("family");
-    if (family == "ice40") return device.at("size");
-    std::string name = family == "ecp5" ? family + "-" + std::string(device.at("size"))
-                                        : std::string(device.at("die"));
+    const std::string family = text(board, "family");
+    if (family == "ice40") return text(device, "size");
+    std::string name = family == "ecp5" ? family + "-" + text(device, "size") : text(device, "die");
     while (!name.empty() && std::isdigit(static_cast<unsigned char>(name.back())) == 0) {
         name.pop_back();
     }
@@ -78,33 +103,10 @@ CoreParameters core_of_board(const std::map<std::string, int>& values) {
 
 BoardFile read_board_file(const std::string& name) {
     const std::string file = file_of(name);
-    std::map<std::string, int> values = defaults_of(shipped_files().folder / "rtl/motion_board.sv");
-    const std::string text = ref::read_text_file(file);
-    try {
-        const Json json = Json::parse(text);
-        for (const auto& [parameter, value] : json.at("parameters").items()) {
-            if (values.count(parameter) == 0) {
-                throw std::invalid_argument("motion_board has no parameter " + parameter);
-            }
-            values[parameter] = value.get<int>();
-        }
-        const double clock_hz = json.at("clock_hz").get<double>();
-        if (!(clock_hz > 0)) throw std::invalid_argument("clock_hz must be above 0");
-        BoardFile board;
-        board.core.parameters = core_of_board(values);
-        const std::string reason = ref::why_not_built(board.core.parameters);
-        if (!reason.empty()) throw std::invalid_argument(reason);
-        board.device = device_of_board(json);
-        board.core.clock_hz = clock_hz;
-        board.core.sample_period_s = std::exp2(values.at("PeriodLog2")) / clock_hz;
-        board.segment_queue_words = values.at("SegmentQueueWords");
-        board.profile_queue_words = values.at("ProfileQueueWords");
-        return board;
-    } catch (const Json::exception& error) {
-        throw ref::InputError(file, 0, std::string("is no board: ") + error.what());
-    } catch (const std::invalid_argument& error) {
-        throw ref::InputError(file, 0, error.what());
-    }
+    const std::map<std::string, int> defaults =
+        defaults_of(shipped_files().folder / "rtl/motion_board.sv");
+    return read_json(ref::read_text_file(file), file, "scripts/boards has such files",
+                     [&](const Json& json) { return board_of(json, defaults); });
 }
 
 }  // namespace curvecore::sysc

@@ -25,7 +25,8 @@ BoardFile read_board_file(const std::string& name);
 
 /// Translates a board table's family and device to the name in sysc/cost/devices.def: "25k" of ECP5
 /// is ecp5-25, die GW2A-18C is gw2a-18, up5k is itself; empty: not given.
-std::string device_of_board(const nlohmann::json& board);
+/// @throws JsonFlaw (sysc/formats/json_file.hpp)
+std::string device_of_board(const nlohmann::ordered_json& board);
 /// Returns the core that motion_board has with all these parameters.
 CoreParameters core_of_board(const std::map<std::string, int>& parameters);
 

@@ -3,40 +3,68 @@
 
 #include <fmt/format.h>
 
-#include "ref/text/input_error.hpp"
+#include <algorithm>
+#include <array>
+
 #include "ref/text/text_file.hpp"
+#include "sysc/formats/json_file.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::array<std::string_view, 8> kKeys{
+    "core", "build", "device", "unit_mm", "parameters", "error_mm", "clock_hz", "sample_period_s"};
+
 /// Reads a value that must be a number above 0 if it is present.
 std::optional<double> positive(const Json& json, const char* name) {
     if (!json.contains(name) || json[name].is_null()) return std::nullopt;
-    const double value = json[name].get<double>();
-    if (!(value > 0)) throw std::invalid_argument(fmt::format("{} must be above 0", name));
+    const double value = number(json[name], name);
+    if (!(value > 0)) throw JsonFlaw{name, fmt::format("{} must be above 0", name)};
     return value;
+}
+
+std::string text_of(const Json& json, const char* name, const char* otherwise) {
+    if (!json.contains(name)) return otherwise;
+    if (!json[name].is_string()) throw JsonFlaw{name, fmt::format("'{}': not a text", name)};
+    return json[name];
 }
 
 CoreParameters parameters_of(const Json& json) {
     CoreParameters parameters;
-    const std::string build = json.value("build", "parallel");
+    const std::string build = text_of(json, "build", "parallel");
     if (build != "parallel" && build != "serial") {
-        throw std::invalid_argument("build must be parallel or serial");
+        throw JsonFlaw{"build", "build must be parallel or serial"};
     }
     parameters.build = build == "serial" ? Build::kSerial : Build::kParallel;
-    for (const auto& [name, value] : json.at("parameters").items()) {
+    for (const auto& [name, value] : member(json, "parameters").items()) {
         const ref::Parameter* const row = ref::find_parameter(name);
         if (row == nullptr) {
-            throw std::invalid_argument(
-                fmt::format("{} is no parameter: there are {}", name, ref::parameter_names()));
+            throw JsonFlaw{name, fmt::format("{} is no parameter: there are {}", name,
+                                             ref::parameter_names())};
         }
-        parameters.*row->value = value.get<int>();
+        parameters.*row->value = whole_number(value, name);
     }
     const std::string reason = ref::why_not_built(parameters);
-    if (!reason.empty()) throw std::invalid_argument(reason);
+    if (!reason.empty()) throw JsonFlaw{reason.substr(0, reason.find_first_of(" =")), reason};
     return parameters;
+}
+
+CoreFile core_of(const Json& json) {
+    for (const auto& [name, value] : json.items()) {
+        if (std::find(kKeys.begin(), kKeys.end(), name) != kKeys.end()) continue;
+        throw JsonFlaw{name, fmt::format("'{}': a core has {}", name, fmt::join(kKeys, ", "))};
+    }
+    CoreFile core;
+    core.core = text_of(json, "core", "");
+    core.parameters = parameters_of(json);
+    core.device = text_of(json, "device", "");
+    core.unit_mm = positive(json, "unit_mm");
+    core.error_mm = positive(json, "error_mm");
+    core.sample_period_s = positive(json, "sample_period_s");
+    core.clock_hz = positive(json, "clock_hz");
+    return core;
 }
 
 }  // namespace
@@ -56,21 +84,7 @@ Json CoreFile::json() const {
 }
 
 CoreFile read_core_file(const std::string& file) {
-    const std::string text = ref::read_text_file(file);
-    try {
-        const Json json = Json::parse(text);
-        CoreFile core{
-            json.value("core", ""), parameters_of(json), json.value("device", ""), {}, {}, {}, {}};
-        core.unit_mm = positive(json, "unit_mm");
-        core.error_mm = positive(json, "error_mm");
-        core.sample_period_s = positive(json, "sample_period_s");
-        core.clock_hz = positive(json, "clock_hz");
-        return core;
-    } catch (const Json::exception& error) {
-        throw ref::InputError(file, 0, std::string("is no core: ") + error.what());
-    } catch (const std::invalid_argument& error) {
-        throw ref::InputError(file, 0, error.what());
-    }
+    return read_json(ref::read_text_file(file), file, "curvecore choose -o writes a core", core_of);
 }
 
 }  // namespace curvecore::sysc

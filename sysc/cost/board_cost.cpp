@@ -24,7 +24,7 @@ struct PlacedBoard {
 
 std::vector<PlacedBoard> placed_boards() {
     std::vector<PlacedBoard> placed;
-    for (const nlohmann::json& row : nlohmann::json::parse(kPlacedBoards)) {
+    for (const auto& row : nlohmann::ordered_json::parse(kPlacedBoards)) {
         const Device* const device = find_device(device_of_board(row));
         if (device == nullptr) continue;
         placed.push_back({device, core_of_board(row.at("parameters")), row.at("lut4"), row.at("ff"),

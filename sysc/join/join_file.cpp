@@ -9,6 +9,7 @@
 #include "ref/gcode/state/coordinates.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
+#include "sysc/formats/json_file.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -19,39 +20,15 @@ using ref::Vec3;
 constexpr double kUnit = 1e-6;     // greatest deviation of a unit vector in a file
 constexpr double kSharpest = 1e6;  // 1/mm
 
-/// A flaw, and the key of the value that has it.
-struct Flaw {
-    std::string key;
-    std::string reason;
-};
-
-int line_at(const std::string& text, std::size_t at) {
-    at = std::min(at, text.size());
-    return 1 + static_cast<int>(
-                   std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
-
-/// Line of the first `"key"`, or 1.
-int line_of(const std::string& text, const std::string& key) {
-    const std::size_t at = text.find('"' + key + '"');
-    return at == std::string::npos ? 1 : line_at(text, at);
-}
-
-const Json& member(const Json& json, const char* key, const char* inside = nullptr) {
-    if (json.is_object() && json.contains(key)) return json[key];
-    throw Flaw{inside != nullptr ? inside : key, fmt::format("'{}' is missing", key)};
-}
-
 double number(const Json& json, const char* key, double low, double high) {
-    if (!json.is_number()) throw Flaw{key, fmt::format("'{}': not a number", key)};
-    const double value = json.get<double>();
+    const double value = sysc::number(json, key);
     if (value >= low && value <= high) return value;
-    throw Flaw{key, fmt::format("'{}': {:g} is not in [{:g}, {:g}]", key, value, low, high)};
+    throw JsonFlaw{key, fmt::format("'{}': {:g} is not in [{:g}, {:g}]", key, value, low, high)};
 }
 
 Vec3 vector(const Json& json, const char* key, double most) {
     if (!json.is_array() || json.size() != 3) {
-        throw Flaw{key, fmt::format("'{}': three numbers are wanted", key)};
+        throw JsonFlaw{key, fmt::format("'{}': three numbers are wanted", key)};
     }
     return {number(json[0], key, -most, most), number(json[1], key, -most, most),
             number(json[2], key, -most, most)};
@@ -65,12 +42,12 @@ std::size_t choice(const Json& json, const char* key,
                                                      value.get_ref<const std::string&>())
                                          : names.end();
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    throw Flaw{key, fmt::format("'{}' must be one of {}", key, fmt::join(names, ", "))};
+    throw JsonFlaw{key, fmt::format("'{}' must be one of {}", key, fmt::join(names, ", "))};
 }
 
 std::string name(const Json& json, const char* key) {
     const Json& value = member(json, key);
-    if (!value.is_string()) throw Flaw{key, fmt::format("'{}': a file's name is wanted", key)};
+    if (!value.is_string()) throw JsonFlaw{key, fmt::format("'{}': a file's name is wanted", key)};
     return value.get<std::string>();
 }
 
@@ -82,7 +59,7 @@ ref::Joint joint(const Json& json, const char* key) {
     found.curvature = vector(member(value, "curvature", key), "curvature", kSharpest);
     found.feed = number(member(value, "feed", key), "feed", 1e-6, 1e8);
     if (std::abs(found.tangent.norm() - 1) > kUnit) {
-        throw Flaw{key, fmt::format("'{}': the tangent has not the length 1", key)};
+        throw JsonFlaw{key, fmt::format("'{}': the tangent has not the length 1", key)};
     }
     return found;
 }
@@ -90,20 +67,21 @@ ref::Joint joint(const Json& json, const char* key) {
 std::vector<Json> list(const Json& json, const char* key) {
     const Json& value = member(json, key);
     if (!value.is_array() || value.size() > kMostJoinPoints + 2) {
-        throw Flaw{key,
-                   fmt::format("'{}': a list of at most {} is wanted", key, kMostJoinPoints + 2)};
+        throw JsonFlaw{
+            key, fmt::format("'{}': a list of at most {} is wanted", key, kMostJoinPoints + 2)};
     }
     return {value.begin(), value.end()};
 }
 
 JoinFile parsed(const Json& json) {
     if (!json.is_object() || !json.contains("curvecore_join")) {
-        throw Flaw{"curvecore_join", "is no file of curvecore join: 'curvecore_join' is missing"};
+        throw JsonFlaw{"curvecore_join",
+                       "is no file of curvecore join: 'curvecore_join' is missing"};
     }
     if (json["curvecore_join"] != kJoinVersion) {
-        throw Flaw{"curvecore_join",
-                   fmt::format("is of version {}, this program reads version {}",
-                               json["curvecore_join"].dump().substr(0, 20), kJoinVersion)};
+        throw JsonFlaw{"curvecore_join",
+                       fmt::format("is of version {}, this program reads version {}",
+                                   json["curvecore_join"].dump().substr(0, 20), kJoinVersion)};
     }
     JoinFile file;
     file.a = name(json, "a");
@@ -122,7 +100,7 @@ JoinFile parsed(const Json& json) {
         file.move.points.push_back(vector(point, "points", ref::kFarthest));
     }
     const std::string flaw = flaw_of(file.move);
-    if (!flaw.empty()) throw Flaw{flaw[0] == 't' ? "t" : "points", flaw};
+    if (!flaw.empty()) throw JsonFlaw{flaw[0] == 't' ? "t" : "points", flaw};
     return file;
 }
 
@@ -203,15 +181,7 @@ JoinFile read_join_file(const std::string& file) {
 }
 
 JoinFile read_join_text(const std::string& text, const std::string& file_name) {
-    try {
-        return parsed(Json::parse(text));
-    } catch (const Json::parse_error& error) {
-        throw ref::InputError(file_name, line_at(text, error.byte), "is no JSON here");
-    } catch (const Json::out_of_range&) {
-        throw ref::InputError(file_name, 0, "is no JSON: a number is out of range");
-    } catch (const Flaw& flaw) {
-        throw ref::InputError(file_name, line_of(text, flaw.key), flaw.reason);
-    }
+    return read_json(text, file_name, "curvecore join writes such files", parsed);
 }
 
 }  // namespace curvecore::sysc

@@ -61,9 +61,15 @@ TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
     refuse({"--board", "arty"}, "--board: there is no 'arty': colorlight_i5, icebreaker, ");
     refuse({"--board", "icebreaker", "--core", "core.json"}, "--core or --board");
     program_.write("bad.json", "{\"parameters\": {}}");
-    refuse({"--board", "bad.json"}, "bad.json: error: is no board");
+    refuse({"--board", "bad.json"}, "bad.json:1: error: 'clock_hz' is missing");
     program_.write("worse.json", R"({"clock_hz": 1e6, "parameters": {"Length": 3}})");
-    refuse({"--board", "worse.json"}, "motion_board has no parameter Length");
+    refuse({"--board", "worse.json"}, "worse.json:1: error: motion_board has no parameter Length");
+    program_.write("wrong.json", "{\"clock_hz\": \"1MHz\",\n \"parameters\": {}}");
+    refuse({"--board", "wrong.json"}, "wrong.json:1: error: 'clock_hz': not a number");
+    program_.write(
+        "device.json",
+        "{\"clock_hz\": 1e6, \"parameters\": {},\n \"family\": \"ecp5\", \"device\": {}}");
+    refuse({"--board", "device.json"}, "device.json:2: error: 'size' is missing");
     refuse({"--board", "none.json"}, "none.json");
 }
 

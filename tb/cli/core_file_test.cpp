@@ -97,22 +97,27 @@ TEST_F(Core, DrawsNoSplinesThatItHasNot) {
 TEST_F(Core, IsRefusedWithAReason) {
     EXPECT_EQ(program_.run({"plan", "part.ngc", "--core", "none.json"}).err,
               "none.json: error: no such file\n");
-    EXPECT_EQ(refusal("Order=6").rfind("core.json: error: is no core: ", 0), 0U);
-    EXPECT_EQ(refusal("{}").rfind("core.json: error: is no core: ", 0), 0U);
-    EXPECT_EQ(
-        refusal(R"({"parameters": {"Order": "six"}})").rfind("core.json: error: is no core: ", 0),
-        0U);
+    EXPECT_EQ(refusal("Order=6"),
+              "core.json:1: error: column 1: is no JSON here; curvecore choose -o writes a core\n");
+    EXPECT_EQ(refusal("{}"), "core.json:1: error: 'parameters' is missing\n");
+    EXPECT_EQ(refusal("{\"parameters\":\n{\"Order\": \"six\"}}"),
+              "core.json:2: error: 'Order': not a number\n");
+    EXPECT_EQ(refusal(R"({"parameters": {"Order": 5.5}})"),
+              "core.json:1: error: 'Order': 5.5 is no whole number\n");
     EXPECT_EQ(refusal(R"({"parameters": {"Width": 6}})")
-                  .rfind("core.json: error: Width is no parameter: there are Order, ", 0),
+                  .rfind("core.json:1: error: Width is no parameter: there are Order, ", 0),
+              0U);
+    EXPECT_EQ(refusal(R"({"parameters": {}, "clok_hz": 1e6})")
+                  .rfind("core.json:1: error: 'clok_hz': a core has core, build, ", 0),
               0U);
     EXPECT_EQ(refusal(R"({"parameters": {"Order": 13}})"),
-              "core.json: error: Order must be in [2, 12]\n");
+              "core.json:1: error: Order must be in [2, 12]\n");
     EXPECT_EQ(refusal(R"({"build": "serial", "parameters": {"Splines": 1, "Anchor": 0}})"),
-              "core.json: error: Anchor=0 works with --build parallel and Splines=1 only\n");
+              "core.json:1: error: Anchor=0 works with --build parallel and Splines=1 only\n");
     EXPECT_EQ(refusal(R"({"build": "folded", "parameters": {}})"),
-              "core.json: error: build must be parallel or serial\n");
+              "core.json:1: error: build must be parallel or serial\n");
     EXPECT_EQ(refusal(R"({"parameters": {}, "unit_mm": 0})"),
-              "core.json: error: unit_mm must be above 0\n");
+              "core.json:1: error: unit_mm must be above 0\n");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "tb/cli/program_run.hpp"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,6 +48,22 @@ void wait_for_work(pid_t child, int ms) {
         waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT);
         if (ended.si_pid == child) return;
     }
+}
+
+/// Those in the folder that `-o` names that have a schema must fit it; others read them.
+void check_formats(const fs::path& here, const std::vector<std::string>& arguments) {
+    const auto option = std::find(arguments.begin(), arguments.end(), "-o");
+    if (arguments.end() - option < 2) return;
+    std::string files;
+    for (const std::string name : {"report", "core", "words", "join", "segments", "explore"}) {
+        const fs::path file = here / *(option + 1) / (name + ".json");
+        if (fs::exists(file)) files += " '" + file.string() + "'";
+    }
+    if (files.empty()) return;
+    FILE* const checker = popen((CHECK_JSON + files + " 2>&1").c_str(), "r");
+    std::string said;
+    for (int c = fgetc(checker); c != EOF; c = fgetc(checker)) said += static_cast<char>(c);
+    EXPECT_EQ(pclose(checker), 0) << said;
 }
 
 }  // namespace
@@ -101,6 +118,7 @@ ProgramResult ProgramRun::run(const std::vector<std::string>& arguments, int int
     int status = 0;
     rusage usage{};
     wait4(child, &status, 0, &usage);
+    check_formats(folder_, arguments);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err),
             usage.ru_maxrss};
 }

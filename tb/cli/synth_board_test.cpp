@@ -164,8 +164,8 @@ const std::vector<BadBoard> kBadBoards{
     {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
     {"PllThatIsNotMade", R"({"family": "ice40", "clock_hz": 30000000})",
      "there is no PLL for ice40 here"},
-    {"UnknownEntry", R"({"colour": "green"})", "is no board: "},
-    {"EntryMissing", R"({"baud": null})", "is no board: "},
+    {"UnknownEntry", R"({"colour": "green"})", "'colour': a board has board, part, "},
+    {"EntryMissing", R"({"baud": null})", "'baud' is missing"},
 };
 
 class SynthBadBoard : public testing::TestWithParam<BadBoard> {};

@@ -68,6 +68,13 @@ const std::vector<BadCommand> kBadCommands{
      {"--board", "icebreaker", "--device", "up5k"},
      "synth: --board has all of it in its table: leave out --core, --build, --device, "},
     {"PinsOfNoBoard", {"--pins-alone"}, "synth: --pins-alone is of a --board"},
+    {"CutOffCore",
+     {"--core", "cut.json"},
+     "cut.json:2: error: column 1: is no JSON here: Expecting property name"},
+    {"CutOffBoard",
+     {"--board", "cut.json"},
+     "cut.json:2: error: column 1: is no JSON here: Expecting property name"},
+    {"CoreOfNothing", {"--core", "list.json"}, "list.json:1: error: an object is wanted: {..}"},
     {"NoTable", {"--sweep", "none.csv"}, "none.csv: error: No such file or directory"},
 };
 
@@ -75,6 +82,8 @@ class SynthBadCommand : public testing::TestWithParam<BadCommand> {};
 
 TEST_P(SynthBadCommand, IsRefusedBeforeAnythingRuns) {
     const SynthRun synth;
+    synth.write("cut.json", "{\n");
+    synth.write("list.json", "[]\n");
     const ProgramResult result = synth.synth(GetParam().options);
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err.substr(0, GetParam().message.size()), GetParam().message);
@@ -100,15 +109,6 @@ TEST(SynthCommand, WritesTheBestOfItsSeedsAndPlacesNothingTwice) {
     EXPECT_EQ(synth.runs("yosys"), 2);
 }
 
-TEST(SynthCommand, SpeedAndParametersAreInTheName) {
-    const SynthRun synth;
-    std::vector<std::string> options = one_with("Order=4");
-    options.insert(options.end(), {"--speed", "8"});
-    EXPECT_EQ(synth.synth(options).status, 0);
-    EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-speed8-Order4.json"));
-}
-
-TEST(SynthCommand, TakesTheCoreThatChooseWrote) {
 TEST(SynthCommand, CountsCellsAloneWhereThereIsNoPlaceAndRoute) {
     const SynthRun synth({"yosys"});
     const std::vector<std::string> artix{"--build", "serial", "--device", "xc7a35t"};
@@ -127,6 +127,15 @@ TEST(SynthCommand, CountsCellsAloneWhereThereIsNoPlaceAndRoute) {
               "leave it out\n");
 }
 
+TEST(SynthCommand, SpeedAndParametersAreInTheName) {
+    const SynthRun synth;
+    std::vector<std::string> options = one_with("Order=4");
+    options.insert(options.end(), {"--speed", "8"});
+    EXPECT_EQ(synth.synth(options).status, 0);
+    EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-speed8-Order4.json"));
+}
+
+TEST(SynthCommand, TakesTheCoreThatChooseWrote) {
     const SynthRun synth;
     synth.write("core.json",
                 R"({"core": "spherical", "build": "serial", "device": "ecp5-25", "parameters":
@@ -135,7 +144,9 @@ TEST(SynthCommand, CountsCellsAloneWhereThereIsNoPlaceAndRoute) {
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_TRUE(synth.exists("out/spherical-serial-ecp5-25-Order4.json")) << result.out;
     synth.write("core.json", "{}");
-    EXPECT_EQ(synth.synth({"--core", "core.json"}).status, 2);
+    const ProgramResult none = synth.synth({"--core", "core.json"});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_EQ(none.err, "synth: core.json: is no core of curvecore choose: 'core' is missing\n");
 }
 
 TEST(SynthCommand, TooSlowIsAFailureWithItsResultKept) {

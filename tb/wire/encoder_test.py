@@ -5,7 +5,6 @@
     encoder_test.py CURVECORE [unittest's options]
 """
 
-import json
 import pathlib
 import subprocess
 import sys
@@ -13,7 +12,7 @@ import tempfile
 import unittest
 
 from wire_parts import (CURVECORE, ENABLED, STATE, STEPS_PER_MM, SWITCHES, Board, Wire, counts,
-                        read)
+                        read, report_of)
 
 FERROR, MIN_FERROR = 0.1, 0.01
 LIMIT = round(FERROR * STEPS_PER_MM)
@@ -64,7 +63,7 @@ class EncoderTest(unittest.TestCase):
         self.assertIn(text, host.stderr)
         if status == 2:
             return None
-        report = json.loads((self.folder / "stream/report.json").read_text(encoding="ascii"))
+        report = report_of(self.folder / "stream")
         self.assertEqual(report["end"], "fault" if "stopped" in text else "drawn")
         return report.get("following_error_mm")
 

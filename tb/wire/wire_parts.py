@@ -3,6 +3,7 @@
 
 import contextlib
 import csv
+import json
 import math
 import os
 import pathlib
@@ -16,6 +17,9 @@ import sys
 import threading
 import zlib
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "formats"))
+from check_json import flaw  # noqa: E402
+
 CURVECORE = sys.argv[1]
 STEPS_PER_MM = 400
 STATE, EXPECT, SEQUENCE, CONTROL, SWITCHES, AXES = 0x18, 0x70, 0x74, 0x14, 0x84, 0x100
@@ -27,6 +31,15 @@ def until(reached):
     """Asks until a condition holds; each question gives a fast board 5 ms. ctest ends a hang."""
     while not reached():
         pass
+
+
+def report_of(folder):
+    """The report of `stream`, as its schema says."""
+    report = json.loads((pathlib.Path(folder) / "report.json").read_text(encoding="utf-8"))
+    found = flaw("stream", report)
+    if found:
+        raise AssertionError(found)
+    return report
 
 
 class Board:

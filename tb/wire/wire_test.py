@@ -23,7 +23,8 @@ import unittest
 import zlib
 
 from wire_parts import (CONTROL, CURVECORE, ENABLED, SEQUENCE, STATE, STEPS_PER_MM, Board, Wire,
-                        bridge, command, counts, numbered, read, system_steps, times, until)
+                        bridge, command, counts, numbered, read, report_of, system_steps, times,
+                        until)
 
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
@@ -67,7 +68,7 @@ class WireTest(unittest.TestCase):
         self.assertIn(text, message)
 
     def report(self):
-        return json.loads((self.folder / "stream/report.json").read_text(encoding="utf-8"))
+        return report_of(self.folder / "stream")
 
     def draw(self, *options, through=None, name="board"):
         board = self.board(*options, name=name)

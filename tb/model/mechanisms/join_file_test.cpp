@@ -75,7 +75,8 @@ TEST(JoinFile, WhatIsWrongIsSaidWithItsLine) {
               "join.json:21: error: 'feed': -25 is not in [1e-06, 1e+08]");
     EXPECT_EQ(refusal(with("25.0", "1e999")),
               "join.json: error: is no JSON: a number is out of range");
-    EXPECT_EQ(refusal(with("25.0", "fast")), "join.json:21: error: is no JSON here");
+    EXPECT_EQ(refusal(with("25.0", "fast")),
+              "join.json:21: error: column 15: is no JSON here; curvecore join writes such files");
     EXPECT_EQ(refusal(with("\"quintic\"", "\"septic\"")),
               "join.json:41: error: 'fit' must be one of cubic, moments, c2, quintic");
     EXPECT_EQ(refusal(with("\"points\"", "\"dots\"")), "join.json:1: error: 'points' is missing");

@@ -13,14 +13,14 @@
 namespace curvecore::sysc {
 namespace {
 
-nlohmann::json placed_boards() {
+nlohmann::ordered_json placed_boards() {
     std::ifstream file(PLACED_BOARDS);
-    return nlohmann::json::parse(file);
+    return nlohmann::ordered_json::parse(file);
 }
 
 TEST(BoardCost, OfAPlacedBoardIsWhatItTook) {
     std::map<std::string, int> seen;  // the first of each build and family represents it
-    for (const nlohmann::json& row : placed_boards()) {
+    for (const auto& row : placed_boards()) {
         const Device* const device = find_device(device_of_board(row));
         if (device == nullptr) continue;
         const CoreParameters core = core_of_board(row.at("parameters"));
