@@ -68,6 +68,15 @@ void check_formats(const fs::path& here, const std::vector<std::string>& argumen
 
 }  // namespace
 
+std::string name_of(const std::vector<std::string>& arguments) {
+    std::string name;
+    for (const std::string& argument : arguments) {
+        name += '_' + argument.substr(argument.find_first_not_of('-'));
+    }
+    std::replace(name.begin(), name.end(), '=', '_');
+    return name.empty() ? "default" : name.substr(1);
+}
+
 ProgramRun::ProgramRun(std::string program)
     : program_(std::move(program)), folder_(make_folder()), streams_(make_folder()) {}
 

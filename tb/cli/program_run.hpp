@@ -15,6 +15,9 @@ struct ProgramResult {
     long peak_kib = 0;  // resident memory
 };
 
+/// Name of a test with these arguments: "on_kernel_set_Mode_1"; "default" without any.
+std::string name_of(const std::vector<std::string>& arguments);
+
 class ProgramRun {
   public:
     /// Creates the folder; `program`: a path, by default the built `curvecore`.

@@ -103,7 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns,
                                          std::vector<std::string>{"--on", "kernel", "--set",
                                                                   "Mode=1"},
                                          std::vector<std::string>{"--stall", "3", "--build",
-                                                                  "serial", "--set", "AuxAxes=6"}));
+                                                                  "serial", "--set", "AuxAxes=6"}),
+                         [](const auto& tested) { return name_of(tested.param); });
 
 TEST_F(SplineCommands, RunFasterWithMoreEffort) {
     program_.write("fast.ngc",
@@ -268,7 +269,8 @@ INSTANTIATE_TEST_SUITE_P(Boards, CarriedStates,
                          testing::Values(std::vector<std::string>{"--on", "kernel"},
                                          std::vector<std::string>{"--on", "kernel", "--set",
                                                                   "Mode=1"},
-                                         std::vector<std::string>{"--stall", "5"}));
+                                         std::vector<std::string>{"--stall", "5"}),
+                         [](const auto& tested) { return name_of(tested.param); });
 
 TEST_F(SplineCommands, OfCarriedStatesArePlannedAndMadeIntoWords) {
     for (const char* command : {"plan", "words"}) {

@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::vector<std::string>{}, std::vector<std::string>{"--set", "AuxAxes=6"},
                     std::vector<std::string>{"--set", "CoefBits=30", "--set", "GuardBits=7"},
                     std::vector<std::string>{"--unit", "1um", "--set", "CoefBits=24", "--set",
-                                             "PositionBits=20"}));
+                                             "PositionBits=20"}),
+    [](const auto& tested) { return name_of(tested.param); });
 
 /// The queues hold enough for a stop; PlannedBranches of tb/model checks how much.
 TEST(WordsOfShortQueues, AreFewer) {

@@ -68,7 +68,7 @@ function(core_test test configuration)
                                             ${ARG_LIBRARIES} Eigen3::Eigen GTest::gtest_main)
   endif()
   gtest_discover_tests(${target} TEST_PREFIX unit.${configuration}. DISCOVERY_TIMEOUT 600
-                       TEST_FILTER "${ARG_TESTS}" PROPERTIES LABELS unit)
+                       NO_PRETTY_VALUES TEST_FILTER "${ARG_TESTS}" PROPERTIES LABELS unit)
   label_needs(unit ${target})
 endfunction()
 

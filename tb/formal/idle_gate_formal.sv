@@ -53,7 +53,7 @@ module idle_gate_formal (
   logic started_q = 1'b0;
   logic [4:0] idle_q;  // ticks taken without a program since the last with one, Idle at most
   logic new_q;  // targets have changed since a tick landed
-  logic watched_q;  // the tick is on its way, behind so many
+  logic watched_q;  // the watched tick is under way, behind before_q others
   logic [4:0] before_q;
   logic landed_q;
   logic due_q;  // it was to land, if nothing is under way

@@ -77,7 +77,7 @@ module program_ledger_formal (
   logic ran_q;
   logic segment_q;
   logic piece_q;
-  logic [3:0] both_q;  // both have ended their programs: so many clocks ago
+  logic [3:0] both_q;  // clocks since both have ended their programs
   logic apart_q;
   logic complete_q;
   logic next_complete_q;

@@ -52,7 +52,7 @@ module stop_memory_formal #(
       .step_o(step)
   );
 
-  // Ticks between scaler and generator; those from the generator to the one in which it is announced
+  // Ticks between scaler and generator; ticks from the generator to the announcement
   logic started_q = 1'b0;
   logic [4:0] under_way_q;
   logic [5:0] to_go_q;

@@ -132,7 +132,7 @@ class ComponentTest(unittest.TestCase):
             os.kill(thread, signal.SIGCONT)
 
     def servo_process(self):
-        """Finds the process of this name whose environment has this test's folder: only LinuxCNC's."""
+        """Finds LinuxCNC's process: of this name, with this test's folder in its environment."""
         for process in pathlib.Path("/proc").glob("[0-9]*"):
             try:
                 if (process / "comm").read_text().strip() in ("rtapi_app", "rtapi_app:T#1") and (

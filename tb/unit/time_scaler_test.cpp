@@ -306,7 +306,11 @@ INSTANTIATE_TEST_SUITE_P(Machines, TimeScaler,
                                          Bounds{int64_t{1} << 31, int64_t{1} << 32},
                                          Bounds{(1 << 20) + 12345, 16LL * ((1 << 20) + 12345)},
                                          Bounds{200000, 2000001}, Bounds{200000, 2199999},
-                                         Bounds{8, int64_t{1} << 32}));
+                                         Bounds{8, int64_t{1} << 32}),
+                         [](const auto& bounds) {
+                             return "accel_" + std::to_string(bounds.param.acceleration) +
+                                    "_slope_" + std::to_string(bounds.param.slope);
+                         });
 
 }  // namespace
 }  // namespace curvecore::tb

@@ -106,7 +106,10 @@ TEST_P(ArcFits, KeepTheToleranceWithOneTangentAtEveryJoint) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Tolerances, ArcFits, testing::Values(1e-4, 1e-3, 1e-2));
+INSTANTIATE_TEST_SUITE_P(Tolerances, ArcFits, testing::Values(1e-4, 1e-3, 1e-2),
+                         [](const auto& tolerance) {
+                             return std::to_string(std::lround(tolerance.param * 1e6)) + "nm";
+                         });
 
 TEST(ArcFit, GrowsWithTheCubeRootOfTheTolerance) {
     std::mt19937 random(3);

@@ -173,7 +173,10 @@ TEST_P(FeedEffort, LimitsHoldOnRandomPrograms) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, FeedEffort, testing::Values(ref::Effort::kRules, ref::Effort::kOptimum));
+INSTANTIATE_TEST_SUITE_P(, FeedEffort, testing::Values(ref::Effort::kRules, ref::Effort::kOptimum),
+                         [](const auto& effort) {
+                             return effort.param == ref::Effort::kRules ? "rules" : "optimum";
+                         });
 
 TEST(FeedProfile, LineIsAsFastAsItsLimitsAllow) {
     const Machine machine;

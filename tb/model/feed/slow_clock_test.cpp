@@ -213,7 +213,7 @@ TEST(SlowClock, SegmentsEndWithStepsThatTheFeedBears) {
         if (seed < 5) {
             ProgramBuilder builder;
             builder.line({std::ldexp(1e-6, 27) + seed * 1e-6, 0, 0},
-                         kFeed);  // a step and so many nm
+                         kFeed);  // a step and this many nm
             program = builder.program();
         }
         const ref::Geometry geometry = ref::make_geometry(program, ref::Machine(), slow);

@@ -71,7 +71,7 @@ TEST_P(TimeScalerBounds, ArrivesExactlyAndWithoutOvershoot) {
 }
 
 std::string name_of(const ::testing::TestParamInfo<Bounds>& bounds) {
-    return "a" + std::to_string(bounds.param.acceleration) + "_slope" +
+    return "accel_" + std::to_string(bounds.param.acceleration) + "_slope_" +
            std::to_string(bounds.param.slope);
 }
 

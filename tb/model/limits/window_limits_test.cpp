@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <climits>
+#include <cmath>
 
 #include "ref/feed/pieces/profile_words.hpp"
 #include "ref/feed/planner.hpp"
@@ -87,7 +88,10 @@ TEST_P(ChordSize, KeepsTheLimits) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(, ChordSize, testing::Values(2, 1, 0.5, 0.1, 0.02, 0.005));
+INSTANTIATE_TEST_SUITE_P(, ChordSize, testing::Values(2, 1, 0.5, 0.1, 0.02, 0.005),
+                         [](const auto& chord) {
+                             return std::to_string(std::lround(chord.param * 1e3)) + "um";
+                         });
 
 TEST(WindowLimits, CurvesThemselvesKeepThem) {
     const Machine machine;

@@ -3,6 +3,8 @@
 // positions alone. A third difference over h is a mean of the jerk over 3 h.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
 #include "tb/support/drawn_limits.hpp"
@@ -52,7 +54,10 @@ ref::Program dull_lines(double length, double turn, int lines, double feed) {
 }
 
 class DullJoints : public testing::TestWithParam<double> {};  // degrees
-INSTANTIATE_TEST_SUITE_P(Turns, DullJoints, testing::Values(0.1, 0.2, 0.46, 1., 2., 5.));
+INSTANTIATE_TEST_SUITE_P(Turns, DullJoints, testing::Values(0.1, 0.2, 0.46, 1., 2., 5.),
+                         [](const auto& turn) {
+                             return std::to_string(std::lround(turn.param * 1e3)) + "_millidegrees";
+                         });
 
 TEST_P(DullJoints, AreRoundedWithWhatTheyNeed) {
     const ref::Machine machine;

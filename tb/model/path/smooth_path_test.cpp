@@ -193,7 +193,8 @@ TEST(SmoothPath, LeavesStopsAndAuxiliaryAxesWhereTheyAre) {
 
 /// Random lines, or lines and arcs: every kind of neighbour at every size.
 class RandomPaths : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomPaths, testing::Range(0, 40));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomPaths, testing::Range(0, 40),
+                         [](const auto& seed) { return "seed_" + std::to_string(seed.param); });
 
 TEST_P(RandomPaths, OfLinesKeepTheTolerance) {
     for (const double tolerance : {0.0005, 0.005, 0.05}) {

@@ -50,7 +50,8 @@ TEST(SmoothPlan, OfChoppedCurvesKeepsTheLimits) {
 }
 
 class SmoothPlans : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0U, 10U));
+INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0U, 10U),
+                         [](const auto& seed) { return "seed_" + std::to_string(seed.param); });
 
 TEST_P(SmoothPlans, KeepTheLimits) {
     for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {

@@ -46,22 +46,7 @@ hls::SegmentWords<C> typed(const RunSegment& segment, const RunTimeFormat& forma
 }
 
 template <class C>
-class RunTimeFormatOf : public testing::Test {};
-
-template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
-          int Turn = 0, int Guard = 0>
-using Core = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn, Guard>;
-constexpr SamplerMode kSer = SamplerMode::kSeries;
-constexpr SamplerMode kPol = SamplerMode::kPolynomial;
-
-using Cores = testing::Types<Core<2, 18, 2, kSer, true>, Core<2, 36, 12, kPol, true>,
-                             Core<3, 27, 4, kSer, false>, Core<4, 20, 8, kPol, true, 24, 0, 0, 8>,
-                             Core<6, 36, 10, kPol, false>, Core<8, 30, 10, kSer, true, 32, 6>,
-                             Core<12, 31, 9, kSer, true, 32, 1, 1>, Core<12, 36, 12, kPol, true>>;
-TYPED_TEST_SUITE(RunTimeFormatOf, Cores);
-
-TYPED_TEST(RunTimeFormatOf, DrawsTheSameSamples) {
-    using C = TypeParam;
+void draws_the_same_samples() {
     MixedSegments random(setting_of<C>(), 5);
     std::vector<hls::SegmentWords<C>> words;
     std::vector<RunSegment> segments;
@@ -107,8 +92,8 @@ TYPED_TEST(RunTimeFormatOf, DrawsTheSameSamples) {
 }
 
 /// Pieces of a plan: the same words from the same real numbers.
-TYPED_TEST(RunTimeFormatOf, LoadsTheSameWords) {
-    using C = TypeParam;
+template <class C>
+void loads_the_same_words() {
     const RunTimeFormat format(setting_of<C>(), C::kAxes);
     SplineMaker maker(2);
     std::vector<ref::Segment> segments =
@@ -135,6 +120,40 @@ TYPED_TEST(RunTimeFormatOf, LoadsTheSameWords) {
     }
     EXPECT_GT(segments.size(), 1U);
 }
+
+/// The tests of one configuration.
+struct Typed {
+    int order;
+    int coef_bits;
+    void (*draws)();
+    void (*loads)();
+};
+
+template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
+          int Turn = 0, int Guard = 0>
+constexpr Typed core() {
+    using C = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn, Guard>;
+    return {P, W, draws_the_same_samples<C>, loads_the_same_words<C>};
+}
+constexpr SamplerMode kSer = SamplerMode::kSeries;
+constexpr SamplerMode kPol = SamplerMode::kPolynomial;
+
+class RunTimeFormatOf : public testing::TestWithParam<Typed> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    Cores, RunTimeFormatOf,
+    testing::Values(core<2, 18, 2, kSer, true>(), core<2, 36, 12, kPol, true>(),
+                    core<3, 27, 4, kSer, false>(), core<4, 20, 8, kPol, true, 24, 0, 0, 8>(),
+                    core<6, 36, 10, kPol, false>(), core<8, 30, 10, kSer, true, 32, 6>(),
+                    core<12, 31, 9, kSer, true, 32, 1, 1>(), core<12, 36, 12, kPol, true>()),
+    [](const auto& tested) {
+        return "order_" + std::to_string(tested.param.order) + "_coef_" +
+               std::to_string(tested.param.coef_bits);
+    });
+
+TEST_P(RunTimeFormatOf, DrawsTheSameSamples) { GetParam().draws(); }
+
+TEST_P(RunTimeFormatOf, LoadsTheSameWords) { GetParam().loads(); }
 
 }  // namespace
 }  // namespace curvecore::tb
