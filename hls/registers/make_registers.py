@@ -15,12 +15,36 @@ import sys
 from systemrdl import RDLCompiler
 from systemrdl.node import RegfileNode, RegNode
 
+READERS = """\
+/* A field of a register's word, by the register's and the field's name; its bits in place, which
+ * are added up; the most that it holds. */
+#define CURVECORE_FIELD(word, name) \\
+    (((uint32_t)(word)&CURVECORE_##name##_MASK) >> CURVECORE_##name##_LOW)
+#define CURVECORE_PUT(name, value) ((uint32_t)(value) << CURVECORE_##name##_LOW)
+#define CURVECORE_MOST(name) (CURVECORE_##name##_MASK >> CURVECORE_##name##_LOW)""".split("\n")
 HERE = pathlib.Path(__file__).resolve().parent
 MADE = "Made by hls/registers/make_registers.py from registers.rdl, which explains the registers."
 
 
+def one_line(text):
+    return " ".join((text or "").split())
+
+
 def sentence(node):
-    return " ".join((node.get_property("desc") or "").split())
+    return one_line(node.get_property("desc"))
+
+
+def values_of(field):
+    """Values of a field that have names, and what a host says of them."""
+    return [{"name": value.name, "value": value.value, "text": one_line(value.rdl_name)}
+            for value in field.get_property("encode") or ()]
+
+
+def faults_of(register):
+    """Masks of faults in a register's word, each with what a host says of it."""
+    return [(value["value"] << field["low"], value["text"])
+            for field in register["fields"] if field["clears"]
+            for value in field["values"] or [{"value": 1, "text": field["text"]}]]
 
 
 def read_registers():
@@ -39,7 +63,8 @@ def read_registers():
                    "clears": field.get_property("onwrite") is not None,
                    "constant": field.is_sw_readable and not field.is_sw_writable
                    and field.get_property("reset") is not None,
-                   "reset": field.get_property("reset") or 0, "what": sentence(field)}
+                   "reset": field.get_property("reset") or 0, "what": sentence(field),
+                   "text": one_line(field.get_property("name")), "values": values_of(field)}
                   for field in node.fields()]
         in_axis = isinstance(node.parent, RegfileNode)
         address = node.raw_address_offset + (axes["address"] if in_axis else 0)
@@ -112,6 +137,7 @@ def header(registers, axes):
     lines = ["/* SPDX-License-Identifier: Apache-2.0 OR GPL-2.0-or-later", f" * {MADE}",
              " * Addresses in bytes; of each field its lowest bit and its mask in place. */",
              "#ifndef CURVECORE_REGISTERS_H", "#define CURVECORE_REGISTERS_H", "",
+             "#include <stdint.h>", "", *READERS, "",
              f"#define CURVECORE_MOST_AXES {axes['number']}",
              f"#define CURVECORE_AXIS_STRIDE 0x{axes['stride']:x}"]
     for register in registers:
@@ -128,6 +154,17 @@ def header(registers, axes):
             if field["constant"]:
                 lines.append(f"#define {name}_{field['name'].upper()}_VALUE "
                              f"0x{field['reset']:x}u")
+            lines += [f"#define {name}_{field['name'].upper()}_{value['name'].upper()} "
+                      f"0x{value['value']:x}u" for value in field["values"]]
+    faults = [fault for register in registers for fault in faults_of(register)]
+    lines += ["", "/* All faults in a word of STATE. */",
+              f"#define CURVECORE_FAULTS 0x{sum(mask for mask, _ in faults):08x}u", "",
+              "/* Returns the text of one of them. */",
+              "static inline const char* curvecore_fault_text(uint32_t fault) {",
+              "    switch (fault) {"]
+    for mask, text in faults:
+        lines += [f"    case 0x{mask:08x}u:", f'        return "{text}";']
+    lines += ["    default:", '        return "";', "    }", "}"]
     return "\n".join([*lines, "", "#endif", ""])
 
 
@@ -143,6 +180,7 @@ def page(registers, axes):
             high = field["low"] + field["bits"] - 1
             bits = f"{high}:{field['low']}" if field["bits"] > 1 else f"{high}"
             what = field["what"] + (" (a one clears)" if field["clears"] else "")
+            what += "".join(f"; {value['value']:x}: {value['text']}" for value in field["values"])
             rows.append(f"<tr><td><td>{field['name']}<td><td>{bits}<td><td>{html.escape(what)}")
     style = ("body{font:15px sans-serif;margin:2em}table{border-collapse:collapse}"
              "td,th{padding:.2em .7em;text-align:left;vertical-align:top}"

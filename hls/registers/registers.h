@@ -4,6 +4,15 @@
 #ifndef CURVECORE_REGISTERS_H
 #define CURVECORE_REGISTERS_H
 
+#include <stdint.h>
+
+/* A field of a register's word, by the register's and the field's name; its bits in place, which
+ * are added up; the most that it holds. */
+#define CURVECORE_FIELD(word, name) \
+    (((uint32_t)(word)&CURVECORE_##name##_MASK) >> CURVECORE_##name##_LOW)
+#define CURVECORE_PUT(name, value) ((uint32_t)(value) << CURVECORE_##name##_LOW)
+#define CURVECORE_MOST(name) (CURVECORE_##name##_MASK >> CURVECORE_##name##_LOW)
+
 #define CURVECORE_MOST_AXES 9
 #define CURVECORE_AXIS_STRIDE 0x10
 
@@ -91,6 +100,14 @@
 #define CURVECORE_STATE_LATE_MASK 0x00000080u
 #define CURVECORE_STATE_MOTION_LOW 8
 #define CURVECORE_STATE_MOTION_MASK 0x0000ff00u
+#define CURVECORE_STATE_MOTION_SEGMENT_WORD 0x1u
+#define CURVECORE_STATE_MOTION_SEGMENT_ORDER 0x2u
+#define CURVECORE_STATE_MOTION_PIECE_WORD 0x4u
+#define CURVECORE_STATE_MOTION_PIECE_ORDER 0x8u
+#define CURVECORE_STATE_MOTION_APART 0x10u
+#define CURVECORE_STATE_MOTION_SHORT_QUEUE 0x20u
+#define CURVECORE_STATE_MOTION_SETTINGS 0x40u
+#define CURVECORE_STATE_MOTION_NO_SAMPLE 0x80u
 #define CURVECORE_STATE_ENABLED_LOW 16
 #define CURVECORE_STATE_ENABLED_MASK 0x00010000u
 #define CURVECORE_STATE_HOLDING_LOW 17
@@ -185,7 +202,7 @@
 #define CURVECORE_PINS_LIMIT_MASKED_LOW 18
 #define CURVECORE_PINS_LIMIT_MASKED_MASK 0x07fc0000u
 
-/* Widths of settings, what a host has to keep to: hls/registers/board_link.h. */
+/* Widths of settings, what a host has to keep to: hls/registers/board_facts.h. */
 #define CURVECORE_WIDTHS 0x048
 #define CURVECORE_WIDTHS_TIME_BITS_LOW 0
 #define CURVECORE_WIDTHS_TIME_BITS_MASK 0x0000001fu
@@ -342,5 +359,52 @@
 #define CURVECORE_FOLLOWING_LIMIT0 0x1d8
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_LOW 0
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_MASK 0xffffffffu
+
+/* All faults in a word of STATE. */
+#define CURVECORE_FAULTS 0x0600ffffu
+
+/* Returns the text of one of them. */
+static inline const char* curvecore_fault_text(uint32_t fault) {
+    switch (fault) {
+    case 0x00000001u:
+        return "a word or an access that cannot be";
+    case 0x00000002u:
+        return "watchdog: the host was silent";
+    case 0x00000004u:
+        return "e-stop";
+    case 0x00000008u:
+        return "the e-stop input";
+    case 0x00000010u:
+        return "a limit switch";
+    case 0x00000020u:
+        return "a dropped step: the drive's times are too long";
+    case 0x00000040u:
+        return "an axis faster than half a step a clock, or a program that begins elsewhere";
+    case 0x00000080u:
+        return "a sample too late";
+    case 0x00000100u:
+        return "a segment word that cannot be, is not as it was made or for another configuration";
+    case 0x00000200u:
+        return "a segment missing, doubled or not from the last end";
+    case 0x00000400u:
+        return "a profile word that cannot be, is not as it was made or for another configuration";
+    case 0x00000800u:
+        return "a piece missing or doubled";
+    case 0x00001000u:
+        return "segments and pieces end apart";
+    case 0x00002000u:
+        return "a full queue does not cover a stop";
+    case 0x00004000u:
+        return "settings that cannot be, or that changed in motion";
+    case 0x00008000u:
+        return "no sample for too long";
+    case 0x02000000u:
+        return "an encoder that skips, or goes too fast to be followed";
+    case 0x04000000u:
+        return "following error";
+    default:
+        return "";
+    }
+}
 
 #endif

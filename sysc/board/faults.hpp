@@ -1,39 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faults: the bits of fault_o of rtl/motion_interpolator.sv and their texts.
+// Faults of a board in words, as hls/registers/registers.rdl has them.
 #pragma once
 
 #include <string>
 
+#include "hls/registers/registers.h"
+
 namespace curvecore::sysc {
 
-enum Fault {
-    kSegmentWord,
-    kSegmentOrder,
-    kPieceWord,
-    kPieceOrder,
-    kApart,
-    kShortQueue,
-    kSettings,
-    kNoSample,
-    kFaults
-};
-
-inline std::string fault_text(unsigned fault) {
-    const char* const causes[kFaults] = {
-        "a segment word that cannot be, is not as it was made or for another configuration",
-        "a segment missing, doubled or not from the last end",
-        "a profile word that cannot be, is not as it was made or for another configuration",
-        "a piece missing or doubled",
-        "segments and pieces end apart",
-        "a full queue does not cover a stop",
-        "settings that cannot be, or that changed in motion",
-        "no sample for too long"};
+/// Lists the faults in a word of STATE.
+inline std::string fault_list(std::uint32_t state, const char* between) {
     std::string text;
-    for (const char* cause : causes) {
-        if ((fault & 1) != 0) text += (text.empty() ? "" : ", ") + std::string(cause);
-        fault >>= 1;
+    for (std::uint32_t fault = 1; fault != 0; fault <<= 1) {
+        if ((state & CURVECORE_FAULTS & fault) == 0) continue;
+        text += (text.empty() ? "" : between) + std::string(curvecore_fault_text(fault));
     }
-    return text.empty() ? "none" : text;
+    return text;
+}
+
+/// Lists the faults of fault_o of rtl/motion_interpolator.sv, which STATE.motion repeats.
+inline std::string fault_text(unsigned fault) {
+    return fault == 0 ? "none" : fault_list(CURVECORE_PUT(STATE_MOTION, fault), ", ");
 }
 
 }  // namespace curvecore::sysc

@@ -76,7 +76,7 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
                               const std::vector<Following>& following, double seconds,
                               const std::string& end) {
     const PlannedWords& planned = stream.planned();
-    const LinkFigures& link = machine.figures();
+    const LinkFigures link = machine.figures();
     const RemoteBuild& build = machine.build();
     nlohmann::ordered_json json;
     json["input"] = options.file;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "hls/registers/registers.h"
+#include "hls/registers/board_facts.h"
 #include "ref/curve/axes.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
@@ -17,14 +17,10 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kMostCounts =
-    CURVECORE_ENCODER_RATIO0_COUNTS_MASK >> CURVECORE_ENCODER_RATIO0_COUNTS_LOW;
+constexpr double kMostCounts = CURVECORE_MOST(ENCODER_RATIO0_COUNTS);
 constexpr double kMostSteps = 32767;  // signed
 /// Relative error of a ratio that counts as equal: a micrometre in a metre.
 constexpr double kSameRatio = 1e-6;
-/// Greatest limit: the sum behind a limit has 32 bits and changes by a count's or a step's weight
-/// at a time.
-constexpr double kMostLimit = 2147483648.0 - 131072;
 
 /// Time in which axes settle at their place.
 constexpr auto kSettles = std::chrono::milliseconds(500);
@@ -93,11 +89,11 @@ Encoders::Encoders(RemoteMachine& machine, const std::string& machine_file, cons
         const EncoderRatio ratio = ratio_of(encoder.counts_per_mm, steps_per_mm);
         const double units = steps_per_mm * ratio.counts;
         const double limit = std::floor(encoder.limit_mm * units);
-        if (limit < 1 || limit > kMostLimit) {
+        if (limit < 1 || limit > CURVECORE_MOST_FOLLOWING) {
             throw UsageError(
                 fmt::format("FERROR of {:g} mm is more or less than the board can "
                             "watch: {:g} .. {:g} mm",
-                            encoder.limit_mm, 1 / units, kMostLimit / units));
+                            encoder.limit_mm, 1 / units, CURVECORE_MOST_FOLLOWING / units));
         }
         machine.watch(encoder.axis, ratio, static_cast<std::uint32_t>(limit));
         encoders_.push_back(encoder);

@@ -5,23 +5,21 @@
 #include <cmath>
 #include <cstring>
 
-#include "hls/registers/board_link.h"
+#include "hls/registers/board_facts.h"
 
 namespace curvecore::sysc {
 namespace {
 
 std::uint16_t board_digest(const Options& options) {
     const CoreParameters& core = options.core;
-    const auto field = [](int value, int low) { return static_cast<std::uint32_t>(value) << low; };
-    const std::uint32_t capability =
-        field(core.axes(), CURVECORE_CAPABILITY_AXES_LOW) |
-        field(core.build == Build::kSerial ? 1 : 0, CURVECORE_CAPABILITY_BUILD_LOW) |
-        field(core.splines, CURVECORE_CAPABILITY_SPLINES_LOW);
-    const std::uint32_t widths = field(core.order, CURVECORE_CORE_ORDER_LOW) |
-                                 field(core.mode, CURVECORE_CORE_MODE_LOW) |
-                                 field(core.coef_bits, CURVECORE_CORE_COEF_BITS_LOW) |
-                                 field(core.position_bits, CURVECORE_CORE_POSITION_BITS_LOW) |
-                                 field(core.guard_bits, CURVECORE_CORE_GUARD_BITS_LOW);
+    const std::uint32_t capability = CURVECORE_PUT(CAPABILITY_AXES, core.axes()) |
+                                     CURVECORE_PUT(CAPABILITY_BUILD, core.build == Build::kSerial) |
+                                     CURVECORE_PUT(CAPABILITY_SPLINES, core.splines);
+    const std::uint32_t widths = CURVECORE_PUT(CORE_ORDER, core.order) |
+                                 CURVECORE_PUT(CORE_MODE, core.mode) |
+                                 CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
+                                 CURVECORE_PUT(CORE_POSITION_BITS, core.position_bits) |
+                                 CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits);
     const auto whole = [](double value) {
         return static_cast<std::uint32_t>(std::min(std::round(value), 4294967295.0));
     };

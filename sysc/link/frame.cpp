@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/link/frame.hpp"
 
+#include "hls/registers/board_frame.h"
+
 namespace curvecore::sysc {
 namespace {
 
-constexpr unsigned kWrite = 0x8000;
-constexpr unsigned kAddress = 0x4000;
-constexpr unsigned kZeros = 0x3e00;
-constexpr unsigned kWords = 0x0200;
-constexpr unsigned kPair = 0x0100;
-constexpr unsigned kPairs = kWords | kPair;
-constexpr unsigned kIncrement = 0x0080;
-constexpr unsigned kNumber = 0x007f;
+/// Bits that are those of CURVECORE_COMMAND_WORDS in every command.
+constexpr unsigned kFixed = 0x3e00;
 constexpr unsigned kAddresses = 512;
 
 }  // namespace
-
-void Frame::command(unsigned flags, std::size_t number, std::uint32_t address) {
-    const unsigned code = flags | kAddress | static_cast<unsigned>(number);
-    for (const unsigned half : {code, static_cast<unsigned>(address)}) {
-        bytes_.push_back(static_cast<std::uint8_t>(half));
-        bytes_.push_back(static_cast<std::uint8_t>(half >> 8));
-    }
-}
-
-void Frame::word(std::uint32_t word) {
-    for (int n = 0; n < 4; ++n) bytes_.push_back(static_cast<std::uint8_t>(word >> 8 * n));
-}
-
-Frame& Frame::write(std::uint32_t address, std::uint32_t data) {
-    command(kWrite | kWords, 1, address);
-    word(data);
-    return *this;
-}
-
-Frame& Frame::push(std::uint32_t address, const std::vector<std::uint64_t>& words) {
-    command(kWrite | kPairs, words.size(), address);
-    for (const std::uint64_t pushed : words) {
-        word(static_cast<std::uint32_t>(pushed));
-        word(static_cast<std::uint32_t>(pushed >> 32));
-    }
-    return *this;
-}
-
-Frame& Frame::read(std::uint32_t address, int words) {
-    command(kWords | kIncrement, static_cast<std::size_t>(words), address);
-    return *this;
-}
 
 FrameContents contents_of(const Bytes& frame) {
     FrameContents contents;
@@ -60,16 +24,16 @@ FrameContents contents_of(const Bytes& frame) {
     };
     while (contents.whole && at < frame.size()) {
         const unsigned code = half();
-        const bool pairs = (code & kPair) != 0;
-        contents.whole = contents.whole && (code & kZeros) == kWords;
-        if (contents.whole && (code & kAddress) != 0) {
+        const bool pairs = (code & CURVECORE_COMMAND_PAIRS) == CURVECORE_COMMAND_PAIRS;
+        contents.whole = contents.whole && (code & kFixed) == CURVECORE_COMMAND_WORDS;
+        if (contents.whole && (code & CURVECORE_COMMAND_ADDRESS) != 0) {
             const unsigned address = half();
             contents.whole =
                 contents.whole && address < kAddresses && address % (pairs ? 8 : 4) == 0;
         }
         if (!contents.whole) break;
-        const std::size_t words = (code & kNumber) << (pairs ? 1 : 0);
-        if ((code & kWrite) != 0) {
+        const std::size_t words = (code & CURVECORE_COMMAND_NUMBER) << (pairs ? 1 : 0);
+        if ((code & CURVECORE_COMMAND_WRITE) != 0) {
             contents.writes = true;
             at += 4 * words;
             contents.whole = at <= frame.size();
@@ -79,14 +43,6 @@ FrameContents contents_of(const Bytes& frame) {
     }
     if (!contents.whole) ++contents.words_read;  // the answer is STATE
     return contents;
-}
-
-std::vector<std::uint32_t> words_of(const Bytes& answer) {
-    std::vector<std::uint32_t> words(answer.size() / 4);
-    for (std::size_t n = 0; n < 4 * words.size(); ++n) {
-        words[n / 4] |= std::uint32_t{answer[n]} << 8 * (n % 4);
-    }
-    return words;
 }
 
 }  // namespace curvecore::sysc

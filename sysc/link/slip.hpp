@@ -1,31 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames on a stream of bytes: SLIP (RFC 1055) around a frame and its CRC-32, low byte first. Other
-// end: rtl/line/slip_receiver.sv, slip_sender.sv. Two escapes encode no byte: rtl/line/spi_line.sv
-// sends them inside a frame that has to wait.
+// Frames on a stream of bytes: hls/registers/board_line.h.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "hls/registers/board_line.h"
+
 namespace curvecore::sysc {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// End of a frame; alone it has no meaning.
-constexpr std::uint8_t kSlipEnd = 0xc0;
-
-Bytes slip_encode(const Bytes& frame);
+inline Bytes slip_encode(const Bytes& frame) {
+    Bytes line(2 * frame.size() + 9);
+    const int size = curvecore_to_line(line.data(), frame.data(), static_cast<int>(frame.size()));
+    line.resize(static_cast<std::size_t>(size));
+    return line;
+}
 
 class SlipDecoder {
   public:
     /// Takes a byte and returns the frame that it ends, if the frame is whole and unbroken.
-    std::optional<Bytes> take(std::uint8_t byte);
+    std::optional<Bytes> take(std::uint8_t byte) {
+        const int length = curvecore_from_line(&line_, byte);
+        if (length == 0) return std::nullopt;
+        return Bytes(line_.bytes, line_.bytes + length);
+    }
 
   private:
-    Bytes held_;
-    bool escaped_ = false;
-    bool broken_ = false;
+    curvecore_line line_{};
 };
 
 }  // namespace curvecore::sysc

@@ -18,7 +18,7 @@ std::optional<Bytes> SpiLink::receive(WireClock::duration wait) {
     while (answers_.empty()) {
         const WireClock::time_point now = WireClock::now();
         if (now >= end) return std::nullopt;
-        exchange(Bytes(kQuestion, kSlipEnd));
+        exchange(Bytes(kQuestion, CURVECORE_LINE_END));
         if (answers_.empty()) std::this_thread::sleep_for(kPause);
     }
     Bytes answer = std::move(answers_.front());

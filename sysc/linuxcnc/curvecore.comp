@@ -68,44 +68,40 @@ option extra_setup yes;
 option extra_cleanup yes;
 include <rtapi_errno.h>;
 include <rtapi_math.h>;
+include "udp_link.h";
+include "sample_line.h";
 function read_ fp "what the board says: before motion";
 function write_ fp "where the joints shall go: behind motion";
 license "GPL";
 author "curvecore";
 ;;
-#include "udp_link.h"
-#include "sample_line.h"
-
 static char *address = "127.0.0.1:" LINK_PORT;
 RTAPI_MP_STRING(address, "HOST[:PORT] of the board");
 
-#define ASK 20000000LL   /* ns between questions to a board that does not answer */
 #define AGAIN 50000000LL /* ns until drives that did not come on are tried again */
 #define LONGEST 2000000000LL /* ns until they are a fault */
 
 enum mode { OFF, COMING, ON, FAULT };
 static enum mode mode;
 static int64_t tried, began;
-static struct board_link link_;
+static struct udp_link link_;
 static struct sample_line line;
 static int64_t steps[CURVECORE_MOST_AXES];     /* given, as far as it is known */
 static int32_t seen[CURVECORE_MOST_AXES];      /* of the board, when they were */
 static int joints, was_known, was_late;
 
 #define FIELD CURVECORE_FIELD
+#define BOARD link_.wire.board
 #define WATCHED (CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK)
 #define STATE_HAS(name) ((link_.status.state & CURVECORE_STATE_##name##_MASK) != 0)
 
 static double sample_seconds(void) {
-    return (double)(1u << FIELD(link_.kind.capability, CAPABILITY_PERIOD_LOG2)) /
-           link_.kind.hertz;
+    return (double)(1u << FIELD(BOARD.capability, CAPABILITY_PERIOD_LOG2)) / BOARD.hertz;
 }
+static int has_encoders(void) { return FIELD(BOARD.capability, CAPABILITY_ENCODERS) != 0; }
 /* Times are rounded up. */
 static uint64_t clocks(uint32_t ns) {
-    return ((uint64_t)ns * link_.kind.hertz + 999999999u) / 1000000000u;
-}
-static uint32_t pair(uint32_t low, uint32_t high) {
-    return (low < 0xffff ? low : 0xffff) | (high < 0xffff ? high : 0xffff) << 16;
+    return ((uint64_t)ns * BOARD.hertz + 999999999u) / 1000000000u;
 }
 
 EXTRA_SETUP() {
@@ -128,12 +124,14 @@ FUNCTION(read_) {
     const uint32_t mask = (1u << joints) - 1;
     int n;
     link_receive(&link_, now);
-    connected = link_.known && joints <= (int)FIELD(link_.kind.capability, CAPABILITY_AXES);
+    connected = link_.heard && joints <= (int)FIELD(BOARD.capability, CAPABILITY_AXES);
     if (connected) {
         const uint32_t limits = FIELD(link_.status.axes, AXES_LIMIT) & mask;
         for (n = 0; n < joints; ++n) {
             /* A board that was restarted counts anew. */
-            if (was_known || link_.same) steps[n] += (int32_t)(link_.status.steps[n] - seen[n]);
+            if (was_known || link_.wire.same) {
+                steps[n] += (int32_t)(link_.status.steps[n] - seen[n]);
+            }
             seen[n] = link_.status.steps[n];
             joint_counts(n) = (int32_t)steps[n];
             joint_position_fb(n) = steps[n] / joint_scale(n);
@@ -166,12 +164,12 @@ static int encoder_of(struct __comp_state *__comp_inst, int n, uint32_t *ratio, 
     const double units = floor(joint_following_limit(n) * fabs(joint_scale(n)) * counts_);
     *ratio = *limit = 0;
     if (counts_ == 0) return 0;
-    if (link_.watched == 0 || counts_ > 65535 || steps_ == 0 || steps_ < -32767 ||
-        steps_ > 32767 || !(units >= 0 && units <= CURVECORE_MOST_FOLLOWING) ||
+    if (!has_encoders() || counts_ > CURVECORE_MOST(ENCODER_RATIO0_COUNTS) || steps_ == 0 ||
+        steps_ < -32767 || steps_ > 32767 || !(units >= 0 && units <= CURVECORE_MOST_FOLLOWING) ||
         (joint_following_limit(n) > 0 && units < 1)) {
         return -1;
     }
-    *ratio = counts_ | (uint32_t)steps_ << 16;
+    *ratio = counts_ | CURVECORE_PUT(ENCODER_RATIO0_STEPS, steps_);
     *limit = (uint32_t)units;
     return 0;
 }
@@ -181,7 +179,7 @@ static int watchable(struct __comp_state *__comp_inst) {
     for (n = 0; n < joints; ++n) {
         if (encoder_of(__comp_inst, n, &ratio, &limit) == 0) continue;
         rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: joint.%d: %s\n", n,
-                        link_.watched == 0
+                        !has_encoders()
                             ? "encoder-counts, and the board has no inputs of encoders"
                             : "encoder-counts, encoder-steps or following-limit beyond the board");
         return 0;
@@ -191,11 +189,11 @@ static int watchable(struct __comp_state *__comp_inst) {
 
 /* 2^-16 steps in the whole range of positions, of LINE_UNITS in a step each. */
 static uint64_t scale_of_joints(void) {
-    return (uint64_t)1 << (FIELD(link_.kind.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS);
+    return (uint64_t)1 << (FIELD(BOARD.core, CORE_POSITION_BITS) + 16 - LINE_UNIT_BITS);
 }
 /* Whether the board has room for them: what does not fit would be cut there. */
 static int fits(struct __comp_state *__comp_inst) {
-    const uint32_t most = curvecore_most_clocks(link_.kind.widths);
+    const uint32_t most = curvecore_most_clocks(BOARD.widths);
     const uint32_t times[4] = {steplen, stepspace, dirsetup, dirhold};
     static const char *const names[4] = {"steplen", "stepspace", "dirsetup", "dirhold"};
     int n;
@@ -206,89 +204,90 @@ static int fits(struct __comp_state *__comp_inst) {
                         (unsigned)times[n], (unsigned)most);
         return 0;
     }
-    if (scale_of_joints() < curvecore_scale_end(link_.kind.widths)) return 1;
+    if (scale_of_joints() < curvecore_scale_end(BOARD.widths)) return 1;
     rtapi_print_msg(RTAPI_MSG_ERR, "curvecore: the board's scales have %u bits, too few\n",
-                    (unsigned)FIELD(link_.kind.widths, WIDTHS_SCALE_BITS));
+                    (unsigned)FIELD(BOARD.widths, WIDTHS_SCALE_BITS));
     return 0;
 }
 
 /* Drives off, then all that stands still while they are on. */
 static int settings(struct __comp_state *__comp_inst, int64_t now) {
-    struct link_frame *frame = link_begin(&link_);
+    struct curvecore_frame *frame = link_begin(&link_, now);
+    const double silence = watchdog_time / sample_seconds();
     uint32_t step = 0, direction = 0, masked = 0, ratio, limit;
     int n;
     if (!frame) return -1;
-    link_write(frame, CURVECORE_CONTROL, 0);
+    curvecore_write(frame, CURVECORE_CONTROL, 0);
     for (n = 0; n < joints; ++n) {
         const unsigned axis = (unsigned)n * CURVECORE_AXIS_STRIDE;
         const uint64_t scale = scale_of_joints();
-        link_write(frame, CURVECORE_AXIS_SCALE_LO + axis, (uint32_t)scale);
-        link_write(frame, CURVECORE_AXIS_SCALE_HI + axis, (uint32_t)(scale >> 32));
+        curvecore_write(frame, CURVECORE_AXIS_SCALE_LO + axis, (uint32_t)scale);
+        curvecore_write(frame, CURVECORE_AXIS_SCALE_HI + axis, (uint32_t)(scale >> 32));
         step |= (uint32_t)(joint_invert_step(n) != 0) << n;
         direction |= (uint32_t)(joint_invert_dir(n) != 0) << n;
         masked |= (uint32_t)(joint_ignore_limit(n) != 0) << n;
     }
-    link_end(&link_, frame, now);
-    for (n = 0; n < (link_.watched ? joints : 0); ++n) {
-        if (n % 4 == 0 && !(frame = link_begin(&link_))) return -1;
+    curvecore_send(&link_.wire, 0, 0, now);
+    for (n = 0; n < (has_encoders() ? joints : 0); ++n) {
+        if (n % 4 == 0 && !(frame = link_begin(&link_, now))) return -1;
         encoder_of(__comp_inst, n, &ratio, &limit);
-        link_write(frame, CURVECORE_ENCODER_RATIO0 + 4 * (unsigned)n, ratio);
-        link_write(frame, CURVECORE_FOLLOWING_LIMIT0 + 4 * (unsigned)n, limit);
-        if (n % 4 == 3 || n == joints - 1) link_end(&link_, frame, now);
+        curvecore_write(frame, CURVECORE_ENCODER_RATIO0 + 4 * (unsigned)n, ratio);
+        curvecore_write(frame, CURVECORE_FOLLOWING_LIMIT0 + 4 * (unsigned)n, limit);
+        if (n % 4 == 3 || n == joints - 1) curvecore_send(&link_.wire, 0, 0, now);
     }
-    frame = link_begin(&link_);
+    frame = link_begin(&link_, now);
     if (!frame) return -1;
-    link_write(frame, CURVECORE_PULSE,
-               (uint32_t)(clocks(steplen) | clocks(stepspace) << 16));
-    link_write(frame, CURVECORE_DIRECTION,
-               (uint32_t)(clocks(dirsetup) | clocks(dirhold) << 16));
-    link_write(frame, CURVECORE_PINS,
-               step << CURVECORE_PINS_STEP_INVERTED_LOW |
-                   direction << CURVECORE_PINS_DIRECTION_INVERTED_LOW |
-                   masked << CURVECORE_PINS_LIMIT_MASKED_LOW);
-    link_write(frame, CURVECORE_WATCHDOG, pair((uint32_t)(watchdog_time / sample_seconds()), 0));
-    link_write(frame, CURVECORE_STATE, CURVECORE_FAULTS);
-    link_write(frame, CURVECORE_REFERENCE, CURVECORE_REFERENCE_AXES_MASK);
-    link_write(frame, CURVECORE_CONTROL,
-               CURVECORE_CONTROL_ENABLE_MASK | CURVECORE_CONTROL_POSITION_MASK);
-    link_end(&link_, frame, now);
+    curvecore_write(frame, CURVECORE_PULSE,
+                    CURVECORE_PUT(PULSE_STEPLEN, clocks(steplen)) |
+                        CURVECORE_PUT(PULSE_STEPSPACE, clocks(stepspace)));
+    curvecore_write(frame, CURVECORE_DIRECTION,
+                    CURVECORE_PUT(DIRECTION_DIRSETUP, clocks(dirsetup)) |
+                        CURVECORE_PUT(DIRECTION_DIRHOLD, clocks(dirhold)));
+    curvecore_write(frame, CURVECORE_PINS,
+                    CURVECORE_PUT(PINS_STEP_INVERTED, step) |
+                        CURVECORE_PUT(PINS_DIRECTION_INVERTED, direction) |
+                        CURVECORE_PUT(PINS_LIMIT_MASKED, masked));
+    curvecore_write(frame, CURVECORE_WATCHDOG,
+                    silence < CURVECORE_MOST(WATCHDOG_SAMPLES) ? (uint32_t)silence
+                                                               : CURVECORE_MOST(WATCHDOG_SAMPLES));
+    curvecore_write(frame, CURVECORE_STATE, CURVECORE_FAULTS);
+    curvecore_write(frame, CURVECORE_REFERENCE, CURVECORE_REFERENCE_AXES_MASK);
+    curvecore_write(frame, CURVECORE_CONTROL,
+                    CURVECORE_CONTROL_ENABLE_MASK | CURVECORE_CONTROL_POSITION_MASK);
+    curvecore_send(&link_.wire, 0, 0, now);
     return 0;
 }
 
 static void turn_off(int64_t now) {
-    struct link_frame *frame = link_begin(&link_);
+    struct curvecore_frame *frame = link_begin(&link_, now);
     if (!frame) return;
-    link_write(frame, CURVECORE_CONTROL, 0);
-    link_end(&link_, frame, now);
+    curvecore_write(frame, CURVECORE_CONTROL, 0);
+    curvecore_send(&link_.wire, 0, 0, now);
     tried = now;
 }
 
 /* Samples that were sent and are not known to be taken. */
-static int under_way(void) {
-    int n, samples = 0;
-    for (n = 0; n < link_.count; ++n) {
-        samples += link_.frames[(link_.first + n) % LINK_FRAMES].samples;
-    }
-    return samples;
-}
+static int under_way(void) { return curvecore_under_way(&link_.wire, 0); }
 
 static void push(int64_t now) {
     int room = (int)FIELD(link_.status.samples, SAMPLES_ROOM) - under_way();
-    struct link_frame *frame;
-    while (line.count > 0 && room > 0 && (frame = link_begin(&link_))) {
-        int n, axis;
-        if (was_late) link_write(frame, CURVECORE_STATE, CURVECORE_STATE_LATE_MASK);
-        n = (link_room(&link_, frame) - 4) / (4 * joints);
+    struct curvecore_frame *frame;
+    while (line.count > 0 && room > 0 && (frame = link_begin(&link_, now))) {
+        int n, k, axis;
+        if (was_late) curvecore_write(frame, CURVECORE_STATE, CURVECORE_STATE_LATE_MASK);
+        n = (curvecore_room(&link_.wire, frame) - CURVECORE_COMMAND_BYTES) / (4 * joints);
         if (n > room) n = room;
         if (n > line.count) n = line.count;
-        frame->samples = n;
         room -= n;
-        link_command(frame, WRITE | WORDS, (unsigned)(n * joints), CURVECORE_SAMPLE);
-        while (n-- > 0) {
+        curvecore_command(frame, CURVECORE_COMMAND_WRITE | CURVECORE_COMMAND_WORDS, n * joints,
+                          CURVECORE_SAMPLE);
+        for (k = 0; k < n; ++k) {
             const int32_t *sample = line_next(&line);
-            for (axis = 0; axis < joints; ++axis) link_word(frame, (uint32_t)sample[axis]);
+            for (axis = 0; axis < joints; ++axis) {
+                curvecore_add_word(frame, (uint32_t)sample[axis]);
+            }
         }
-        link_end(&link_, frame, now);
+        curvecore_send(&link_.wire, n, 0, now);
     }
 }
 
@@ -298,7 +297,7 @@ FUNCTION(write_) {
     double samples, wanted, most;
     int n, waiting;
     if (!connected) {
-        if (now - link_.sent > ASK) link_question(&link_, now);
+        curvecore_work(&link_.wire, now);
         return;
     }
     samples = period * 1e-9 / sample_seconds();
@@ -314,7 +313,7 @@ FUNCTION(write_) {
         if (!enable) {
             turn_off(now);
             mode = OFF;
-        } else if (link_.count > 0) {
+        } else if (link_.wire.count > 0) {
         } else if (STATE_HAS(ENABLED) && STATE_HAS(READY) && tried >= began) {
             for (n = 0; n < joints; ++n) units[n] = steps[n] * LINE_UNITS;
             line_begin(&line, units, joints, (int)wanted);
@@ -324,8 +323,7 @@ FUNCTION(write_) {
         } else if (!watchable(__comp_inst) || !fits(__comp_inst)) {
             mode = FAULT;
         } else if (now - tried >= AGAIN) {
-            tried = now;
-            settings(__comp_inst, now);
+            if (settings(__comp_inst, now) == 0) tried = now;
         }
         break;
     case ON:
@@ -337,7 +335,7 @@ FUNCTION(write_) {
         waiting = line.count + under_way() + (int)FIELD(link_.status.samples, SAMPLES_QUEUED);
         latency = waiting * sample_seconds();
         hold = waiting > (hold ? 1 : LINE_HOLDS) * wanted;
-        most = ldexp(1, (int)FIELD(link_.kind.core, CORE_POSITION_BITS) - 1);
+        most = ldexp(1, (int)FIELD(BOARD.core, CORE_POSITION_BITS) - 1);
         for (n = 0; n < joints; ++n) {
             units[n] = joint_position_cmd(n) * joint_scale(n) * LINE_UNITS;
             if (!(fabs(units[n]) < most)) mode = FAULT;
@@ -349,5 +347,7 @@ FUNCTION(write_) {
         if (STATE_HAS(ENABLED) && now - tried >= AGAIN) turn_off(now);
         break;
     }
-    link_keep(&link_, now, mode == COMING || mode == ON);
+    link_.wire.live_period =
+        mode == COMING || mode == ON ? (int64_t)(watchdog_time * 1e9 / CURVECORE_SIGNS_OF_LIFE) : 0;
+    curvecore_work(&link_.wire, now);
 }

@@ -7,6 +7,7 @@
 #include <boost/asio/ip/udp.hpp>
 #include <cmath>
 
+#include "hls/registers/board_frame.h"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/link/frame.hpp"
 #include "sysc/link/readable.hpp"
@@ -71,8 +72,8 @@ void BoardServer::State::receive(milliseconds wait) {
 
 void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
     const FrameContents contents = contents_of(frame);
-    if (frame.empty() || frame.size() > kLongestFrame || contents.words_read > kMostRead ||
-        waiting.size() >= kMostWaiting) {
+    if (frame.empty() || frame.size() > CURVECORE_LONGEST_FRAME ||
+        contents.words_read > kMostRead || waiting.size() >= kMostWaiting) {
         return;
     }
     if (master && board.clocks() > master_spoke + kMasterLeaves) master.reset();

@@ -16,25 +16,19 @@ namespace curvecore::sysc {
 namespace {
 
 constexpr auto kSettles = std::chrono::seconds(2);
-/// Least number of numbered frames in the watchdog's time.
-constexpr double kSignsOfLife = 5;
 
-/// Words in two commands of a frame, beside those that the stream adds.
-constexpr std::size_t kWordsOfFrame =
-    (kLongestFrame - FrameStream::kOwnBytes - 2 * kCommandBytes) / kPushedBytes;
-/// Bytes on a line for such a frame: CRC, end, and one in 64 escaped.
-constexpr double kLineBytes = (kLongestFrame + 4 + 1) * (1 + 1.0 / 64);
+/// Bytes on a line for a full frame: CRC, end, and one in 64 escaped.
+constexpr double kLineBytes = (CURVECORE_LONGEST_FRAME + 4 + 1) * (1 + 1.0 / 64);
 
-RemoteBuild read_build(FrameStream& frames) {
-    const std::vector<std::uint32_t> constants = frames.read(CURVECORE_ID, 5);
-    const std::uint32_t version = constants[1];
+RemoteBuild build_of(const curvecore_board& board) {
+    const std::uint32_t version = board.version;
     if (curvecore_knows(version) == 0) {
         throw UsageError(
             fmt::format("the board has registers of version {}; this program knows version {}",
                         CURVECORE_FIELD(version, VERSION_MAP), CURVECORE_VERSION_MAP_VALUE));
     }
-    const std::uint32_t capability = constants[2];
-    const std::uint32_t core = constants[3];
+    const std::uint32_t capability = board.capability;
+    const std::uint32_t core = board.core;
     const std::uint32_t words = CURVECORE_FIELD(version, VERSION_WORDS);
     if (words != hls::kWordsVersion) {
         throw UsageError(fmt::format("the board takes words of version {}; these are of version {}",
@@ -42,12 +36,12 @@ RemoteBuild read_build(FrameStream& frames) {
     }
     RemoteBuild build;
     build.axes = static_cast<int>(CURVECORE_FIELD(capability, CAPABILITY_AXES));
-    build.clock_hz = constants[4];
+    build.clock_hz = board.hertz;
     build.sample_period_s =
         std::exp2(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2)) / build.clock_hz;
     build.segment_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_SEGMENT_QUEUE_LOG2);
     build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
-    build.widths = frames.read(CURVECORE_WIDTHS, 1)[0];
+    build.widths = board.widths;
     build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
     build.core.build =
         CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0 ? Build::kSerial : Build::kParallel;
@@ -64,51 +58,33 @@ RemoteBuild read_build(FrameStream& frames) {
 }  // namespace
 
 std::string fault_names(std::uint32_t state) {
-    static constexpr std::array<const char*, 8> kNames{
-        "a word or an access that cannot be",
-        "watchdog: the host was silent",
-        "e-stop",
-        "the e-stop input",
-        "a limit switch",
-        "a dropped step: the drive's times are too long",
-        "an axis faster than half a step a clock, or a program that begins elsewhere",
-        "a sample too late"};
-    std::string text;
-    for (std::size_t n = 0; n < kNames.size(); ++n) {
-        if ((state >> n & 1) != 0) text += (text.empty() ? "" : "; ") + std::string(kNames[n]);
+    const std::uint32_t of_axis =
+        state & (CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK);
+    std::string text = fault_list(state & ~of_axis, "; ");
+    if (of_axis != 0) {
+        const char axis = ref::kAxisLetters[CURVECORE_FIELD(state, STATE_FAULT_AXIS)];
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", axis, fault_list(of_axis, "; "));
     }
-    const unsigned motion = (state & CURVECORE_STATE_MOTION_MASK) >> CURVECORE_STATE_MOTION_LOW;
-    const auto of_axis = [&](std::uint32_t mask, const char* what) {
-        if ((state & mask) == 0) return;
-        const unsigned axis =
-            (state & CURVECORE_STATE_FAULT_AXIS_MASK) >> CURVECORE_STATE_FAULT_AXIS_LOW;
-        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", ref::kAxisLetters[axis], what);
-    };
-    of_axis(CURVECORE_STATE_ENCODER_MASK, "an encoder that skips, or goes too fast to be followed");
-    of_axis(CURVECORE_STATE_FOLLOWING_MASK, "following error");
-    if (motion != 0) text += (text.empty() ? "" : "; ") + fault_text(motion);
     return text;
 }
 
 RemoteMachine::RemoteMachine(Link& link, std::uint32_t session)
-    : link_(link), frames_(link), build_(read_build(frames_)) {
+    : link_(link), frames_(link), build_(build_of(frames_.board())) {
     frames_.open(session);
 }
 
-RemoteBuild ask_build(Link& link) {
-    FrameStream frames(link);
-    return read_build(frames);
-}
+RemoteBuild ask_build(Link& link) { return build_of(FrameStream(link).board()); }
 
 void RemoteMachine::write(std::uint32_t address, std::uint32_t word) {
     while (!frames_.may_send()) frames_.work();
-    frames_.send(frames_.begin().write(address, word));
+    curvecore_write(frames_.begin(), address, word);
+    frames_.send();
 }
 
 /// Reads a register after all that was written.
 std::uint32_t RemoteMachine::read(std::uint32_t address) {
     frames_.finish();
-    return frames_.read(address, 1)[0];
+    return frames_.read(address);
 }
 
 void RemoteMachine::control(std::uint32_t bits) {
@@ -125,7 +101,7 @@ void RemoteMachine::prepare(const Drives& drives, double unit_mm) {
         frames_.work();
         if (now() > settled) throw UsageError("the board does not stop what it draws");
     } while (!is(CURVECORE_STATE_CLEAN_MASK));
-    write(CURVECORE_STATE, kFaultBits);
+    write(CURVECORE_STATE, CURVECORE_FAULTS);
 
     const auto range = std::exp2(build_.core.position_bits) * unit_mm;  // mm
     for (int axis = 0; axis < build_.axes; ++axis) {
@@ -171,7 +147,7 @@ void RemoteMachine::begin(const BoardSettings& settings, int watchdog_samples) {
     if (watchdog_samples > 0) {
         const double silence = watchdog_samples * build_.sample_period_s;
         frames_.live_each(std::chrono::duration_cast<WireClock::duration>(
-            std::chrono::duration<double>(silence / kSignsOfLife)));
+            std::chrono::duration<double>(silence / CURVECORE_SIGNS_OF_LIFE)));
     }
     write(CURVECORE_TIMING, static_cast<std::uint32_t>(settings.samples_per_tick_log2));
     write(CURVECORE_HOLD_ACCELERATION, settings.hold_acceleration);
@@ -202,28 +178,30 @@ bool RemoteMachine::push(std::deque<std::uint64_t>& segments, std::deque<std::ui
     };
     const std::size_t segment_words = fits(segments, telemetry().segment_room);
     const std::size_t profile_words = fits(pieces, telemetry().profile_room);
-    const std::size_t count = std::min(segment_words + profile_words, kWordsOfFrame);
+    const std::size_t most = frames_.words_of_frame();
+    const std::size_t count = std::min(segment_words + profile_words, most);
     // Short frames wait for those before: fewer are under way, and fewer are repeated.
-    if (count == 0 || (count < kWordsOfFrame && !frames_.all_taken())) return false;
+    if (count == 0 || (count < most && !frames_.all_taken())) return false;
     // Half of each, where there are enough.
     const std::size_t rest = count - std::min(count, profile_words);
     const std::size_t of_segments = std::min(segment_words, std::max(count / 2, rest));
-    Frame frame = frames_.begin();
-    const auto fill = [&frame](std::uint32_t address, std::deque<std::uint64_t>& words,
-                               std::size_t number) {
+    curvecore_frame* frame = frames_.begin();
+    const auto fill = [frame](std::uint32_t address, std::deque<std::uint64_t>& words,
+                              std::size_t number) {
         if (number == 0) return;
         const auto end = words.begin() + static_cast<std::ptrdiff_t>(number);
-        frame.push(address, {words.begin(), end});
+        const std::vector<std::uint64_t> pushed(words.begin(), end);
+        curvecore_push(frame, address, pushed.data(), static_cast<int>(number));
         words.erase(words.begin(), end);
     };
     fill(CURVECORE_SEGMENT_LO, segments, of_segments);
     fill(CURVECORE_PROFILE_LO, pieces, count - of_segments);
-    frames_.send(frame, static_cast<int>(of_segments), static_cast<int>(count - of_segments));
+    frames_.send(static_cast<int>(of_segments), static_cast<int>(count - of_segments));
     return true;
 }
 
 double RemoteMachine::words_per_s() const {
-    return link_.bytes_per_s() / kLineBytes * kWordsOfFrame;
+    return link_.bytes_per_s() / kLineBytes * static_cast<double>(frames_.words_of_frame());
 }
 
 void RemoteMachine::set_override(int word) {
@@ -247,7 +225,7 @@ std::vector<std::int32_t> RemoteMachine::steps() {
     std::vector<std::int32_t> counts;
     for (int axis = 0; axis < build_.axes; ++axis) {
         const std::uint32_t at = static_cast<std::uint32_t>(axis) * CURVECORE_AXIS_STRIDE;
-        counts.push_back(static_cast<std::int32_t>(frames_.read(CURVECORE_AXIS_STEPS + at, 1)[0]));
+        counts.push_back(static_cast<std::int32_t>(frames_.read(CURVECORE_AXIS_STEPS + at)));
     }
     return counts;
 }
@@ -259,7 +237,7 @@ void RemoteMachine::wait_for_switch(int axis, bool closed) {
 }
 
 bool RemoteMachine::switch_closed(int axis) {
-    return (read(CURVECORE_SWITCHES) >> (CURVECORE_SWITCHES_HOME_LOW + axis) & 1) != 0;
+    return (CURVECORE_FIELD(read(CURVECORE_SWITCHES), SWITCHES_HOME) >> axis & 1) != 0;
 }
 
 std::int32_t RemoteMachine::caught_steps(int axis) {
@@ -269,12 +247,11 @@ std::int32_t RemoteMachine::caught_steps(int axis) {
 
 void RemoteMachine::ignore_limits(std::uint32_t axes) {
     const std::uint32_t others = read(CURVECORE_PINS) & ~CURVECORE_PINS_LIMIT_MASKED_MASK;
-    write(CURVECORE_PINS, others | axes << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    write(CURVECORE_PINS, others | CURVECORE_PUT(PINS_LIMIT_MASKED, axes));
 }
 
 std::uint32_t RemoteMachine::homed() {
-    return (read(CURVECORE_SWITCHES) & CURVECORE_SWITCHES_HOMED_MASK) >>
-           CURVECORE_SWITCHES_HOMED_LOW;
+    return CURVECORE_FIELD(read(CURVECORE_SWITCHES), SWITCHES_HOMED);
 }
 
 void RemoteMachine::forget_place(int axis) { write(CURVECORE_HOMED, homed() & ~(1U << axis)); }

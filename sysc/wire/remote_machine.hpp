@@ -2,11 +2,11 @@
 // A remote rtl/motion_board.sv at the other end of a link, as the registers describe it.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <random>
 #include <utility>
 
-#include "hls/registers/board_link.h"
 #include "sysc/board/board.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/link/frame_stream.hpp"
@@ -20,7 +20,7 @@ struct RemoteBuild {
     double sample_period_s = 0;
     int segment_queue_words = 0;
     int profile_queue_words = 0;
-    std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_link.h
+    std::uint32_t widths = 0;  // WIDTHS: hls/registers/board_facts.h
     bool encoders = false;     // it has encoder inputs
     CoreParameters core;
 };
@@ -81,7 +81,7 @@ class RemoteMachine {
     const Telemetry& telemetry() const { return frames_.telemetry(); }
     /// Words a second that the link carries, 0: unknown.
     double words_per_s() const;
-    const LinkFigures& figures() const { return frames_.figures(); }
+    LinkFigures figures() const { return frames_.figures(); }
     bool is(std::uint32_t mask) const { return (telemetry().state & mask) != 0; }
     /// Returns the number of steps made on each axis.
     std::vector<std::int32_t> steps();
@@ -117,9 +117,6 @@ class RemoteMachine {
     RemoteBuild build_;
     std::uint32_t control_ = 0;
 };
-
-/// All faults in a word of STATE.
-constexpr std::uint32_t kFaultBits = CURVECORE_FAULTS;
 
 /// Names of the faults in a word of STATE.
 std::string fault_names(std::uint32_t state);

@@ -10,7 +10,7 @@ namespace curvecore::sysc {
 namespace {
 
 /// Faults that turn the machine off, or lose its words.
-constexpr std::uint32_t kEnds = kFaultBits & ~CURVECORE_STATE_WATCHDOG_MASK;
+constexpr std::uint32_t kEnds = CURVECORE_FAULTS & ~CURVECORE_STATE_WATCHDOG_MASK;
 /// Faults that turn the machine off. It then refuses words under way, which is no fault of theirs.
 constexpr std::uint32_t kOff = kEnds & ~(CURVECORE_STATE_BUS_MASK | CURVECORE_STATE_MOTION_MASK);
 /// Share of a link's words a second that is used; the rest is for repetitions.
@@ -42,8 +42,8 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
 void WireStream::look() {
     machine_.work();
     path_ = std::max(path_, machine_.telemetry().path);
-    faults_ = (faults_ & kFaultBits) |
-              (machine_.telemetry().state & (kFaultBits | CURVECORE_STATE_FAULT_AXIS_MASK));
+    faults_ = (faults_ & CURVECORE_FAULTS) |
+              (machine_.telemetry().state & (CURVECORE_FAULTS | CURVECORE_STATE_FAULT_AXIS_MASK));
     if ((faults_ & kOff) != 0) faults_ &= ~CURVECORE_STATE_BUS_MASK;
     held_ = held_ || machine_.is(CURVECORE_STATE_HOLDING_MASK | CURVECORE_STATE_UNDERRUN_MASK);
     see_waits();

@@ -12,7 +12,8 @@ complain() {
 }
 for file in $(find CMakeLists.txt ref hls rtl sysc tb scripts -type f \
     \( -name '*.[ch]pp' -o -name '*.sv' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' \
-    -o -name CMakeLists.txt -o -path 'sysc/linuxcnc/*.[ch]' -o -name '*.comp' \)); do
+    -o -name CMakeLists.txt -o -name '*.c' -o -path 'sysc/linuxcnc/*.h' -o -name 'board_*.h' \
+    -o -name '*.comp' \)); do
   licence=Apache-2.0
   case $file in sysc/linuxcnc/*) licence=GPL-2.0-or-later ;; esac
   head -n 2 "$file" | grep -q "SPDX-License-Identifier: $licence" ||

@@ -31,6 +31,9 @@ breach sysc/CMakeLists.txt 'add_library(recorder MODULE linuxcnc/canon_recorder.
 breach sysc/CMakeLists.txt 'target_link_libraries(curvecore_host PRIVATE rs274)'
 breach sysc/linuxcnc/canon_recorder.cpp '#include "ref/moves/move.hpp"'
 breach sysc/linuxcnc/udp_link.h '#include "hls/words.hpp"'
+breach sysc/linuxcnc/curvecore.comp 'include "../../hls/words.hpp";'
 breach sysc/linuxcnc/other.h 'int x;'
+breach hls/registers/board_link.h '#include "hls/words.hpp"'
+breach hls/registers/other.h 'int x;'
 breach sysc/linuxcnc/other.py 'print()'
 exit $status

@@ -12,19 +12,21 @@ complain() {
   status=1
 }
 head -n 2 $inside/COPYING | grep -q 'GNU GENERAL PUBLIC LICENSE' || complain "$inside: no licence"
-for header in registers board_link; do
-  header=hls/registers/$header.h
-  head -n 1 $header | grep -q 'Apache-2.0 OR GPL-2.0-or-later' || complain "$header: not under both"
+for header in hls/registers/*.h; do
+  head -n 1 "$header" | grep -q 'Apache-2.0 OR GPL-2.0-or-later' ||
+    complain "$header: not under both"
 done
+grep -nE '#include' hls/registers/*.h |
+  grep -vE '#include (<stdint.h>|"(registers|board_[a-z]+).h")' && complain "a header uses the rest"
 for file in $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp; do
   head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-2.0-or-later' ||
     complain "$file: not under LinuxCNC's licence"
 done
 # The LinuxCNC side includes nothing of the rest
-grep -nE '#include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
+grep -nE '^ *#?include *"|import .*curvecore|from (ref|hls|sysc|tb|scripts)' \
   $inside/*.py $inside/*.cpp $inside/*.[ch] $inside/*.comp |
   grep -vE '#include "../../hls/registers/(registers|board_link).h"' |
-  grep -vE '#include "(udp_link|canon_lines|sample_line).h"' &&
+  grep -vE 'include "(udp_link|canon_lines|sample_line).h"' &&
   complain "$inside uses the rest"
 # The rest includes nothing of the LinuxCNC side
 grep -rnE --include='*.[ch]pp' --exclude-dir=linuxcnc \

@@ -34,7 +34,7 @@ constexpr uint32_t kEveryAxis = (1U << kSystemAxes) - 1;
 constexpr uint32_t kEnable = CURVECORE_CONTROL_ENABLE_MASK;
 constexpr uint32_t kHold = CURVECORE_CONTROL_HOLD_MASK;
 constexpr uint32_t kFlush = CURVECORE_CONTROL_FLUSH_MASK;
-constexpr uint32_t kFaults = 0xffff | CURVECORE_STATE_ENCODER_MASK | CURVECORE_STATE_FOLLOWING_MASK;
+constexpr uint32_t kFaults = CURVECORE_FAULTS;
 constexpr uint32_t kMotionFaults = CURVECORE_STATE_MOTION_MASK;
 
 /// A plan for the board under test, and its words.

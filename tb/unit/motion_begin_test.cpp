@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "sysc/board/faults.hpp"
 #include "tb/support/motion_system_bench.hpp"
 
 namespace curvecore::tb {
@@ -156,8 +155,8 @@ TEST_F(MotionBegin, LetsNoWordsInThatAreMadeForAnotherConfiguration) {
             if (n < part.pieces.size()) host_.push(CURVECORE_PROFILE_LO, part.pieces[n]);
         }
         host_.samples(200);
-        const uint32_t word = (1U << sysc::kSegmentWord | 1U << sysc::kPieceWord)
-                              << CURVECORE_STATE_MOTION_LOW;
+        const uint32_t word = CURVECORE_PUT(
+            STATE_MOTION, CURVECORE_STATE_MOTION_SEGMENT_WORD | CURVECORE_STATE_MOTION_PIECE_WORD);
         EXPECT_NE(host_.state() & word, 0U) << other.what;
         EXPECT_EQ(host_.state() & kFaults & ~word, 0U) << other.what;
         EXPECT_EQ(host_.path(), 0U) << other.what;

@@ -89,13 +89,10 @@ class MotionEncoder : public testing::Test {
         const int64_t end = host_.now() + samples * kSystemPeriod;
         while (host_.now() < end && !HasFailure()) host_.feed(part_, sent_, [] {});
     }
-    uint32_t fault_axis() {
-        return (host_.state() & CURVECORE_STATE_FAULT_AXIS_MASK) >> CURVECORE_STATE_FAULT_AXIS_LOW;
-    }
+    uint32_t fault_axis() { return CURVECORE_FIELD(host_.state(), STATE_FAULT_AXIS); }
     uint32_t homed() {
         host_.clocks(100);
-        return (host_.read(CURVECORE_SWITCHES) & CURVECORE_SWITCHES_HOMED_MASK) >>
-               CURVECORE_SWITCHES_HOMED_LOW;
+        return CURVECORE_FIELD(host_.read(CURVECORE_SWITCHES), SWITCHES_HOMED);
     }
 
     std::mt19937 random_{11};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/motion_interpolator.sv under hold, kill and invalid settings: what stands, what moves.
-#include "sysc/board/faults.hpp"
+#include "hls/registers/registers.h"
 #include "tb/support/motion_bench.hpp"
 
 namespace curvecore::tb {
@@ -117,7 +117,7 @@ TEST_F(MotionHold, NoTimeRunsWithSettingsThatCannotBe) {
         start_afresh();
         program(pieces(70, 10, 10, 20, 3 << 16));
         fill();
-        EXPECT_TRUE(dut_->fault_o >> kSettings & 1) << which;
+        EXPECT_TRUE(dut_->fault_o & CURVECORE_STATE_MOTION_SETTINGS) << which;
         requesting_ = true;
         fill();
         EXPECT_EQ(path_, 0) << which;
@@ -126,7 +126,7 @@ TEST_F(MotionHold, NoTimeRunsWithSettingsThatCannotBe) {
         dut_->hold_slope_i = kSlope;
         dut_->stop_ticks_i = kStopTicks;
         start_afresh();
-        EXPECT_FALSE(dut_->fault_o >> kSettings & 1) << which;
+        EXPECT_FALSE(dut_->fault_o & CURVECORE_STATE_MOTION_SETTINGS) << which;
     }
 }
 

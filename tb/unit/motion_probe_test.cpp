@@ -164,16 +164,15 @@ TEST_F(MotionProbe, SwitchesAreSeen) {
         host_->home_i = pins & 7;
         host_->probe_i = pins >> 3;
         host_.clocks(5);
-        EXPECT_EQ(host_.read(CURVECORE_SWITCHES), (pins & 7) | (pins >> 3)
-                                                                   << CURVECORE_SWITCHES_PROBE_LOW);
+        EXPECT_EQ(host_.read(CURVECORE_SWITCHES),
+                  (pins & 7) | CURVECORE_PUT(SWITCHES_PROBE, pins >> 3));
     }
 }
 
 TEST_F(MotionProbe, AnAxisIsHomedUntilAPulseIsCut) {
     const auto homed = [this] {
         host_.clocks(5);
-        return (host_.read(CURVECORE_SWITCHES) & CURVECORE_SWITCHES_HOMED_MASK) >>
-               CURVECORE_SWITCHES_HOMED_LOW;
+        return CURVECORE_FIELD(host_.read(CURVECORE_SWITCHES), SWITCHES_HOMED);
     };
     EXPECT_EQ(homed(), 0U);
     host_.write(CURVECORE_ORIGIN0 + 4, 12345);
@@ -183,7 +182,7 @@ TEST_F(MotionProbe, AnAxisIsHomedUntilAPulseIsCut) {
         host_.write(CURVECORE_HOMED, kEveryAxis);
         EXPECT_EQ(homed(), kEveryAxis);
         // In a pulse, which is long enough for this, or between two.
-        host_.write(CURVECORE_PULSE, 100 | 2 << CURVECORE_PULSE_STEPSPACE_LOW);
+        host_.write(CURVECORE_PULSE, 100 | CURVECORE_PUT(PULSE_STEPSPACE, 2));
         host_.samples(2);
         const bool pulse = repeat % 2 == 0;
         for (int n = 0; (host_->step_o != 0) != pulse && n < 100 * kSystemPeriod; ++n) {
@@ -191,8 +190,7 @@ TEST_F(MotionProbe, AnAxisIsHomedUntilAPulseIsCut) {
         }
         host_->estop_i = 1;
         host_.clocks(10);
-        const uint32_t uncertain = (host_.read(CURVECORE_AXES) & CURVECORE_AXES_UNCERTAIN_MASK) >>
-                                   CURVECORE_AXES_UNCERTAIN_LOW;
+        const uint32_t uncertain = CURVECORE_FIELD(host_.read(CURVECORE_AXES), AXES_UNCERTAIN);
         cut += uncertain != 0 ? 1 : 0;
         EXPECT_EQ(homed(), kEveryAxis & ~uncertain);
         host_.write(CURVECORE_HOMED, kEveryAxis);

@@ -2,7 +2,7 @@
 // rtl/motion_system.sv from its registers to its pins: programs, silence, stops, invalid words.
 #include <gtest/gtest.h>
 
-#include "hls/registers/board_link.h"
+#include "hls/registers/board_facts.h"
 #include "hls/xy2_frame.hpp"
 #include "tb/support/motion_system_bench.hpp"
 
@@ -16,9 +16,7 @@ TEST_F(MotionSystem, SaysWhatItIs) {
     EXPECT_EQ(host_.read(CURVECORE_ID), CURVECORE_ID_ID_VALUE);
     const uint32_t capability = host_.read(CURVECORE_CAPABILITY);
     EXPECT_EQ(capability & CURVECORE_CAPABILITY_AXES_MASK, uint32_t{kSystemAxes});
-    EXPECT_EQ((capability & CURVECORE_CAPABILITY_PERIOD_LOG2_MASK) >>
-                  CURVECORE_CAPABILITY_PERIOD_LOG2_LOW,
-              uint32_t{CFG_PeriodLog2});
+    EXPECT_EQ(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2), uint32_t{CFG_PeriodLog2});
     EXPECT_EQ(host_.read(CURVECORE_ROOM), uint32_t{CFG_ProfileQueueWords} << 16 | kSegmentRoom);
     EXPECT_EQ(host_.read(CURVECORE_CLOCK), uint32_t{CFG_ClockHertz});
     const uint32_t widths = host_.read(CURVECORE_WIDTHS);
@@ -220,11 +218,10 @@ TEST_F(MotionSystem, ComesOnAtOnceAfterAnEstopInMotion) {
 }
 
 TEST_F(MotionSystem, LimitSwitchesStopAllAxesUnlessTheyAreMasked) {
-    host_.write(CURVECORE_PINS, 2U << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    host_.write(CURVECORE_PINS, CURVECORE_PUT(PINS_LIMIT_MASKED, 2));
     host_->limit_i = 2;
     begin(600);
-    EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_LIMIT_MASK,
-              2U << CURVECORE_AXES_LIMIT_LOW);
+    EXPECT_EQ(host_.read(CURVECORE_AXES) & CURVECORE_AXES_LIMIT_MASK, CURVECORE_PUT(AXES_LIMIT, 2));
     host_->limit_i = 1;
     host_.clocks(3);
     EXPECT_EQ(host_->step_o & 1, 0);
@@ -234,7 +231,7 @@ TEST_F(MotionSystem, LimitSwitchesStopAllAxesUnlessTheyAreMasked) {
               uint32_t{CURVECORE_STATE_LIMIT_MASK});
     clear_faults();
     EXPECT_FALSE(host_.write(CURVECORE_CONTROL, kEnable));
-    host_.write(CURVECORE_PINS, 1U << CURVECORE_PINS_LIMIT_MASKED_LOW);
+    host_.write(CURVECORE_PINS, CURVECORE_PUT(PINS_LIMIT_MASKED, 1));
     while (host_.is(CURVECORE_STATE_FLUSHING_MASK)) host_.samples(1);
     EXPECT_TRUE(host_.write(CURVECORE_CONTROL, kEnable));
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // rtl/motion_interpolator.sv and the host: late words, and invalid words. In each case the path is
 // the kernel's, time's rate keeps its bounds, and a sample comes or a fault is reported.
+#include "hls/registers/registers.h"
 #include "hls/word_entry.hpp"
-#include "sysc/board/faults.hpp"
 #include "tb/support/motion_bench.hpp"
 
 namespace curvecore::tb {
@@ -53,7 +53,7 @@ class MotionWords : public MotionInterpolator {
         }
     }
 
-    int fault() { return dut_->fault_o; }
+    uint32_t fault() { return dut_->fault_o; }
 };
 
 TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
@@ -129,7 +129,7 @@ TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
     dut_.reset();
     requesting_ = true;
     for (int n = 0; n < 8000; ++n) clock();
-    EXPECT_EQ(fault(), 1 << kShortQueue);
+    EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_SHORT_QUEUE);
     EXPECT_EQ(path_, 0);
 }
 
@@ -159,7 +159,7 @@ TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
     requesting_ = true;
     const int most = core_.build == Build::kParallel ? 60'000 : 1'000'000;
     for (int n = 0; n < most && fault() == 0; ++n) clock();
-    EXPECT_EQ(fault(), 1 << kNoSample);
+    EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_NO_SAMPLE);
 }
 
 // Words of one stream, as they should be and as they come.
@@ -250,13 +250,18 @@ TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
         const auto digest = static_cast<uint16_t>(dut_->digest_i);
         hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0, digest);
         hls::PieceEntry piece_entry(digest);
-        int expected = 0;
+        uint32_t expected = 0;
         for (const uint64_t word : stream.words) {
             const hls::Entry entry =
                 of_segments ? segment_entry.take(word) : piece_entry.take(word);
-            const int cause = of_segments ? kSegmentWord : kPieceWord;
-            if (entry == hls::Entry::kBadWord) expected |= 1 << cause;
-            if (entry == hls::Entry::kBadOrder) expected |= 2 << cause;
+            if (entry == hls::Entry::kBadWord) {
+                expected |= of_segments ? CURVECORE_STATE_MOTION_SEGMENT_WORD
+                                        : CURVECORE_STATE_MOTION_PIECE_WORD;
+            }
+            if (entry == hls::Entry::kBadOrder) {
+                expected |= of_segments ? CURVECORE_STATE_MOTION_SEGMENT_ORDER
+                                        : CURVECORE_STATE_MOTION_PIECE_ORDER;
+            }
         }
         const bool same = stream.words == intended;
         run_out();
@@ -285,10 +290,12 @@ TEST_F(MotionWords, AreOfTheDigestThatTheyAreMadeFor) {
             program(pieces(32, 30, 10, 20, 3 << 16));
             run_out();
             if (told || other == 0) {
-                EXPECT_EQ(fault(), 0);
+                EXPECT_EQ(fault(), 0U);
                 EXPECT_EQ(path_, length_);
             } else {
-                EXPECT_TRUE(fault() == 1 << kSegmentWord || fault() == 1 << kPieceWord) << fault();
+                EXPECT_TRUE(fault() == CURVECORE_STATE_MOTION_SEGMENT_WORD ||
+                            fault() == CURVECORE_STATE_MOTION_PIECE_WORD)
+                    << fault();
                 EXPECT_EQ(path_, length);
             }
             start_afresh();
@@ -314,7 +321,7 @@ TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn
         set_ticks(whole, segments);
         send(whole, segments);
         run_out();
-        EXPECT_EQ(fault(), 1 << kSegmentOrder) << off;
+        EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_SEGMENT_ORDER) << off;
         EXPECT_EQ(path_, length) << off;
         EXPECT_FALSE(dut_->active_o) << off;
         start_afresh();
@@ -335,7 +342,7 @@ TEST_F(MotionWords, ThatEndApartAreAFault) {
         if (round % 4 == 3) segments[1].ticks ^= 1;
         send(whole, segments);
         run_out();
-        EXPECT_EQ(fault(), 1 << kApart) << "round " << round;
+        EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_APART) << "round " << round;
         start_afresh();
         if (HasFailure()) FAIL() << "round " << round;
     }

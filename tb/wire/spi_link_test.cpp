@@ -131,7 +131,7 @@ class Talker : public SpiBus {
   public:
     explicit Talker(Bytes line) : line_(std::move(line)) {}
     Bytes exchange(const Bytes& bytes) override {
-        Bytes came(bytes.size(), kSlipEnd);
+        Bytes came(bytes.size(), CURVECORE_LINE_END);
         std::copy(line_.begin(), line_.end(), came.begin());
         line_.clear();
         return came;

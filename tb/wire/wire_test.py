@@ -26,6 +26,7 @@ from wire_parts import (CONTROL, CURVECORE, ENABLED, SEQUENCE, STATE, STEPS_PER_
                         bridge, command, counts, numbered, read, report_of, system_steps, times,
                         until)
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
 PART = f"G21 G90 G61\nG1 X20 F2400\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
@@ -93,7 +94,7 @@ class WireTest(unittest.TestCase):
         curves = self.folder / "curves.ngc"
         curves.write_text("G21 G90 G61 F1800\nG1 X5 Z1\nG5 X9 Y6 I0 J3 P-2 Q0\n"
                           "G3 X12 Y9 Z3 I3\nG64 P0.02\nG1 X14\nY4 Z2\nM2\n", encoding="ascii")
-        radii = pathlib.Path(__file__).resolve().parent.parent / "data/small_radii.ngc"
+        radii = ROOT / "tb/data/small_radii.ngc"
         for part in (self.part, curves, radii):
             self.part = part
             steps, _ = self.draw("--fast", name=part.stem)
@@ -221,10 +222,10 @@ class WireTest(unittest.TestCase):
     def test_boards_of_other_widths_are_asked(self):
         # The board's description is changed on its way: times of 10 bits, scales of 40.
         def change(answer):
-            words = [int.from_bytes(answer[n:n + 4], "little") for n in range(0, len(answer), 4)]
-            if words and words[0] == 12 | 44 << 5 | 15 << 11:
-                words[0] = 10 | 40 << 5 | 15 << 11
-            return b"".join(word.to_bytes(4, "little") for word in words)
+            words = [answer[n:n + 4] for n in range(0, len(answer), 4)]
+            made, other = ((times | scales << 5 | 15 << 11).to_bytes(4, "little")
+                           for times, scales in ((12, 44), (10, 40)))
+            return b"".join(other if word == made else word for word in words)
         board = self.board("--fast")
         to = f"udp:127.0.0.1:{Wire(board.port, change=change).port}"
         self.finish(self.stream(to, "--steplen", "250us"), 2, "more than 511 clocks of the board")
@@ -257,8 +258,50 @@ class WireTest(unittest.TestCase):
                 digest = (digest << 8 ^ top << 3 ^ top ^ byte) & 0xffff
         self.assertEqual(words["digest"], digest ^ words["digest_register"])
 
+    def draw_in_c(self, name, change=lambda folder: None, through=None):
+        """hls/examples/stream_words.c: its end, what it says, and the steps."""
+        host = self.folder / "stream_words"
+        subprocess.run(["cc", "-std=c99", "-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o",
+                        host, ROOT / "hls/examples/stream_words.c", "-lm"], check=True)
+        board = self.board("--fast", name=name)
+        out = self.folder / f"words_{name}"
+        subprocess.run([CURVECORE, "words", str(self.part), "-q", "-o", str(out), "--to",
+                        f"udp:127.0.0.1:{board.port}"], check=True)
+        change(out)
+        wire = through(board.port) if through else board
+        ended = subprocess.run([host, out, "127.0.0.1", str(wire.port), str(STEPS_PER_MM)],
+                               stderr=subprocess.PIPE, text=True, check=False)
+        return ended.returncode, ended.stderr, board.end()
+
+    def test_host_in_c_draws_the_steps_of_stream(self):
+        expected, _ = self.draw("--fast")
+        wires = []
+
+        def bad(port):
+            wires.append(Wire(port, 0.05, 3))
+            return wires[0]
+        for name, through in (("good", None), ("bad", bad)):
+            status, message, steps = self.draw_in_c(name, through=through)
+            self.assertEqual((status, message), (0, ""), name)
+            self.assertEqual(counts(steps), counts(expected), name)
+            if name == "good":  # that words come in time is a matter of time
+                self.check_equal(times(steps), times(expected))
+        self.assertGreater(wires[0].lost + wires[0].doubled, 5)
+
+    def test_host_in_c_tells_of_a_broken_word(self):
+        def change(folder):
+            segments = folder / "segments.hex"
+            *lines, last = segments.read_text(encoding="ascii").split("\n")
+            lines[-3] = f"{int(lines[-3], 16) ^ 1:012x}"
+            segments.write_text("\n".join([*lines, last]), encoding="ascii")
+        expected, _ = self.draw("--fast")
+        status, message, steps = self.draw_in_c("broken", change)
+        self.assertEqual(status, 1)
+        self.assertIn("a segment word that cannot be", message)
+        self.assertLess(sum(counts(steps)), sum(counts(expected)))
+
     def test_examples_of_the_page(self):
-        page = pathlib.Path(__file__).resolve().parents[2] / "sysc/wire/README.md"
+        page = ROOT / "sysc/wire/README.md"
         text = page.read_text(encoding="ascii")
         rows = re.findall(r"^\| .* \| `([0-9a-f ]+)` \| `([0-9a-f ]+)` \|$",
                           text[text.index("<!-- examples -->"):], re.MULTILINE)
