@@ -6,7 +6,7 @@
 
 #include "registers.h"
 
-/* FOLLOWING_LIMIT at most. */
+/* Largest FOLLOWING_LIMIT. */
 #define CURVECORE_MOST_FOLLOWING 2147352576.0 /* 2^31 - 2^17 */
 
 /* Returns whether a board's registers, by its VERSION, are those of registers.h. */
@@ -14,19 +14,18 @@ static inline int curvecore_knows(uint32_t version) {
     return CURVECORE_FIELD(version, VERSION_MAP) == CURVECORE_VERSION_MAP_VALUE;
 }
 
-/* A time of PULSE or DIRECTION in clocks at most, by WIDTHS: the board counts two of them
- * together, in as many bits. */
+/* Returns the longest time of PULSE or DIRECTION in clocks, by WIDTHS: the board counts the sum of
+ * two in the same number of bits. */
 static inline uint32_t curvecore_most_clocks(uint32_t widths) {
     return ((uint32_t)1 << (CURVECORE_FIELD(widths, WIDTHS_TIME_BITS) - 1)) - 1;
 }
 
-/* A scale is below this, by WIDTHS. */
+/* Returns the upper limit of a scale, exclusive, by WIDTHS. */
 static inline uint64_t curvecore_scale_end(uint32_t widths) {
     return (uint64_t)1 << CURVECORE_FIELD(widths, WIDTHS_SCALE_BITS);
 }
 
-/* A digest with the bytes of one more word behind it, the low one first: a CRC of 16 bits, modulo
- * x^16 + x^3 + 1. */
+/* Adds a word's bytes to a digest, the low one first: a CRC of 16 bits, modulo x^16 + x^3 + 1. */
 static inline uint16_t curvecore_digest(uint16_t digest, uint32_t word) {
     int n;
     for (n = 0; n < 4; ++n, word >>= 8) {
@@ -36,9 +35,9 @@ static inline uint16_t curvecore_digest(uint16_t digest, uint32_t word) {
     return digest;
 }
 
-/* The board's part of the digest that words are made for: of the fields of CAPABILITY that they
- * depend on, CORE, the clocks of a sample period, and CLOCK. Exclusive or with DIGEST, which has
- * the rest, it is what words have to have: rtl/motion_system.sv. */
+/* Returns the board's part of the digest that words are made for: the fields of CAPABILITY that
+ * they depend on, CORE, the clocks of a sample period, and CLOCK. Its exclusive or with DIGEST, the
+ * other part, is the digest of the words: rtl/motion_system.sv. */
 static inline uint16_t curvecore_board_digest(uint32_t capability, uint32_t core, uint32_t period,
                                               uint32_t clock) {
     const uint32_t fields = CURVECORE_CAPABILITY_AXES_MASK | CURVECORE_CAPABILITY_BUILD_MASK |

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 OR GPL-2.0-or-later
  * Frames of accesses to a board's registers: LBP16 commands, rtl/line/frame_reader.sv. For C99 and
- * C++. What does not fit into a frame is cut off: the board says so, STATE.bus. */
+ * C++. Bytes that do not fit into a frame are cut off, which the board reports in STATE.bus. */
 #ifndef CURVECORE_BOARD_FRAME_H
 #define CURVECORE_BOARD_FRAME_H
 
@@ -8,7 +8,7 @@
 
 /* Bytes of a frame, without its CRC: rtl/line/frame_port.sv. */
 #define CURVECORE_LONGEST_FRAME 251
-/* Bytes of a command with its address, and of each word that is pushed. */
+/* Bytes of a command with its address, and of each pushed word. */
 #define CURVECORE_COMMAND_BYTES 4
 #define CURVECORE_PUSHED_BYTES 8
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 OR GPL-2.0-or-later
- * Frames on a stream of bytes, UART or SPI: SLIP (RFC 1055) around a frame and its CRC-32, low byte
- * first. The other end: rtl/line/slip_receiver.sv, slip_sender.sv. Two escapes are no byte:
- * rtl/line/spi_line.sv says them inside a frame that has to wait. For C99 and C++. */
+ * Frames on a stream of bytes, UART or SPI: SLIP (RFC 1055) around a frame and its CRC-32, low
+ * byte first. The other end: rtl/line/slip_receiver.sv, slip_sender.sv. Two escapes are no byte:
+ * rtl/line/spi_line.sv sends them inside a frame that has to wait. For C99 and C++. */
 #ifndef CURVECORE_BOARD_LINE_H
 #define CURVECORE_BOARD_LINE_H
 
@@ -9,13 +9,13 @@
 
 /* Bytes of an answer, without its CRC: 128 words. */
 #define CURVECORE_LONGEST_ANSWER 512
-/* Ends a frame; alone it says nothing. */
+/* Ends a frame; alone it has no meaning. */
 #define CURVECORE_LINE_END 0xc0
 #define CURVECORE_LINE_ESCAPE 0xdb
 #define CURVECORE_LINE_ESCAPED_END 0xdc
 #define CURVECORE_LINE_ESCAPED_ESCAPE 0xdd
 
-/* CRC-32 of zlib and Ethernet, byte by byte, from all ones; what goes behind is its complement. */
+/* CRC-32 of zlib and Ethernet, byte by byte, from all ones; its complement is appended. */
 static inline uint32_t curvecore_crc(uint32_t crc, uint8_t byte) {
     int n;
     crc ^= byte;
@@ -25,7 +25,7 @@ static inline uint32_t curvecore_crc(uint32_t crc, uint8_t byte) {
 /* CRC of bytes with their CRC behind them. */
 #define CURVECORE_CRC_UNBROKEN 0xdebb20e3u
 
-/* A frame's bytes on a line, which has room for 2 * length + 9; so many they are. */
+/* Writes a frame's bytes to a line, which has room for 2 * length + 9; returns their number. */
 static inline int curvecore_to_line(uint8_t* line, const uint8_t* frame, int length) {
     uint32_t crc = 0xffffffffu;
     int size = 0, n;
@@ -49,8 +49,8 @@ struct curvecore_line {
     int length, escaped, broken;
 };
 
-/* Takes a byte; of an answer that it ends, whole and unbroken, the length, else 0. The answer is at
- * line->bytes until the next byte. */
+/* Takes a byte; returns the length of the answer that it ends, whole and unbroken, else 0. The
+ * answer is at line->bytes until the next byte. */
 static inline int curvecore_from_line(struct curvecore_line* line, uint8_t byte) {
     const int escaped = line->escaped;
     if (byte == CURVECORE_LINE_END) {

@@ -13,30 +13,30 @@
 #include "board_facts.h"
 #include "board_frame.h"
 
-/* Words that are always read, and those of a question, at most. */
+/* Most words that are always read, and most words of a question. */
 #define CURVECORE_MOST_ALWAYS 64
 #define CURVECORE_MOST_ASKED 8
-/* Questions, one after the other, whose answers are told apart. */
+/* Consecutive questions whose answers are distinguished. */
 #define CURVECORE_QUESTIONS 16
-/* A frame is of an epoch, which its answer's length says. What was sent before the epoch began is
- * taken when that answer comes, or was lost or overtaken: then it goes again at once, and so do
- * those behind it. An epoch lasts until one of its frames is answered. */
+/* Epochs of frames, which the length of an answer identifies. Frames sent before the epoch began
+ * are taken when that answer comes, or were lost or overtaken: then they are sent again at once,
+ * and so are those behind them. An epoch lasts until one of its frames is answered. */
 #define CURVECORE_EPOCHS 5
-/* Frames that go again at once: where many are lost few are taken before the next one missing. */
+/* Frames repeated at once: if many are lost, few are taken before the next missing one. */
 #define CURVECORE_MOST_REPEATED 16
-/* Frames without a number between two with one: a fast board's clock goes on by frames. */
+/* Frames without a number between two with one: a fast board's clock advances by frames. */
 #define CURVECORE_MOST_POLLS 20
-/* Frames with a number in the time of WATCHDOG, at least: curvecore_link.live_period. */
+/* Least number of frames with a number in the time of WATCHDOG: curvecore_link.live_period. */
 #define CURVECORE_SIGNS_OF_LIFE 5
-/* Numbers that an answer may be late by; one that is further off is of another session. */
+/* Largest lateness of an answer, in numbers; a later one belongs to another session. */
 #define CURVECORE_LATE 0x100000
-/* ns until what is not answered goes again, at least, and while no round trip is known. */
+/* Least time, ns, until an unanswered frame is repeated; also while no round trip is known. */
 #define CURVECORE_UNANSWERED 25000000
 
 /* A frame under way. */
 struct curvecore_sent {
-    struct curvecore_frame frame; /* without what is always read */
-    int words[2];                 /* that it carries, of two kinds: the caller's count */
+    struct curvecore_frame frame; /* without the words always read */
+    int words[2];                 /* words that it carries, of two kinds: the caller's count */
     int64_t sent;
     int repeated;
 };
@@ -46,27 +46,28 @@ struct curvecore_board {
     uint32_t id, version, capability, core, hertz, widths;
 };
 
-/* Unknown: it is asked what it is. Known: it is only read. Open: of all hosts it obeys this one. */
+/* Phases of a link. Unknown: the board's identity is requested. Known: it is only read. Open: it
+ * obeys this host alone. */
 enum curvecore_phase { CURVECORE_UNKNOWN, CURVECORE_KNOWN, CURVECORE_OPEN };
 
-/* An answer is late, or of nothing that was asked; of what is always read; of the question; of a
+/* Kinds of an answer: late, or to no question; with the words always read; to the question; from a
  * board that was restarted, or has another master. */
 enum curvecore_news { CURVECORE_OLD, CURVECORE_STATUS, CURVECORE_ANSWER, CURVECORE_FOREIGN };
 
 struct curvecore_link {
     /* The caller may set these at any time, ns. */
-    int64_t poll_period; /* so often an idle host asks */
-    int64_t live_period; /* so often a frame with a number goes out, for WATCHDOG; 0: never */
+    int64_t poll_period; /* period of an idle host's requests */
+    int64_t live_period; /* period of frames with a number, for WATCHDOG; 0: none */
 
     /* Results. */
     enum curvecore_phase phase;
     struct curvecore_board board;
-    int same;                              /* it is the one that was known before */
-    uint32_t words[CURVECORE_MOST_ALWAYS]; /* that are always read, as they were last */
-    uint32_t answer[CURVECORE_MOST_ASKED]; /* of the last question */
-    int asks;                              /* it is not answered yet */
+    int same;                              /* 1: the board that was known before */
+    uint32_t words[CURVECORE_MOST_ALWAYS]; /* last values of the words always read */
+    uint32_t answer[CURVECORE_MOST_ASKED]; /* answer to the last question */
+    int asks;                              /* 1: it is not answered yet */
     int count;                             /* frames under way */
-    uint32_t frames, repeated;             /* that went out */
+    uint32_t frames, repeated;             /* frames sent */
     int64_t round_trip;                    /* 0: not known */
 
     /* Private. */
@@ -76,17 +77,17 @@ struct curvecore_link {
     int window, first;
     struct curvecore_frame always;
     int words_always;
-    uint32_t number; /* of the last frame that was made */
-    uint32_t opens;  /* of the first one, of a session that is wanted */
+    uint32_t number; /* number of the last frame made */
+    uint32_t opens;  /* number of the first frame of a requested session */
     int opening;
     struct curvecore_frame question;
     int words_asked, questions, of_itself;
     int64_t asked, transmitted, numbered, waits_since, deviation;
     int waits, polls, backoff, epoch;
-    uint32_t reach[CURVECORE_EPOCHS]; /* numbers up to this went out before the epoch */
+    uint32_t reach[CURVECORE_EPOCHS]; /* numbers up to this were sent before the epoch */
 };
 
-/* Starts a link; `window` frames, which are kept at `sent`, may be under way. */
+/* Starts a link: up to `window` frames, kept at `sent`, may be under way. */
 static inline void curvecore_start(struct curvecore_link* link,
                                    void (*transmit)(void* device, const uint8_t* bytes, int length),
                                    void* device, struct curvecore_sent* sent, int window) {
@@ -121,7 +122,7 @@ static inline void curvecore_transmit(struct curvecore_link* link,
     link->waits = 1;
 }
 
-/* Answers say nothing of their frame; their length does, by words that are read for nothing. */
+/* Marks a frame by the length of its answer, with extra words: answers do not name their frame. */
 static inline void curvecore_mark(struct curvecore_frame* frame, int words) {
     curvecore_command(frame, CURVECORE_COMMAND_WORDS, words, CURVECORE_ID);
 }
@@ -164,8 +165,8 @@ static inline void curvecore_ask_board(struct curvecore_link* link, int64_t now)
     link->of_itself = 1;
 }
 
-/* Begins a session, as soon as the board is known. `first` is a number by chance, which no frame
- * under way has: of another host, or of this one before a restart. */
+/* Begins a session as soon as the board is known. `first` is a random number that no frame under
+ * way has: of another host, or of this one before a restart. */
 static inline void curvecore_open(struct curvecore_link* link, uint32_t first) {
     if (!link->opening) link->opens = first;
     link->opening = 1;
@@ -333,7 +334,7 @@ static inline enum curvecore_news curvecore_obeyed(struct curvecore_link* link, 
         --link->count;
         link->backoff = 1;
     }
-    /* It was asked when the first of those left was on its way, and did not meet it. */
+    /* The answer's request followed the first remaining frame, and did not meet it. */
     if (link->count > 0 && (int32_t)(link->reach[epoch] - number) > 0) {
         curvecore_repeat(link, now);
     } else if (epoch == link->epoch) {

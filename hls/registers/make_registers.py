@@ -110,7 +110,7 @@ def package(registers, axes):
             continue
         lines.append(f"  localparam logic [6:0] {camel(register['name'])} = "
                      f"7'd{register['address'] // 4};")
-    lines += ["", "  // Of axes: the first one's words, and how many each has", "  "
+    lines += ["", "  // Axes: the first one's words, and the number of words of each", "  "
               f"localparam logic [6:0] AxisFirst = 7'd{axes['address'] // 4};",
               f"  localparam int AxisWords = {axes['stride'] // 4};"]
     for register in registers:
@@ -124,11 +124,12 @@ def package(registers, axes):
             lines.append(f"  localparam int {name}Low = {field['low']};")
     for what in ("read", "write"):
         names = [word(register) for register in plain if register[what]]
-        lines += ["", f"  // What can be {'read' if what == 'read' else 'written'}, but of axes",
+        done = "read" if what == "read" else "written"
+        lines += ["", f"  // Words that can be {done}, without axes",
                   *function(f"can_{what}", "", [(names, "1'b1")], "1'b0")]
     resets = [((word(register),), f"32'h{reset_of(register):08x}")
               for register in plain if reset_of(register) != 0]
-    lines += ["", "  // What a word is after a reset", *function("reset_value", "[31:0] ", resets,
+    lines += ["", "  // Value of a word after a reset", *function("reset_value", "[31:0] ", resets,
                                                                 "32'd0")]
     return "\n".join([*lines, "", "endpackage", "`default_nettype wire", ""])
 

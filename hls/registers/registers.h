@@ -16,7 +16,7 @@
 #define CURVECORE_MOST_AXES 9
 #define CURVECORE_AXIS_STRIDE 0x10
 
-/* Which block it is. */
+/* Identity of the block. */
 #define CURVECORE_ID 0x000
 #define CURVECORE_ID_ID_LOW 0
 #define CURVECORE_ID_ID_MASK 0xffffffffu
@@ -30,7 +30,7 @@
 #define CURVECORE_VERSION_WORDS_LOW 8
 #define CURVECORE_VERSION_WORDS_MASK 0x0000ff00u
 
-/* How it is built. */
+/* Build of the block. */
 #define CURVECORE_CAPABILITY 0x008
 #define CURVECORE_CAPABILITY_AXES_LOW 0
 #define CURVECORE_CAPABILITY_AXES_MASK 0x0000000fu
@@ -67,7 +67,7 @@
 #define CURVECORE_CLOCK_HERTZ_LOW 0
 #define CURVECORE_CLOCK_HERTZ_MASK 0xffffffffu
 
-/* What the machine shall do; each write says all of it. */
+/* Commands of the machine; each write states all of them. */
 #define CURVECORE_CONTROL 0x014
 #define CURVECORE_CONTROL_ENABLE_LOW 0
 #define CURVECORE_CONTROL_ENABLE_MASK 0x00000001u
@@ -80,7 +80,7 @@
 #define CURVECORE_CONTROL_POSITION_LOW 4
 #define CURVECORE_CONTROL_POSITION_MASK 0x00000010u
 
-/* Faults, which stay until a one is written to them, and what goes on. */
+/* Faults, each kept until a one is written to it, and the present state. */
 #define CURVECORE_STATE 0x018
 #define CURVECORE_STATE_BUS_LOW 0
 #define CURVECORE_STATE_BUS_MASK 0x00000001u
@@ -144,17 +144,17 @@
 #define CURVECORE_AXES_LIMIT_LOW 18
 #define CURVECORE_AXES_LIMIT_MASK 0x07fc0000u
 
-/* Axes of which the first sample of the next program, or that of the host, says where they stand. Refused unless STATE.clean. */
+/* Axes that the first sample of the next program, or of the host, references. Refused unless STATE.clean. */
 #define CURVECORE_REFERENCE 0x020
 #define CURVECORE_REFERENCE_AXES_LOW 0
 #define CURVECORE_REFERENCE_AXES_MASK 0x000001ffu
 
-/* How fast time shall run. While nothing is under way it does so at once: a program begins at it. This and the settings below: rtl/motion_interpolator.sv. */
+/* Rate of time. While nothing is under way it applies at once: a program begins at it. This and the settings below: rtl/motion_interpolator.sv. */
 #define CURVECORE_OVERRIDE 0x024
 #define CURVECORE_OVERRIDE_RATE_LOW 0
 #define CURVECORE_OVERRIDE_RATE_MASK 0x0001ffffu
 
-/* How long the host may be silent while a program is under way, or in position mode. Only a write that is obeyed ends its silence: any that is no error; of frames, one behind the number that SEQUENCE has. Reads do not, whoever reads; a host that has nothing to write writes SEQUENCE. */
+/* Longest silence of the host while a program is under way, or in position mode. Only an obeyed write ends it: one without an error, and in frames one behind the number that SEQUENCE has. Reads never do; a host that has nothing to write writes SEQUENCE. */
 #define CURVECORE_WATCHDOG 0x028
 #define CURVECORE_WATCHDOG_SAMPLES_LOW 0
 #define CURVECORE_WATCHDOG_SAMPLES_MASK 0x0000ffffu
@@ -202,7 +202,7 @@
 #define CURVECORE_PINS_LIMIT_MASKED_LOW 18
 #define CURVECORE_PINS_LIMIT_MASKED_MASK 0x07fc0000u
 
-/* Widths of settings, what a host has to keep to: hls/registers/board_facts.h. */
+/* Widths of settings, which limit what a host may write: hls/registers/board_facts.h. */
 #define CURVECORE_WIDTHS 0x048
 #define CURVECORE_WIDTHS_TIME_BITS_LOW 0
 #define CURVECORE_WIDTHS_TIME_BITS_MASK 0x0000001fu
@@ -211,7 +211,7 @@
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_LOW 11
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_MASK 0x00007800u
 
-/* What the words of the next program have to be made for, besides what the board is (CORE, CLOCK, and of CAPABILITY axes, period, build and splines): unit, samples per tick and machine. Words that are made for another configuration are the faults motion 0 and 2, and nothing of them is drawn. */
+/* Configuration that the words of the next program must be made for, besides that of the board (CORE, CLOCK, and axes, period, build and splines of CAPABILITY): unit, samples per tick and machine. Words made for another configuration raise the faults motion 0 and 2, and none of them is drawn. */
 #define CURVECORE_DIGEST 0x04c
 #define CURVECORE_DIGEST_DIGEST_LOW 0
 #define CURVECORE_DIGEST_DIGEST_MASK 0x0000ffffu
@@ -241,24 +241,24 @@
 #define CURVECORE_PATH_LO_PATH_LOW 0
 #define CURVECORE_PATH_LO_PATH_MASK 0xffffffffu
 
-/* Path, as it was when PATH_LO was read. */
+/* Path at the last reading of PATH_LO. */
 #define CURVECORE_PATH_HI 0x064
 #define CURVECORE_PATH_HI_PATH_LOW 0
 #define CURVECORE_PATH_HI_PATH_MASK 0xffffffffu
 
-/* Rate of time in the sample that was asked for last, as it was when PATH_LO was read. */
+/* Rate of time in the last requested sample, at the last reading of PATH_LO. */
 #define CURVECORE_RATE 0x068
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu
 
-/* Words that fit into the queues. A program's words do not enter before the other stream has ended the one before. */
+/* Words that still fit into the queues. A program's words do not enter before the other stream has ended the program before. */
 #define CURVECORE_ROOM 0x06c
 #define CURVECORE_ROOM_SEGMENT_LOW 0
 #define CURVECORE_ROOM_SEGMENT_MASK 0x0000ffffu
 #define CURVECORE_ROOM_PROFILE_LOW 16
 #define CURVECORE_ROOM_PROFILE_MASK 0xffff0000u
 
-/* The number that SEQUENCE has: writes behind this one, in its frame, are obeyed if it is so. Buses without frames only keep it. */
+/* Expected number of SEQUENCE: writes behind this one, in its frame, are obeyed if it is equal. Buses without frames only keep it. */
 #define CURVECORE_EXPECT 0x070
 #define CURVECORE_EXPECT_FRAME_LOW 0
 #define CURVECORE_EXPECT_FRAME_MASK 0xffffffffu
@@ -268,7 +268,7 @@
 #define CURVECORE_SEQUENCE_FRAME_LOW 0
 #define CURVECORE_SEQUENCE_FRAME_MASK 0xffffffffu
 
-/* Position mode: the position of the next axis, axis 0 first; that of the last one completes the sample. One sample is taken in each period. Where there is no room at the first position, all of the sample are refused. */
+/* Position of the next axis in position mode, axis 0 first; the last one completes the sample. One sample is taken in each period. Without room at the first position, all positions of the sample are refused. */
 #define CURVECORE_SAMPLE 0x078
 #define CURVECORE_SAMPLE_POSITION_LOW 0
 #define CURVECORE_SAMPLE_POSITION_MASK 0xffffffffu
@@ -280,7 +280,7 @@
 #define CURVECORE_SAMPLES_QUEUED_LOW 16
 #define CURVECORE_SAMPLES_QUEUED_MASK 0xffff0000u
 
-/* A switch that the motion waits for. When it is as asked, on one rising edge of the clock behind the synchroniser, path and steps are noted and the motion holds, on the path. */
+/* Switch that the motion waits for. When it has the requested level, on one rising edge of the clock behind the synchroniser, path and steps are noted and the motion holds, on the path. */
 #define CURVECORE_PROBE 0x080
 #define CURVECORE_PROBE_SWITCH_LOW 0
 #define CURVECORE_PROBE_SWITCH_MASK 0x0000000fu
@@ -289,7 +289,7 @@
 #define CURVECORE_PROBE_ARMED_LOW 5
 #define CURVECORE_PROBE_ARMED_MASK 0x00000020u
 
-/* Switches, as they were some clocks ago. */
+/* Levels of switches, some clocks old. */
 #define CURVECORE_SWITCHES 0x084
 #define CURVECORE_SWITCHES_HOME_LOW 0
 #define CURVECORE_SWITCHES_HOME_MASK 0x000001ffu
@@ -298,37 +298,37 @@
 #define CURVECORE_SWITCHES_HOMED_LOW 10
 #define CURVECORE_SWITCHES_HOMED_MASK 0x0007fc00u
 
-/* Path when PROBE caught: of the sample that was asked for last. */
+/* Path when PROBE caught, in the last requested sample. */
 #define CURVECORE_CAUGHT_PATH 0x088
 #define CURVECORE_CAUGHT_PATH_PATH_LOW 0
 #define CURVECORE_CAUGHT_PATH_PATH_MASK 0xffffffffu
 
-/* Axes whose ORIGIN is right. It is forgotten when a pulse of the axis is cut. */
+/* Axes whose ORIGIN is valid. A cut pulse of an axis clears its bit. */
 #define CURVECORE_HOMED 0x08c
 #define CURVECORE_HOMED_AXES_LOW 0
 #define CURVECORE_HOMED_AXES_MASK 0x000001ffu
 
-/* STEPS of axis n where its machine coordinate is 0. For hosts: the board only keeps it. */
+/* STEPS of axis n at its machine coordinate 0. For hosts: the board only keeps it. */
 #define CURVECORE_ORIGIN0 0x090
 #define CURVECORE_ORIGIN0_STEPS_LOW 0
 #define CURVECORE_ORIGIN0_STEPS_MASK 0xffffffffu
 
-/* Edges that the encoder of axis n gave since the reset, signed. This and what follows from it: rtl/bus/following_error.sv. */
+/* Edges of the encoder of axis n since the reset, signed. Its use: rtl/bus/following_error.sv. */
 #define CURVECORE_ENCODER0 0x0b4
 #define CURVECORE_ENCODER0_COUNT_LOW 0
 #define CURVECORE_ENCODER0_COUNT_MASK 0xffffffffu
 
-/* FOLLOWING of axis n when it was the farthest from 0 since the last reference. */
+/* FOLLOWING of axis n at its largest distance from 0 since the last reference. */
 #define CURVECORE_FOLLOWING_WORST0 0x0d8
 #define CURVECORE_FOLLOWING_WORST0_ERROR_LOW 0
 #define CURVECORE_FOLLOWING_WORST0_ERROR_MASK 0xffffffffu
 
-/* Low 32 bits of the scale, kept as those of words are. Of axis 0. */
+/* Low 32 bits of the scale, kept like those of words. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_LO 0x100
 #define CURVECORE_AXIS_SCALE_LO_SCALE_LOW 0
 #define CURVECORE_AXIS_SCALE_LO_SCALE_MASK 0xffffffffu
 
-/* The rest of the scale: 2^-16 steps in the whole range of positions. Both are taken. Refused while STATE.enabled. Of axis 0. */
+/* High bits of the scale, 2^-16 steps in the whole range of positions. Takes both. Refused while STATE.enabled. Of axis 0. */
 #define CURVECORE_AXIS_SCALE_HI 0x104
 #define CURVECORE_AXIS_SCALE_HI_SCALE_LOW 0
 #define CURVECORE_AXIS_SCALE_HI_SCALE_MASK 0x00ffffffu
@@ -338,7 +338,7 @@
 #define CURVECORE_AXIS_STEPS_COUNT_LOW 0
 #define CURVECORE_AXIS_STEPS_COUNT_MASK 0xffffffffu
 
-/* STEPS when PROBE caught; of axis n 3 + n to 5 + 3 n clocks behind the pin. Of axis 0. */
+/* STEPS when PROBE caught; those of axis n are 3 + n to 5 + 3 n clocks behind the pin. Of axis 0. */
 #define CURVECORE_AXIS_CAUGHT 0x10c
 #define CURVECORE_AXIS_CAUGHT_COUNT_LOW 0
 #define CURVECORE_AXIS_CAUGHT_COUNT_MASK 0xffffffffu
@@ -348,14 +348,14 @@
 #define CURVECORE_FOLLOWING0_ERROR_LOW 0
 #define CURVECORE_FOLLOWING0_ERROR_MASK 0xffffffffu
 
-/* So many edges of axis n's encoder are so many of its steps. */
+/* Ratio of axis n's encoder: a number of its edges equals a number of steps. */
 #define CURVECORE_ENCODER_RATIO0 0x1b4
 #define CURVECORE_ENCODER_RATIO0_COUNTS_LOW 0
 #define CURVECORE_ENCODER_RATIO0_COUNTS_MASK 0x0000ffffu
 #define CURVECORE_ENCODER_RATIO0_STEPS_LOW 16
 #define CURVECORE_ENCODER_RATIO0_STEPS_MASK 0xffff0000u
 
-/* FOLLOWING beyond this, either way, is the fault of that name. 0: none is. */
+/* Largest magnitude of FOLLOWING; beyond it is the fault of that name. 0: no limit. */
 #define CURVECORE_FOLLOWING_LIMIT0 0x1d8
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_LOW 0
 #define CURVECORE_FOLLOWING_LIMIT0_LIMIT_MASK 0xffffffffu

@@ -47,7 +47,7 @@ package registers_pkg;
   localparam logic [6:0] EncoderRatio0 = 7'd109;
   localparam logic [6:0] FollowingLimit0 = 7'd118;
 
-  // Of axes: the first one's words, and how many each has
+  // Axes: the first one's words, and the number of words of each
   localparam logic [6:0] AxisFirst = 7'd64;
   localparam int AxisWords = 4;
   localparam logic [1:0] AxisScaleLo = 2'd0;
@@ -155,7 +155,7 @@ package registers_pkg;
   localparam int EncoderRatio0StepsLow = 16;
   localparam int FollowingLimit0LimitLow = 0;
 
-  // What can be read, but of axes
+  // Words that can be read, without axes
   function automatic logic can_read(input logic [6:0] word);
     case (word)
       Id,
@@ -244,7 +244,7 @@ package registers_pkg;
     endcase
   endfunction
 
-  // What can be written, but of axes
+  // Words that can be written, without axes
   function automatic logic can_write(input logic [6:0] word);
     case (word)
       Control,
@@ -301,7 +301,7 @@ package registers_pkg;
     endcase
   endfunction
 
-  // What a word is after a reset
+  // Value of a word after a reset
   function automatic logic [31:0] reset_value(input logic [6:0] word);
     case (word)
       Id: reset_value = 32'h43564d31;

@@ -9,7 +9,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-TREES = ("ref", "scripts", "sysc", "tb")
+TREES = ("ref", "hls", "rtl", "scripts", "sysc", "tb")
 HEADS = """about above across after against along among around as at before behind below beneath
     beside besides between beyond by down during except for from in inside into like near of off on
     onto out outside over per since through throughout till to toward towards under until up upon
