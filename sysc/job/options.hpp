@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "ref/segment/plan_options.hpp"
 #include "ref/program/program_stream.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "sysc/core/core_parameters.hpp"
 #include "sysc/core/system_settings.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "ref/segment/plan_options.hpp"
 #include "ref/plan/curve_follower.hpp"
+#include "ref/segment/plan_options.hpp"
 #include "sysc/watch/limit_meter.hpp"
 #include "sysc/words/path_cursor.hpp"
 #include "sysc/words/path_source.hpp"
