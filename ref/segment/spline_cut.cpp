@@ -9,6 +9,7 @@ namespace {
 
 // Cuts kept: those of a window of moves (PlanOptions) and of the group after it that is checked.
 constexpr std::size_t kRecent = 4096;
+constexpr std::size_t kRecentPieces = 8192;  // of them all: some megabytes
 
 }  // namespace
 
@@ -26,6 +27,7 @@ const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format,
     if (!(format == format_) || limit != limit_ || max_pieces != max_pieces_) {
         recent_.clear();
         before_.clear();
+        recent_pieces_ = 0;
         format_ = format;
         limit_ = limit;
         max_pieces_ = max_pieces;
@@ -46,10 +48,12 @@ const SplineCut& KnownCuts::of(const Cubic& cubic, const CoreParameters& format,
                                          : cut_spline(cubic, format, limit, aux_advance, max_pieces,
                                                       least_last_step);
     if (old != before_.end()) before_.erase(old);
-    if (recent_.size() >= kRecent) {
+    if (recent_.size() >= kRecent || recent_pieces_ >= kRecentPieces) {
         before_ = std::move(recent_);
         recent_.clear();
+        recent_pieces_ = 0;
     }
+    recent_pieces_ += cut.pieces.size();
     return recent_.emplace(key, std::move(cut)).first->second;
 }
 

@@ -50,7 +50,8 @@ class KnownCuts {
     double limit_ = 0;
     int max_pieces_ = 0;
     Cuts recent_;
-    Cuts before_;  // cuts older than these
+    std::size_t recent_pieces_ = 0;  // pieces of all of these
+    Cuts before_;                    // cuts older than these
 };
 
 }  // namespace curvecore::ref

@@ -30,7 +30,6 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     meter.take(ref::exact_point(cursor.segment(), cursor.segment().start, 0), 0);
     pictures.sample(0, cursor.index(), cursor.segment().start, true);
     for (std::uint64_t k = 0; k < samples; ++k) {
-        if (k % DrawnPlan::kSamplesHeld == 0) job.plan.let_go();
         const bool tick = source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
         pace.sample(cursor.s());

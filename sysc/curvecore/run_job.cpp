@@ -68,13 +68,9 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     const std::string waveform =
         options.trace && options.needs_rtl() ? folder.path("waves.fst") : "";
     const std::string pins = options.trace && options.in_system() ? folder.path("system") : "";
-    std::uint64_t let_go = 0;
     const auto progress = [&, this](std::uint64_t done) {
         InterruptGuard::check();
         bar->update(done);
-        if (done < let_go + DrawnPlan::kSamplesHeld) return;
-        job_.plan.let_go();
-        let_go = done;
     };
     std::unique_ptr<Board> board = make_board(job_, make_, waveform, pins);
     const BoardResult drawn = run_board(*board, {job_, samples, writer, pictures, progress});

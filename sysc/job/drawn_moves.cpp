@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/segment_batches.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "ref/text/input_error.hpp"
 
@@ -58,11 +58,15 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
 
 /// Checks travel and segments.
 bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
-    ref::Program drawn;
-    drawn.moves = moves;
+    ref::SegmentBatches batches({}, machine_, plan_options_);
     try {
-        ref::replace_splines(drawn, form_, tolerance_);
-        ref::make_geometry(drawn, machine_, plan_options_);
+        for (const ref::Move& move : moves) {
+            ref::Program drawn;
+            drawn.moves.push_back(move);
+            ref::replace_splines(drawn, form_, tolerance_);
+            for (const ref::Move& one : drawn.moves) batches.add(one);
+        }
+        batches.look();
     } catch (const ref::InputError&) {
         return false;
     }

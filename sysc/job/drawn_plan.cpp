@@ -43,15 +43,7 @@ std::pair<const std::uint64_t*, std::size_t> DrawnPlan::words_of(std::size_t pie
     const std::size_t first = first_word_[piece];
     const std::size_t end =
         piece + 1 < pieces.size() ? first_word_[piece + 1] : profile_words_.size();
-    return {profile_words_.begin() + first, end - first};
-}
-
-void DrawnPlan::let_go() const {
-    moves.let_go();
-    segments.let_go();
-    pieces.let_go();
-    profile_words_.let_go();
-    first_word_.let_go();
+    return {&profile_words_[first], end - first};
 }
 
 }  // namespace curvecore::sysc

@@ -13,9 +13,6 @@ namespace curvecore::sysc {
 
 class DrawnPlan : public ref::PlanFrame {
   public:
-    /// Number of samples whose plan takes some megabytes, however short its segments are.
-    static constexpr std::uint64_t kSamplesHeld = 100'000;
-
     FileList<ref::Move> moves;  // moves of the drawn path, complete before they are planned
     FileList<ref::Segment> segments;
     FileList<ref::ProfilePiece> pieces;
@@ -42,19 +39,6 @@ class DrawnPlan : public ref::PlanFrame {
     /// Number of segments of a kind.
     std::size_t count(ref::Segment::Kind kind) const { return kinds_[index(kind)].count; }
     double bound(ref::Segment::Kind kind) const { return kinds_[index(kind)].bound; }
-
-    /// Releases the memory of the lists; data that is read comes back.
-    void let_go() const;
-    /// Calls visit(segment, index) for all segments, in little memory.
-    template <class Visit>
-    void each_segment(Visit visit) const {
-        constexpr std::size_t kHeld = 8192;
-        for (std::size_t i = 0; i < segments.size(); ++i) {
-            if (i % kHeld == 0) let_go();
-            visit(segments[i], i);
-        }
-        let_go();
-    }
 
   private:
     struct OfKind {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/segment_batches.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/job/job_stream.hpp"
@@ -18,19 +18,12 @@ constexpr double kWorthAWarning = 0.01;  // share of a plan's time
 
 /// Number of segments of the path with the widest words.
 std::size_t fewest_segments(const Job& job) {
-    constexpr std::size_t kBatch = 500;
     ref::PlanOptions options = job.options.plan_options();
     options.format = widest_words();
-    ref::Program batch;
-    batch.file = job.program.file;
-    std::size_t segments = 0;
-    for (std::size_t i = 0; i < job.plan.moves.size(); ++i) {
-        batch.moves.push_back(job.plan.moves[i]);
-        if (batch.moves.size() < kBatch && i + 1 < job.plan.moves.size()) continue;
-        segments += ref::make_geometry(batch, job.machine, options).segments.size();
-        batch.moves.clear();
-    }
-    return segments;
+    ref::SegmentBatches batches(job.program.file, job.machine, options);
+    for (std::size_t i = 0; i < job.plan.moves.size(); ++i) batches.add(job.plan.moves[i]);
+    batches.look();
+    return batches.segments();
 }
 
 }  // namespace

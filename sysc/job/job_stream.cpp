@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "ref/geometry/geometry.hpp"
+#include "ref/geometry/segment_batches.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/core/core_clocks.hpp"
@@ -14,30 +14,10 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Check of travel and segments, a batch of moves at a time.
-class Looker {
-  public:
-    explicit Looker(const Job& job)
-        : machine_(job.machine), options_(segment_options(job.options)) {
-        batch_.file = job.program.file;
-    }
-
-    /// Adds a move. @throws ref::InputError, of one of the last moves
-    void add(const ref::Move& move) {
-        constexpr std::size_t kBatch = 500;
-        batch_.moves.push_back(move);
-        if (batch_.moves.size() == kBatch) look();
-    }
-    void look() {
-        ref::make_geometry(batch_, machine_, options_);
-        batch_.moves.clear();
-    }
-
-  private:
-    const ref::Machine& machine_;
-    ref::PlanOptions options_;
-    ref::Program batch_;
-};
+/// Batches of a program's moves, as they are read.
+ref::SegmentBatches batches(const Job& job) {
+    return {job.program.file, job.machine, segment_options(job.options)};
+}
 
 int aux_axes_of(const ref::Move& move) {
     int axes = 0;
@@ -101,7 +81,7 @@ void JobStream::look_at_program() {
     ref::ProgramStream program = open_program(job_.options);
     job_.program.file = program.file();
     Seen seen;
-    Looker looker(job_);
+    ref::SegmentBatches looker = batches(job_);
     for (ref::Move move; program.next(move);) {
         raise_feed(move, job_.options);
         seen.add(move);
@@ -128,7 +108,7 @@ void JobStream::look_at_drawn() {
     DrawnMoves moves(job_.options, job_.machine, form_);
     job_.program.file = moves.program().file();
     Seen seen;
-    Looker looker(job_);
+    ref::SegmentBatches looker = batches(job_);
     for (ref::Move move; read(moves, move);) {
         seen.add(move);
         looker.add(move);
@@ -262,7 +242,6 @@ Job JobStream::all(const LookAtPart& look) {
         if (look) look(job_, *part);
         watch(*part, limits);
         job_.plan.append(*part);
-        job_.plan.let_go();
     }
     job_.limits = limits.report();
     warn_of_segments(job_);

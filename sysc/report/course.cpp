@@ -22,7 +22,8 @@ Course course(const Job& job) {
     for (std::vector<Envelope>& slope : found.slope) slope.resize(Pictures::kBins);
     const double total = std::ldexp(static_cast<double>(plan.path_length()), -16);
     ref::CurveFollower curve;
-    plan.each_segment([&](const ref::Segment& segment, std::size_t) {
+    for (std::size_t n = 0; n < plan.segments.size(); ++n) {
+        const ref::Segment& segment = plan.segments[n];
         const double start = std::ldexp(static_cast<double>(segment.s_start), -16);
         const double length = std::ldexp(static_cast<double>(segment.length), -16);
         const ref::Move& move = plan.moves[segment.move];
@@ -41,7 +42,7 @@ Course course(const Job& job) {
                 found.slope[axis][bin].add(slope[static_cast<int>(axis)]);
             }
         }
-    });
+    }
     return found;
 }
 

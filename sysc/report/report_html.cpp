@@ -17,9 +17,6 @@ namespace {
 
 using Text = fmt::memory_buffer;
 
-/// Number of reads of the plan's file after which its memory is released.
-constexpr std::size_t kHeld = 256;
-
 template <class Values, class Format>
 void array(Text& text, const char* name, const Values& values, Format format) {
     fmt::format_to(std::back_inserter(text), ",\n\"{}\":[", name);
@@ -46,9 +43,7 @@ void path(Text& text, const Report& report, const Pictures& pictures) {
         fmt::format_to(out, "{:.6g}", std::ldexp(static_cast<double>(p.s), -16) * unit);
     });
     array(text, "t", points, [&](const PathPoint& p) { fmt::format_to(out, "{:.6g}", p.time); });
-    std::size_t looked = 0;
     array(text, "line", points, [&](const PathPoint& p) {
-        if (++looked % kHeld == 0) report.job.plan.let_go();
         fmt::format_to(out, "{}", report.job.plan.segments[p.segment].line);
     });
     array(text, "errors", pictures.errors(), [&](double e) { fmt::format_to(out, "{:.4g}", e); });

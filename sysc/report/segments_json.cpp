@@ -66,7 +66,8 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
         "{{\n\"unit_mm\": {:g}, \"quantum_units\": {}, \"words_bits\": 48,\n\"segments\": [",
         job.plan.unit_mm, std::ldexp(1.0, -16)));
     SegmentWriter writer(job.options.core, job.digest());
-    job.plan.each_segment([&](const ref::Segment& segment, std::size_t i) {
+    for (std::size_t i = 0; i < job.plan.segments.size(); ++i) {
+        const ref::Segment& segment = job.plan.segments[i];
         Text text;
         const auto out = std::back_inserter(text);
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
@@ -91,7 +92,7 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
         }
         fmt::format_to(out, "]}}");
         write(fmt::to_string(text));
-    });
+    }
     write("\n]\n}\n");
 }
 

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <utility>
 
 #include "sysc/board/board.hpp"
 #include "sysc/job/job.hpp"
@@ -14,6 +14,7 @@ namespace curvecore::sysc {
 
 class QueueGuard {
   public:
+    /// Creates a guard of a job, which must outlive it.
     explicit QueueGuard(const Job& job);
 
     /// Notes that a word has entered its queue.
@@ -27,18 +28,21 @@ class QueueGuard {
     /// Ticks of reserve: the counts of the hardware are older.
     static constexpr std::int64_t kAge = 10;
 
-    /// The words of segments or pieces, and the ticks of the plan that they cover, from the first.
+    /// The segments or pieces that have entered whole.
     struct Cover {
-        std::vector<std::uint64_t> words;
-        std::vector<std::int64_t> ticks;
-        std::uint64_t entered = 0;
-        std::size_t whole = 0;  // number of segments or pieces
+        std::size_t count = 0;      // of the plan
+        std::size_t whole = 0;      // entered whole
+        std::int64_t ticks = 0;     // ticks of the plan that these cover
+        std::uint64_t entered = 0;  // words
+        std::uint64_t next = 0;     // number of words with which one more is whole
 
-        void add(std::uint64_t more_words, std::int64_t more_ticks);
-        bool complete() const { return whole == words.size(); }
-        std::int64_t covered() const { return whole == 0 ? 0 : ticks[whole - 1]; }
+        bool complete() const { return whole == count; }
     };
 
+    /// The words and ticks of a segment or a piece.
+    std::pair<std::uint64_t, std::int64_t> item(Stream stream, std::size_t index) const;
+
+    const Job& job_;
     std::array<Cover, 2> covers_;  // by Stream
     std::int64_t stop_ticks_;
     int rate_log2_;           // rates that sum to a tick

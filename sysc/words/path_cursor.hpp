@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/plan/segment.hpp"
+#include "sysc/words/list_view.hpp"
 
 namespace curvecore::sysc {
 
@@ -13,8 +14,7 @@ class PathCursor {
   public:
     /// Creates a cursor on a plan of any kind, which must outlive it.
     template <class Plan>
-    explicit PathCursor(const Plan& plan)
-        : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
+    explicit PathCursor(const Plan& plan) : segments_(plan.segments) {
         skip();
     }
 
@@ -35,13 +35,13 @@ class PathCursor {
         return segments_[index].s_start + segments_[index].length;
     }
     void skip() {
-        while (index_ + 1 < count_ && (s_ > end(index_) || segments_[index_].length == 0)) {
+        while (index_ + 1 < segments_.size() &&
+               (s_ > end(index_) || segments_[index_].length == 0)) {
             ++index_;
         }
     }
 
-    const ref::Segment* segments_;
-    std::size_t count_;
+    ListView<ref::Segment> segments_;
     std::uint64_t s_ = 0;
     std::size_t index_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "hls/path_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "hls/time_scaler.hpp"
+#include "sysc/words/list_view.hpp"
 
 namespace curvecore::sysc {
 
@@ -13,8 +14,7 @@ class PathSource {
     /// Creates a source on a plan of any kind, which must outlive it.
     template <class Plan>
     PathSource(const Plan& plan, int samples_per_tick_log2, std::int32_t target)
-        : pieces_(&*plan.pieces.begin()),
-          count_(plan.pieces.size()),
+        : pieces_(plan.pieces),
           scaler_(plan.hold_acceleration,
                   std::int64_t(plan.hold_acceleration) * plan.hold_slope_steps),
           share_(samples_per_tick_log2),
@@ -26,7 +26,7 @@ class PathSource {
         if (tick) {
             rate_ = scaler_.tick(target_);
             const auto next_piece = [this](hls::ProfileWords& words) {
-                if (piece_ == count_) return false;
+                if (piece_ == pieces_.size()) return false;
                 words = hls::to_words(pieces_[piece_++]);
                 return true;
             };
@@ -44,8 +44,7 @@ class PathSource {
     bool active() const { return path_.active(); }
 
   private:
-    const ref::ProfilePiece* pieces_;
-    std::size_t count_;
+    ListView<ref::ProfilePiece> pieces_;
     hls::TimeScaler scaler_;
     hls::PathKernel path_;
     hls::SampleShare share_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ref/plan/segment.hpp"
+#include "sysc/words/list_view.hpp"
 
 namespace curvecore::sysc {
 
@@ -13,8 +14,7 @@ class StepWalk {
   public:
     /// Creates a walk on a plan of any kind, which must outlive it.
     template <class Plan>
-    explicit StepWalk(const Plan& plan)
-        : segments_(&*plan.segments.begin()), count_(plan.segments.size()) {
+    explicit StepWalk(const Plan& plan) : segments_(plan.segments) {
         open(0);
     }
 
@@ -33,8 +33,8 @@ class StepWalk {
   private:
     /// Opens the next segment that has a length. Returns false if there is none.
     bool open(std::size_t index) {
-        while (index < count_ && segments_[index].length == 0) ++index;
-        if (index == count_) return false;
+        while (index < segments_.size() && segments_[index].length == 0) ++index;
+        if (index == segments_.size()) return false;
         index_ = index;
         step_end_ = segments_[index].s_start;
         end_ = step_end_ + segments_[index].length;
@@ -47,8 +47,7 @@ class StepWalk {
         step_end_ = std::min(end_, step_end_ + (std::uint64_t{1} << exponent));
     }
 
-    const ref::Segment* segments_;
-    std::size_t count_;
+    ListView<ref::Segment> segments_;
     std::size_t index_ = 0;
     std::uint64_t step_end_ = 0;  // end of the step, program-wide path
     std::uint64_t end_ = 0;       // end of the segment, program-wide path

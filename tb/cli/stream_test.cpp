@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Programs of any length: words in bounded memory, equal to a plan's, and up to the last valid
-// block of a pipe.
+// Programs of any length: words equal to those of a plan, and up to the last valid block of a
+// pipe.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -8,29 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/cli/program_run.hpp"
+#include "tb/support/long_programs.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using Json = nlohmann::json;
-
-/// A raster over a surface in short chords, smoothed or not by `mode`.
-std::string raster(int chords, const char* mode) {
-    std::string text = fmt::format("G21 G90 {} F3000\n", mode);
-    double x = 0;
-    double step = 0.2;
-    for (int i = 0, row = 0; i < chords; ++i) {
-        x += step;
-        if (x > 40 || x < 0) {
-            step = -step;
-            x += step;
-            ++row;
-        }
-        text += fmt::format("G1 X{:.4f} Y{:.4f} Z{:.4f}\n", x, 0.05 * row,
-                            3 * std::sin(x / 5) * std::cos(0.05 * row / 7));
-    }
-    return text;
-}
 
 TEST(Stream, WordsOfALongProgramAreThoseOfItsPlan) {
     const ProgramRun program;
@@ -102,76 +85,6 @@ TEST(Stream, DrawsAsProgrammedWhatTheMachineCannotHaveSmooth) {
     const int smooth = words({"within.ngc"}, 0);
     EXPECT_LT(in_part, 0.98 * exact);
     EXPECT_LT(smooth, 0.98 * in_part);
-}
-
-/// Long moves: lines to and fro with corners, or arcs that go on into each other with a jump of
-/// the curvature at every joint.
-std::string strokes(int moves, const char* mode) {
-    std::string text = fmt::format("G21 G90 {} F6000\n", mode);
-    for (int i = 1; i <= moves; ++i) {
-        text += fmt::format("G1 X{} Y{}\n", i % 2 * 40 + i % 7, i % 11);
-    }
-    return text;
-}
-
-std::string waves(int arcs, const char* mode) {
-    std::string text = fmt::format("G21 G90 {} F6000\n", mode);
-    for (int i = 0; i < arcs; ++i) {
-        const int step = i / 50 % 2 == 0 ? 10 : -10;
-        text += fmt::format("G{} X{} Y0 I{} J0\n", i % 2 == 0 ? 3 : 2,
-                            step > 0 ? i % 50 * 10 + 10 : 490 - i % 50 * 10, step / 2);
-    }
-    return text;
-}
-
-/// The arguments of a command.
-class Memory : public testing::TestWithParam<std::vector<std::string>> {
-  protected:
-    long peak_kib(const std::string& text) const {
-        program_.write("part.ngc", text);
-        std::vector<std::string> arguments = GetParam();
-        arguments.insert(arguments.end(), {"part.ngc", "-q", "--effort", "rules", "-o", "out"});
-        const ProgramResult result = program_.run(arguments);
-        EXPECT_EQ(result.status, 0) << result.err;
-        return result.peak_kib;
-    }
-
-  private:
-    ProgramRun program_;
-};
-
-TEST_P(Memory, HasABoundForLongMoves) {
-    EXPECT_LT(peak_kib(strokes(3500, "G64 P0.01")), 64 * 1024);
-    EXPECT_LT(peak_kib(waves(3500, "G61")), 64 * 1024);
-}
-
-TEST_P(Memory, DoesNotGrowWithTheProgram) {
-    const long short_one = peak_kib(raster(15000, "G61"));
-    const long long_one = peak_kib(raster(60000, "G61"));
-    EXPECT_LT(long_one, 64 * 1024);
-    EXPECT_LT(long_one, 1.25 * static_cast<double>(short_one));
-}
-
-INSTANTIATE_TEST_SUITE_P(Of, Memory,
-                         testing::Values(std::vector<std::string>{"words"},
-                                         std::vector<std::string>{"plan"},
-                                         std::vector<std::string>{"run", "--on", "kernel"}),
-                         [](const auto& of) { return of.param.front(); });
-
-/// Motions that take hours: chords, and two lines.
-TEST(SlowPrograms, AreInTheSameMemory) {
-    std::string chords = "G21 G90 G64 P0.01 F6\n";
-    for (int i = 1; i <= 3000; ++i) {
-        chords += fmt::format("G1 X{} Y{:.2f}\n", i / 300 % 2 == 0 ? i % 300 : 300 - i % 300,
-                              i / 300 + i % 20 * 0.02);
-    }
-    const ProgramRun program;
-    for (const std::string& text : {chords, std::string("G21 G90 F1\nG1 X900\nG1 X0\n")}) {
-        program.write("part.ngc", text);
-        const ProgramResult result = program.run({"words", "part.ngc", "-q", "-o", "out"});
-        EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_LT(result.peak_kib, 64 * 1024) << text.substr(0, 40);
-    }
 }
 
 TEST(Stream, SegmentsAreWrittenUnlessTheyAreNotWanted) {
