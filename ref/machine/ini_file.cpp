@@ -30,6 +30,19 @@ std::string upper(std::string_view text) {
     return result;
 }
 
+/// Cuts off the comment that may follow.
+std::string_view without_comment(std::string_view text) {
+    return trim(text.substr(0, text.find_first_of("#;")));
+}
+
+std::optional<double> number_in(std::string_view text) {
+    if (!text.empty() && text[0] == '+') text.remove_prefix(1);
+    double number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = result.ec == std::errc() && result.ptr == text.data() + text.size();
+    return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace
 
 IniFile::IniFile(std::string_view text, const std::string& file) : file_(file) {
@@ -96,20 +109,24 @@ std::optional<double> IniFile::number(const std::string& section, const std::str
     if (!entry) {
         return std::nullopt;
     }
-    const std::string_view text =
-        trim(std::string_view(entry->value)
-                 .substr(0, entry->value.find_first_of("#;")));  // a comment may follow
+    const std::string_view text = without_comment(entry->value);
     if (text.empty()) {
         throw InputError(file_, entry->line, fmt::format("{} without a number", name));
     }
-    const std::size_t sign = text[0] == '+' ? 1 : 0;
-    double number = 0;
-    const auto result = std::from_chars(text.data() + sign, text.data() + text.size(), number);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size() ||
-        !std::isfinite(number)) {
+    const std::optional<double> number = number_in(text);
+    if (!number) {
         throw InputError(file_, entry->line, fmt::format("{} = {} is not a number", name, text));
     }
     return number;
+}
+
+std::map<std::string, double> IniFile::numbers() const {
+    std::map<std::string, double> found;
+    for (const auto& [name, entries] : entries_) {
+        const std::optional<double> number = number_in(without_comment(entries.front().value));
+        if (number) found[fmt::format("[{}]{}", name.first, name.second)] = *number;
+    }
+    return found;
 }
 
 double mm_per_unit(const IniFile& ini) {

@@ -31,6 +31,8 @@ class IniFile {
     std::optional<IniEntry> find(const std::string& section, const std::string& name) const;
     /// Returns the entry as a number. @throws InputError if it is none
     std::optional<double> number(const std::string& section, const std::string& name) const;
+    /// Returns every entry that is a number, the first of each name, as "[SECTION]NAME".
+    std::map<std::string, double> numbers() const;
 
   private:
     void read_line(std::string_view line, int number);

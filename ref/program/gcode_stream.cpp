@@ -3,10 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+#include <utility>
+
 namespace curvecore::ref {
 namespace {
 
 constexpr int kMostTimes = 1'000'000'000;
+/// Letters of G65's arguments: #1 is A, #26 is Z.
+constexpr std::string_view kArguments = "ABCIJKDEF H M   QRSTUVWXYZ";
+
+/// Takes G65's words out of the block; returns them as #1 .. #30.
+std::vector<double> macro_arguments(Block& block) {
+    std::vector<double> arguments(ProgramParameters::kArguments, 0.0);
+    for (std::size_t i = 0; i < kArguments.size(); ++i) {
+        const char letter = kArguments[i];
+        if (letter != ' ' && letter != 'M' && block.has(letter)) arguments[i] = block.take(letter);
+        if (letter != 'M' || block.m.empty()) continue;
+        arguments[i] = block.m.front();
+        block.m.clear();
+    }
+    return arguments;
+}
 
 }  // namespace
 
@@ -14,7 +32,12 @@ GcodeStream::GcodeStream(std::istream& text, const std::string& file, const Gcod
     : file_(file),
       recognised_(!options.dialect),
       interpreter_(file_, options.fit_tolerance, parameters_, options.start),
-      flow_(text, file_, parameters_, options.dialect) {
+      flow_(text, file_, parameters_, options.dialect, options.start.folders) {
+    const ProgramStart& start = options.start;
+    if (!start.startup.empty()) {
+        const Place place{start.ini, start.startup_line};
+        interpreter_.execute({words_of(start.startup, place), place, parameters_}, place);
+    }
     flow_.on_call = [this] { kept_.emplace_back(); };
     flow_.on_return = [this] { end_call(); };
 }
@@ -30,21 +53,22 @@ bool GcodeStream::read() {
     }
     Block block(line->words, place, parameters_);
     if (const std::optional<int> code = block.take_m({70, 71, 72, 73})) keep_modes(*code, place);
+    const bool macro = block.take_g(650);
     const std::optional<int> call = block.take_m({98, 99});
-    if (!call) return interpreter_.execute(block, place);
-    int number = 0;
+    if (!call && !macro) return interpreter_.execute(block, place);
+    const char* const name = macro ? "G65" : "M98";
+    std::optional<int> number;
     int times = 1;
-    if (call == 98) {
-        if (!block.has('P')) place.refuse("M98 without P, the number of a program");
-        number = whole_number('P', block.take('P'), 0, kMostTimes, place);
-        if (block.has('L')) times = whole_number('L', block.take('L'), 0, kMostTimes, place);
+    if (block.has('P')) number = whole_number('P', block.take('P'), 0, kMostTimes, place);
+    if (call == 99) {
+        return interpreter_.execute(block, place) && flow_.return_from_number(number);
     }
-    if (call == 99 && block.has('P')) {
-        place.refuse("M99 with P would go on at another block: a call returns to its own");
-    }
+    if (!number) place.refuse(fmt::format("{} without P, the number of a program", name));
+    if (block.has('L')) times = whole_number('L', block.take('L'), 0, kMostTimes, place);
+    std::optional<std::vector<double>> arguments;
+    if (macro) arguments = macro_arguments(block);
     if (!interpreter_.execute(block, place)) return false;
-    if (call == 99) return flow_.return_from_number();
-    flow_.call_number(number, times);
+    flow_.call_number(*number, times, std::move(arguments));
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "ref/program/gcode_stream.hpp"
 #include "ref/text/input_error.hpp"
@@ -36,7 +37,7 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
         return;
     }
     if (is_points_file(file)) {
-        whole_ = read_points(file, points);
+        whole_ = {read_points(file, points), {}, {}};
         return;
     }
     const std::string kind = kind_of(file);
@@ -51,7 +52,8 @@ ProgramStream::ProgramStream(const std::string& file, const PointsOptions& point
     gcode_ = open ? open(file) : std::make_unique<GcodeStream>(*text_, file, options);
 }
 
-ProgramStream::ProgramStream(Program program) : file_(program.file), whole_(std::move(program)) {}
+ProgramStream::ProgramStream(HeldProgram program)
+    : file_(program.file), whole_(std::move(program)) {}
 
 bool ProgramStream::next(Move& move) {
     if (gcode_) return gcode_->next(move);
@@ -61,7 +63,7 @@ bool ProgramStream::next(Move& move) {
 }
 
 std::optional<Dialect> ProgramStream::dialect() const {
-    return gcode_ ? gcode_->dialect() : std::nullopt;
+    return gcode_ ? gcode_->dialect() : whole_.dialect;
 }
 
 int ProgramStream::aux_axes() const { return gcode_ ? gcode_->aux_axes() : whole_.aux_axes; }
@@ -70,6 +72,11 @@ const std::vector<std::string>& ProgramStream::warnings() const {
     return gcode_ ? gcode_->warnings() : whole_.warnings;
 }
 
-Events ProgramStream::events() const { return gcode_ ? gcode_->events() : Events(); }
+Events ProgramStream::events() const { return gcode_ ? gcode_->events() : whole_.events; }
+
+HeldProgram ProgramStream::held() {
+    Program program = read_all(*this, file_);
+    return {std::move(program), events(), dialect()};
+}
 
 }  // namespace curvecore::ref

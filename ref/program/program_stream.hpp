@@ -27,6 +27,12 @@ bool is_points_file(const std::string& file);
 /// Opens G-code with another interpreter. @throws InputError
 using OpenProgram = std::function<std::unique_ptr<MoveStream>(const std::string& file)>;
 
+/// Whole program with all that its stream told.
+struct HeldProgram : Program {
+    Events events;
+    std::optional<Dialect> dialect;
+};
+
 class ProgramStream : public MoveStream {
   public:
     /// Opens a file by its extension, in upper or lower case: .csv as points with `points`,
@@ -35,7 +41,7 @@ class ProgramStream : public MoveStream {
     ProgramStream(const std::string& file, const PointsOptions& points,
                   const OpenProgram& open = {}, const GcodeOptions& gcode = {});
     /// Makes a stream of a whole program.
-    explicit ProgramStream(Program program);
+    explicit ProgramStream(HeldProgram program);
 
     bool next(Move& move) override;
 
@@ -45,12 +51,14 @@ class ProgramStream : public MoveStream {
     int aux_axes() const override;
     const std::vector<std::string>& warnings() const override;
     Events events() const override;
+    /// Reads all of it. @throws InputError
+    HeldProgram held();
 
   private:
     std::string file_;
     std::unique_ptr<std::istream> text_;
     std::unique_ptr<MoveStream> gcode_;
-    Program whole_;  // the program if there is no such stream
+    HeldProgram whole_;  // the program if there is no such stream
     std::size_t next_ = 0;
 };
 

@@ -114,7 +114,8 @@ int cam_command(const CamOptions& options) {
     warn_of_delta(options, surface, moves);
     CamWatch watch(surface, truth, options.delta, cut.jumps);
     Options drawn = options.common;
-    drawn.program = std::make_shared<const ref::Program>(std::move(moves));
+    drawn.program =
+        std::make_shared<const ref::HeldProgram>(ref::HeldProgram{std::move(moves), {}, {}});
     Runner runner(std::move(drawn));
     watch.draws(runner.job());
     RunExtras extras;

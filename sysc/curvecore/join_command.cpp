@@ -175,7 +175,8 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
     joined.warnings.insert(joined.warnings.begin(), b.warnings.begin(), b.warnings.end());
     joined.warnings.insert(joined.warnings.begin(), a.warnings.begin(), a.warnings.end());
     Options drawn = options;
-    drawn.program = std::make_shared<const Program>(std::move(joined));
+    drawn.program =
+        std::make_shared<const ref::HeldProgram>(ref::HeldProgram{std::move(joined), {}, {}});
     Runner runner(std::move(drawn));
     OutputFolder folder(options.folder);
     if (!options.quiet) print_design(file);

@@ -47,7 +47,8 @@ ref::Program Homing::line(int axis, double way_mm, double speed) const {
 bool Homing::drive(int axis, double way_mm, double speed, Until until) {
     Options options = options_;
     options.exact_path = true;
-    options.program = std::make_shared<const ref::Program>(line(axis, way_mm, speed));
+    options.program = std::make_shared<const ref::HeldProgram>(
+        ref::HeldProgram{line(axis, way_mm, speed), {}, {}});
     ref::Machine machine = machine_of(options);
     for (ref::AxisLimits& limits : machine.axis) {
         limits.min = -ref::kUnlimited;

@@ -87,8 +87,8 @@ Job plan_job(const Options& options) { return JobStream(options).all(); }
 
 void hold_input(Options& options) {
     if (options.file != ref::kStandardInput || options.program) return;
-    options.program = std::make_shared<const ref::Program>(
-        ref::read_program(options.file, options.points, options.open_program, options.gcode));
+    ref::ProgramStream input(options.file, options.points, options.open_program, options.gcode);
+    options.program = std::make_shared<const ref::HeldProgram>(input.held());
 }
 
 void raise_feed(ref::Move& move, const Options& options) {

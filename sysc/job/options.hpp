@@ -28,7 +28,7 @@ struct Options {
     ref::PointsOptions points;
     ref::GcodeOptions gcode;
     ref::OpenProgram open_program;  // interpreter other than this program's; empty: none
-    std::shared_ptr<const ref::Program> program;  // generated program that replaces the file
+    std::shared_ptr<const ref::HeldProgram> program;  // generated program that replaces the file
     ref::Effort effort = ref::Effort::kOptimum;
     ref::Holds holds = ref::Holds::kBranches;
     bool exact_path = false;              // true: G64's tolerance is not used

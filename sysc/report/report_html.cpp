@@ -61,6 +61,21 @@ void envelope(Text& text, const char* name, const std::vector<Envelope>& bins) {
     });
 }
 
+/// Counts each code; names its first line and place.
+nlohmann::ordered_json kinds_of(const ref::Events& events) {
+    std::vector<std::size_t> times(events.codes().size());
+    std::vector<const ref::Events::Event*> first(times.size());
+    for (const ref::Events::Event& event : events.list()) {
+        const auto code = static_cast<std::size_t>(event.code);
+        if (times[code]++ == 0) first[code] = &event;
+    }
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (std::size_t code = 0; code < times.size(); ++code) {
+        rows.push_back({events.codes()[code], times[code], first[code]->line, first[code]->length});
+    }
+    return rows;
+}
+
 std::string data(const Report& report, const Pictures& pictures) {
     const Job& job = report.job;
     nlohmann::ordered_json head;
@@ -102,6 +117,7 @@ std::string data(const Report& report, const Pictures& pictures) {
             }
         }
     }
+    head["events"] = kinds_of(job.events);
     head["windows"] = limits_rows(job, report.limits);
     head["notes"] = job.machine.notes;
     head["warnings"] = job.program.warnings;

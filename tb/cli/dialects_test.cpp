@@ -65,6 +65,50 @@ TEST(Dialects, ChangeWhatIsDrawn) {
     EXPECT_EQ(program.read("out/segments.hex"), thousandths);
 }
 
+TEST(Dialects, AreJoined) {
+    const ProgramRun program;
+    const char* const second = "G0 X2 Y14\nG3 X-10 Y12 I-1.170474 J-29.977158 F2000\n";
+    program.write("a.ngc", "G1 X-10 F1500\nG3 X0 Y2.679492 I0 J20\n");
+    program.write("b.ngc", second);
+    ASSERT_EQ(program.run({"join", "a.ngc", "b.ngc", "-q", "--on", "kernel", "-o", "out"}).status,
+              0);
+    const std::string joined = program.read("out/join.ngc");
+    program.write("a.ngc", "G1 X-10000 F1500\nG3 X0 Y2.679492 J20000\n");
+    program.write("b.ngc", "G0 X2000 Y14000\nG3 X-10000 Y12. I-1.170474 J-29.977158 F2000\n");
+    const Arguments join{"join", "a.ngc", "b.ngc",  "--dialect", "fanuc",
+                         "-q",   "--on",  "kernel", "-o",        "out"};
+    const ProgramResult done = program.run(join);
+    EXPECT_EQ(done.status, 0) << done.err;
+    EXPECT_NE(done.err.find("a.ngc:1: warning: an axis' number without a point"),
+              std::string::npos);
+    EXPECT_EQ(program.read("out/join.ngc"), joined);
+}
+
+TEST(Dialects, AndEventsOfStandardInputAreInTheReport) {
+    const ProgramRun shell("/bin/sh");
+    shell.write("part.gcode", "$H\nM3 S500\nG1 X5 Y5 F1200\nM5\nM3\n");
+    const auto run = [&shell](const std::string& command) {
+        return shell.run({"-c", CURVECORE_PROGRAM " " + command + " -q -o out"});
+    };
+    ASSERT_EQ(run("plan part.gcode").status, 0);
+    const nlohmann::json file = report(shell);
+    EXPECT_EQ(file["events"].size(), 5U);
+    ASSERT_EQ(run("plan - < part.gcode").status, 0);
+    EXPECT_EQ(report(shell)["events"], file["events"]);
+    EXPECT_EQ(report(shell)["dialect"], "grbl");
+    const std::string kinds =
+        R"("events":[["$H",1,1,0.0],["S",1,2,0.0],["M3",2,2,0.0],["M5",1,4,7.0710678118654755]])";
+    EXPECT_NE(shell.read("out/report.html").find(kinds), std::string::npos);
+    for (const char* const command : {"compare - --set CoefBits=32", "explore -"}) {
+        const ProgramResult result = run(command + std::string(" < part.gcode"));
+        EXPECT_EQ(result.status, 0) << command << ": " << result.err;
+        EXPECT_NE(result.err.find("stdin: warning: read as G-code of grbl"), std::string::npos);
+        EXPECT_NE(result.err.find("$H in line 1; S in line 2; M3 in lines 2 and 5"),
+                  std::string::npos)
+            << result.err;
+    }
+}
+
 TEST(Dialects, ThatDoNotExistAreRefused) {
     const ProgramRun program;
     program.write("part.ngc", "G1 X5 F600\n");

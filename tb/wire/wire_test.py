@@ -102,6 +102,16 @@ class WireTest(unittest.TestCase):
             self.assertGreater(len(steps), 1000)
             self.check_equal(sorted(times(steps)), sorted(times(expected)))
 
+    def test_a_dialects_part_is_drawn(self):
+        plain, _ = self.draw("--fast")
+        self.part.write_text(PART.replace("X40 Y20 I0", "X40000 Y20. I0").replace("X20 ", "X20. ")
+                             .replace("Y40\n", "Y40.\n")
+                             .replace(f"J{RADIUS}", f"J{RADIUS}000"), encoding="ascii")
+        board = self.board("--fast", name="fanuc")
+        self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--dialect", "fanuc"),
+                    text="an axis' number without a point counts in 0.001 mm")
+        self.check_equal(board.end(), plain)
+
     def test_override_above_100_percent_is_planned(self):
         durations = []
         for percent in ("100", "200"):

@@ -147,6 +147,13 @@ std::optional<int> Block::take_m(std::initializer_list<int> codes) {
     return code;
 }
 
+bool Block::take_g(int code) {
+    const auto found = std::find(g.begin(), g.end(), code);
+    if (found == g.end()) return false;
+    g.erase(found);
+    return true;
+}
+
 void Block::check_all_used(const Place& place) const {
     const std::bitset<26> left = given_ & ~used_;
     for (int i = 0; i < 26; ++i) {

@@ -42,6 +42,8 @@ class Block {
     double take(char letter);
     /// Returns one of these M codes and removes it.
     std::optional<int> take_m(std::initializer_list<int> codes);
+    /// Takes this G code, in tenths, out of the block; returns false if it is not there.
+    bool take_g(int code);
     bool used(char letter) const { return used_[letter - 'A']; }
     /// @throws InputError if a letter was given and not used
     void check_all_used(const Place& place) const;

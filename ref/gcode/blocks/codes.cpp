@@ -71,6 +71,10 @@ std::optional<Group> g_group(int code) {
         case 210:
             return Group::kUnits;
         case 400:
+        case 410:
+        case 411:
+        case 420:
+        case 421:
             return Group::kCompensation;
         case 430:
         case 431:
@@ -149,11 +153,8 @@ Group m_group(int code) {
 /// not.
 std::string_view g_refusal(int code) {
     const int whole = code / 10;
-    if (whole == 41 || whole == 42) {
-        return "cutter compensation belongs to LinuxCNC's interpreter";
-    }
     if (whole >= 70 && whole <= 72) {
-        return "turning cycles belong to LinuxCNC's interpreter";
+        return "turning cycles belong to LinuxCNC's interpreter (--interpreter linuxcnc)";
     }
     if (whole >= 17 && whole <= 19) {
         return "arcs of U V W are not supported";

@@ -13,6 +13,27 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = OWord::Kind;
 
+/// Reads the first file of that folder with one of these names.
+std::shared_ptr<const KeptText> text_in(const fs::path& folder,
+                                        const std::vector<std::string>& names,
+                                        const std::string& extension, Dialect dialect) {
+    for (const std::string& name : names) {
+        for (const std::string& ending : {std::string(".ngc"), extension}) {
+            auto text = std::make_shared<KeptText>();
+            text->file = folder / (name + ending);
+            std::error_code error;
+            if (!fs::is_regular_file(text->file, error)) continue;
+            std::ifstream stream = open_text_file(text->file);
+            ProgramLines lines(stream, text->file, dialect);
+            while (std::optional<ProgramLine> line = lines.next()) {
+                text->lines.push_back(std::move(*line));
+            }
+            return text;
+        }
+    }
+    return {};
+}
+
 }  // namespace
 
 bool of_subs(Kind kind) {
@@ -70,8 +91,9 @@ std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, co
     return std::nullopt;
 }
 
-std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
-                                            Dialect dialect) {
+std::shared_ptr<const KeptText> file_of_sub(const std::string& program,
+                                            const std::vector<std::string>& folders,
+                                            const std::string& label, Dialect dialect) {
     std::vector<std::string> names{label, "O" + label, "o" + label, fmt::format("O{:0>4}", label)};
     if (label[0] == '<') {
         names = {label.substr(1, label.size() - 2)};
@@ -79,19 +101,9 @@ std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const st
         if (names[0].find_first_not_of(safe) != std::string::npos) return {};
     }
     const fs::path path(program);
-    for (const std::string& name : names) {
-        for (const std::string& extension : {std::string(".ngc"), path.extension().string()}) {
-            auto text = std::make_shared<KeptText>();
-            text->file = path.parent_path() / (name + extension);
-            std::error_code error;
-            if (!fs::is_regular_file(text->file, error)) continue;
-            std::ifstream stream = open_text_file(text->file);
-            ProgramLines lines(stream, text->file, dialect);
-            while (std::optional<ProgramLine> line = lines.next()) {
-                text->lines.push_back(std::move(*line));
-            }
-            return text;
-        }
+    if (auto text = text_in(path.parent_path(), names, path.extension(), dialect)) return text;
+    for (const std::string& folder : folders) {
+        if (auto text = text_in(folder, names, path.extension(), dialect)) return text;
     }
     return {};
 }

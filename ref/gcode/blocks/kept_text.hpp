@@ -18,7 +18,7 @@ struct KeptText {
     Place place(std::size_t at) const { return {file, lines[at].number}; }
     /// @throws InputError
     std::optional<OWord> word(std::size_t at, const ProgramParameters& parameters) const {
-        return read_o_word(lines[at].words, parameters, place(at));
+        return read_o_word_ahead(lines[at].words, parameters, place(at));
     }
 };
 
@@ -44,9 +44,10 @@ std::optional<KeptPart> find_sub(const std::shared_ptr<const KeptText>& text, co
                                  const ProgramParameters& parameters);
 
 /// Returns the file that a call names: NAME.ngc, or NAME with the program's own extension, in the
-/// program's folder; a number may also be written as O100 and O0100. None: there is no such file.
-/// @throws InputError
-std::shared_ptr<const KeptText> file_of_sub(const std::string& program, const std::string& label,
-                                            Dialect dialect);
+/// program's folder, else in one of `folders`; a number may also be written as O100 and O0100.
+/// None: there is no such file. @throws InputError
+std::shared_ptr<const KeptText> file_of_sub(const std::string& program,
+                                            const std::vector<std::string>& folders,
+                                            const std::string& label, Dialect dialect);
 
 }  // namespace curvecore::ref

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ref/gcode/blocks/value_reader.hpp"
+#include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -87,6 +88,18 @@ std::optional<OWord> read_o_word(const std::string& words, const ProgramParamete
     }
     word.arguments = words.size() - reader.rest().size();
     return word;
+}
+
+std::optional<OWord> read_o_word_ahead(const std::string& words,
+                                       const ProgramParameters& parameters, const Place& place) {
+    const std::size_t label = words.find_first_of("O:");
+    const bool value = label < words.size() && words.find_first_of("#[", label) == label + 1;
+    try {
+        return read_o_word(words, parameters, place);
+    } catch (const InputError&) {
+        if (!value) throw;
+        return std::nullopt;
+    }
 }
 
 std::vector<double> o_word_arguments(const OWord& word, const std::string& words,

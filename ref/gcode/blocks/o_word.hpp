@@ -47,6 +47,11 @@ struct OWord {
 std::optional<OWord> read_o_word(const std::string& words, const ProgramParameters& parameters,
                                  const Place& place);
 
+/// Reads the O-word of a line that is looked at, but not executed: a label that is a value (o#1,
+/// o[#2+1]) may have none yet, and then names nothing.
+std::optional<OWord> read_o_word_ahead(const std::string& words,
+                                       const ProgramParameters& parameters, const Place& place);
+
 /// Evaluates the brackets behind it. @throws InputError
 std::vector<double> o_word_arguments(const OWord& word, const std::string& words,
                                      const ProgramParameters& parameters, const Place& place);

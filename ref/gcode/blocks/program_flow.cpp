@@ -15,8 +15,13 @@ using Kind = OWord::Kind;
 }  // namespace
 
 ProgramFlow::ProgramFlow(std::istream& text, const std::string& file, ProgramParameters& parameters,
-                         std::optional<Dialect> dialect)
-    : file_(file), lines_(text, file, dialect), parameters_(parameters), runs_(1) {
+                         std::optional<Dialect> dialect, std::vector<std::string> folders)
+    : stream_(text),
+      file_(file),
+      folders_(std::move(folders)),
+      lines_(text, file, dialect),
+      parameters_(parameters),
+      runs_(1) {
     parameters_.compute("_value", [this] { return value_; });
     parameters_.compute("_value_returned", [this] { return value_returned_ ? 1 : 0; });
     parameters_.compute("_call_level", [this] { return parameters_.calls(); });
@@ -43,6 +48,7 @@ const ProgramLine* ProgramFlow::next() {
             return nullptr;
         }
         count();
+        if (obey_macro()) continue;
         const std::optional<OWord> found = word();
         if (!found) return &line_;
         obey(*found);
@@ -65,16 +71,18 @@ bool ProgramFlow::fetch() {
 }
 
 void ProgramFlow::count() {
-    if (runs_.size() == 1) return;
     const Run& run = runs_.back();
+    const bool in_program = run.kind == Run::Kind::kProgram;
+    if (in_program && goto_line_ == 0) return;
+    const auto refuse = [&](int blocks, const char* which) {
+        place().refuse(fmt::format("{} blocks {}: does {} of line {} ever end?", blocks, which,
+                                   in_program ? "GOTO" : run.word.name(),
+                                   in_program ? goto_line_ : run.part.line()));
+    };
     if (++blocks_without_move_ > kMostBlocksWithoutMove) {
-        place().refuse(fmt::format("{} blocks without a move: does {} of line {} ever end?",
-                                   kMostBlocksWithoutMove, run.word.name(), run.part.line()));
+        refuse(kMostBlocksWithoutMove, "without a move");
     }
-    if (++blocks_again_ > kMostBlocksAgain) {
-        place().refuse(fmt::format("{} blocks of loops and calls: does {} of line {} ever end?",
-                                   kMostBlocksAgain, run.word.name(), run.part.line()));
-    }
+    if (++blocks_again_ > kMostBlocksAgain) refuse(kMostBlocksAgain, "of loops and calls");
 }
 
 std::optional<OWord> ProgramFlow::word() const {
@@ -100,8 +108,10 @@ void ProgramFlow::obey(const OWord& word) {
         case Kind::kReturn:
             return end_sub(word);
         case Kind::kCall: {
-            const std::vector<double> values = arguments(word);
-            return enter(run_of({Kind::kSub, word.label}), &values);
+            std::vector<double> values = arguments(word);
+            Run run = run_of({Kind::kSub, word.label});
+            run.arguments = std::move(values);
+            return enter(std::move(run));
         }
         case Kind::kIf:
             if (!is_true(word)) return skip_branches(word, false);
@@ -138,7 +148,7 @@ void ProgramFlow::end_branch(const OWord& word) {
 void ProgramFlow::skip_branches(const OWord& begin, bool done) {
     const int line = line_.number;
     while (fetch()) {
-        const std::optional<OWord> found = word();
+        const std::optional<OWord> found = read_o_word_ahead(line_.words, parameters_, place());
         if (!found || found->label != begin.label || of_subs(found->kind)) continue;
         const bool branch = found->kind == Kind::kElse || found->kind == Kind::kElseif;
         if (found->kind == Kind::kEndif) return;
@@ -242,128 +252,6 @@ void ProgramFlow::leave_loop(const OWord& word) {
         runs_.back().ifs.clear();
         runs_.back().at = runs_.back().part.end - 1;
     }
-}
-
-ProgramFlow::Run* ProgramFlow::running_sub() {
-    auto run = runs_.rbegin();
-    while (run->kind == Run::Kind::kLoop) ++run;
-    return run->kind == Run::Kind::kProgram ? nullptr : &*run;
-}
-
-void ProgramFlow::define(const OWord& word) {
-    arguments(word);
-    Run& run = runs_.back();
-    if (run.kind != Run::Kind::kProgram) {
-        place().refuse(fmt::format("{} inside of {}: a sub is defined on its own", word.name(),
-                                   run.word.name()));
-    }
-    const auto known = subs_.find(word.label);
-    if (known == subs_.end()) {
-        const KeptPart part = keep(word);
-        subs_.emplace(word.label, part);
-        return;
-    }
-    const KeptPart& sub = known->second;
-    if (sub.text != run.text() || sub.begin != run.at - 1) {
-        place().refuse(fmt::format("{} is there already, in line {}", word.name(), sub.line()));
-    }
-    run.at = sub.end;  // found by a call
-}
-
-void ProgramFlow::end_sub(const OWord& word) {
-    Run* const sub = running_sub();
-    const bool returns = word.kind == Kind::kReturn;  // whatever its label
-    if (sub == nullptr || (!returns && sub->word.label != word.label)) {
-        place().refuse(returns ? fmt::format("{} outside of a sub", word.name())
-                               : fmt::format("{} outside of o{} sub", word.name(), word.label));
-    }
-    if (sub->kind == Run::Kind::kNumber) {
-        place().refuse(
-            fmt::format("{} where M98 has called {}: M99 ends it", word.name(), sub->word.name()));
-    }
-    if (word.kind == Kind::kEndsub && !sub->ifs.empty()) {
-        place().refuse(
-            fmt::format("{} within o{} if, which began in the sub", word.name(), sub->ifs.back()));
-    }
-    const std::vector<double> values = arguments(word);
-    value_returned_ = !values.empty();
-    value_ = value_returned_ ? values.front() : 0;
-    leave_sub();
-}
-
-void ProgramFlow::enter(Run run, const std::vector<double>* arguments) {
-    try {
-        if (arguments != nullptr) {
-            parameters_.enter(*arguments);
-        } else {
-            parameters_.enter_sharing();
-        }
-    } catch (const ParameterError& error) {
-        place().refuse(fmt::format("{}: {} is called by itself?", error.what(), run.word.name()));
-    }
-    if (run.called_in == 0) run.called_in = place().program_line;
-    run.at = run.part.begin + 1;
-    runs_.push_back(std::move(run));
-    on_call();
-}
-
-void ProgramFlow::leave_sub() {
-    while (runs_.back().kind == Run::Kind::kLoop) runs_.pop_back();
-    runs_.pop_back();
-    parameters_.leave();
-    on_return();
-}
-
-void ProgramFlow::call_number(int number, int times) {
-    if (times == 0) return;
-    Run run = run_of({Kind::kNumber, std::to_string(number)});
-    run.left = times;
-    enter(std::move(run), nullptr);
-}
-
-bool ProgramFlow::return_from_number() {
-    Run* const sub = running_sub();
-    if (sub == nullptr) return false;
-    if (sub->kind == Run::Kind::kSub) {
-        place().refuse(
-            fmt::format("M99 in {}: o{} endsub ends it", sub->word.name(), sub->word.label));
-    }
-    Run again = *sub;
-    leave_sub();
-    if (--again.left > 0) enter(std::move(again), nullptr);
-    return true;
-}
-
-/// Returns the sub, or the program of that number, that a call names.
-ProgramFlow::Run ProgramFlow::run_of(const OWord& begin) {
-    const bool sub = begin.kind == Kind::kSub;
-    std::map<std::string, KeptPart>& known = sub ? subs_ : numbers_;
-    if (known.count(begin.label) == 0) {
-        const std::shared_ptr<const KeptText> file =
-            file_of_sub(file_, begin.label, lines_.dialect());
-        if (!file) keep_rest();
-        std::optional<KeptPart> part = find_sub(file ? file : runs_[0].text(), begin, parameters_);
-        if (!part) {
-            place().refuse(file ? fmt::format("{} has no {}", file->file, begin.name())
-                                : fmt::format("there is no {}: neither in this program nor in a "
-                                              "file beside it",
-                                              begin.name()));
-        }
-        known.emplace(begin.label, *part);
-    }
-    Run run;
-    run.kind = sub ? Run::Kind::kSub : Run::Kind::kNumber;
-    run.word = begin;
-    run.part = known.at(begin.label);
-    return run;
-}
-
-void ProgramFlow::keep_rest() {
-    Run& program = runs_.front();
-    if (program.text()) return;
-    auto rest = std::make_shared<KeptText>(KeptText{file_, {}});
-    while (std::optional<ProgramLine> line = lines_.next()) rest->lines.push_back(std::move(*line));
-    program.part = {rest, 0, rest->lines.size()};
 }
 
 }  // namespace curvecore::ref

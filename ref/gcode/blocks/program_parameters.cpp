@@ -41,9 +41,15 @@ double ProgramParameters::named(const std::string& name) const {
     const Names& names = names_of(name);
     const auto found = names.find(name);
     if (found != names.end()) return found->second;
-    if (name.rfind("_ini[", 0) == 0 || name.rfind("_hal[", 0) == 0) {
-        throw ParameterError(fmt::format(
-            "#<{}> is a value of LinuxCNC's machine: --interpreter linuxcnc knows it", name));
+    if (name.rfind("_ini[", 0) == 0) {
+        throw ParameterError(
+            fmt::format("#<{}> is no number of the machine's .ini: --machine names it", name));
+    }
+    if (name.rfind("_hal[", 0) == 0) {
+        throw ParameterError(
+            fmt::format("#<{0}> is a pin of LinuxCNC's machine while it runs: "
+                        "give its value in a line before, as #<{0}>=1",
+                        name));
     }
     throw ParameterError(fmt::format("#<{}> has no value yet: assign it before", name));
 }

@@ -102,7 +102,10 @@ void Interpreter::use_spindle_and_tool(Block& block, const Codes& codes, const P
         modes_.speed = speed;
         moves_.leave_out("S", place, speed, true);
     }
-    if (codes.of(Group::kSpindleMode) == 960 && block.has('D')) block.use('D');  // its limit
+    if (const std::optional<int> mode = codes.of(Group::kSpindleMode)) {
+        modes_.surface_speed = mode == 960;
+        if (modes_.surface_speed && block.has('D')) block.use('D');  // its limit
+    }
     if (block.has('T')) {
         selected_tool_ = whole_number('T', block.use('T'), 0, kLargestTool, place);
         moves_.leave_out("T", place, selected_tool_);
@@ -169,6 +172,10 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
     if (const std::optional<int> diameter = codes.of(Group::kDiameter)) {
         coordinates_.set_diameter(diameter == 70);
     }
+    if (const std::optional<int> code = codes.of(Group::kCompensation)) {
+        compensation_ = *code;
+        if (compensation_ != 400) check_radius(block, place);
+    }
     if (const std::optional<int> length = codes.of(Group::kToolLength)) {
         set_tool_length(*length, block, place);
     }
@@ -183,6 +190,7 @@ void Interpreter::set_modes(Block& block, const Codes& codes, const Place& place
     }
     if (const std::optional<int> distance = codes.of(Group::kArcDistance)) {
         modes_.absolute_centre = distance == 901;
+        centres_shown_ = true;
     }
     if (const std::optional<int> retract = codes.of(Group::kReturn)) {
         modes_.retract_to_r = retract == 990;

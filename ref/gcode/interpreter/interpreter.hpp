@@ -3,9 +3,9 @@
 //
 // A block is executed in RS274/NGC's order: feed, spindle and tool, dwell, modes, offsets, motion,
 // stop. There is one difference: an F word is read in the units of its own block (G20 F10 is 10
-// inches a minute). The machine starts at 0 on all axes with G8 G17 G21 G40 G49 G54 G64 G90 G91.1
-// G94 G99 and no motion mode; stored positions (G28, G30), offsets and lengths of tools are those
-// of its ProgramStart.
+// inches a minute). The machine starts at 0 on all axes with G8 G17 G21 (a machine of inches: G20)
+// G40 G49 G54 G64 G90 G91.1 G94 G99 and no motion mode; stored positions (G28, G30), offsets and
+// lengths of tools are those of its ProgramStart.
 #pragma once
 
 #include <array>
@@ -65,6 +65,7 @@ class Interpreter {
     static double use_p(Block& block, const Place& place);
     void dwell(Block& block, const Place& place);
     void set_path_control(int control, Block& block, const Place& place);
+    void check_radius(Block& block, const Place& place);
     void set_tool_length(int code, Block& block, const Place& place);
     static bool takes_axes(int action);
     void set_offsets(int action, Block& block, const Codes& codes, const Place& place);
@@ -82,14 +83,15 @@ class Interpreter {
     void go_home(const Point& stored, Block& block, const Place& place);
     void use_leftovers(Block& block, const Place& place);
     void move(Block& block, const Codes& codes, const Place& place);
+    void take_rapid(const Place& place);
     void line(const Point& target, bool rapid, const Place& place);
     void cycle(bool again, Block& block, const Place& place);
     void carry_out(const CycleStep& step, const Place& place);
     void arc(Block& block, const Place& place);
     Eigen::Vector2d plane_centre(Block& block, const Eigen::Vector2d& start,
                                  const Place& place) const;
-    void check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
-                     const Eigen::Vector2d& centre, const Place& place) const;
+    Eigen::Vector2d fitted_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
+                                  const Eigen::Vector2d& centre, const Place& place);
     ArcTolerance arc_tolerance() const;
     void space_arc(Block& block, const Codes& codes, const Place& place);
     void check_nothing_waits(const Place& place) const;
@@ -132,7 +134,10 @@ class Interpreter {
     Coordinates coordinates_;
     Modes modes_;
     int motion_ = kNoMotion;  // G code in tenths
+    bool motion_said_ = false;
+    bool centres_shown_ = false;  // as relative or absolute, by G90.1 G91.1 or by an arc
     ToolTable tools_;
+    int compensation_ = 400;  // G code in tenths; the tool has no radius
     int selected_tool_ = 0;
     int tool_ = 0;                         // tool in the spindle
     double parameter_unit_;                // mm, the machine's unit

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The interpreter's moves: lines, arcs in the three planes, arcs through three points, feeds.
+// The interpreter's moves: which one a block asks for, lines, feeds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +8,9 @@
 
 #include "ref/gcode/cycles/thread_cycles.hpp"
 #include "ref/gcode/interpreter/interpreter.hpp"
-#include "ref/moves/asked_arc.hpp"
 
 namespace curvecore::ref {
 namespace {
-
-constexpr std::string_view kOffsetLetters = "IJK";
 
 bool is_arc(int motion) { return motion == 20 || motion == 30; }
 bool is_space_arc(int motion) { return motion == 24 || motion == 34; }
@@ -46,6 +43,7 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     }
     const bool again = code.value_or(motion_) == motion_;
     motion_ = code.value_or(motion_);
+    motion_said_ = motion_said_ || code;
     if (motion_ != 50) {
         last_leg_.reset();
     }
@@ -83,8 +81,13 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
         }
         return;
     }
-    if (motion_ == kNoMotion) {
-        place.refuse("axis words, but no motion code (G0 G1 G2 G3) is in force");
+    if (motion_ == kNoMotion) take_rapid(place);
+    const bool turns_count = modes_.feed_mode == FeedMode::kPerTurn || is_thread(motion_);
+    if (modes_.surface_speed && turns_count && motion_ != 0) {
+        moves_.warn(
+            "feeds per turn are not exact in G96: S, a speed of the surface, is taken as "
+            "turns a minute; G97 S names those",
+            place);
     }
     if (!is_canned_cycle(motion_)) canned_cycles_.end_row();
     if (is_canned_cycle(motion_) || is_thread(motion_)) {
@@ -113,6 +116,16 @@ void Interpreter::move(Block& block, const Codes& codes, const Place& place) {
     }
 }
 
+/// Begins with G0 where no motion is in force, as grbl and Fanuc's controls do.
+void Interpreter::take_rapid(const Place& place) {
+    if (motion_said_) {
+        place.refuse("axis words, but no motion code (G0 G1 G2 G3) is in force");
+    }
+    moves_.warn("axis words before any motion code are G0's, as grbl begins; LinuxCNC refuses them",
+                place);
+    motion_ = 0;
+}
+
 void Interpreter::line(const Point& target, bool rapid, const Place& place) {
     Move move = move_to(target, place);
     move.rapid = rapid;
@@ -131,155 +144,6 @@ Move Interpreter::move_to(const Point& target, const Place& place) const {
     return move;
 }
 
-void Interpreter::arc(Block& block, const Place& place) {
-    const int first = (modes_.normal_axis + 1) % 3;
-    const int second = (modes_.normal_axis + 2) % 3;
-    const bool clockwise = motion_ == 20;
-    const bool has_end = block.has(kAxisLetters[first]) || block.has(kAxisLetters[second]);
-    const Point target = coordinates_.target(block, false, place);
-    Move move = move_to(target, place);
-    move.start = coordinates_.turned_back(move.start);
-    move.end = coordinates_.turned_back(move.end);
-    const Eigen::Vector2d start(move.start[first], move.start[second]);
-    const Eigen::Vector2d end(move.end[first], move.end[second]);
-    PlaneArc found{};
-    AskedArc asked{move.start, move.end, move.start,
-                   Vec3::Unit(modes_.normal_axis) * (clockwise ? -1 : 1), 1};
-    int& turns = asked.turns;
-    if (block.has('P')) {
-        turns = whole_number('P', use_p(block, place), 1, kMostTurns, place);
-    }
-    try {
-        if (block.has('R')) {
-            if (block.has_any(kOffsetLetters)) {
-                place.refuse("R and a centre (I, J, K) in one block: give one of them");
-            }
-            if (!has_end) {
-                place.refuse(fmt::format("{} with R lacks its end point", g_name(motion_)));
-            }
-            const double radius = block.use('R') * coordinates_.unit();
-            found = arc_with_radius(start, end, radius, clockwise, turns, arc_tolerance());
-            asked = AskedArc::of_radius(move.start, move.end, radius, asked.normal, turns);
-        } else {
-            const Eigen::Vector2d centre = plane_centre(block, start, place);
-            check_radii(start, end, centre, place);
-            found = arc_with_centre(start, end, centre, clockwise, turns, arc_tolerance());
-            asked.centre[first] = centre.x();
-            asked.centre[second] = centre.y();
-        }
-    } catch (const ArcError& error) {
-        place.refuse(error.what());
-    }
-    move.kind = Move::Kind::kArc;
-    move.angle = found.angle;
-    move.normal = asked.normal;
-    move.centre = move.start;
-    move.centre[first] = found.centre.x();
-    move.centre[second] = found.centre.y();
-    move.advance = move.end - move.start;
-    move.advance[first] = found.drift.x();
-    move.advance[second] = found.drift.y();
-    move.deviation = distance(asked, move);
-    move.start = xyz(coordinates_.position());
-    move.end = xyz(target);
-    for (Vec3* vector : {&move.centre, &move.normal, &move.advance}) {
-        *vector = coordinates_.turned(*vector);
-    }
-    add(move, target, place);
-}
-
-ArcTolerance Interpreter::arc_tolerance() const {
-    ArcTolerance tolerance = coordinates_.inches() ? kArcToleranceInch : kArcToleranceMm;
-    if (arc_tolerance_) tolerance.always = tolerance.most = *arc_tolerance_;
-    return tolerance;
-}
-
-/// Refuses a centre that does not fit both ends, and names one that does.
-void Interpreter::check_radii(const Eigen::Vector2d& start, const Eigen::Vector2d& end,
-                              const Eigen::Vector2d& centre, const Place& place) const {
-    const ArcTolerance tolerance = arc_tolerance();
-    const auto fits = [&](const Eigen::Vector2d& point) {
-        return tolerance.holds((start - point).norm(), (end - point).norm());
-    };
-    if (fits(centre) || centre == start || centre == end) return;
-    const Eigen::Vector2d chord = (end - start).normalized();
-    const Eigen::Vector2d nearest = centre - chord * chord.dot(centre - (start + end) / 2);
-    const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
-    std::string words;
-    Eigen::Vector2d as_absolute;
-    for (int i = 0; i < 2; ++i) {
-        const double zero = coordinates_.absolute_centre(axes[i], 0);
-        const double from = modes_.absolute_centre ? zero : start[i];
-        words += fmt::format(" {}{:.6g}", kOffsetLetters[axes[i]],
-                             (nearest[i] - from) / coordinates_.unit());
-        as_absolute[i] = centre[i] - start[i] + zero;
-    }
-    const bool g90_1 = !modes_.absolute_centre && fits(as_absolute);
-    place.refuse(
-        fmt::format("the arc's radii differ: {:.6g} mm at the start, {:.6g} mm at the end; {}"
-                    "--arc-tolerance allows more than {:.3g} mm",
-                    (start - centre).norm(), (end - centre).norm(),
-                    g90_1 ? "as absolute ones (G90.1) these centre words fit; "
-                          : fmt::format("the centre{} would fit; ", words),
-                    tolerance.always));
-}
-
-Eigen::Vector2d Interpreter::plane_centre(Block& block, const Eigen::Vector2d& start,
-                                          const Place& place) const {
-    const std::array<int, 2> axes = {(modes_.normal_axis + 1) % 3, (modes_.normal_axis + 2) % 3};
-    const std::array<char, 2> letters = {kOffsetLetters[axes[0]], kOffsetLetters[axes[1]]};
-    const int given = int{block.has(letters[0])} + int{block.has(letters[1])};
-    const char beside = kOffsetLetters[modes_.normal_axis];  // 0 as some posts write it
-    if (block.has(beside) && block.use(beside) != 0) {
-        place.refuse(fmt::format("{} with an arc in the {}{} plane", beside, kAxisLetters[axes[0]],
-                                 kAxisLetters[axes[1]]));
-    }
-    if (given == 0) {
-        place.refuse(fmt::format("{} without a centre ({}, {}) or a radius (R)", g_name(motion_),
-                                 letters[0], letters[1]));
-    }
-    if (modes_.absolute_centre && given == 1) {
-        place.refuse(fmt::format("G90.1 wants both {} and {}", letters[0], letters[1]));
-    }
-    Eigen::Vector2d centre = start;
-    for (int i = 0; i < 2; ++i) {
-        if (block.has(letters[i])) {
-            const double number = block.use(letters[i]);
-            centre[i] = modes_.absolute_centre ? coordinates_.absolute_centre(axes[i], number)
-                                               : start[i] + number * coordinates_.unit();
-        }
-    }
-    return centre;
-}
-
-void Interpreter::space_arc(Block& block, const Codes& codes, const Place& place) {
-    const std::optional<int> code = codes.of(Group::kMotion);
-    if (block.g.size() > (code == motion_ ? 1 : 0) || !block.m.empty() ||
-        !block.has_any(kAxisLetters)) {
-        check_nothing_waits(place);
-    }
-    if (block.has('F')) {
-        set_feed(block, codes, place);
-    } else {
-        modes_.feed = middle_->feed;
-    }
-    const Point target = coordinates_.target(block, false, place);
-    coordinates_.set_position(middle_->start);
-    Move move = move_to(target, place);
-    move.kind = Move::Kind::kArc;
-    try {
-        const SpaceArc found = arc_through(move.start, middle_->point, move.end);
-        move.centre = found.centre;
-        move.normal = found.normal;
-        move.angle = found.angle;
-    } catch (const ArcError& error) {
-        place.refuse(error.what());
-    }
-    middle_.reset();
-    add(move, target, place);
-    block.check_all_used(place);
-}
-
 void Interpreter::add(Move move, const Point& target, const Place& place) {
     if (!moves_.moves(move, place)) return;
     if (!move.rapid && move.feed == 0) move.feed = feed_on(move, move.length(), place);
@@ -292,7 +156,9 @@ double Interpreter::feed_on(const Move& move, double length, const Place& place)
     if (!modes_.feed) {
         place.refuse(inverse_time
                          ? fmt::format("{} in G93 wants an F in its own block", g_name(motion_))
-                         : fmt::format("{} without a feed: no F yet", g_name(motion_)));
+                         : fmt::format("{} without a feed: no F yet; give one before it, or by "
+                                       "RS274NGC_STARTUP_CODE of the machine's .ini",
+                                       g_name(motion_)));
     }
     double feed = *modes_.feed;
     if (feed == 0) {

@@ -2,6 +2,7 @@
 // The interpreter's offsets and stored positions: G10 G28 G30 G43 G49 G52 G92.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ref/gcode/interpreter/interpreter.hpp"
@@ -18,6 +19,15 @@ constexpr int kSystemInForce = 5220;
 constexpr int kSystems = 5221;  // G54 and its rotation behind the axes; 20 numbers each
 constexpr int kNextSystem = 20;
 constexpr int kSystemCount = 9;
+
+/// Returns the parameter's name, in lower case.
+std::string ini_parameter(const std::string& name) {
+    std::string parameter = "_ini" + name;
+    std::transform(parameter.begin(), parameter.end(), parameter.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return parameter;
+}
 
 bool is_angle(int axis) { return axis >= 3 && axis < 6; }
 
@@ -56,7 +66,11 @@ void Interpreter::give_shift() {
 }
 
 void Interpreter::begin(const ProgramStart& start) {
+    coordinates_.set_inches(start.unit > 1);
     for (const auto& [number, value] : start.parameters) parameters_.set(number, value);
+    for (const auto& [name, value] : start.ini_numbers) {
+        parameters_.compute(ini_parameter(name), [value = value] { return value; });
+    }
     for (int i = 0; i < kSystemCount; ++i) take_system(i);
     if (parameters_.number(kIsShifted) != 0) coordinates_.set_shift(parameters_from(kShift));
     const double system = parameters_.number(kSystemInForce);
@@ -158,7 +172,8 @@ void Interpreter::set_tool_table(int kind, Block& block, const Place& place) {
     if (!block.has_any("XYZABCUVWRIJQ")) {
         place.refuse(fmt::format("G10 L{} without axis words", kind));
     }
-    for (const char letter : std::string_view("RIJQ")) block.use(letter);  // radius and angles
+    for (const char letter : std::string_view("IJQ")) block.use(letter);  // angles
+    if (block.has('R')) tools_.set_diameter(tool, 2 * block.use('R') * coordinates_.unit());
     const Point* const known = tools_.find(tool);
     Point offset = known != nullptr ? *known : Point{};
     Coordinates without = coordinates_;
@@ -185,6 +200,33 @@ Point Interpreter::tool_offset(int tool, const Place& place) {
         "says it",
         place);
     return {};
+}
+
+/// Refuses compensation of a tool with a radius; without one it is the programmed path.
+void Interpreter::check_radius(Block& block, const Place& place) {
+    const bool dynamic = compensation_ % 10 == 1;  // G41.1 D: a diameter
+    double diameter = 0;
+    if (dynamic) {
+        if (!block.has('D')) place.refuse(g_name(compensation_) + " without D, a diameter");
+        diameter = std::abs(block.use('D')) * coordinates_.unit();
+        if (block.has('L')) block.use('L');
+    } else {
+        const int given =
+            block.has('D') ? whole_number('D', block.use('D'), 0, kLargestTool, place) : tool_;
+        diameter = std::abs(tools_.diameter(given));
+        if (given != 0 && tools_.find(given) == nullptr) tool_offset(given, place);
+        if (tools_.file().empty() && given != 0) {
+            moves_.warn(
+                "cutter compensation of a tool whose diameter nobody says: the programmed path is "
+                "drawn; --tools FILE.tbl says it",
+                place);
+        }
+    }
+    if (diameter == 0) return;
+    place.refuse(
+        fmt::format("{}: cutter compensation of a tool of {:g} mm belongs to LinuxCNC's "
+                    "interpreter (--interpreter linuxcnc); D0 draws the programmed path",
+                    g_name(compensation_), diameter));
 }
 
 void Interpreter::set_tool_length(int code, Block& block, const Place& place) {

@@ -33,7 +33,7 @@ void Interpreter::give_values() {
         const int axis = modes_.normal_axis;
         return axis == 2 ? 170 : axis == 1 ? 180 : 190;
     });
-    give("_ccomp", [] { return 400; });
+    give("_ccomp", [this] { return compensation_; });
     give("_metric", [this] { return coordinates_.inches() ? 0 : 1; });
     give("_imperial", [this] { return coordinates_.inches() ? 1 : 0; });
     give("_absolute", [this] { return coordinates_.absolute() ? 1 : 0; });
@@ -61,10 +61,10 @@ void Interpreter::give_values() {
     give("_lathe_radius_mode", [this] { return coordinates_.modes().diameter ? 0 : 1; });
     give("_retract_r_plane", [this] { return modes_.retract_to_r ? 1 : 0; });
     give("_retract_old_z", [this] { return modes_.retract_to_r ? 0 : 1; });
+    give("_metric_machine", [this] { return parameter_unit_ > 1 ? 0 : 1; });
     const std::pair<const char*, double> constants[] = {
-        {"_vmajor", 2.9},       {"_vminor", 0},         {"_task", 0},
-        {"_remap_level", 0},    {"_metric_machine", 1}, {"_feed_override", 1},
-        {"_speed_override", 1}, {"_adaptive_feed", 0},  {"_feed_hold", 1}};
+        {"_vmajor", 2.9},      {"_vminor", 0},         {"_task", 0},          {"_remap_level", 0},
+        {"_feed_override", 1}, {"_speed_override", 1}, {"_adaptive_feed", 0}, {"_feed_hold", 1}};
     for (const auto& [name, value] : constants) {
         give(name, [value = value] { return value; });
     }

@@ -6,7 +6,8 @@
 // |----------|----------------------------------------------------------------------------------|
 // | grbl     | lines of $ and ? are for the controller: they are noted; % has no meaning        |
 // | fanuc    | numbers of axes without a point count 0.001 mm (0.0001 inch) and G4 P and X with- |
-// |          | out one milliseconds, G4 X is a time, M98 P of 5 to 8 figures has its times ahead |
+// |          | out one milliseconds, G4 X is a time, M98 P of 5 to 8 figures has its times ahead,|
+// |          | U V W are increments of X Y Z                                                    |
 // | marlin   | E is an auxiliary axis (A, in mm), one command a line, G0 has a feed, G4 P is in  |
 // |          | milliseconds, G28 homes, what heats, fans and levels is noted                     |
 #pragma once

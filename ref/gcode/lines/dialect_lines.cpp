@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/gcode/lines/dialect_lines.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "ref/gcode/lines/code_words.hpp"
 #include "ref/gcode/lines/fanuc_lines.hpp"
+#include "ref/gcode/lines/macro_lines.hpp"
 #include "ref/gcode/lines/marlin_lines.hpp"
 #include "ref/gcode/lines/program_lines.hpp"
 
@@ -17,11 +14,20 @@ bool begins(std::string_view text, std::string_view with) {
     return text.substr(0, with.size()) == with;
 }
 
+/// Notes TinyG's homing, as G28.2 X0 Y0, to switches whose place is not known.
+void note_homing(ProgramLine& line) {
+    const std::vector<CodeWord> words = code_words(line.words);
+    if (words.empty() || words[0].letter != 'G' || words[0].number != "28.2") return;
+    line.note = line.words;
+    line.words.clear();
+    line.waits = true;
+}
+
 class NgcLines : public DialectLines {
   public:
     void read(std::string_view text, ProgramLine& line, const Place& place) override {
-        line.words = words_of(text, place);
-        refuse_macro(line.words, place);
+        line.words = with_o_words(words_of(text, place));
+        note_homing(line);
         if (begins(line.words, "$")) {
             place.refuse("a line of grbl's: --dialect grbl notes it");
         }
@@ -34,7 +40,8 @@ class GrblLines : public DialectLines {
         const std::string code = bare_code(text);
         if (code == "%") return;
         if (code.empty() || std::string_view("$?!~").find(code[0]) == std::string_view::npos) {
-            line.words = words_of(text, place);
+            line.words = with_o_words(words_of(text, place));
+            note_homing(line);
             return;
         }
         line.note = code.substr(0, code.find('='));
@@ -44,20 +51,6 @@ class GrblLines : public DialectLines {
 };
 
 }  // namespace
-
-void refuse_macro(std::string_view words, const Place& place) {
-    if (begins(words, "/")) words.remove_prefix(1);
-    if (begins(words, "N")) {
-        words.remove_prefix(std::min(words.find_first_not_of("0123456789", 1), words.size()));
-    }
-    for (const std::string_view macro : {"IF[", "WHILE[", "GOTO", "G65P", "G66P"}) {
-        if (!begins(words, macro)) continue;
-        place.refuse(
-            fmt::format("{}.. is of Fanuc's macros: O-words say the same, as o100 if [..] "
-                        "and o100 call [..]",
-                        macro));
-    }
-}
 
 std::unique_ptr<DialectLines> lines_in(Dialect dialect) {
     switch (dialect) {

@@ -27,9 +27,6 @@ class DialectLines {
     virtual void read(std::string_view text, ProgramLine& line, const Place& place) = 0;
 };
 
-/// @throws InputError for IF [..] GOTO, WHILE [..] DO and G65, the statements of Fanuc's macros
-void refuse_macro(std::string_view words, const Place& place);
-
 std::unique_ptr<DialectLines> lines_in(Dialect dialect);
 
 }  // namespace curvecore::ref

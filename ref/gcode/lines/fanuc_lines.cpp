@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "ref/gcode/lines/code_words.hpp"
+#include "ref/gcode/lines/macro_lines.hpp"
 #include "ref/gcode/lines/program_lines.hpp"
 
 namespace curvecore::ref {
@@ -46,12 +47,27 @@ void part_call(std::vector<CodeWord>& words) {
 /// Returns true for Haas' smoothing and limits of look-ahead.
 bool is_setting(const CodeWord& word) { return is_code(word, 'G', 187) || is_code(word, 'G', 103); }
 
-/// Puts `#1 = #2 + 1` into the brackets that RS274/NGC needs.
+/// Puts `#1 = #2 + 1` into the brackets that RS274/NGC needs, alone and behind IF [..] THEN.
 void put_brackets(std::string& words) {
-    const std::size_t equals = words.find('=');
-    if (words.empty() || words[0] != '#' || equals == std::string::npos) return;
+    std::size_t begin = begin_of_words(words);
+    const std::size_t then = words.find("]THEN", begin);
+    if (words.compare(begin, 3, "IF[") == 0 && then != std::string::npos) begin = then + 5;
+    const std::size_t equals = words.find('=', begin);
+    if (begin == words.size() || words[begin] != '#' || equals == std::string::npos) return;
     words.insert(equals + 1, 1, '[');
     words += ']';
+}
+
+/// Drops the rest (P) of G73 G81 G83, which have none in RS274/NGC. @return the warning of it
+std::string drop_rest(std::vector<CodeWord>& words) {
+    const auto is_drilling = [](const CodeWord& word) {
+        return is_code(word, 'G', 73) || is_code(word, 'G', 81) || is_code(word, 'G', 83);
+    };
+    const auto rest = std::find_if(words.begin(), words.end(),
+                                   [](const CodeWord& word) { return word.letter == 'P'; });
+    if (rest == words.end() || std::none_of(words.begin(), words.end(), is_drilling)) return "";
+    words.erase(rest);
+    return "the rest at a hole's bottom (P) of G73 G81 G83 is not drawn: G82 has one";
 }
 
 /// Drops the number of a radius that is not used: `G43 H1 D1`. @return true if it was there
@@ -69,8 +85,7 @@ bool drop_radius(std::vector<CodeWord>& words) {
 }  // namespace
 
 void FanucLines::read(std::string_view text, ProgramLine& line, const Place& place) {
-    line.words = words_of(text, place);
-    refuse_macro(line.words, place);
+    line.words = with_o_words(words_of(text, place));
     if (line.words.size() > 1 && line.words[0] == '/' && line.words[1] >= '1' &&
         line.words[1] <= '9') {
         line.words.erase(1, 1);
@@ -85,12 +100,14 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         return;
     }
     const bool ended = end_cycle(words);
-    const bool dropped = drop_radius(words);
+    bool changed = drop_radius(words);
+    if (!words.empty() && is_code(words[0], 'G', 65)) return;  // arguments are plain numbers
     bool dwells = false;
     bool cycle = false;
     bool calls = false;
     for (const CodeWord& word : words) {
         if (is_code(word, 'G', 20) || is_code(word, 'G', 21)) inches_ = is_code(word, 'G', 20);
+        if (is_code(word, 'G', 90) || is_code(word, 'G', 91)) absolute_ = is_code(word, 'G', 90);
         dwells = dwells || is_code(word, 'G', 4);
         for (int code = 73; code <= 89; ++code) cycle = cycle || is_code(word, 'G', code);
         calls = calls || is_code(word, 'M', 98);
@@ -112,13 +129,37 @@ void FanucLines::read(std::string_view text, ProgramLine& line, const Place& pla
         }
     }
     if (calls) part_call(words);
-    if (!dwells && !calls && !cycle && !scaled && !ended && !dropped) return;
+    if (cycle) line.warning = drop_rest(words);
+    if (!dwells && !cycle && add_increments(words)) {
+        changed = true;
+        line.warning =
+            "U V W are increments of X Y Z, as on Fanuc's lathes; their G98 G99 are G94 G95 here, "
+            "their G90 G92 G94 cycles that are not read";
+    }
+    if (!dwells && !calls && !cycle && !scaled && !ended && !changed) return;
     line.words = text_of(words);
-    if (scaled) {
+    if (scaled && line.warning.empty()) {
         line.warning =
             "an axis' number without a point counts in 0.001 mm or 0.0001 inch, as on a Fanuc; "
             "--dialect linuxcnc takes it as it stands";
     }
+}
+
+/// Makes U V W, increments on lathes, X Y Z. @return true if there are any
+bool FanucLines::add_increments(std::vector<CodeWord>& words) const {
+    constexpr std::string_view kIncrements = "UVW";
+    constexpr std::string_view kAxes = "XYZ";
+    bool found = false;
+    for (CodeWord& word : words) {
+        const std::size_t axis = kIncrements.find(word.letter);
+        if (axis == std::string_view::npos || word.number.empty()) continue;
+        found = true;
+        word.letter = kAxes[axis];
+        if (!absolute_) continue;
+        word.number =
+            fmt::format("[#<_{}>+[{}]]", static_cast<char>(word.letter - 'A' + 'a'), word.number);
+    }
+    return found;
 }
 
 bool FanucLines::end_cycle(std::vector<CodeWord>& words) {

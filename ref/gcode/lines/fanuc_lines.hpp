@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fanuc's lines: numbers of axes without a point, G4, M98 and '/2'. Macros are not among them.
+// Fanuc's lines: numbers of axes without a point, G4, M98, '/2' and assignments without brackets.
 #pragma once
 
 #include "ref/gcode/lines/code_words.hpp"
@@ -15,7 +15,10 @@ class FanucLines : public DialectLines {
     /// Restores after G80 the motion from before the cycle. @return true if words changed
     bool end_cycle(std::vector<CodeWord>& words);
 
+    bool add_increments(std::vector<CodeWord>& words) const;
+
     bool inches_ = false;
+    bool absolute_ = true;
     std::string motion_;  // number of the G code; empty: none yet
 };
 

@@ -148,11 +148,13 @@ std::string MarlinLines::moved(std::vector<CodeWord> words, const Place& place) 
 std::string MarlinLines::redefined(const std::vector<CodeWord>& words, const Place& place) {
     std::vector<CodeWord> others;
     for (const CodeWord& word : words) {
+        CodeWord named = word;
+        if (named.number.empty()) named.number = "0";  // G92 XYZ
         if (word.letter != 'E') {
-            others.push_back(word);
+            others.push_back(named);
             continue;
         }
-        const double given = extruder(word, place);
+        const double given = extruder(named, place);
         zero_ += e_ - given;
         e_ = given;
     }

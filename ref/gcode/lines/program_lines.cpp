@@ -19,7 +19,7 @@ std::string words_of(std::string_view text, const Place& place) {
         place.refuse(fmt::format("the line is longer than {} characters", kLongestLine));
     }
     std::string words;
-    bool comment = false;
+    int comments = 0;  // in each other
     bool rest = false;
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
@@ -29,13 +29,10 @@ std::string words_of(std::string_view text, const Place& place) {
         if (rest) {
             continue;
         }
-        if (comment) {
-            if (c == '(') {
-                place.refuse("a comment inside a comment");
-            }
-            comment = c != ')';
-        } else if (c == '(') {
-            comment = true;
+        if (c == '(') {
+            ++comments;
+        } else if (comments > 0) {
+            if (c == ')') --comments;
         } else if (c == ';') {
             rest = true;
         } else if (byte >= 0x80) {
@@ -44,7 +41,7 @@ std::string words_of(std::string_view text, const Place& place) {
             words += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
         }
     }
-    if (comment) {
+    if (comments > 0) {
         place.refuse("a comment without its closing parenthesis");
     }
     return words;
@@ -91,15 +88,10 @@ std::optional<ProgramLine> ProgramLines::next() {
         const Place place{file_, line.number};
         reader_->read(*text, line, place);
         if (line.words.empty() && line.note.empty()) continue;
-        if (!begun_ && line.words[0] == '%') {  // alone, or with the program's name
-            framed_ = begun_ = true;
-            continue;
-        }
-        if (line.words != "%") {
-            begun_ = true;
-            return line;
-        }
-        if (!framed_) place.refuse("% ends a program that does not begin with %");
+        const bool begins = !begun_ && line.words[0] == '%';  // alone, or with the program's name
+        begun_ = true;
+        if (begins) continue;
+        if (line.words != "%") return line;
         ended_ = true;
     }
     return std::nullopt;

@@ -22,11 +22,13 @@ class ProgramLines {
     /// @param dialect none: recognised from the first lines
     ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
 
-    /// Returns the next line that has words or a note, up to the '%' that ends a program which '%'
-    /// began.
+    /// Returns the next line that has words or a note, up to the '%' that ends the program; one more
+    /// '%' may begin it.
     /// @throws InputError
     std::optional<ProgramLine> next();
     Dialect dialect() const { return dialect_; }
+    /// Number of the last line that was taken from the text, from 1.
+    int number() const { return number_; }
 
   private:
     void recognise();
@@ -39,7 +41,6 @@ class ProgramLines {
     std::deque<std::string> first_;  // lines that were read to recognise the dialect
     std::string text_;
     int number_ = 0;
-    bool framed_ = false;
     bool begun_ = false;
     bool ended_ = false;
 };

@@ -18,6 +18,7 @@ enum class Turning { kNo, kClockwise, kCounterClockwise };
 /// | feed           |       | F as written: per minute, of degrees or of `feed_unit` |
 /// | feed_unit      | mm    |                                                        |
 /// | speed          | 1/min | of the spindle, without a sign                         |
+/// | surface_speed  |       | G96: S is the surface's, in m/min or feet a minute     |
 /// | retract_to_r   |       | G99: canned cycles end at R, not where the first began |
 struct Modes {
     int normal_axis = 2;
@@ -28,6 +29,7 @@ struct Modes {
     std::optional<double> feed;
     double feed_unit = 1;
     double speed = 0;
+    bool surface_speed = false;
     Turning turning = Turning::kNo;
     bool retract_to_r = true;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ref/gcode/state/program_start.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 
@@ -40,6 +41,26 @@ std::optional<std::string> file_of(const IniFile& ini, const char* section, cons
     return fs::is_regular_file(file, error) ? std::optional(file.string()) : std::nullopt;
 }
 
+/// Adds the folders between colons, which begin at the .ini's own; ~ is the user's.
+void add_folders(const IniFile& ini, const char* section, const char* name, ProgramStart& start) {
+    const std::optional<IniEntry> entry = ini.find(section, name);
+    if (!entry) return;
+    std::istringstream names(entry->value);
+    for (std::string folder; std::getline(names, folder, ':');) {
+        const char* const home = std::getenv("HOME");
+        if (home != nullptr && folder.rfind('~', 0) == 0) folder.replace(0, 1, home);
+        if (!folder.empty()) start.folders.push_back(fs::path(ini.file()).parent_path() / folder);
+    }
+}
+
+void set_startup(const IniFile& ini, ProgramStart& start) {
+    const std::optional<IniEntry> code = ini.find("RS274NGC", "RS274NGC_STARTUP_CODE");
+    if (!code) return;
+    start.startup = code->value;
+    start.ini = ini.file();
+    start.startup_line = code->line;
+}
+
 }  // namespace
 
 ProgramStart read_program_start(const std::string& ini, const std::string& tools) {
@@ -53,6 +74,10 @@ ProgramStart read_program_start(const std::string& ini, const std::string& tools
         if (const auto file = file_of(machine, "RS274NGC", "PARAMETER_FILE")) {
             start.parameters = read_parameters(*file);
         }
+        add_folders(machine, "DISPLAY", "PROGRAM_PREFIX", start);
+        add_folders(machine, "RS274NGC", "SUBROUTINE_PATH", start);
+        set_startup(machine, start);
+        start.ini_numbers = machine.numbers();
     }
     if (table) start.tools = ToolTable(*table, start.unit);
     return start;

@@ -42,6 +42,7 @@ ToolTable::ToolTable(const std::string& file, double unit) : file_(file) {
         const std::string_view line = whole->substr(0, whole->find(';'));
         std::optional<int> tool;
         Point offset{};
+        double diameter = 0;
         bool empty = true;
         for (std::size_t at = 0; at < line.size();) {
             if (is_blank(line[at])) {
@@ -56,6 +57,7 @@ ToolTable::ToolTable(const std::string& file, double unit) : file_(file) {
             }
             const double number = read_number(line, at, place);
             if (letter == 'T') tool = whole_number('T', number, 0, kLargestTool, place);
+            if (letter == 'D') diameter = number * unit;
             const std::size_t axis = kAxisLetters.find(letter);
             if (axis == std::string_view::npos) continue;
             offset[axis] = number * (axis >= 3 && axis < 6 ? 1 : unit);
@@ -68,12 +70,18 @@ ToolTable::ToolTable(const std::string& file, double unit) : file_(file) {
         if (!tools_.try_emplace(*tool, offset).second) {
             place.refuse(fmt::format("T{} for the second time", *tool));
         }
+        diameters_[*tool] = diameter;
     }
 }
 
 const Point* ToolTable::find(int tool) const {
     const auto found = tools_.find(tool);
     return found == tools_.end() ? nullptr : &found->second;
+}
+
+double ToolTable::diameter(int tool) const {
+    const auto found = diameters_.find(tool);
+    return found == diameters_.end() ? 0 : found->second;
 }
 
 }  // namespace curvecore::ref

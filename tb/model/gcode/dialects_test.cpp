@@ -131,6 +131,45 @@ TEST(Dialects, FanucCallsWithTimesAhead) {
     EXPECT_EQ(read("O0001\nG1 F600 X1.\n/2 X5.\n").moves.back().end.x(), 5);
 }
 
+TEST(Dialects, FanucsMacrosHaveAssignmentsWithoutBracketsAndPlainArguments) {
+    const Program program = read(
+        "O1\n#100=0\nG1 F600 X1.\nWHILE [#100 LT 2] DO1\nN5 #100=#100+1\n"
+        "IF [#100 EQ 2] THEN #101=#100+3\nX[#100*10]\nEND1\nX#101\nG65 P7 X30 A5\nM30\n"
+        "O7\nX[#24+#1]\nM99\n");
+    std::vector<double> xs;
+    for (const Move& move : program.moves) xs.push_back(move.end.x());
+    EXPECT_EQ(xs, (std::vector<double>{1, 10, 20, 5, 35}));
+}
+
+TEST(Dialects, FanucsLathesHaveIncrements) {
+    const Program program =
+        read("O1\nG0 X10. Z5.\nG1 U-2. W-5000 F600\nW-1.\nG91 U1.\nG90 X3.\nG28 U0 W0\nG4 U1.\n");
+    const std::vector<Vec3> expected{{10, 0, 5}, {8, 0, 0},  {8, 0, -1},
+                                     {9, 0, -1}, {3, 0, -1}, {0, 0, 0}};
+    std::vector<Vec3> ends;
+    for (const Move& move : program.moves) ends.push_back(move.end);
+    EXPECT_EQ(ends, expected);
+    EXPECT_TRUE(warns(program, "U V W are increments of X Y Z, as on Fanuc's lathes"));
+    EXPECT_EQ(program.moves.back().dwell, 1);
+    EXPECT_EQ(read("G1 U5 F60\n").moves[0].aux_end[3], 5);  // LinuxCNC's axis
+}
+
+TEST(Dialects, FanucsDrillingMayHaveARest) {
+    const Program program = read("O1\nG0 Z10.\nG83 X9. Z-5. R1. Q2. P500 F20\nX5.\nG80\n");
+    EXPECT_EQ(program.moves.back().end.x(), 5);
+    EXPECT_TRUE(warns(program, "the rest at a hole's bottom (P) of G73 G81 G83 is not drawn"));
+}
+
+TEST(Dialects, TinygsHomingIsNoted) {
+    for (const char* const text :
+         {"G1 X5 F600\nG28.2 X0 Y0\nX7\n", "$H\nG1 X5 F600\nn3g28.2z0\nX7\n"}) {
+        const Program program = read(text);
+        ASSERT_EQ(program.moves.size(), 2U);
+        EXPECT_TRUE(program.moves[0].exact_stop);
+        EXPECT_TRUE(warns(program, "G28.2"));
+    }
+}
+
 TEST(Dialects, MarlinsExtruderIsAnAuxiliaryAxis) {
     const Program program = read(
         "M82\nG28\nG92 E0\nG1 Z.2 F3000\nG1 X10 E2\nG1 X20 E4.5\nG92 E0\nG1 E-1 F1800\n"
@@ -179,6 +218,7 @@ TEST(Dialects, MarlinHomesTheAxesThatItNames) {
     EXPECT_EQ(program.moves[1].end, Vec3(0, 0, 7));
     EXPECT_EQ(program.moves[2].end, Vec3(0, 0, 0));
     EXPECT_EQ(program.moves[2].aux_end[0], 1);
+    EXPECT_EQ(read("M83\nG1 X5 Y6 E1 F600\nG92 XE\nG1 X1 Y7\n").moves[1].end, Vec3(6, 7, 0));
 }
 
 TEST(Dialects, MarlinsFirstFeedIsItsOwn) {

@@ -100,10 +100,65 @@ TEST(GcodeCodes, ACentreThatDoesNotFitIsRefusedWithOneThatDoes) {
               "part.ngc:3: error: the arc's radii differ: 25.903 mm at the start, 20.32 mm at the "
               "end; the centre I0.1 J0.9 would fit; --arc-tolerance allows more than 0.0718 mm");
     EXPECT_EQ(
-        refusal("G0 X10 Y4\nG2 X16 Y10 I10 J10"),
+        refusal("G91.1 G0 X10 Y4\nG2 X16 Y10 I10 J10"),
         "part.ngc:3: error: the arc's radii differ: 14.1421 mm at the start, 5.65685 mm at the "
         "end; as absolute ones (G90.1) these centre words fit; --arc-tolerance allows more "
         "than 0.0283 mm");
+}
+
+TEST(GcodeCodes, CentresThatFitAsAbsoluteOnesAloneAreThat) {
+    const std::string arc = "G0 X10 Y4\nG2 X16 Y10 I10 J10\nG2 X10 Y16 I10 J10";
+    const Program program = read("F600 G1 X1\n" + arc);
+    ASSERT_EQ(program.moves.size(), 4U);
+    EXPECT_EQ(program.moves[2].centre, Vec3(10, 10, 0));
+    EXPECT_EQ(program.moves[3].centre, Vec3(10, 10, 0));
+    EXPECT_EQ(program.warnings.front(),
+              "part.ngc:3: warning: the program's centre words fit as absolute ones alone: they "
+              "are read as in G90.1, which LinuxCNC wants in the program");
+    // An arc has shown that they are relative; both of one arc say nothing.
+    EXPECT_EQ(refusal("G0 X10 Y4\nG2 X16 Y10 I6\n" + arc).substr(0, 18), "part.ngc:5: error:");
+    EXPECT_EQ(refusal("G0 X0 Y0\nG2 X10 Y0 I5 J0\n" + arc), "nothing is wrong");
+}
+
+TEST(GcodeCodes, AxisWordsBeforeAnyMotionCodeAreRapids) {
+    const Program program = read("X5 Y1\nG1 X6 F600\nZ1");
+    ASSERT_EQ(program.moves.size(), 3U);
+    EXPECT_TRUE(program.moves[0].rapid);
+    EXPECT_FALSE(program.moves[2].rapid);
+    EXPECT_EQ(program.warnings.front(),
+              "part.ngc:1: warning: axis words before any motion code are G0's, as grbl begins; "
+              "LinuxCNC refuses them");
+}
+
+TEST(GcodeCodes, CompensationOfNoRadiusIsTheProgrammedPath) {
+    const Program program = read("F600 T3 M6 G1 X1\nG41 D3 Y5\nX9\nG40 X10\nG42.1 D0 X11\nG40");
+    ASSERT_EQ(program.moves.size(), 5U);
+    EXPECT_EQ(program.moves[1].end, Vec3(1, 5, 0));
+    EXPECT_TRUE(std::any_of(program.warnings.begin(), program.warnings.end(), [](const auto& said) {
+        return said ==
+               "part.ngc:2: warning: cutter compensation of a tool whose diameter nobody "
+               "says: the programmed path is drawn; --tools FILE.tbl says it";
+    }));
+    EXPECT_EQ(last("F60 G41 D5 G1 X#<_ccomp>").end.x(), 400);
+    EXPECT_EQ(last("F60 G41 D5\nG1 X#<_ccomp>").end.x(), 410);
+    EXPECT_EQ(refusal("G42.1 D6 X2"),
+              "part.ngc:2: error: G42.1: cutter compensation of a tool of 6 mm belongs to "
+              "LinuxCNC's interpreter (--interpreter linuxcnc); D0 draws the programmed path");
+    EXPECT_EQ(refusal("G42.1 X2"), "part.ngc:2: error: G42.1 without D, a diameter");
+    EXPECT_EQ(refusal("G10 L1 P3 R2\nG41 D3 X2").substr(0, 58),
+              "part.ngc:3: error: G41: cutter compensation of a tool of 4");
+}
+
+TEST(GcodeCodes, SpeedsOfASurfaceAreSaidNotToBeTurns) {
+    const std::string warning =
+        ": warning: feeds per turn are not exact in G96: S, a speed of the surface, is taken as "
+        "turns a minute; G97 S names those";
+    const Program program = read("G96 D2000 S120 M3\nG95 F0.1\nG0 X5\nG1 X4\nX3\nG97 S900 X2");
+    EXPECT_EQ(program.moves[1].feed, 0.2);
+    EXPECT_EQ(program.warnings.front(), "part.ngc:4" + warning + " (2 times)");
+    for (const std::string& said : read("G96 S120 M3\nG1 X4 F50\nG97 G95 S9 X3 F1").warnings) {
+        EXPECT_EQ(said.find("feeds per turn"), std::string::npos) << said;
+    }
 }
 
 TEST(GcodeCodes, G28LeadsByWayOfItsPointToTheStoredPositionOfTheNamedAxes) {
@@ -208,7 +263,9 @@ TEST(GcodeCodes, FeedPerTurnIsOfTheProgrammedSpeed) {
     EXPECT_EQ(
         refusal("G95 F0.1 X2"),
         "part.ngc:2: error: G1 in G95: F is per turn of the spindle, whose speed is 0: give S");
-    EXPECT_EQ(refusal("S600 G95 X2"), "part.ngc:2: error: G1 without a feed: no F yet");
+    EXPECT_EQ(refusal("S600 G95 X2"),
+              "part.ngc:2: error: G1 without a feed: no F yet; give one before it, or by "
+              "RS274NGC_STARTUP_CODE of the machine's .ini");
 }
 
 TEST(GcodeCodes, ProbingGoesToItsEnd) {

@@ -315,6 +315,8 @@ TEST(GcodeReader, NothingIsReadBehindTheEnd) {
     EXPECT_EQ(read("G0 X1\nM2\nrubbish").moves.size(), 1U);
     EXPECT_EQ(read("\n%\nG0 X1\n%\nrubbish").moves.size(), 1U);
     EXPECT_EQ(read("% (part)\nG0 X1\n").moves.size(), 1U);
+    EXPECT_EQ(read("G0 X1\n%\nrubbish").moves.size(), 1U);  // TPL and others write no first one
+    EXPECT_EQ(read("(a (comment) in one) G0 X1\n").moves.size(), 1U);
     EXPECT_EQ(read("%_N_PART_MPF\nG0 X1\n%\nrubbish").moves.size(), 1U);
 }
 

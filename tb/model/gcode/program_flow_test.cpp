@@ -130,6 +130,83 @@ TEST(ProgramFlow, NumbersOfSubsMayBeComputed) {
               "2 1");
 }
 
+TEST(ProgramFlow, LabelsThatAreValuesMayGetThemLater) {
+    EXPECT_EQ(path("o1 sub\nX1\no1 endsub\no2 sub\n#<sub>=1\no#<sub> call\no2 endsub\n"
+                   "o3 if [0]\no#<no> call\no3 endif\no2 call\n"),
+              "1");
+    EXPECT_EQ(refusal("o#<no> call\n"),
+              "part.ngc:2: error: #<no> has no value yet: assign it before");
+}
+
+TEST(ProgramFlow, FanucsMacrosLoopAndBranch) {
+    EXPECT_EQ(path("#1=1\nWHILE [#1 LE 3] DO1\nX#1\n#1=[#1+1]\nEND1\nX9\n"), "1 2 3 9");
+    EXPECT_EQ(path("#1=0\nN5 WHILE[#1LT2]DO1\n#2=0\nWHILE[#2LT2]DO2\n#3=[#3+1]\nX#3\n#2=[#2+1]\n"
+                   "END2\n#1=[#1+1]\nEND1\n"),
+              "1 2 3 4");
+    EXPECT_EQ(path("#1=5\nIF [#1 EQ 5] THEN #1=7\nIF [#1 EQ 5] THEN #1=8\nX#1\n"
+                   "IF [#1 EQ 7] THEN X2\n"),
+              "7 2");
+    EXPECT_EQ(path("DO3\n#1=[#1+1]\nX#1\nIF [#1 EQ 3] GOTO 20\nEND3\nX50\nN20 X60\n"), "1 2 3 60");
+}
+
+TEST(ProgramFlow, GotoGoesOnAtALineOfItsProgram) {
+    EXPECT_EQ(path("GOTO 20\nX1\nN0020 X2\n"), "2");
+    EXPECT_EQ(path("#1=1\nN10 X#1\n#1=[#1+1]\nIF [#1 LE 3] GOTO [5+5]\nX9\n"), "1 2 3 9");
+    EXPECT_EQ(path("M98 P7\nX1\nIF [#31 LT 2] GOTO 10\nM30\nN10 X5\nM30\nO7\n#31=[#31+1]\n"
+                   "GOTO 10\nX2\nN10 X3\nM99\n"),
+              "3 1 5");
+    // A sub that a call has found, and that the program passes again.
+    EXPECT_EQ(path("N1 o5 call\no5 sub\n#31=[#31+1]\nX#31\no5 endsub\nIF [#31 LT 2] GOTO 1\nX9\n"),
+              "1 2 9");
+    EXPECT_EQ(refusal("N1 #1=2\nGOTO 1\n"),
+              "part.ngc:2: error: 1000000 blocks without a move: does GOTO of line 3 ever end?");
+}
+
+/// Text that cannot go back, as standard input.
+class OneWay : public std::stringbuf {
+  public:
+    using std::stringbuf::stringbuf;
+
+  protected:
+    pos_type seekpos(pos_type, std::ios_base::openmode) override { return pos_type(off_type(-1)); }
+};
+
+TEST(ProgramFlow, GotoBackWantsAFile) {
+    const auto read = [](const std::string& text) {
+        OneWay buffer(text);
+        std::istream stream(&buffer);
+        ref::GcodeStream program(stream, "stdin",
+                                 {ref::kFitTolerance, ref::Dialect::kLinuxcnc, {}});
+        ref::Move move;
+        int moves = 0;
+        while (program.next(move)) ++moves;
+        return moves;
+    };
+    EXPECT_EQ(read("G1 F600 X1\nGOTO 5\nX2\nN5 X3\n"), 2);
+    try {
+        read("N5 G1 F600 X1\nGOTO 5\n");
+        ADD_FAILURE() << "nothing is wrong";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "stdin:2: error: GOTO 5: no line N5 in this program further on; "
+                     "to go back it must be a file");
+    }
+}
+
+TEST(ProgramFlow, M99MayNameALineOfItsCaller) {
+    EXPECT_EQ(path("M98 P7\nX1\nN30 X2\nM30\nO7\nX5\nM99 P30\n"), "5 2");
+    EXPECT_EQ(path("N1 #31=[#31+1]\nX#31\nIF [#31 EQ 3] GOTO 30\nM98 P7\nX7\nN30 X8\nM30\nO7\n"
+                   "X5\nM99 P1\n"),
+              "1 5 2 5 3 8");
+    EXPECT_EQ(path("#1=[#1+1]\nX#1\nIF [#1 EQ 3] THEN M30\nM99 P5\nN5 GOTO 7\nX9\nN7 X8\n"), "1 8");
+}
+
+TEST(ProgramFlow, MacroCallsHaveArguments) {
+    EXPECT_EQ(path("#1=50\nG65 P7 A1 B2 I4 M13 X24 Z-26 L2\nX#1\nM30\n"
+                   "O7\nX[#1+#2+#4]\nX#13\nX[#24+#26]\n#1=9\nX#3\nM99\n"),
+              "7 13 -2 0 7 13 -2 0 50");
+}
+
 TEST(ProgramFlow, NumberedProgramsAreCalledAndShareParameters) {
     EXPECT_EQ(path("o1 (main)\n#1=0\nM98 P100 L5\nX#1\nM30\no100\n#1=[#1+1]\nM98 P200 L5\nM99\n"
                    "o200\n#1=[#1+0.01]\nM99\nX1000\n"),
@@ -195,8 +272,27 @@ TEST(ProgramFlow, FilesBesideTheProgramAreSubs) {
     folder.write("empty.ngc", "X5\n");
     EXPECT_EQ(refusal("o<empty> call\n"),
               "part.ngc:2: error: there is no o<empty> sub: neither in this program nor in a file "
-              "beside it");
+              "beside it; --machine FILE.ini names more folders (SUBROUTINE_PATH)");
     EXPECT_THROW(path("o<empty> call\n", program), InputError);
+}
+
+TEST(ProgramFlow, FilesInTheMachinesFoldersAreSubs) {
+    const Folder folder;
+    fs::create_directories(folder.path / "subs/more");
+    folder.write("subs/two.ngc", "o<two> sub\nX2\no<two> endsub\n");
+    folder.write("subs/more/three.ngc", "o<three> sub\nX3\no<three> endsub\n");
+    folder.write("subs/more/two.ngc", "o<two> sub\nX22\no<two> endsub\n");
+    folder.write("mill.ini",
+                 "[DISPLAY]\nPROGRAM_PREFIX = subs\n"
+                 "[RS274NGC]\nSUBROUTINE_PATH = no:subs/more\n");
+    ref::GcodeOptions options;
+    options.start = ref::read_program_start(folder.path / "mill.ini", "");
+    const auto moves = ref::read_gcode_text("G1 F600\no<two> call\no<three> call\n",
+                                            folder.path / "part.ngc", options)
+                           .moves;
+    ASSERT_EQ(moves.size(), 2U);
+    EXPECT_EQ(moves[0].end.x(), 2);
+    EXPECT_EQ(moves[1].end.x(), 3);
 }
 
 /// Number of lines that were read when the first move came.
@@ -251,8 +347,11 @@ TEST(ProgramFlow, WhatCannotRunIsRefused) {
         {"o1 sub\no2 if [1]\no1 endsub\no1 call\n",
          "4: error: o1 endsub within o2 if, which began in the sub"},
         {"o1 call\n",
-         "2: error: there is no o1 sub: neither in this program nor in a file beside it"},
-        {"M98 P5\n", "2: error: there is no o5: neither in this program nor in a file beside it"},
+         "2: error: there is no o1 sub: neither in this program nor in a file beside it; "
+         "--machine FILE.ini names more folders (SUBROUTINE_PATH)"},
+        {"M98 P5\n",
+         "2: error: there is no o5: neither in this program nor in a file beside it; "
+         "--machine FILE.ini names more folders (SUBROUTINE_PATH)"},
         {"M98\n", "2: error: M98 without P, the number of a program"},
         {"M98 P1.5\n", "2: error: P must be a whole number from 0 to 1000000000, not 1.5"},
         {"M98 P5\nM30\nO5\nX1\n", "4: error: o5 lacks its M99"},
@@ -263,15 +362,19 @@ TEST(ProgramFlow, WhatCannotRunIsRefused) {
          "5: error: o5 endsub where M98 has called o5: M99 ends it"},
         {"o1 sub\no1 call\no1 endsub\no1 call\n",
          "3: error: more than 9 calls in each other: o1 sub is called by itself?"},
-        {"M99 P30\n",
-         "2: error: M99 with P would go on at another block: a call returns to its own"},
-        {"N7 IF [#1 GT 5] GOTO 10\n",
-         "2: error: IF[.. is of Fanuc's macros: O-words say the same, as o100 if [..] and o100 "
-         "call "
-         "[..]"},
-        {"G65 P100 A1\n",
-         "2: error: G65P.. is of Fanuc's macros: O-words say the same, as o100 if [..] and o100 "
-         "call [..]"},
+        {"M99 P30\n", "2: error: GOTO 30: no line N30 in this program"},
+        {"N7 IF [1] GOTO 10\n", "2: error: GOTO 10: no line N10 in this program"},
+        {"M98 P5\nM30\nO5\nGOTO 10\nM99\nO6\nN10 X1\n",
+         "5: error: GOTO 10: no line N10 in this program"},
+        {"N10 GOTO 10 X1\n", "2: error: 'X' behind GOTO's number"},
+        {"GOTO\n", "2: error: GOTO without a number"},
+        {"IF [1] X1\n",
+         "2: error: IF [..] wants GOTO or THEN; o100 if [..] begins lines of its own"},
+        {"IF [1] THEN\nX\n", "3: error: X without a number"},
+        {"WHILE [1] DO1\nX1\n", "2: error: o<do1> while lacks its o<do1> endwhile"},
+        {"END1\n", "2: error: o<do1> endwhile without its loop"},
+        {"G65 A1\n", "2: error: G65 without P, the number of a program"},
+        {"G66 P1 A1\n", "2: error: unknown code G66"},
         {"o1 jump\n",
          "2: error: JUMP is no O-word: nothing, sub, call, if, while, do or repeat "
          "stand behind o1"},

@@ -36,7 +36,7 @@ class Start : public testing::Test {
         const ref::GcodeOptions options{1e-4, ref::Dialect::kLinuxcnc, start};
         std::vector<Vec3> points;
         for (const ref::Move& move :
-             ref::read_gcode_text("F600 G1 G90\n" + text, "part.ngc", options).moves) {
+             ref::read_gcode_text("F600 G1 G90 G21\n" + text, "part.ngc", options).moves) {
             points.push_back(move.end);
         }
         return points;
@@ -70,6 +70,17 @@ TEST_F(Start, ToolsHaveTheLengthsOfTheirTable) {
     EXPECT_EQ(ends("T2 M6\nT1\nX#5400 Y#<_selected_tool>", start), (Points{{2, 1, 0}}));
     EXPECT_EQ(refusal("G43 H4 Z1", start),
               "part.ngc:2: error: the tool table " + table + " has no T4");
+}
+
+TEST_F(Start, CompensationIsOfTheTablesDiameter) {
+    const ProgramStart start =
+        ref::read_program_start("", write("tool.tbl", "T1 Z10\nT2 D-6\nT3 D0\n"));
+    EXPECT_EQ(ends("G41 D1 X1\nG40\nT3 M6 G42 X2", start), (Points{{1, 0, 0}, {2, 0, 0}}));
+    const std::string refused = "part.ngc:2: error: G41: cutter compensation of a tool of 6 mm";
+    EXPECT_EQ(refusal("G41 D2 X1", start).substr(0, refused.size()), refused);
+    EXPECT_EQ(refusal("T2 M6 G41 X1", start).substr(0, refused.size()), refused);
+    EXPECT_EQ(refusal("G41 D4 X1", start),
+              "part.ngc:2: error: the tool table " + start.tools.file() + " has no T4");
 }
 
 TEST_F(Start, ProgramsChangeTheTableForThemselves) {
@@ -125,6 +136,30 @@ TEST_F(Start, AnIniNamesToolsAndParametersInItsUnit) {
     EXPECT_TRUE(near(ends("#5221 = 1\nG54 X0", start), {{25.4, 0, 0}}));
     EXPECT_TRUE(near(ends("G54 X50.8\nG28.1 X[#5161] Y0\nX#5161", start),
                      {{50.8, 0, 0}, {1.5, 0, 0}, {2, 0, 0}}));
+}
+
+TEST_F(Start, AnIniHasUnitsABlockAndNumbersForTheProgram) {
+    const auto start_of = [this](const std::string& text) {
+        return ref::read_program_start(write("mill.ini", text), "");
+    };
+    const auto last_x = [](const std::string& text, const ProgramStart& start) {
+        const ref::GcodeOptions options{1e-4, ref::Dialect::kLinuxcnc, start};
+        return ref::read_gcode_text(text, "part.ngc", options).moves.back().end.x();
+    };
+    const ProgramStart inch = start_of("[TRAJ]\nLINEAR_UNITS = inch\n");
+    EXPECT_EQ(last_x("G0 X1", inch), 25.4);
+    EXPECT_EQ(last_x("G21 G0 X1 Y1\nX[#<_metric_machine>+2]", inch), 2);
+    EXPECT_EQ(last_x("G0 X1", start_of("[TRAJ]\nLINEAR_UNITS = mm\n")), 1);
+    EXPECT_EQ(last_x("X1", start_of("[RS274NGC]\nRS274NGC_STARTUP_CODE = G20 G1 F60\n")), 25.4);
+    const ProgramStart numbers = start_of("[Setup]\nxPos = +7.25 # mm\nNAME = 5x\n");
+    EXPECT_EQ(last_x("G0 X#<_ini[setup]xpos>", numbers), 7.25);
+    EXPECT_EQ(last_x("G0 X[1+EXISTS[#<_ini[setup]xpos>]+EXISTS[#<_ini[setup]ypos>]]", numbers), 2);
+    EXPECT_EQ(refusal("X#<_ini[setup]name>", numbers),
+              "part.ngc:2: error: #<_ini[setup]name> is no number of the machine's .ini: "
+              "--machine names it");
+    const ProgramStart wrong = start_of("[RS274NGC]\nRS274NGC_STARTUP_CODE = G20 G21\n");
+    EXPECT_EQ(refusal("X1", wrong), (folder_ / "mill.ini").string() +
+                                        ":2: error: G20 and G21 exclude each other in one block");
 }
 
 TEST_F(Start, FilesOfAnIniNeedNotBeThereButMustBeRight) {

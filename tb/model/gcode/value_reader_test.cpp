@@ -169,9 +169,10 @@ TEST(ValueReader, WhatHasNoValueIsRefused) {
         {"#5602", "there is no #5602: parameters are #1 to #5601"},
         {"#1.5", "# wants a whole number, not 1.5"},
         {"#<nobody>", "#<nobody> has no value yet: assign it before"},
-        {"#<_ini[traj]x>",
-         "#<_ini[traj]x> is a value of LinuxCNC's machine: --interpreter linuxcnc "
-         "knows it"},
+        {"#<_ini[traj]x>", "#<_ini[traj]x> is no number of the machine's .ini: --machine names it"},
+        {"#<_hal[a.b]>",
+         "#<_hal[a.b]> is a pin of LinuxCNC's machine while it runs: give its value in a line "
+         "before, as #<_hal[a.b]>=1"},
         {"#<name", "a name without its closing >"},
         {"#<>", "<> without a name"},
         {"[1+2", "an expression without its closing ]"},
