@@ -93,13 +93,25 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
 
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
                      Plan& plan) {
+    // The path takes no more than its axes do together, and X Y Z no more than the path.
+    const PathLimits path{machine.velocity, machine.acceleration, machine.jerk};
+    PathLimits together{0, 0, 0};
     Slopes of;
-    const auto keep = [&](double velocity, double acceleration, double jerk) {
-        of.keep({std::min(fastest, velocity), kAccelerationShare * acceleration, kJerkShare * jerk},
-                acceleration, jerk);
+    const auto keep = [&](const PathLimits& own, const PathLimits& most) {
+        of.keep({std::min({fastest, own.velocity, most.velocity}),
+                 kAccelerationShare * std::min(own.acceleration, most.acceleration),
+                 kJerkShare * std::min(own.jerk, most.jerk)},
+                own.acceleration, own.jerk);
     };
-    keep(machine.velocity, machine.acceleration, machine.jerk);
-    for (const AxisLimits& axis : machine.axis) keep(axis.velocity, axis.acceleration, axis.jerk);
+    for (int i = 0; i < 3 + plan.aux_axes; ++i) {
+        const AxisLimits& axis = machine.axis[static_cast<std::size_t>(i)];
+        const PathLimits own{axis.velocity, axis.acceleration, axis.jerk};
+        keep(own, i < 3 ? path : own);
+        together = {std::hypot(together.velocity, own.velocity),
+                    std::hypot(together.acceleration, own.acceleration),
+                    std::hypot(together.jerk, own.jerk)};
+    }
+    keep(path, together);
     of.set(options, plan);
 }
 

@@ -20,7 +20,7 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
                      Plan& plan);
 
 /// Sets the same bounds for everything that may be asked of the machine with speeds up to
-/// `fastest`, mm/s, before any of it is planned.
+/// `fastest`, mm/s, by the axes that plan.aux_axes counts, before any of it is planned.
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
                      Plan& plan);
 
