@@ -15,7 +15,6 @@
 
 #include "hls/fixed_word.hpp"
 #include "hls/variables.hpp"
-#include "ref/format/order_words.hpp"
 #include "ref/format/parameters.hpp"
 #include "ref/format/path_words.hpp"
 
@@ -27,7 +26,7 @@ enum class SamplerMode { kSeries = 0, kPolynomial = 1 };
 
 /// A format; ranges and meanings of its parameters: ref/format/parameters.def.
 template <int Order, int CoefBits, int PositionBits, int GuardBits, int AuxAxes, SamplerMode Mode,
-          bool Anchor = true, int TurnBits = 0, int ParameterGuard = 0>
+          bool Anchor = true, int ParameterGuard = 0>
 struct Configuration {
     static_assert(ref::parameter_of(&ref::CoreParameters::order).holds(Order), "Order: its range");
     static_assert(ref::parameter_of(&ref::CoreParameters::coef_bits).holds(CoefBits),
@@ -38,9 +37,6 @@ struct Configuration {
                   "GuardBits: its range");
     static_assert(ref::parameter_of(&ref::CoreParameters::aux_axes).holds(AuxAxes),
                   "AuxAxes: its range");
-    static_assert(TurnBits == 0 || Mode == SamplerMode::kSeries, "TurnBits needs series mode");
-    static_assert(ref::parameter_of(&ref::CoreParameters::turn_bits).holds(TurnBits),
-                  "TurnBits: its range");
     static_assert(ref::parameter_of(&ref::CoreParameters::parameter_guard).holds(ParameterGuard),
                   "ParameterGuard: its range");
 
@@ -51,7 +47,6 @@ struct Configuration {
     static constexpr int kAuxAxes = AuxAxes;
     static constexpr SamplerMode kMode = Mode;
     static constexpr bool kAnchor = Anchor;
-    static constexpr int kTurnBits = TurnBits;
     static constexpr int kParameterGuard = ParameterGuard;
 
     static constexpr int kAxes = 3 + AuxAxes;

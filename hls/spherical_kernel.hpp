@@ -148,17 +148,10 @@ class SphericalKernel : private C {
         for (int axis = 0; axis < 3; ++axis) {
             Coef d = 0;
             for (int i = C::kOrder; i >= 1; --i) {
-                d = unit(Coef(c_[axis][i] + d), tau_of(tau, i));
+                d = unit(Coef(c_[axis][i] + d), tau);
             }
             out[axis] = Fine(position_[axis] + fine(d));
         }
-    }
-
-    /// Returns tau with the bits that stage i of a core has; its sums fit theirs
-    /// (ref/format/order_words.hpp).
-    Coef tau_of(const Coef& tau, int i) const {
-        const int cut = C::kCoefBits - ref::tau_bits(C::kCoefBits, C::kTurnBits, i);
-        return Coef(Coef(tau >> cut) << cut);
     }
 
     /// Draws a sample in polynomial mode: r0 cos + f0 sin, from the two series in tau2 = tau^2:

@@ -121,10 +121,8 @@ class SegmentEntry : public detail::FrameEntry, private C {
         const std::uint64_t kind = get(kKindField, word);
         const std::uint64_t theta = get(kCoefField, word);
         const std::uint64_t one = std::uint64_t(1) << (C::kCoefBits - 1);
-        const bool turn = C::kTurnBits == 0 ? theta < one : theta <= one >> C::kTurnBits;
-        const bool phi = theta < one && theta >= one / 2;
-        return get(kStepExponentField, word) <= kMaxStepExponent &&
-               ((kind == 0 && turn) || (kind == 1 && splines_ && phi));
+        return get(kStepExponentField, word) <= kMaxStepExponent && theta < one &&
+               (kind == 0 || (kind == 1 && splines_ && theta >= one / 2));
     }
 
     bool lambda_can_be(std::uint64_t word) const {

@@ -30,8 +30,7 @@
 //   pieces, together
 //
 // theta is the angle of one integration step of 2^k length units: theta = 2^k cos(pitch) / R.
-// A line has theta = tangent = normal = 0: it is all advance. With TurnBits theta is at most
-// 2^-TurnBits.
+// A line has theta = tangent = normal = 0: it is all advance.
 //
 // A spline (kind 1) has the same words in the same places, with another meaning:
 //

@@ -17,8 +17,6 @@
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
-// TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
-// has words of its own width (ref/format/order_words.hpp).
 // ParameterGuard: fraction bits below the words' in which a spline's parameter adds up.
 // Segments of a kind not in Curves are drawn as the other kind.
 // Formats: hls/words.hpp.
@@ -34,7 +32,6 @@ module curve_interpolator #(
     parameter int Anchor         = 1,   // 0, 1; for splines
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
     parameter int ParameterGuard = 0,   // [0, 8], for splines
-    parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -69,11 +66,6 @@ module curve_interpolator #(
   initial if (Anchor < 0 || Anchor > 1) $fatal(1, "Anchor must be 0 or 1");
   initial
     if (ParameterGuard < 0 || ParameterGuard > 8) $fatal(1, "ParameterGuard must be in [0, 8]");
-  initial if (TurnBits < 0 || TurnBits > 14) $fatal(1, "TurnBits must be in [0, 14]");
-  initial if (TurnBits > 0 && Curves != 1) $fatal(1, "TurnBits works with Curves 1 only");
-  initial if (TurnBits > 0 && Mode != 0) $fatal(1, "TurnBits works with Mode 0 only");
-  initial
-    if (TurnBits > 0 && SampleInterval != 1) $fatal(1, "TurnBits works with SampleInterval 1 only");
   initial
     if (MultiplierForm < 0 || MultiplierForm > 2) $fatal(1, "MultiplierForm must be in [0, 2]");
   initial
@@ -262,7 +254,6 @@ module curve_interpolator #(
       .CoefBits(CoefBits),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
-      .TurnBits(TurnBits),
       .TagBits(TagBits),
       .MultiplierForm(MultiplierForm)
   ) u_sampler (

@@ -28,37 +28,6 @@ package curvecore_pkg;
     if (interval == 1) horner_latency = horner_latency + 1;
   endfunction
 
-  // Widths of the pass of order `i` in an arc's series whose steps turn by at most 2^-turn rad,
-  // turn >= 1; turn = 0: all orders alike.  Twin: ref/format/order_words.hpp, with the reason.
-  function automatic int factorial_bits(input int i);  // ceil(log2 i!)
-    case (i)
-      2: factorial_bits = 1;
-      3: factorial_bits = 3;
-      4: factorial_bits = 5;
-      5: factorial_bits = 7;
-      6: factorial_bits = 10;
-      7: factorial_bits = 13;
-      8: factorial_bits = 16;
-      9: factorial_bits = 19;
-      10: factorial_bits = 22;
-      11: factorial_bits = 26;
-      12: factorial_bits = 29;
-      default: factorial_bits = 0;
-    endcase
-  endfunction
-  function automatic int sign_copies(input int turn, input int i);
-    sign_copies = (turn > 0 && i > 1) ? turn * (i - 1) + factorial_bits(i) : 0;
-  endfunction
-  function automatic int sum_bits(input int coef_bits, input int turn, input int i);
-    sum_bits = coef_bits - sign_copies(turn, i);
-    if (turn > 0 && sum_bits < 18) sum_bits = 18;
-  endfunction
-  function automatic int tau_bits(input int coef_bits, input int turn, input int i);
-    tau_bits = coef_bits;
-    if (turn > 0 && i > 1) tau_bits = coef_bits - sign_copies(turn, i) + 1;
-    if (turn > 0 && tau_bits < 18) tau_bits = 18;
-  endfunction
-
   // Clocks from tau to a displacement (rtl/sampler/curve_sampler.sv).
   function automatic int sampler_latency(input int curves, input int mode, input int order,
                                          input int interval);

@@ -53,7 +53,6 @@ module motion_interpolator #(
     parameter int Anchor            = 1,     // 0, 1, for splines; 0 with Build 0 only
     parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
     parameter int ParameterGuard    = 0,     // [0, 8], for splines; above 0 with Build 0 only
-    parameter int TurnBits          = 0,     // [0, 14]; above 0: as curve_interpolator's, Build 0
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
@@ -110,7 +109,6 @@ module motion_interpolator #(
   initial if (Build == 1 && Anchor != 1) $fatal(1, "Build 1 works with Anchor 1 only");
   initial
     if (Build == 1 && ParameterGuard != 0) $fatal(1, "Build 1 works with ParameterGuard 0 only");
-  initial if (Build == 1 && TurnBits != 0) $fatal(1, "Build 1 works with TurnBits 0 only");
 
   localparam int Room = (Build == 1 || SampleInterval == 8) ? 16 : (SampleInterval == 4) ? 32 : 128;
 
@@ -148,7 +146,6 @@ module motion_interpolator #(
       .FineBits(PositionBits + GuardBits),
       .AuxAxes(AuxAxes),
       .Splines(Splines),
-      .TurnBits(TurnBits),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords)
   ) u_words (
@@ -327,7 +324,6 @@ module motion_interpolator #(
         .Anchor(Anchor),
         .SampleInterval(SampleInterval),
         .ParameterGuard(ParameterGuard),
-        .TurnBits(TurnBits),
         .MultiplierForm(MultiplierForm)
     ) u_core (
         .clk_i,

@@ -17,8 +17,6 @@
 //
 // Samples come at full rate as long as every step holds the samples of the larger of the last two.
 // While the taker is not ready, requests stop when the samples under way have filled their queue.
-// TurnBits > 0: the planner keeps steps of at most 2^-TurnBits rad, and each order of the sampler
-// has words of its own width (ref/format/order_words.hpp).
 // Formats: hls/words.hpp.
 `default_nettype none
 module spherical_interpolator #(
@@ -29,7 +27,6 @@ module spherical_interpolator #(
     parameter int AuxAxes        = 0,   // [0, 6]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int SampleInterval = 1,   // 1, 2, 4, 8 clocks
-    parameter int TurnBits       = 0,   // [0, 14]; above 0: Mode 0, SampleInterval 1
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -63,7 +60,6 @@ module spherical_interpolator #(
       .AuxAxes(AuxAxes),
       .Mode(Mode),
       .SampleInterval(SampleInterval),
-      .TurnBits(TurnBits),
       .MultiplierForm(MultiplierForm)
   ) u_curves (
       .clk_i,

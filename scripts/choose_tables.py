@@ -31,7 +31,6 @@ def choose(name):
                 p["PositionBits"],
                 p["SampleInterval"] if r["build"] == "parallel" else "",
                 *[p[name] for name in (["ParameterGuard"] if fine else [])],
-                p["TurnBits"] if r["build"] == "parallel" else "",
                 length(r["unit_mm"]),
                 length(r["error_mm"]),
                 f"{r['host_words_per_s']:,.0f}",
@@ -45,8 +44,7 @@ def choose(name):
             )
         )
     head = ["core", "order", "coef", "guard", "position", "interval"]
-    head += [*(["parameter guard"] if fine else []), "turn", "unit"]
-    head += ["proven error", "host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
+    head += [*(["parameter guard"] if fine else []), "unit", "proven error", "host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
     head += ["a bit less ruled out"]
     error = data["choice"]["estimate"]["relative_error"]
     text = table(head, rows) + (
@@ -79,31 +77,3 @@ def parameter_guard():
     widths = sorted({width for width, _ in cell})
     rows = [[width, *(f"{cell[width, g]['segments']:,}" for g in guards)] for width in widths]
     return table(["CoefBits", *(f"segments, ParameterGuard {g}" for g in guards)], rows)
-
-
-def order_words():
-    data = load("figures/order_words.json")
-    if data is None:
-        return None
-
-    def core(words):
-        turn = f", TurnBits {words['turn_bits']}" if words["turn_bits"] else ""
-        return f"Order {words['order']}, CoefBits {words['coef_bits']}{turn}"
-
-    rows = [
-        (
-            r["requirement"],
-            r["least_order"],
-            core(r["alike"]),
-            r["alike"]["blocks"],
-            r["alike"]["bits"],
-            core(r["own"]),
-            r["own"]["widths"],
-            r["own"]["blocks"],
-            r["own"]["bits"],
-        )
-        for r in data["rows"]
-    ]
-    head = ["requirement", "orders from", "all alike", "18 x 18 blocks", "multiplier bits"]
-    head += ["a width for each", "sum x tau, by order", "18 x 18 blocks", "multiplier bits"]
-    return table(head, rows)

@@ -28,8 +28,7 @@ import numpy
 from synthesis.devices import DEVICES
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval",
-              "TurnBits")
+PARAMETERS = ("Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval")
 COUNTS = {"lut4": "lut4", "ff": "ff", "period_ns": "fmax_mhz"}  # quantity: column
 RIDGE = {"lut4": 1e-4, "ff": 1e-4, "period_ns": 1e-2}
 # `*` multiplies; `family` stands for each family in the runs in turn, which is 1 in its rows.
@@ -50,22 +49,12 @@ def stages(passes, interval):
     return -(-passes // interval)
 
 
-def own_widths(run):
-    """Sum and tau of each order in halves of CoefBits, as ref/format/order_words.hpp has them."""
-    width = run["CoefBits"]
-    for i in range(1, run["Order"] + 1):
-        copies = run["TurnBits"] * (i - 1) + (math.factorial(i) - 1).bit_length() if i > 1 else 0
-        yield (max(18, width - copies) + max(18, min(width, width - copies + 1))) / (2 * width)
-
-
 def wide_multipliers(run):
-    """Equals mean_wide in sysc/cost/cost_structure.cpp."""
+    """Equals count_multipliers in sysc/cost/cost_structure.cpp."""
     if run["build"] == "serial":
         return 1
     interval, order = run["SampleInterval"], run["Order"]
-    if run["TurnBits"] > 0:
-        count = 3 * sum(own_widths(run))
-    elif run["Mode"] == 0:
+    if run["Mode"] == 0:
         count = 3 * stages(order, interval)
     else:
         count = 0
@@ -217,7 +206,6 @@ def read(path):
             try:
                 if row["failed"]:
                     continue
-                row["TurnBits"] = row["TurnBits"] or "0"  # the serial build has none
                 run = {name: int(row[name]) for name in (*PARAMETERS, "lut4", "ff", "dsp", "bram")}
                 run["fmax_mhz"] = float(row["fmax_mhz"]) if row["fmax_mhz"] else None
                 device = DEVICES[row["device"]]

@@ -25,7 +25,7 @@ cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)" --target curvecore benches
 mkdir -p build/figures
 for bench in paper_table spline_tables cam_tables form_tables hold_tables idle_tables \
-  search_tables order_words; do
+  search_tables; do
   "build/release/tb/bench/$bench" -o "build/figures/$bench.json" >/dev/null
 done
 build/release/tb/bench/other_interpolators -o build/figures/others.json >/dev/null

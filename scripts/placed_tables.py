@@ -142,13 +142,6 @@ def pairs(sweep, name):
     return table(["core", "device", "DSP", "LUT4", "FF", "MHz", "seeds"], rows)
 
 
-def order_words_placed():
-    return pairs(
-        "order_words",
-        lambda a, b: f"Order {a['Order']}, CoefBits {a['CoefBits']}, TurnBits {b['TurnBits']}",
-    )
-
-
 def parameter_guard_placed():
     return pairs(
         "parameter_guard",

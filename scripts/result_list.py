@@ -4,12 +4,11 @@
 import functools
 
 from accuracy_tables import accuracy, coverage, demo, equality, splines, system_rates, throughput
-from choose_tables import choose, choose_impossible, order_words, parameter_guard
+from choose_tables import choose, choose_impossible, parameter_guard
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
 from linuxcnc_table import linuxcnc
-from placed_tables import (cost_model, hls, networks, order_words_placed, parameter_guard_placed,
-                           synthesis)
+from placed_tables import cost_model, hls, networks, parameter_guard_placed, synthesis
 from result_table import Table
 
 BENCH = "scripts/bench.sh"
@@ -61,13 +60,6 @@ TABLES = {
         "not fit, or the row is compared with one that does not. A call of the pipelines of arcs "
         "and splines computes the whole step again; the RTL computes it once, beside the "
         "samples. The RTL includes the lander, queues and handshakes."),
-    "order_words": exact(
-        "TurnBits: multipliers", order_words,
-        "Planned for 0.1 unit of 1 nm. Each row compares two samplers that meet the same "
-        "requirement: with equal widths, and with one width per order. For each the best Order "
-        "that is not below the given one is taken."),
-    "order_words_placed": Table("TurnBits: placed cores", order_words_placed,
-                                SWEEP + "order_words.csv"),
     "parameter_guard": exact(
         "ParameterGuard: segments", parameter_guard,
         "Segments of the built-in splines (`curvecore compare` with `Order` 4 and `Mode` 1)."),

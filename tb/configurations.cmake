@@ -143,10 +143,6 @@ foreach(form 1 2)
     core_test(spherical_interpolator ${form_${form}}_i${interval} TOP spherical_interpolator
               PORTS curve ${size} SampleInterval=${interval} SOURCES ${primitives_${form}})
   endforeach()
-  core_test(spherical_interpolator ${form_${form}}_t8 TOP spherical_interpolator PORTS curve
-            PARAMS Order=3 CoefBits=28 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=0
-                   SampleInterval=1 TurnBits=8 MultiplierForm=${form}
-            SOURCES ${primitives_${form}})
   core_test(curve_interpolator_serial ${form_${form}} TOP curve_interpolator_serial PORTS curve
             PARAMS Splines=1 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Mode=1
                    MultiplierForm=${form}
@@ -209,17 +205,6 @@ foreach(core spherical_interpolator spline_interpolator curve_interpolator
   illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
   illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
 endforeach()
-
-foreach(core spherical_interpolator curve_interpolator horner)
-  illegal_parameter_test(${core} TurnBits=15 "TurnBits must be in .0, 14.")
-endforeach()
-illegal_parameter_test(horner TurnBits=1,Interval=2 "TurnBits works with Interval 1 and Shift")
-illegal_parameter_test(horner TurnBits=1,Shift=34 "TurnBits works with Interval 1 and Shift")
-illegal_parameter_test(spherical_interpolator TurnBits=1,Mode=1 "TurnBits works with Mode 0 only")
-illegal_parameter_test(spherical_interpolator TurnBits=1,SampleInterval=4
-                       "TurnBits works with SampleInterval 1 only")
-illegal_parameter_test(curve_interpolator TurnBits=1,Curves=2 "TurnBits works with Curves 1 only")
-illegal_parameter_test(curve_interpolator TurnBits=1 "TurnBits works with Curves 1 only")
 
 illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
 illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must be in .0, 8.")
@@ -299,8 +284,6 @@ illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")
 illegal_parameter_test(motion_interpolator Build=1,ParameterGuard=1
                        "Build 1 works with ParameterGuard 0 only")
-illegal_parameter_test(motion_interpolator Build=1,TurnBits=1 "Build 1 works with TurnBits 0 only")
-illegal_parameter_test(motion_interpolator Splines=1,TurnBits=1 "TurnBits works with Curves 1 only")
 
 # The registers: axes, bits of scale and of times.
 rows(sizes 3,44,12 1,33,4 MORE 9,56,16)

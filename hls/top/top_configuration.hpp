@@ -9,7 +9,7 @@ namespace hls {
 
 using TopConfiguration =
     Configuration<CFG_Order, CFG_CoefBits, CFG_PositionBits, CFG_GuardBits, CFG_AuxAxes,
-                  SamplerMode(CFG_Mode), CFG_Anchor != 0, CFG_TurnBits, CFG_ParameterGuard>;
+                  SamplerMode(CFG_Mode), CFG_Anchor != 0, CFG_ParameterGuard>;
 
 }  // namespace hls
 }  // namespace curvecore

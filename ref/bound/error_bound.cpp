@@ -8,11 +8,9 @@
 #include "ref/bound/error_bound.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ref/bound/spline_bound.hpp"
-#include "ref/format/order_words.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -93,25 +91,6 @@ Roundings step_roundings(const CoreParameters& format, const Steps& s) {
     return all;
 }
 
-/// Error of a sample by the low bits of tau that its stages do not have
-/// (ref/format/order_words.hpp): the cut times the sum in each stage whose sum is not 0.
-double cut_error(const CoreParameters& format, const Steps& s, const Roundings& step) {
-    const int order = format.order;
-    std::array<double, 14> size{0, 1};  // theta^(i-1) / i!
-    for (int i = 2; i <= order + 1; ++i) size[i] = size[i - 1] * s.theta / i;
-    // n and t grow with every step, as |T_P| and by their roundings.
-    const double growth =
-        std::exp(s.m * (s.theta * size[order + 1] + s.half + s.theta * step.coefficients));
-    double sum = step.coefficients + order * s.half;
-    double loss = 0;
-    for (int i = step.words; i >= 2; --i) {
-        sum += growth * size[i];
-        const int cut = format.coef_bits - tau_bits(format.coef_bits, format.turn_bits, i);
-        if (cut > 0) loss += std::ldexp(sum * s.half, cut);
-    }
-    return loss;
-}
-
 /// One axis of the circular part: the errors of state, coefficients, Horner and angle, without the
 /// positions' own roundings.
 double circular_error(const CoreParameters& format, const Steps& s) {
@@ -126,7 +105,7 @@ double circular_error(const CoreParameters& format, const Steps& s) {
     error += s.h * drift_sum(s) * (s.half + s.theta * coefficients);
     // The sample: the same coefficients at tau <= 1, and a Horner stage for each that is not 0.
     if (!format.polynomial()) {
-        return error + s.h * (coefficients + step.words * s.half + cut_error(format, s, step));
+        return error + s.h * (coefficients + step.words * s.half);
     }
     // Two scalar series of the angle in q = tau^2 (the same coefficients, (P-1)/2 stages each and
     // one product by q), two products by unit vectors, one by tau; q itself is rounded, which
@@ -162,10 +141,6 @@ double truncation(const CoreParameters& format, const Steps& s, double radius) {
 }
 
 }  // namespace
-
-double max_theta(const CoreParameters& format) {
-    return std::ldexp(1.0, -std::max(1, format.turn_bits));
-}
 
 // The network applies T_P(i theta), the series cut after the power P, instead of exp(i theta); they
 // differ by at most theta^(P+1) / (P+1)!. The position is R / cos(pitch) times what n has turned,

@@ -8,11 +8,11 @@
 
 namespace curvecore::ref {
 
-// Of a core's parameters its error depends on Order, CoefBits, PositionBits, GuardBits, Mode,
-// TurnBits and ParameterGuard.
+// Of a core's parameters its error depends on Order, CoefBits, PositionBits, GuardBits, Mode and
+// ParameterGuard.
 
 /// Largest angle of an arc's step, rad.
-double max_theta(const CoreParameters& format);
+constexpr double kMostTheta = 0.5;
 
 /// Error bounds of arcs and lines per axis, in length units, before the final rounding, at any path
 /// length of the segment. Fields read: radius, cos_pitch, advance, aux_advance, length,
@@ -30,7 +30,7 @@ double segment_bound(const CoreParameters& format, const Segment& segment);
 /// | least_radius  | units | > 0; lines are in every family                              |
 /// | most_radius   | units | >= least_radius                                             |
 /// | length        | units | bound of a segment's path; it turns at most by pi / 2       |
-/// | step_exponent |       | theta <= 2^step_exponent / least_radius <= max_theta()      |
+/// | step_exponent |       | theta <= 2^step_exponent / least_radius <= kMostTheta       |
 struct ArcFamily {
     double least_radius = 1;
     double most_radius = 1;

@@ -43,7 +43,7 @@ class Search {
         const int longest =
             std::clamp(static_cast<int>(std::ceil(std::log2(length))), 0, kMaxStepExponent);
         for (int k = longest; k >= 0 && std::ldexp(kMaxSteps, k) > length; --k) {
-            if (std::ldexp(1 / least_, k) > max_theta(format_)) continue;
+            if (std::ldexp(1 / least_, k) > kMostTheta) continue;
             const double error = bound(length, k);
             if (error > limit_) continue;
             // A piece of half the length is too short for a step that is longer than it.

@@ -63,7 +63,7 @@ Cut best_step(Segment segment, const CoreParameters& format, double limit) {
         segment.step_exponent = k;
         const double theta =
             segment.radius > 0 ? std::ldexp(segment.cos_pitch, k) / segment.radius : 0;
-        if (theta > max_theta(format)) continue;
+        if (theta > kMostTheta) continue;
         const double bound = segment_bound(format, segment);
         if (bound < cut.bound) {
             cut.bound = bound;

@@ -17,10 +17,6 @@
 //   valid_o                        1
 //   d_o, tag_o                     d, tag
 //
-// TurnBits > 0: the coefficients are an arc's (ref/format/order_words.hpp), the one of power i no
-// larger than 2^(Bits - 2 - TurnBits (i-1)) / i!.  Its pass then has widths of its own: the same
-// sums in curvecore_pkg::sum_bits, and the top tau_bits of x.
-//
 // Reset clears what is under way.  Coefficients are written whether enabled or not.
 // No overflow as long as every a and every sum fits Bits: see to it when writing coefficients.
 `default_nettype none
@@ -31,7 +27,6 @@ module horner #(
     parameter int Shift     = 35,     // [16, Bits - 1]
     parameter int LastShift = Shift,  // [16, Bits - 1]
     parameter int Interval  = 1,      // 1, 2, 4, 8
-    parameter int TurnBits  = 0,      // [0, 14]
     parameter int BankBits  = 2,      // [1, 5]
     parameter int TagBits   = 2,      // [BankBits, 28]
     parameter int Form      = 0       // 0 portable, 1 ECP5, 2 UP5K
@@ -65,10 +60,6 @@ module horner #(
   initial
     if (LastShift != Shift && Interval == 2 && Passes % 2 == 0)
       $fatal(1, "LastShift needs the last pass alone in its stage");
-  initial if (TurnBits < 0 || TurnBits > 14) $fatal(1, "TurnBits must be in [0, 14]");
-  initial
-    if (TurnBits > 0 && (Interval != 1 || Shift != Bits - 1 || LastShift != Shift))
-      $fatal(1, "TurnBits works with Interval 1 and Shift Bits - 1 only");
   initial if (BankBits < 1 || BankBits > 5) $fatal(1, "BankBits must be in [1, 5]");
   initial if (TagBits < BankBits || TagBits > 28) $fatal(1, "TagBits must be in [BankBits, 28]");
   initial
@@ -106,9 +97,6 @@ module horner #(
   end
 
   for (genvar s = 0; s < Stages; s++) begin : g_stage
-    localparam int SumBits = curvecore_pkg::sum_bits(Bits, TurnBits, Passes - s);
-    localparam int XBits = curvecore_pkg::tau_bits(Bits, TurnBits, Passes - s);
-
     logic [2:0] phase;
     logic       first;
     local_copy #(
@@ -137,15 +125,15 @@ module horner #(
         .loop_word_o(loop_word[s+1])
     );
 
-    logic [XBits-1:0] x;
+    logic [Bits-1:0] x;
     delay_line #(
-        .Bits  (XBits),
+        .Bits  (Bits),
         .Clocks((Interval > 2) ? 3 : 2)
     ) u_x (
         .clk_i,
         .rst_ni,
         .en_i,
-        .data_i(slot_word[Bits-1-:XBits]),
+        .data_i(slot_word[Bits-1:0]),
         .data_o(x)
     );
 
@@ -163,16 +151,13 @@ module horner #(
     end
 
     // The last pass is alone in its stage up to Interval = 2, else it has its phase.
-    localparam int Cut = Bits - XBits;
-    localparam int Own = ((s == Stages - 1 && Interval <= 2) ? LastShift : Shift) - Cut;
-    localparam int Other = ((s == Stages - 1) ? LastShift : Shift) - Cut;
+    localparam int Own = (s == Stages - 1 && Interval <= 2) ? LastShift : Shift;
+    localparam int Other = (s == Stages - 1) ? LastShift : Shift;
     logic next_last;
     assign next_last = next_phase == 3'((Passes - 1) % Interval);
     for (genvar l = 0; l < Lanes; l++) begin : g_lane
-      logic signed [SumBits-1:0] pass;
       horner_stage #(
-          .Bits(SumBits),
-          .XBits(XBits),
+          .Bits(Bits),
           .Shift(Own),
           .LastShift(Other),
           .Address(Address),
@@ -184,15 +169,14 @@ module horner #(
           .en_i,
           .write_i(write && write_lanes_i[l]),
           .write_address_i(write_address),
-          .write_coef_i(write_coef_i[l*Bits+:SumBits]),
+          .write_coef_i(write_coef_i[l*Bits+:Bits]),
           .address_i(address),
           .first_i(first),
           .next_last_i(next_last),
           .x_i(x),
-          .previous_i(late[s*Lanes+l][SumBits-1:0]),
-          .late_o(pass)
+          .previous_i(late[s*Lanes+l]),
+          .late_o(late[(s+1)*Lanes+l])
       );
-      assign late[(s+1)*Lanes+l] = Bits'(pass);
     end
   end
 

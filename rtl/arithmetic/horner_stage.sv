@@ -16,8 +16,7 @@
 // the address, which comes from a wide choice.
 `default_nettype none
 module horner_stage #(
-    parameter int Bits      = 36,     // [18, 36] bits of sums
-    parameter int XBits     = Bits,   // [18, 36]; Interval > 2: Bits
+    parameter int Bits      = 36,     // [18, 36]
     parameter int Shift     = 35,     // [0, 35]
     parameter int LastShift = Shift,  // [1, 35] for the last pass; Interval > 2
     parameter int Address   = 2,      // [1, 8] coefficients: Interval passes of every bank
@@ -37,7 +36,7 @@ module horner_stage #(
     input  wire logic        [Address-1:0] address_i,
     input  wire logic                      first_i,
     input  wire logic                      next_last_i,  // a clock before late_o is registered
-    input  wire logic signed [  XBits-1:0] x_i,
+    input  wire logic signed [   Bits-1:0] x_i,
     input  wire logic signed [   Bits-1:0] previous_i,
     output logic signed      [   Bits-1:0] late_o
 );
@@ -96,10 +95,10 @@ module horner_stage #(
 
   localparam int Mixed = (Interval > 2 && LastShift != Shift) ? 1 : 0;
   localparam int ProductShift = (Mixed != 0) ? 0 : Shift;
-  logic signed [Bits+XBits-ProductShift-1:0] product;
+  logic signed [2*Bits-ProductShift-1:0] product;
   multiplier #(
       .ABits(Bits),
-      .BBits(XBits),
+      .BBits(Bits),
       .Shift(ProductShift),
       .Form (Form)
   ) u_multiplier (

@@ -9,8 +9,7 @@ module segment_entry #(
     parameter int CoefBits = 36,  // [18, 36]
     parameter int FineBits = 42,  // [18, 44]
     parameter int AuxAxes  = 0,   // [0, 6]
-    parameter int Splines  = 0,   // 1: segments of splines too
-    parameter int TurnBits = 0    // [0, 14]
+    parameter int Splines  = 0    // 1: segments of splines too
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -35,7 +34,6 @@ module segment_entry #(
 );
 
   localparam int Axes = 3 + AuxAxes;
-  localparam int LargestTurn = CoefBits - 1 - TurnBits;  // exponent of theta's largest value
 
   // The next word
   logic [3:0] tag_q, tag_d;
@@ -118,21 +116,11 @@ module segment_entry #(
   logic positive;
   logic coef_fits;
   logic point_fits;
-  logic theta_fits;
   logic phi_fits;
   assign positive   = data_o[CoefField-1:CoefBits-1] == '0;
   assign coef_fits  = positive || (&data_o[CoefField-1:CoefBits-1]);
   assign point_fits = data_o[PointField-1:FineBits-1] == '0 || (&data_o[PointField-1:FineBits-1]);
   assign phi_fits   = positive && data_o[CoefBits-2];
-  if (TurnBits == 0) begin : g_any_turn
-    assign theta_fits = positive;
-  end else begin : g_small_turns
-    logic below;
-    logic largest;
-    assign below      = data_o[CoefField-1:LargestTurn] == '0;
-    assign largest    = data_o[CoefField-1:0] == (CoefField'(1) << LargestTurn);
-    assign theta_fits = below || largest;
-  end
 
   localparam int FirstSpare = words_pkg::OtherTurnLow + words_pkg::OtherTurnBits;
   logic spline_q;
@@ -148,7 +136,7 @@ module segment_entry #(
   assign scale_fits = data_o[words_pkg::TagLow-1:FirstSpare] == '0 &&
       (spline_q ? lambda <= words_pkg::MostLambda && {1'b0, k_q} <= lambda : lambda == '0);
   assign theta_word = k <= words_pkg::MostStepExponent &&
-      ((kind == 2'd0 && theta_fits) || (kind == 2'd1 && Splines == 1 && phi_fits));
+      ((kind == 2'd0 && positive) || (kind == 2'd1 && Splines == 1 && phi_fits));
   always_comb begin
     case (tag_q)
       words_pkg::TagTheta: can_be = theta_word;

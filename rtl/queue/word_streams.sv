@@ -13,7 +13,6 @@ module word_streams #(
     parameter int FineBits          = 42,    // [18, 44]
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 0,     // 0, 1
-    parameter int TurnBits          = 0,     // [0, 14]
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
 ) (
@@ -76,8 +75,7 @@ module word_streams #(
       .CoefBits(CoefBits),
       .FineBits(FineBits),
       .AuxAxes (AuxAxes),
-      .Splines (Splines),
-      .TurnBits(TurnBits)
+      .Splines (Splines)
   ) u_segment_entry (
       .clk_i,
       .rst_ni,

@@ -6,8 +6,7 @@
 //   Mode 1   polynomial_sampler for lines and arcs, spline_sampler for splines; with both the first
 //            waits, and each sample takes the one of its bank's kind
 //
-// TurnBits > 0: arcs whose steps turn by at most 2^-TurnBits rad; every order has words of its own
-// width.  Twins: hls/spherical_kernel.hpp, hls/spline_kernel.hpp.
+// Twins: hls/spherical_kernel.hpp, hls/spline_kernel.hpp.
 //
 //   clock           0                   curvecore_pkg::sampler_latency(Curves, Mode, Order, ..)
 //   phase_i         0
@@ -19,7 +18,6 @@ module curve_sampler #(
     parameter int CoefBits       = 36,  // [18, 36]
     parameter int Mode           = 0,   // 0 series, 1 polynomial
     parameter int SampleInterval = 1,   // 1, 2, 4, 8
-    parameter int TurnBits       = 0,   // [0, 14]; above 0: Curves 1, Mode 0, SampleInterval 1
     parameter int TagBits        = 5,   // the low two are the bank
     parameter int MultiplierForm = 0    // 0 portable, 1 ECP5, 2 UP5K
 ) (
@@ -60,7 +58,6 @@ module curve_sampler #(
         .Bits(CoefBits),
         .Shift(CoefBits - 1),
         .Interval(SampleInterval),
-        .TurnBits(TurnBits),
         .BankBits(2),
         .TagBits(TagBits),
         .Form(MultiplierForm)

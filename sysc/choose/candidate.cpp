@@ -29,13 +29,10 @@ Tried every(int CoreParameters::*value) {
 }
 
 const std::vector<Tried>& all_tried() {
-    static const std::vector<Tried> kAll{every(&CoreParameters::sample_interval),
-                                         every(&CoreParameters::mode),
-                                         every(&CoreParameters::order),
-                                         {&CoreParameters::parameter_guard, {0, 4}},
-                                         {&CoreParameters::turn_bits, {0, 2, 4, 6, 8, 10, 12}},
-                                         every(&CoreParameters::guard_bits),
-                                         every(&CoreParameters::coef_bits)};
+    static const std::vector<Tried> kAll{
+        every(&CoreParameters::sample_interval), every(&CoreParameters::mode),
+        every(&CoreParameters::order),           {&CoreParameters::parameter_guard, {0, 4}},
+        every(&CoreParameters::guard_bits),      every(&CoreParameters::coef_bits)};
     return kAll;
 }
 
@@ -83,9 +80,8 @@ std::optional<CostEstimate> cost_of(const Requirement& requirement, const Candid
 std::vector<Candidate> all_candidates(const Requirement& requirement) {
     std::vector<Candidate> all;
     const auto add = [&](const CoreParameters& parameters, double unit) {
-        // motion_board has no such parameters.
-        const bool special = parameters.turn_bits > 0 || parameters.parameter_guard > 0;
-        if (requirement.whole_board && special) return;
+        // motion_board has no such parameter.
+        if (requirement.whole_board && parameters.parameter_guard > 0) return;
         std::optional<Candidate> one = make_candidate(requirement, parameters, unit);
         if (!one) return;
         const auto cost = cost_of(requirement, *one);

@@ -16,7 +16,6 @@ struct RunTimeFormat {
         : kOrder(core.order),
           kCoefBits(core.coef_bits),
           kGuardBits(core.guard_bits),
-          kTurnBits(core.turn_bits),
           kParameterGuard(core.parameter_guard),
           kAxes(axes),
           kFineBits(core.position_bits + core.guard_bits),
@@ -39,7 +38,7 @@ struct RunTimeFormat {
         return ranges_->keep(variable, order, value);
     }
 
-    int kOrder, kCoefBits, kGuardBits, kTurnBits, kParameterGuard, kAxes, kFineBits;
+    int kOrder, kCoefBits, kGuardBits, kParameterGuard, kAxes, kFineBits;
     int kCoefFrac, kUnitFrac, kTop;
     bool kAnchor, kSeries;
 

@@ -177,8 +177,9 @@ std::optional<CostEstimate> estimate(Core core, const CoreParameters& parameters
     values[kSamples] = 1.0 / parameters.sample_interval;
     values[kArcs] = core == Core::kSpline ? 0 : 1;
     values[kSplines] = core == Core::kSpherical ? 0 : 1;
-    values[kWide] = mean_wide(core, parameters);
-    values[kNarrow] = count_multipliers(core, parameters).narrow;
+    const MultiplierCount multipliers = count_multipliers(core, parameters);
+    values[kWide] = multipliers.wide;
+    values[kNarrow] = multipliers.narrow;
     values[kSoft] = soft_bits(parameters, device);
     values[kWideBlock] = wide_block(parameters, device) ? 1 : 0;
     CostEstimate cost;

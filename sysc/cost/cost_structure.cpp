@@ -2,63 +2,43 @@
 // Multipliers and block memories of a core, counted as the RTL instantiates them.
 #include "sysc/cost/cost_structure.hpp"
 
-#include <algorithm>
-
-#include "ref/format/order_words.hpp"
-
 namespace curvecore::sysc {
 namespace {
 
-// Bits for which Yosys takes a block of a GW2A: of an operand; and of an XC7: of an operand, of
-// the product.
+// Bits of either operand for which Yosys takes a block of a GW2A; of an XC7.
 constexpr int kGowinLeast = 3;
-constexpr int kXilinxLeast = 2;
-constexpr int kXilinxLeastProduct = 9;
+constexpr int kXilinxLeast = 5;
 
 int blocks(int bits, int width) { return (bits + width - 1) / width; }
 
 /// Blocks of rtl/multiplier/multiplier_portable.sv as Yosys maps it: a product of the high halves,
 /// 18 bits signed, and one for every pair with a low half, which is unsigned and takes the bits
 /// above 18.
-int portable(int a_bits, int b_bits, const Device& device) {
-    const int a_low = a_bits - 18;
-    const int b_low = b_bits - 18;
-    const int lows = std::min(a_low, b_low);
+int portable(int bits, const Device& device) {
+    const int low = bits - 18;
     if (device.family == "gw2a-18") {  // up to 9 x 9 it is half a block
-        return 1 + (a_low >= kGowinLeast ? 1 : 0) + (b_low >= kGowinLeast ? 1 : 0) +
-               (lows > kGowinLeast ? 1 : 0);
+        return 1 + (low >= kGowinLeast ? 2 : 0) + (low > kGowinLeast ? 1 : 0);
     }
     if (device.family == "lifcl-40") {  // 18 bits signed by 18 unsigned: MULT18X36, two blocks
-        const auto crossed = [](int low) { return low == 18 ? 2 : low > 0 ? 1 : 0; };
-        return 1 + crossed(a_low) + crossed(b_low) + (lows > 0 ? 1 : 0);
+        return low == 18 ? 6 : low > 0 ? 4 : 1;
     }
     if (device.family == "xc7") {  // 25 x 18 bits signed
-        const bool blocked = lows >= kXilinxLeast && a_low + b_low >= kXilinxLeastProduct;
-        return 1 + (a_low > 0 ? 1 : 0) + (b_low > 0 ? 1 : 0) + (blocked ? lows == 18 ? 2 : 1 : 0);
+        return 1 + (low > 0 ? 2 : 0) + (low == 18 ? 2 : low >= kXilinxLeast ? 1 : 0);
     }
     return 0;
 }
 
 /// Blocks of rtl/multiplier/multiplier.sv.
-int multiplier(int a_bits, int b_bits, const Device& device) {
-    if (device.form == 1) return blocks(a_bits, 18) * blocks(b_bits, 18);
-    if (device.form == 2) return 4 + (a_bits > 32 ? 2 : 0) + (b_bits > 32 ? 2 : 0);
-    return portable(a_bits, b_bits, device);
+int multiplier(int bits, const Device& device) {
+    if (device.form == 1) return blocks(bits, 18) * blocks(bits, 18);
+    if (device.form == 2) return bits > 32 ? 8 : 4;
+    return portable(bits, device);
 }
 
 /// Blocks of a product of the spline's network: 18 x 18 bits, one of them signed by a bit more.
 int narrow_multiplier(const Device& device) {
     if (device.form == 1) return 1;
     return device.family == "xc7" ? 2 : 0;
-}
-
-/// Visits each order's word in a sampler of arcs with a width for each.
-template <class Visit>
-void each_stage(const CoreParameters& p, Visit visit) {
-    for (int i = 1; i <= p.order; ++i) {
-        visit(ref::sum_bits(p.coef_bits, p.turn_bits, i),
-              ref::tau_bits(p.coef_bits, p.turn_bits, i));
-    }
 }
 
 }  // namespace
@@ -89,27 +69,11 @@ MultiplierCount count_multipliers(Core core, const CoreParameters& parameters) {
 int count_dsp(Core core, const CoreParameters& parameters, const Device& device) {
     const MultiplierCount count = count_multipliers(core, parameters);
     const int bits = parameters.coef_bits;
-    int wide = count.wide;
-    int narrowed = 0;
-    if (parameters.turn_bits > 0) {
-        wide -= 3 * parameters.order;
-        each_stage(parameters,
-                   [&](int sum, int tau) { narrowed += 3 * multiplier(sum, tau, device); });
-    }
     // Of tau^2 Yosys makes the two products that are the same one once.
     const bool square = device.family == "xc7" && parameters.build == Build::kParallel &&
                         parameters.mode == 1 && core != Core::kSpline && bits > 18;
-    return wide * multiplier(bits, bits, device) + narrowed +
-           count.narrow * narrow_multiplier(device) - (square ? 1 : 0);
-}
-
-double mean_wide(Core core, const CoreParameters& parameters) {
-    double wide = count_multipliers(core, parameters).wide;
-    if (parameters.turn_bits == 0) return wide;
-    each_stage(parameters, [&](int sum, int tau) {
-        wide -= 3 * (1 - (sum + tau) / (2.0 * parameters.coef_bits));
-    });
-    return wide;
+    return count.wide * multiplier(bits, device) + count.narrow * narrow_multiplier(device) -
+           (square ? 1 : 0);
 }
 
 int soft_bits(const CoreParameters& parameters, const Device& device) {

@@ -7,9 +7,6 @@
 namespace curvecore::sysc {
 
 int count_dsp(Core core, const CoreParameters& parameters, const Device& device);
-/// Multipliers of CoefBits as wide in all as those that there are: the same count but with
-/// TurnBits.
-double mean_wide(Core core, const CoreParameters& parameters);
 /// Pairs of bits, one of each operand, that LUTs multiply in the serial build's multiplier.
 int soft_bits(const CoreParameters& parameters, const Device& device);
 /// Returns true if the multiplier takes blocks of more than 18 x 18 bits, which are slower.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/cost/multiplier_bits.hpp"
 
-#include "ref/format/order_words.hpp"
-
 namespace curvecore::sysc {
 
 MultiplierBits multiplier_bits(const ref::CoreParameters& parameters, bool arcs, bool splines) {
@@ -20,12 +18,7 @@ MultiplierBits multiplier_bits(const ref::CoreParameters& parameters, bool arcs,
     }
     cost.integrators = (arcs ? kArcIntegrators : 0) + (splines ? kSplineIntegrators : 0);
     const int width = parameters.coef_bits;
-    const int turn = parameters.turn_bits;
     cost.bits = cost.sampler_products * width * width + cost.integrators * 18 * 18;
-    for (int i = 1; i <= order && turn > 0; ++i) {
-        cost.bits -=
-            3 * (width * width - ref::sum_bits(width, turn, i) * ref::tau_bits(width, turn, i));
-    }
     return cost;
 }
 

@@ -8,8 +8,7 @@ namespace curvecore::sysc {
 
 /// The bits of all partial products when a sample leaves with every clock:
 ///
-///     W^2 for each product of the sampler (with TurnBits, of each order's own widths), 18^2 for
-///     each integrator of the networks
+///     W^2 for each product of the sampler, 18^2 for each integrator of the networks
 ///
 /// with CoefBits W; the parallel build's networks work digit by digit, one 18 x 18 multiplier each.
 /// A core that draws both kinds shares the sampler of Mode 0 and has both of Mode 1.

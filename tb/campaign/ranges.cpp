@@ -39,7 +39,6 @@ Seen draw_cubics(int cubics, tb::Extreme extreme) {
                                      C::kPositionBits,
                                      C::kGuardBits,
                                      C::kMode == SamplerMode::kPolynomial,
-                                     0,
                                      C::kParameterGuard};
     const double hair = std::ldexp(1.0, 6 - C::kCoefBits);
     tb::ExtremeCubics random(7 + C::kOrder, 1.0 / 1024, hair);
@@ -67,7 +66,7 @@ Seen draw_cubics(int cubics, tb::Extreme extreme) {
 }
 
 template <int P, int W, int G, SamplerMode Mode, int Guard = 0>
-using Core = hls::Configuration<P, W, 32, G, 0, Mode, true, 0, Guard>;
+using Core = hls::Configuration<P, W, 32, G, 0, Mode, true, Guard>;
 constexpr SamplerMode kSeries = SamplerMode::kSeries;
 constexpr SamplerMode kPolynomial = SamplerMode::kPolynomial;
 

@@ -140,14 +140,6 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetModeUnknown", with({"--set", "Mode=2"}), "curvecore: error: --set Mode must be in [0, 1]"},
     {"SetIntervalThree", with({"--set", "SampleInterval=3"}),
      "curvecore: error: --set SampleInterval must be 1, 2, 4 or 8"},
-    {"SetTurnBitsTooMany", with({"--set", "TurnBits=15"}),
-     "curvecore: error: --set TurnBits must be in [0, 14]"},
-    {"SetTurnBitsOfPolynomials", with({"--set", "TurnBits=4", "--set", "Mode=1"}),
-     "curvecore: error: TurnBits=4 works with --build parallel, Splines=0, Mode=0 and "
-     "SampleInterval=1 only"},
-    {"SetTurnBitsOfTheSerialBuild", with({"--set", "TurnBits=4", "--build", "serial"}),
-     "curvecore: error: TurnBits=4 works with --build parallel, Splines=0, Mode=0 and "
-     "SampleInterval=1 only"},
     {"SetParameterGuardTooMuch", with({"--set", "ParameterGuard=9"}),
      "curvecore: error: --set ParameterGuard must be in [0, 8]"},
     {"SetParameterGuardOfTheSerialBuild", with({"--set", "ParameterGuard=4", "--build", "serial"}),

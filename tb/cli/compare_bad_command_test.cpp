@@ -76,17 +76,6 @@ const std::vector<BadComparison> kBadComparisons{
      "curvecore: error: --set GuardBits must be in [2, 12]"},
     {"ModeUnknown", {"--set", "Mode=2"}, "curvecore: error: --set Mode must be in [0, 1]"},
     {"SchemeUnknown", {"--set", "Anchor=0:2"}, "curvecore: error: --set Anchor must be in [0, 1]"},
-    {"TurnBitsTooMany",
-     {"--set", "TurnBits=15"},
-     "curvecore: error: --set TurnBits must be in [0, 14]"},
-    {"TurnBitsOfPolynomials",
-     {"--set", "TurnBits=0,8"},
-     "curvecore: error: there are splines, and TurnBits=8 works with --build parallel, Splines=0, "
-     "Mode=0 and SampleInterval=1 only"},
-    {"TurnBitsOfSplines",
-     {"--set", "TurnBits=8", "--set", "Mode=0"},
-     "curvecore: error: there are splines, and TurnBits=8 works with --build parallel, Splines=0, "
-     "Mode=0 and SampleInterval=1 only"},
     {"ParameterGuardTooMuch",
      {"--set", "ParameterGuard=0:9"},
      "curvecore: error: --set ParameterGuard must be in [0, 8]"},

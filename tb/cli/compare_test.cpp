@@ -167,23 +167,6 @@ TEST_F(Compare, ErrorFallsWithWidthToTheFloor) {
     EXPECT_NEAR(rows[4]["output"]["x"]["rms"].get<double>(), 0.2887, 0.02);  // 1 / sqrt 12
 }
 
-TEST_F(Compare, AWidthForEachOrderCostsLessAndHoldsItsBound) {
-    const Json rows =
-        compare({"--curves", "arcs", "--set", "Order=3", "--set", "CoefBits=28", "--set", "Mode=0",
-                 "--set", "TurnBits=0,4,8", "--samples", "4000"})["rows"];
-    ASSERT_EQ(rows.size(), 3U);
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(rows[i]["turn_bits"], 4 * i);
-        EXPECT_LE(rows[i]["max_of_bound"], 1);
-        EXPECT_GT(rows[i]["max_of_bound"], 0.1);
-        EXPECT_EQ(rows[i]["landing"], 0);
-        EXPECT_EQ(rows[i]["missing_bits"], 0);
-        if (i > 0) {
-            EXPECT_LT(rows[i]["multiplier_bits"], rows[i - 1]["multiplier_bits"]);
-        }
-    }
-}
-
 TEST_F(Compare, AFineParameterNeedsFewerSegments) {
     const Json rows =
         compare({"--curves", "splines", "--set", "Order=4", "--set", "CoefBits=32", "--set",

@@ -203,16 +203,6 @@ TEST_F(GoodRun, SerialGivesTheSameSamples) {
     EXPECT_EQ(rows("serial"), rows());
 }
 
-TEST_F(GoodRun, DrawsWithAWidthForEachOrder) {
-    const Json json = report({"--set", "Order=3", "--set", "CoefBits=27", "--set", "TurnBits=8",
-                              "--error", "1nm", "--on", "kernel"});
-    EXPECT_EQ(json["parameters"]["TurnBits"], 8);
-    EXPECT_EQ(json["rtl_equals_kernel"], 0);
-    EXPECT_EQ(json["landing_lsb"], 0);
-    EXPECT_LE(json["unrounded"]["max_of_bound"], 1);
-    EXPECT_GT(json["unrounded"]["max_of_bound"], 0.1);
-}
-
 TEST_F(GoodRun, OverrideIsSlowerOnTheSamePath) {
     const Json full = report();
     const Json half = report({"--override", "50"}, "half");

@@ -30,8 +30,6 @@ const std::vector<BadCommand> kBadCommands{
      "hls: CoefBits must be in [18, 36] (CoefBits is 37)"},
     {"ParameterNotANumber", "--core spline --set Order=x", "hls: Order must be a whole number"},
     {"ParameterWithoutValue", "--core spline --set Order", "hls: --set Order: must be Name=Value"},
-    {"TurnBitsOfPolynomials", "--core spherical --set TurnBits=4 --set Mode=1",
-     "hls: TurnBits works with Mode 0 only (Mode is 1, TurnBits is 4)"},
     {"ParameterOfTheRtl", "--core spherical --set SampleInterval=4",
      "hls: SampleInterval is the RTL's alone: "},
     {"StepsOfAStep", "--core sine_cosine --steps 1", "hls: --steps: a call of sine_cosine is one"},

@@ -187,7 +187,7 @@ std::vector<std::string> configurations(const std::string& results) {
         rows.emplace_back();
         for (const char* name :
              {"core", "build", "device", "speed", "seeds", "note", "Order", "CoefBits",
-              "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval", "TurnBits"}) {
+              "PositionBits", "GuardBits", "AuxAxes", "Mode", "SampleInterval"}) {
             const auto column = std::find(header.begin(), header.end(), name) - header.begin();
             rows.back() += (row.at(column).empty() ? "0" : row[column]) + ',';
         }

@@ -19,13 +19,10 @@
 // control: ANY_AFTER_RESET s/else if (pass \&\& complete) any_start_q <= 1'b0;//
 // control: NO_CHECK_OF_ADVANCE s/.checked_i(tag_q == words_pkg::TagAdvance)/.checked_i(1'b0)/
 // control: ONE_PROGRAM s/.last_i(last_o)/.last_i(1'b0)/
-// configuration: ArcsOfSmallTurns Splines=0 TurnBits=3 AuxAxes=0
-// long: proved.ArcsOfSmallTurns
 `default_nettype none
 module segment_entry_formal #(
-    parameter int Splines  = 1,
-    parameter int TurnBits = 0,
-    parameter int AuxAxes  = 1
+    parameter int Splines = 1,
+    parameter int AuxAxes = 1
 ) (
     input wire logic        clk_i,
     input wire logic        rst_ni,
@@ -54,8 +51,7 @@ module segment_entry_formal #(
       .CoefBits(CoefBits),
       .FineBits(FineBits),
       .AuxAxes (AuxAxes),
-      .Splines (Splines),
-      .TurnBits(TurnBits)
+      .Splines (Splines)
   ) u_dut (
       .clk_i,
       .rst_ni,
@@ -180,8 +176,7 @@ module segment_entry_formal #(
     case (tag)
       4'd2: begin
         can_be = 1'b0;
-        if (data[37:36] == 2'd0)
-          can_be = coef >= 0 && (TurnBits == 0 ? coef < One : coef <= One >>> TurnBits);
+        if (data[37:36] == 2'd0) can_be = coef >= 0 && coef < One;
         if (data[37:36] == 2'd1 && Splines == 1) can_be = coef >= One >>> 1 && coef < One;
         if (data[42:38] > 5'd27) can_be = 1'b0;
       end

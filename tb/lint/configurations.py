@@ -49,11 +49,11 @@ CLASSES = {bench: {"Order": EVEN_AND_ODD, "SampleInterval": INTERVAL} for bench 
     "curve_interpolator")} | {
     "spherical_interpolator": {
         "Order": every(2, 3, 12) | {"even": {4, 6, 8, 10}, "odd": {5, 7, 9, 11}},
-        "SampleInterval": every(1, 2, 4, 8), "TurnBits": default_or_not("TurnBits")},
+        "SampleInterval": every(1, 2, 4, 8)},
     "motion_interpolator": {
         "Build": every(0, 1), "SampleInterval": INTERVAL,
         **{name: default_or_not(name) for name in ("Order", "CoefBits", "PositionBits",
-                                                   "GuardBits", "ParameterGuard", "TurnBits")}},
+                                                   "GuardBits", "ParameterGuard")}},
 }
 # Core of a bench, if no column gives it.
 CORES = {"spline_interpolator": {"Splines": 1}, "curve_interpolator": {"Splines": 1},

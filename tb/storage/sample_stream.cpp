@@ -79,7 +79,6 @@ int main() {
     }
     print_samples<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries, false>>(true);
     print_samples<Configuration<5, 33, 32, 8, 0, SamplerMode::kPolynomial, false>>(true);
-    print_samples<Configuration<3, 30, 32, 8, 1, SamplerMode::kSeries, true, 6>>(false);
     print_hyperbolas<Configuration<6, 36, 32, 10, 0, SamplerMode::kSeries>>();
     print_hyperbolas<Configuration<11, 29, 32, 10, 0, SamplerMode::kSeries, false>>();
     print_path();

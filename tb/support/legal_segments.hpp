@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeded segments at the edges of what is legal: arcs, helices and lines; whole, partial, tiny and
-// empty ones; theta up to 1/2 or 2^-TurnBits, steps and positions up to a quarter of the range.
+// empty ones; theta up to 1/2, steps and positions up to a quarter of the range.
 //
 // Legal: |t| = |n| = cos(pitch), t perpendicular to n, at most a quarter turn. The end word is
 // random: a core must land on it, not near. Segments need not join.
@@ -37,7 +37,7 @@ class LegalSegments {
         const double pitch = kind == 0 ? uniform(-1.5, 1.5) : 0;
         const bool line = kind == 1;
         const double cos_pitch = line ? 0 : std::cos(pitch);
-        const double theta = line ? 0 : angle() * cos_pitch;
+        const double theta = line ? 0 : uniform(0.05, 0.49) * cos_pitch;
         const Eigen::Vector3d normal = direction();
         const Eigen::Vector3d across = normal.cross(direction());
         const Eigen::Vector3d tangent =
@@ -70,13 +70,6 @@ class LegalSegments {
   private:
     double uniform(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
-    }
-
-    /// Angle of a step; sometimes the largest that TurnBits allow.
-    double angle() {
-        if (core_.turn_bits == 0) return uniform(0.05, 0.49);
-        const double most = std::ldexp(1.0, -core_.turn_bits);
-        return random_() % 4 == 0 ? most : most * uniform(0.1, 1);
     }
 
     /// A direction, sometimes along an axis: components of exactly 0 and 1.

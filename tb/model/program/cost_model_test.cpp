@@ -38,7 +38,7 @@ std::vector<KnownRun> runs() {
         p.build = one.at("build") == "serial" ? Build::kSerial : Build::kParallel;
         p.splines = run.core == Core::kSpherical ? 0 : 1;
         for (const char* name : {"Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes",
-                                 "Mode", "SampleInterval", "TurnBits"}) {
+                                 "Mode", "SampleInterval"}) {
             set_parameter(p, std::string(name) + "=" + std::to_string(one.at(name).get<int>()));
         }
         run.device = std::find_if(kDevices.begin(), kDevices.end(), [&](const Device& device) {
@@ -58,23 +58,6 @@ TEST(CostModel, CountsDspAndRamExactly) {
         EXPECT_EQ(cost->dsp, run.json.at("dsp")) << run.json;
         EXPECT_EQ(cost->ram, run.json.at("bram")) << run.json;
     }
-}
-
-/// Blocks of ECP5: four of 18 x 18 for a product, two or one where words of 18 bits are enough.
-TEST(CostModel, CountsTheBlocksOfEachOrdersWords) {
-    const Device& ecp5 = *find_device("ecp5-25");
-    CoreParameters parameters;
-    parameters.order = 3;
-    parameters.coef_bits = 28;
-    EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 36);
-    parameters.turn_bits = 8;  // 28x28, 19x20, 18x18
-    EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 27);
-    parameters.turn_bits = 9;  // 18x19
-    EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 21);
-    parameters.turn_bits = 10;  // 18x18
-    EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 18);
-    parameters.aux_axes = 2;
-    EXPECT_EQ(estimate(Core::kSpherical, parameters, ecp5)->dsp, 26);
 }
 
 /// Blocks that Yosys made of rtl/multiplier/multiplier.sv alone, of these widths.

@@ -21,7 +21,6 @@ CoreParameters setting_of() {
                            C::kPositionBits,
                            C::kGuardBits,
                            C::kMode == SamplerMode::kPolynomial,
-                           C::kTurnBits,
                            C::kParameterGuard};
     setting.anchor = C::kAnchor ? 1 : 0;
     setting.aux_axes = C::kAuxAxes;
@@ -130,9 +129,9 @@ struct Typed {
 };
 
 template <int P, int W, int G, SamplerMode Mode, bool Anchor, int Position = 32, int Aux = 0,
-          int Turn = 0, int Guard = 0>
+          int Guard = 0>
 constexpr Typed core() {
-    using C = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Turn, Guard>;
+    using C = hls::Configuration<P, W, Position, G, Aux, Mode, Anchor, Guard>;
     return {P, W, draws_the_same_samples<C>, loads_the_same_words<C>};
 }
 constexpr SamplerMode kSer = SamplerMode::kSeries;
@@ -143,9 +142,9 @@ class RunTimeFormatOf : public testing::TestWithParam<Typed> {};
 INSTANTIATE_TEST_SUITE_P(
     Cores, RunTimeFormatOf,
     testing::Values(core<2, 18, 2, kSer, true>(), core<2, 36, 12, kPol, true>(),
-                    core<3, 27, 4, kSer, false>(), core<4, 20, 8, kPol, true, 24, 0, 0, 8>(),
+                    core<3, 27, 4, kSer, false>(), core<4, 20, 8, kPol, true, 24, 0, 8>(),
                     core<6, 36, 10, kPol, false>(), core<8, 30, 10, kSer, true, 32, 6>(),
-                    core<12, 31, 9, kSer, true, 32, 1, 1>(), core<12, 36, 12, kPol, true>()),
+                    core<12, 31, 9, kSer, true, 32, 1>(), core<12, 36, 12, kPol, true>()),
     [](const auto& tested) {
         return "order_" + std::to_string(tested.param.order) + "_coef_" +
                std::to_string(tested.param.coef_bits);

@@ -33,8 +33,7 @@ class Random {
     }
     ref::CoreParameters format() {
         const bool polynomial = uniform(0, 1) < 0.5;
-        const int turn_bits = polynomial ? 0 : std::max(0, whole(-4, 6));
-        return {whole(2, 12), whole(18, 36), 32, whole(2, 12), polynomial, turn_bits};
+        return {whole(2, 12), whole(18, 36), 32, whole(2, 12), polynomial};
     }
 
   private:
@@ -73,7 +72,7 @@ double worst_ratio(int segments, double beyond) {
         const int k = random.whole(0, 27);
         const double longest =
             std::min(M_PI_2 * most, std::ldexp(random.uniform(0.01, 1) < 0.5 ? 4 : 4096, k));
-        if (std::ldexp(1 / least, k) > ref::max_theta(format)) continue;
+        if (std::ldexp(1 / least, k) > ref::kMostTheta) continue;
         const double family = ref::family_bound(format, {least, most, longest, k});
         const double radius = random.uniform(least, most) / beyond;
         const double length =

@@ -20,12 +20,8 @@ using hls::SamplerMode;
 
 template <class C>
 ref::CoreParameters format_of() {
-    return {C::kOrder,
-            C::kCoefBits,
-            C::kPositionBits,
-            C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial,
-            C::kTurnBits};
+    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
+            C::kMode == SamplerMode::kPolynomial};
 }
 
 /// Worst error of the kernel in a segment, before the final rounding, over random samples of every
@@ -158,32 +154,6 @@ TEST(ErrorBound, CoversAndIsTightAtOrder8) { expect_tight<Core<8, 36, 10>>(1000,
 TEST(ErrorBound, CoversAtOrder12) { expect_tight<Core<12, 36, 12>>(1000, 0.1, 60, 16); }
 TEST(ErrorBound, CoversAndIsTightAt28Bits) { expect_tight<Core<6, 28, 10>>(100, 0.1, 30); }
 TEST(ErrorBound, CoversAndIsTightAt18Bits) { expect_tight<Core<4, 18, 4>>(0.3, 0.2, 40); }
-
-/// A width for each order.
-template <int P, int W, int G, int Turn>
-using Own = hls::Configuration<P, W, 32, G, 0, SamplerMode::kSeries, true, Turn>;
-
-TEST(ErrorBound, CoversAndIsTightWithAWidthForEachOrder) {
-    expect_tight<Own<6, 36, 10, 2>>(100, 0.1, 30);
-    expect_tight<Own<3, 36, 12, 6>>(100, 0.1, 30);
-    expect_tight<Own<2, 28, 8, 9>>(10, 0.1, 20);
-    expect_tight<Own<4, 24, 6, 1>>(1, 0.2, 30);
-}
-TEST(ErrorBound, IsLeftByACutOfTauThatItDoesNotKnow) {
-    std::mt19937_64 random(1);
-    ref::Segment segment;
-    segment.radius = 25e6;
-    segment.cos_pitch = 1;
-    segment.tangent = {0, 1, 0};
-    segment.normal = {1, 0, 0};
-    segment.end = segment.start = ref::Vec3::Zero();
-    segment.step_exponent = 23;
-    segment.length = std::uint64_t{3} << 39;
-    const auto honest = [](auto&) {};
-    const double bound = ref::segment_bound(format_of<Own<8, 36, 12, 0>>(), segment);
-    EXPECT_LE((worst_error<Own<8, 36, 12, 0>>(segment, random, honest)), bound);
-    EXPECT_GT((worst_error<Own<8, 36, 12, 8>>(segment, random, honest)), 4 * bound);
-}
 
 // Controls: a core that is worse than its words must leave the bound.
 TEST(ErrorBound, IsLeftByACoreOfALowerOrder) {

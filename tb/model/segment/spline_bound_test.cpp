@@ -98,7 +98,7 @@ void expect_tight(double limit, int curves, double largest = 1e9, double factor 
 }
 
 template <int P, int W, int G, SamplerMode Mode, int ParameterGuard = 0>
-using Core = hls::Configuration<P, W, 32, G, 0, Mode, true, 0, ParameterGuard>;
+using Core = hls::Configuration<P, W, 32, G, 0, Mode, true, ParameterGuard>;
 constexpr SamplerMode kSeries = SamplerMode::kSeries;
 constexpr SamplerMode kPolynomial = SamplerMode::kPolynomial;
 
