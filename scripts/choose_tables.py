@@ -44,7 +44,8 @@ def choose(name):
             )
         )
     head = ["core", "order", "coef", "guard", "position", "interval"]
-    head += [*(["parameter guard"] if fine else []), "unit", "proven error", "host words/s", "needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
+    head += [*(["parameter guard"] if fine else []), "unit", "proven error", "host words/s"]
+    head += ["needs MHz", "LUT4", "FF", "DSP", "RAM", "MHz"]
     head += ["a bit less ruled out"]
     error = data["choice"]["estimate"]["relative_error"]
     text = table(head, rows) + (
