@@ -61,7 +61,7 @@ class LongMemory : public Memory {};
 TEST_P(LongMemory, HasABoundForProgramsOfManyLines) {
     constexpr int kLines = 172275;
     EXPECT_LT(peak_kib("print.gcode", print(kLines), {}), kMostKib);
-    // Asked is kMostKib; `plan` takes 1 % more: a group of 2,000 arcs becomes 24,000 cubics at once.
+    // Asked is kMostKib; `plan` takes 1 % more: a group of 2,000 arcs is 24,000 cubics at once.
     constexpr long kOfArcs = 70 * 1024;
     EXPECT_LT(peak_kib("waves.ngc", waves(kLines / 4, "G64 P0.01"), {}), kOfArcs);
     EXPECT_LT(peak_kib("raster.ngc", raster(kLines, "G64 P0.01"), {}), kMostKib);
