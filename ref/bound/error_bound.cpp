@@ -11,11 +11,10 @@
 #include <cmath>
 
 #include "ref/bound/spline_bound.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
 namespace {
-
-constexpr double kQuantum = 1.0 / 65536;
 
 /// Steps, angle of a step and sizes of the last bits of one segment, or the worst of a family's.
 struct Steps {

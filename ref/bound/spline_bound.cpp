@@ -17,10 +17,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
+
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuantum = 1.0 / 65536;
 constexpr int kTail = 6;  // orders above P that are summed one by one
 
 /// The real number that a coefficient's word stands for, less what it should be.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/feed/places/step_speed.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/limits/limits.hpp"
 
 namespace curvecore::ref {
@@ -35,7 +36,8 @@ CoreSlowed core_slowed(const FeedTask& task, const WindowMotion& motion, std::si
     for (std::size_t i = first; i < end; ++i) {
         const Move& move = task.program.moves[moves[i].move - dropped];
         const double asked = allowed(move, moves[i].shape, machine);
-        const double length = static_cast<double>(moves[i].length) / 65536 * task.options.unit_mm;
+        const double length =
+            static_cast<double>(moves[i].length) * kQuantum * task.options.unit_mm;
         const bool ends = i + 1 == end || moves[i + 1].move != moves[i].move;
         const double time =
             motion.times()[i + 1] - motion.times()[i] - (ends ? move.dwell : 0);  // s

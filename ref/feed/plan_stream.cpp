@@ -141,7 +141,7 @@ void PlanStream::read(std::size_t size) {
 
 /// @throws InputError of the source
 void PlanStream::read_next() {
-    const double quantum = options_.unit_mm / 65536;
+    const double quantum = options_.unit_mm * kQuantum;
     more_ = false;
     for (Move move; !more_ && take(move);) {
         next_.push_back(move);

@@ -5,7 +5,9 @@
 namespace curvecore {
 namespace ref {
 
-constexpr int kPathFrac = 16;         // a path quantum is 2^-16 length unit
+constexpr int kPathFrac = 16;  // a path quantum is 2^-16 length unit
+constexpr double kQuantaPerUnit = 1 << kPathFrac;
+constexpr double kQuantum = 1 / kQuantaPerUnit;  // units
 constexpr int kBusLengthBits = 44;    // a segment's length, a piece's ds: unsigned, quanta
 constexpr int kMaxStepExponent = 27;  // an integration step is 2^k length units, k in [0, 27]
 constexpr int kProgramBits = 63;      // the path of a whole program, so that differences are signed

@@ -23,7 +23,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuanta = 65536;  // per unit
 constexpr double kClosing = 0.02;  // units, error of a computed arc at its end
 
 /// The cut of a move.
@@ -37,7 +36,7 @@ struct Cut {
 Segment prototype(const Move& move, const PathShape& shape, int pieces, double unit) {
     Segment segment;
     segment.length =
-        static_cast<std::uint64_t>(std::ceil(shape.length / unit / pieces * kQuanta)) + 1;
+        static_cast<std::uint64_t>(std::ceil(shape.length / unit / pieces * kQuantaPerUnit)) + 1;
     if (move.kind == Move::Kind::kArc) {
         const Vec3 arm = move.start - move.centre;
         segment.radius = arm.norm() / unit;
@@ -56,7 +55,7 @@ Segment prototype(const Move& move, const PathShape& shape, int pieces, double u
 Cut best_step(Segment segment, const CoreParameters& format, double limit) {
     Cut cut;
     cut.bound = 1e300;
-    const double length = static_cast<double>(segment.length) / kQuanta;
+    const double length = static_cast<double>(segment.length) / kQuantaPerUnit;
     const int longest =
         std::min(kMaxStepExponent, std::max(0, static_cast<int>(std::ceil(std::log2(length)))));
     for (int k = longest; k >= 0 && std::ldexp(kMaxSteps, k) > length; --k) {
@@ -135,7 +134,7 @@ Cut with_long_last_steps(const Cut& fewest, const Move& move, const PathShape& s
 class Cutter {
   public:
     Cutter(const Program& program, const Machine& machine, const PlanOptions& options, double miss)
-        : program_(program), machine_(machine), options_(options), path_(miss / kQuanta) {}
+        : program_(program), machine_(machine), options_(options), path_(miss / kQuantaPerUnit) {}
 
     Geometry run(std::size_t most) {
         if (program_.aux_axes > options_.aux_axes) {
@@ -146,7 +145,7 @@ class Cutter {
         for (std::size_t i = 0; i < program_.moves.size(); ++i) {
             const std::size_t first = geometry_.moves.size();
             if (std::max(first, geometry_.segments.size()) >= most) break;
-            const long double begin = path_ * kQuanta;
+            const long double begin = path_ * kQuantaPerUnit;
             add(i);
             if (first == geometry_.moves.size()) continue;
             geometry_.moves[first].miss = static_cast<double>(begin - std::round(begin));
@@ -182,7 +181,7 @@ class Cutter {
         const PathShape shape = path_shape(move);
         check_path(move, shape.length);
         const double unit = options_.unit_mm;
-        if (shape.length / unit * kQuanta < 0.5) {
+        if (shape.length / unit * kQuantaPerUnit < 0.5) {
             path_ += static_cast<long double>(shape.length) / unit;
             return;
         }
@@ -270,8 +269,9 @@ class Cutter {
         segment.line = move.line;
         segment.step_exponent = cut.step_exponent;
         segment.bound = cut.bound;
-        segment.s_start = static_cast<std::uint64_t>(std::llround(path_ * kQuanta));
-        segment.length = static_cast<std::uint64_t>(std::llround(end * kQuanta)) - segment.s_start;
+        segment.s_start = static_cast<std::uint64_t>(std::llround(path_ * kQuantaPerUnit));
+        segment.length =
+            static_cast<std::uint64_t>(std::llround(end * kQuantaPerUnit)) - segment.s_start;
         path_ = end;
         const double from = static_cast<double>(i) / cut.pieces;
         const double to = static_cast<double>(i + 1) / cut.pieces;

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ref/format/path_words.hpp"
 #include "ref/limits/spline_shape.hpp"
 #include "ref/segment/last_step.hpp"
 #include "ref/segment/spline_segment.hpp"
 
 namespace curvecore::ref {
 namespace {
-
-constexpr double kQuanta = 65536;  // per unit
 
 Cubic in_units(const Cubic& mm, double unit_mm) {
     return {mm.a / unit_mm, mm.b / unit_mm, mm.c / unit_mm, mm.d / unit_mm};
@@ -83,8 +82,8 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
         }
     }
     for (Segment& segment : segments) {
-        const auto from = static_cast<long double>(segment.s_start) / kQuanta - begin;
-        const auto length_units = static_cast<long double>(segment.length) / kQuanta;
+        const auto from = static_cast<long double>(segment.s_start) / kQuantaPerUnit - begin;
+        const auto length_units = static_cast<long double>(segment.length) / kQuantaPerUnit;
         segment.aux_start = aux_at(from);
         segment.aux_end = aux_at(from + length_units);
     }
@@ -103,7 +102,7 @@ std::vector<PlannedMove> planned_spline(const Program& program, const Machine& m
     std::vector<PlannedMove> all;
     if (count == 0) return all;
     const Move& move = program.moves[segments->move];
-    const double quantum = unit_mm / kQuanta;
+    const double quantum = unit_mm / kQuantaPerUnit;
     const ArcLength arc(move.cubic);
     const Standstills stands(move.cubic, arc, quantum);
     const std::uint64_t begin = segments->s_start;

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
 #include "ref/segment/core_budget.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 // A segment's length in words is the difference of two rounded sums: it may have this much more.
-constexpr double kRounding = 2.0 / 65536;  // units
+constexpr double kRounding = 2 * kQuantum;  // units
 
 }  // namespace
 

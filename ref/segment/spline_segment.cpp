@@ -8,12 +8,12 @@
 #include "ref/bound/error_bound.hpp"
 #include "ref/bound/spline_bound.hpp"
 #include "ref/curve/arc_length.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/segment/last_step.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kQuanta = 65536;
 constexpr int kMaxHalvings = 40;
 
 /// Roundings of the cubic's words and of the words made from them.
@@ -44,7 +44,7 @@ Segment short_line(const Cubic& piece, double length, const CoreParameters& form
     line.aux_advance = aux_advance;
     line.start = piece.d;
     line.end = piece.position(1);
-    line.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
+    line.length = static_cast<std::uint64_t>(std::llround(length * kQuantaPerUnit));
     if (length > 0) line.advance = (line.end - line.start) / length;
     line.step_exponent = 2;
     const double straight = std::min(1.0, line.advance.norm());
@@ -68,7 +68,7 @@ Segment segment_of(const Cubic& piece, const CoreParameters& format, double spee
     segment.c = piece.c / (unit * segment.beta);
     segment.b = piece.b / (unit * segment.beta * segment.beta);
     segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
-    segment.length = static_cast<std::uint64_t>(std::llround(length * kQuanta));
+    segment.length = static_cast<std::uint64_t>(std::llround(length * kQuantaPerUnit));
     return segment;
 }
 
@@ -131,7 +131,7 @@ Segment spline_segment(const Cubic& piece, const CoreParameters& format) {
 
 bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
     int exponent = 0;  // 2^exponent covers the length
-    std::frexp(static_cast<double>(segment.length) / kQuanta, &exponent);
+    std::frexp(static_cast<double>(segment.length) / kQuantaPerUnit, &exponent);
     Segment trial = segment;
     for (int k = std::clamp(exponent, 0, segment.lambda); k >= 0; --k) {
         trial.step_exponent = k;
@@ -162,7 +162,8 @@ SplineCut cut_spline(const Cubic& cubic, const CoreParameters& format, double li
 
 std::vector<Segment> placed(SplineCut cut, long double& path) {
     const auto quanta = [&path] {
-        return static_cast<std::uint64_t>(std::llround(path * static_cast<long double>(kQuanta)));
+        return static_cast<std::uint64_t>(
+            std::llround(path * static_cast<long double>(kQuantaPerUnit)));
     };
     for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
         cut.pieces[i].s_start = quanta();
@@ -179,7 +180,7 @@ std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& form
 
 std::vector<Segment> split_spline(const Cubic& cubic, const CoreParameters& format, double limit,
                                   std::uint64_t s_start) {
-    long double path = static_cast<long double>(s_start) / static_cast<long double>(kQuanta);
+    long double path = static_cast<long double>(s_start) / static_cast<long double>(kQuantaPerUnit);
     return split_spline(cubic, format, limit, path);
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/geometry/arc_cover.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/limits/spline_shape.hpp"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr int kRangesPerOctave = 2;
 constexpr double kShortSplines = 30;  // factor by which they are shorter than the longest
-constexpr double kQuanta = 65536;
 
 ref::Machine machine_of(const Requirement& requirement) {
     ref::Machine machine = requirement.machine;
@@ -147,8 +147,9 @@ Load DemandModel::spline_load(const CoreParameters& format, double unit_mm, doub
         for (const ref::Segment& segment : segments) {
             load.bound = std::max(load.bound, segment.bound);
             if (segment.length == 0) continue;
-            const double from = static_cast<double>(segment.s_start) / kQuanta * unit_mm;
-            const double units = static_cast<double>(segment.length) / kQuanta;
+            const double from =
+                static_cast<double>(segment.s_start) / ref::kQuantaPerUnit * unit_mm;
+            const double units = static_cast<double>(segment.length) / ref::kQuantaPerUnit;
             const double span = curve.time(from + units * unit_mm) - curve.time(from);
             const double steps = std::ceil(std::ldexp(units, -segment.step_exponent));
             load.steps = std::max(load.steps, steps / span);

@@ -9,6 +9,7 @@
 
 #include "hls/registers/registers.h"
 #include "ref/curve/axes.hpp"
+#include "ref/format/path_words.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/curvecore/commands.hpp"
 #include "sysc/curvecore/help.hpp"
@@ -20,7 +21,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kQuantaPerUnit = 65536;
 constexpr auto kStatusPeriod = std::chrono::milliseconds(200);
 
 /// A status line on a terminal, removed when done.
@@ -37,7 +37,7 @@ class StatusLine {
         const WireClock::time_point now = WireClock::now();
         if (!on_ || now < shown_ + kStatusPeriod) return;
         const double passed = std::chrono::duration<double>(now - shown_).count();
-        const double mm = static_cast<double>(stream.path()) / kQuantaPerUnit * unit_mm;
+        const double mm = static_cast<double>(stream.path()) / ref::kQuantaPerUnit * unit_mm;
         const double feed = shown_ == WireClock::time_point() ? 0 : (mm - mm_) / passed * 60;
         const PlannedWords& planned = stream.planned();
         fmt::print(stderr,
@@ -61,7 +61,7 @@ class StatusLine {
 };
 
 double mm_of(std::uint64_t quanta, const Options& options) {
-    return static_cast<double>(quanta) / kQuantaPerUnit * options.unit_mm;
+    return static_cast<double>(quanta) / ref::kQuantaPerUnit * options.unit_mm;
 }
 
 /// Words a second that the link carries; null where the rate is unknown, as for UDP.
@@ -189,8 +189,8 @@ int stream_command(Options options, const RawWireOptions& wire) {
         if (!options.quiet) {
             fmt::print(
                 "{} {:.3f} of {:.3f} mm, steps {}, {} frames, {} repeated, round trip {:.2f} ms\n",
-                end, static_cast<double>(stream.path()) / kQuantaPerUnit * options.unit_mm,
-                static_cast<double>(stream.planned().path) / kQuantaPerUnit * options.unit_mm,
+                end, static_cast<double>(stream.path()) / ref::kQuantaPerUnit * options.unit_mm,
+                static_cast<double>(stream.planned().path) / ref::kQuantaPerUnit * options.unit_mm,
                 fmt::join(steps, " "), machine.figures().frames, machine.figures().repeated,
                 1e3 * machine.figures().round_trip_s);
             for (const Following& axis : following) {

@@ -7,17 +7,16 @@
 #include <random>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/limits/path_shape.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kQuanta = 65536;
-
 /// Margin, quanta, for a move's ends: plans shift them by the rounding of their sums, and of
 /// lengths of cubics.
 std::int64_t margin(long double path) {
-    return 16 + static_cast<std::int64_t>(1e-12L * path * kQuanta);
+    return 16 + static_cast<std::int64_t>(1e-12L * path * ref::kQuantaPerUnit);
 }
 
 /// A move in units, parametrised by path length in units.
@@ -99,7 +98,7 @@ ExactSamples exact_samples(const ref::Program& program, double unit_mm, std::int
     for (const ref::Move& move : program.moves) {
         moves.emplace_back(move, unit_mm);
         total += moves.back().length();
-        long_moves += moves.back().length() * kQuanta >= 1 ? 1 : 0;
+        long_moves += moves.back().length() * ref::kQuantaPerUnit >= 1 ? 1 : 0;
     }
     ExactSamples exact;
     exact.aux_axes = program.aux_axes;
@@ -112,19 +111,19 @@ ExactSamples exact_samples(const ref::Program& program, double unit_mm, std::int
                              (move.length() / total + 1.0 / std::max(1, long_moves));
         const auto places = static_cast<std::int64_t>(std::ceil(share));
         const std::int64_t away = margin(begin + move.length());
-        const std::int64_t start = std::llround(begin * kQuanta) + away;
-        const std::int64_t end = std::llround((begin + move.length()) * kQuanta) - away;
+        const std::int64_t start = std::llround(begin * ref::kQuantaPerUnit) + away;
+        const std::int64_t end = std::llround((begin + move.length()) * ref::kQuantaPerUnit) - away;
         bool first = true;
         for (std::int64_t n = 0; n < places; ++n) {
             const double part =
                 (static_cast<double>(n) + std::generate_canonical<double, 53>(random)) /
                 static_cast<double>(places);
             ExactSample sample;
-            sample.s = std::llround((begin + move.length() * part) * kQuanta);
+            sample.s = std::llround((begin + move.length() * part) * ref::kQuantaPerUnit);
             const bool again = !first && sample.s <= exact.samples.back().s;
             if (sample.s < start || sample.s > end || again) continue;
-            const double local =
-                static_cast<double>(static_cast<long double>(sample.s) / kQuanta - begin);
+            const double local = static_cast<double>(
+                static_cast<long double>(sample.s) / ref::kQuantaPerUnit - begin);
             move.at(local, sample, aux, exact.aux_axes);
             if (!first) {
                 const ExactSample& before = exact.samples.back();

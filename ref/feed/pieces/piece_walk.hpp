@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ref/feed/pieces/profile_words.hpp"
+#include "ref/format/path_words.hpp"
 #include "ref/geometry/geometry.hpp"
 
 namespace curvecore::ref {
@@ -56,7 +57,7 @@ inline double place_of(const PieceStretch& stretch, double tick) {
 inline PieceMotion motion(const PieceStretch& stretch, double part, const Plan& plan) {
     const double t = stretch.from + (stretch.to - stretch.from) * part;
     const PieceState state = piece_state(*stretch.piece, t);
-    const double v = plan.unit_mm / 65536 / plan.tick_s;
+    const double v = plan.unit_mm * kQuantum / plan.tick_s;
     const double a = v / plan.tick_s;
     return {state.v * v, state.a * a, state.j * a / plan.tick_s};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ref/feed/pieces/piece_loads.hpp"
+#include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -33,7 +34,7 @@ ProfileCourse::ProfileCourse(const Program& program, const Machine& machine,
     : machine_(machine),
       plan_(plan),
       share_(share),
-      quantum_(plan.unit_mm / 65536),
+      quantum_(plan.unit_mm * kQuantum),
       places_(program, geometry, plan.unit_mm),
       piece_(plan.pieces.data()) {}
 

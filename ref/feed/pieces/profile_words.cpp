@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -151,7 +153,7 @@ void append_cubic(const Run& run, const Knot& from, const Knot& to, const PieceG
 }  // namespace
 
 PieceGrid::PieceGrid(const Machine& machine, double unit_mm, double tick_s)
-    : tick(tick_s), quantum(unit_mm / 65536) {
+    : tick(tick_s), quantum(unit_mm * kQuantum) {
     double jerk = machine.jerk;
     for (const AxisLimits& axis : machine.axis) jerk = std::min(jerk, axis.jerk);
     // A quantum of rounding over a time h is a jerk of 12 quanta / h^3: at most 2 % of the least.

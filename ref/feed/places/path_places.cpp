@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -49,7 +51,7 @@ PathPlaces::PathPlaces(const Program& program, const Geometry& geometry, double 
         const bool same = i > 0 && geometry.moves[i].move == geometry.moves[i - 1].move;
         if (!same) begin = 0;
         begin_.push_back(begin);
-        begin += static_cast<double>(geometry.moves[i].length) / 65536 * unit_mm;
+        begin += static_cast<double>(geometry.moves[i].length) * kQuantum * unit_mm;
     }
 }
 

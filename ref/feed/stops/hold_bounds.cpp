@@ -135,7 +135,7 @@ std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) 
 }
 
 void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {
-    const double mm_per_s = options.unit_mm / 65536 / options.tick_s();
+    const double mm_per_s = options.unit_mm * kQuantum / options.tick_s();
     const auto as_ticks = [&](std::uint64_t count, const Segment& segment) {
         if (count < (std::uint64_t{1} << 31)) return static_cast<std::uint32_t>(count);
         throw InputError(program.file, segment.line,

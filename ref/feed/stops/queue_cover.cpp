@@ -87,7 +87,7 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
     };
     const double covered = static_cast<double>(needed) / kSlower;
     const auto lower = [&](std::uint64_t from, std::uint64_t to, std::uint64_t ticks) {
-        const double length = static_cast<double>(to - from) / 65536 * plan.unit_mm;
+        const double length = static_cast<double>(to - from) * kQuantum * plan.unit_mm;
         const double time = (round == 0 ? static_cast<double>(ticks) : covered) * plan.tick_s;
         each_move(from, to, [speed = length / time](Slowed& move) {
             return std::exchange(move.speed, std::min(speed, move.speed)) > speed;

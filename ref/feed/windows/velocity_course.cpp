@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/format/path_words.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -60,7 +62,7 @@ void VelocityCourse::run(const std::vector<Phase>& phases, std::size_t first_seg
                          std::size_t last_segment) {
     std::size_t segment = first_segment;
     const auto path = [&](std::uint64_t s) {  // mm in this run
-        return static_cast<double>(s - segments_[first_segment].s_start) * unit_mm_ / 65536;
+        return static_cast<double>(s - segments_[first_segment].s_start) * kQuantum * unit_mm_;
     };
     for (const Phase& phase : phases) {
         const double end = position(phase, phase.duration);
