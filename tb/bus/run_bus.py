@@ -16,17 +16,17 @@ from cocotb_tools.runner import get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
 RTL = HERE.parent.parent / "rtl"
-PACKAGES = ["queue/words_pkg.sv", "bus/registers_pkg.sv", "bus/slip_pkg.sv"]
+PACKAGES = ["queue/words_pkg.sv", "bus/registers_pkg.sv", "line/slip_pkg.sv"]
 SYNCHRONISER = "pulse/synchroniser.sv"
-FRAMES = ["bus/serial_crc.sv", "bus/slip_receiver.sv", "bus/slip_sender.sv",
-          "bus/frame_buffer.sv", "bus/frame_port.sv"]
+FRAMES = ["line/serial_crc.sv", "line/slip_receiver.sv", "line/slip_sender.sv",
+          "line/frame_buffer.sv", "line/frame_port.sv"]
 FILES = {
     "axi_lite": ["bus/axi_lite_port.sv"],
     "axi_stream": ["bus/word_sources.sv"],
     "wishbone": ["bus/wishbone_port.sv"],
     "spi": ["bus/spi_port.sv", SYNCHRONISER],
-    "uart": ["bus/frame_reader.sv", *FRAMES, "bus/uart_line.sv", SYNCHRONISER],
-    "spi_line": ["bus/spi_line.sv", *FRAMES, "bus/frame_reader.sv", SYNCHRONISER],
+    "uart": ["line/frame_reader.sv", *FRAMES, "line/uart_line.sv", SYNCHRONISER],
+    "spi_line": ["line/spi_line.sv", *FRAMES, "line/frame_reader.sv", SYNCHRONISER],
 }
 
 
