@@ -70,7 +70,7 @@ function(add_lint_tests)
   lint_test(test_names ${PROJECT_SOURCE_DIR}/tb/lint/test_names.sh ${PROJECT_BINARY_DIR})
   lint_test(language ${PROJECT_SOURCE_DIR}/tb/lint/language.py)
   lint_test(results ${PROJECT_SOURCE_DIR}/scripts/results.py --check)
-  lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.sh ${PROJECT_SOURCE_DIR})
+  lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.py ${PROJECT_SOURCE_DIR})
   lint_test(c_headers ${PROJECT_SOURCE_DIR}/tb/lint/c_headers.sh ${PROJECT_SOURCE_DIR})
   lint_test(licences ${PROJECT_SOURCE_DIR}/tb/lint/licences.sh ${PROJECT_SOURCE_DIR})
   lint_test(licences.breaches ${PROJECT_SOURCE_DIR}/tb/lint/licence_breaches.sh
