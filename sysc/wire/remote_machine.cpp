@@ -15,7 +15,7 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr auto kSettles = std::chrono::seconds(2);
+constexpr auto kSettles = std::chrono::seconds(10);  // as a board that is silent has
 
 /// Bytes on a line for a full frame: CRC, end, and one in 64 escaped.
 constexpr double kLineBytes = (CURVECORE_LONGEST_FRAME + 4 + 1) * (1 + 1.0 / 64);
