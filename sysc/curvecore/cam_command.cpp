@@ -13,7 +13,7 @@
 #include "ref/text/text_file.hpp"
 #include "sysc/cam/cam_report.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/curvecore/run_job.hpp"
+#include "sysc/commands/part/run_job.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "sysc/commands/terminal/help.hpp"
 #include "sysc/cost/device.hpp"
-#include "sysc/curvecore/help.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -12,7 +12,7 @@
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/choice.hpp"
 #include "sysc/cli/quantity.hpp"
-#include "sysc/curvecore/run_job.hpp"
+#include "sysc/commands/part/run_job.hpp"
 #include "sysc/join/join_page.hpp"
 
 namespace curvecore::sysc {

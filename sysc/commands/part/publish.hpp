@@ -2,7 +2,7 @@
 // Results of `plan` and `run`: segments.json, report.json, report.html, and the summary.
 #pragma once
 
-#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/report/report.hpp"
 
 namespace curvecore::sysc {

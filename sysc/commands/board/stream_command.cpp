@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/stream_command.hpp"
+#include "sysc/commands/board/stream_command.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -11,9 +11,9 @@
 #include "ref/curve/axes.hpp"
 #include "ref/format/path_words.hpp"
 #include "sysc/cli/interrupt.hpp"
-#include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/help.hpp"
-#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/start_check.hpp"
 #include "sysc/wire/wire_stream.hpp"

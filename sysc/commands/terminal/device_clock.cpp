@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/device_clock.hpp"
+#include "sysc/commands/terminal/device_clock.hpp"
 
 #include <fmt/format.h>
 

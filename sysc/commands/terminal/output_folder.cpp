@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 
 #include <array>
 #include <cerrno>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/requirement_options.hpp"
+#include "sysc/commands/widths/requirement_options.hpp"
 
 #include <fmt/format.h>
 

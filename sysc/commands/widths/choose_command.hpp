@@ -2,7 +2,7 @@
 // `curvecore choose`.
 #pragma once
 
-#include "sysc/curvecore/requirement_options.hpp"
+#include "sysc/commands/widths/requirement_options.hpp"
 
 namespace curvecore::sysc {
 

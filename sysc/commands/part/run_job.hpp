@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/cores/compiled_core.hpp"
-#include "sysc/curvecore/output_folder.hpp"
 #include "sysc/report/report.hpp"
 #include "sysc/watch/samples_writer.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/home_command.hpp"
+#include "sysc/commands/board/home_command.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "ref/curve/axes.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/curvecore/stream_command.hpp"
+#include "sysc/commands/board/stream_command.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/homing.hpp"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore plan`: segments, feed profile, predicted error and time, without a board.
 #include "ref/plan/curve_follower.hpp"
-#include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/output_folder.hpp"
-#include "sysc/curvecore/planned_job.hpp"
-#include "sysc/curvecore/publish.hpp"
+#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/part/planned_job.hpp"
+#include "sysc/commands/part/publish.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/watch/pictures.hpp"
 #include "sysc/watch/predicted_pace.hpp"
 #include "sysc/words/path_cursor.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore choose`: the smallest configuration that is proven to meet a requirement.
-#include "sysc/curvecore/choose_command.hpp"
+#include "sysc/commands/widths/choose_command.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "sysc/choose/choose_report.hpp"
 #include "sysc/cli/interrupt.hpp"
-#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 
 namespace curvecore::sysc {
 namespace {

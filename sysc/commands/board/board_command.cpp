@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/board_command.hpp"
+#include "sysc/commands/board/board_command.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/curvecore/output_folder.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/virtual/board_server.hpp"
 #include "sysc/wire/wire_options.hpp"
 

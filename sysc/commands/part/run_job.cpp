@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/run_job.hpp"
+#include "sysc/commands/part/run_job.hpp"
 
 #include "sysc/board/feeder.hpp"
 #include "sysc/board/kernel_board.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/progress_bar.hpp"
+#include "sysc/commands/part/planned_job.hpp"
+#include "sysc/commands/part/publish.hpp"
 #include "sysc/cores/compiled_core.hpp"
 #include "sysc/cores/core_cache.hpp"
 #include "sysc/cores/gtkw_writer.hpp"
-#include "sysc/curvecore/planned_job.hpp"
-#include "sysc/curvecore/publish.hpp"
 #include "sysc/system/pin_gtkw.hpp"
 #include "sysc/system/system_board.hpp"
 #include "sysc/watch/board_run.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore run`: plan, words, a board, every sample checked, report.
-#include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/run_job.hpp"
+#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/part/run_job.hpp"
 
 namespace curvecore::sysc {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore explore`: the shortest queues that a program does not outrun, for each host.
-#include "sysc/curvecore/explore_command.hpp"
+#include "sysc/commands/widths/explore_command.hpp"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,12 @@
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/progress_bar.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/device_clock.hpp"
-#include "sysc/curvecore/help.hpp"
-#include "sysc/curvecore/output_folder.hpp"
-#include "sysc/curvecore/planned_job.hpp"
-#include "sysc/curvecore/summary.hpp"
+#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/part/planned_job.hpp"
+#include "sysc/commands/terminal/device_clock.hpp"
+#include "sysc/commands/terminal/help.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
+#include "sysc/commands/terminal/summary.hpp"
 #include "sysc/explore/explore_report.hpp"
 
 namespace curvecore::sysc {

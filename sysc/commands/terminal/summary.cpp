@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/summary.hpp"
+#include "sysc/commands/terminal/summary.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/publish.hpp"
+#include "sysc/commands/part/publish.hpp"
 
-#include "sysc/curvecore/summary.hpp"
+#include "sysc/commands/terminal/summary.hpp"
 #include "sysc/report/report_html.hpp"
 #include "sysc/report/segments_json.hpp"
 

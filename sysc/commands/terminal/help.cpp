@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/help.hpp"
+#include "sysc/commands/terminal/help.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/curvecore/nearest.hpp"
+#include "sysc/commands/terminal/nearest.hpp"
 
 namespace curvecore::sysc {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/planned_job.hpp"
+#include "sysc/commands/part/planned_job.hpp"
 
-#include "sysc/curvecore/device_clock.hpp"
+#include "sysc/commands/terminal/device_clock.hpp"
 #include "sysc/curves/word_check.hpp"
 
 namespace curvecore::sysc {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore compare`: configurations through the bit-true kernel, side by side.
-#include "sysc/curvecore/compare_command.hpp"
+#include "sysc/commands/widths/compare_command.hpp"
 
 #include <fmt/format.h>
 
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/quantity.hpp"
+#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/terminal/output_folder.hpp"
+#include "sysc/commands/terminal/summary.hpp"
 #include "sysc/compare/compare_report.hpp"
-#include "sysc/curvecore/commands.hpp"
-#include "sysc/curvecore/output_folder.hpp"
-#include "sysc/curvecore/summary.hpp"
 
 namespace curvecore::sysc {
 int compare_command(CompareOptions options) {

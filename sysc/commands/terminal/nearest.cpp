@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/nearest.hpp"
+#include "sysc/commands/terminal/nearest.hpp"
 
 #include <fmt/format.h>
 
