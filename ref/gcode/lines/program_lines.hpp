@@ -22,9 +22,8 @@ class ProgramLines {
     /// @param dialect none: recognised from the first lines
     ProgramLines(std::istream& text, const std::string& file, std::optional<Dialect> dialect);
 
-    /// Returns the next line that has words or a note, up to the '%' that ends the program; one more
-    /// '%' may begin it.
-    /// @throws InputError
+    /// Returns the next line that has words or a note, up to the '%' that ends the program; one
+    /// more '%' may begin it. @throws InputError
     std::optional<ProgramLine> next();
     Dialect dialect() const { return dialect_; }
     /// Number of the last line that was taken from the text, from 1.
