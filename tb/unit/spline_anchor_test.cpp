@@ -18,7 +18,7 @@ namespace {
 constexpr int kBits = CFG_CoefBits;
 constexpr bool kAnchor = CFG_Anchor != 0;
 using Config = hls::Configuration<6, kBits, 32, 10, 0, hls::SamplerMode::kPolynomial,
-                                  CFG_Anchor != 0, 0, CFG_ParameterGuard>;
+                                  CFG_Anchor != 0, CFG_ParameterGuard>;
 using Coef = hls::Word<kBits>;
 
 /// The kernel with access to its words.
