@@ -10,6 +10,7 @@
 """
 
 import argparse
+import os
 import pathlib
 import re
 import shutil
@@ -53,11 +54,11 @@ def reason(command):
     return next((why for begin, why in LONG.items() if command.startswith(begin)), None)
 
 
-def run(command, folder):
+def run(command, folder, open_files=()):
     print(f"$ {command}", flush=True)
     start = time.monotonic()
     done = subprocess.run(["bash", "-c", command], cwd=folder, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT)
+                          stderr=subprocess.STDOUT, pass_fds=open_files)
     print("\n".join(done.stdout.split("\n")[-12:]), f"[{time.monotonic() - start:.1f} s]\n",
           flush=True)
     if done.returncode:
@@ -74,11 +75,14 @@ def short(program):
         (folder / "build/curvecore").symlink_to(program.resolve())
         shutil.copy(ROOT / "tb/data/demo.ngc", folder / "part.ngc")
         ran = set()
+        ended, open_end = os.pipe()  # kept open by what a command leaves in the background
         for page in PAGES:
             for command in commands(page):
                 if reason(command) is None and command not in ran:
-                    run(command, folder)
+                    run(command, folder, (open_end,))
                     ran.add(command)
+        os.close(open_end)
+        os.read(ended, 1)  # boards write what they drew before they end
         print(f"{len(ran)} commands")
 
 

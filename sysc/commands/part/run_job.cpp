@@ -68,7 +68,7 @@ int Runner::run(OutputFolder& folder, const RunExtras& extras) {
     const std::string waveform =
         options.trace && options.needs_rtl() ? folder.path("waves.fst") : "";
     const std::string pins = options.trace && options.in_system() ? folder.path("system") : "";
-    const auto progress = [&, this](std::uint64_t done) {
+    const auto progress = [&](std::uint64_t done) {
         InterruptGuard::check();
         bar->update(done);
     };
