@@ -276,7 +276,7 @@ static inline int64_t curvecore_patience(const struct curvecore_link* link) {
 static inline void curvecore_work(struct curvecore_link* link, int64_t now) {
     const int64_t since = now - link->transmitted;
     if (link->asks) {
-        if (now - link->asked >= curvecore_patience(link)) {
+        if (now - link->asked >= curvecore_unanswered(link)) {
             link->asked = now;
             curvecore_transmit(link, &link->question, now);
         }

@@ -76,12 +76,13 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
         contents.words_read > kMostRead || waiting.size() >= kMostWaiting) {
         return;
     }
+    // Also those of another host, which waits until the master has left.
+    if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
     if (master && board.clocks() > master_spoke + kMasterLeaves) master.reset();
     if (contents.writes && !master) master = from;
     const bool from_master = master == from;
     if ((contents.writes || !contents.whole) && !from_master) return;
     if (from_master) master_spoke = board.clocks();
-    if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
     waiting.push_back({frame, from, contents.words_read});
 }
 
