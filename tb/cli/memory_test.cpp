@@ -48,7 +48,7 @@ TEST_P(Memory, DoesNotGrowWithTheProgram) {
 TEST_P(Memory, DoesNotGrowWithAPrint) {
     constexpr int kShort = 7500;
     constexpr int kLong = 30000;
-    constexpr double kBytes = 128;  // a line
+    constexpr double kBytes = 192;  // a line: `plan` takes 131, and 244 if it keeps its pieces
     const std::vector<std::string> fast{"--sample-period", "1ms"};
     const long before = peak_kib("print.gcode", print(kShort), fast);
     const long after = peak_kib("print.gcode", print(kLong), fast);
