@@ -41,7 +41,7 @@ package system_pkg;
     digest_word = sum;
   endfunction
 
-  // Returns the digest of words that are made for the board: hls/registers/board_link.h
+  // Returns the digest of words that are made for the board: hls/registers/board_facts.h
   function automatic logic [15:0] digest(input int capability_word, input int core_word,
                                          input int clock_hertz);
     int fields;
