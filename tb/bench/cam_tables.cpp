@@ -9,7 +9,7 @@
 #include "ref/cam/cam_program.hpp"
 #include "ref/cam/cam_shape.hpp"
 #include "tb/bench/claim_table.hpp"
-#include "tb/support/cam_claims.hpp"
+#include "tb/support/judge/cam_claims.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "ref/join/least.hpp"
 #include "tb/bench/claim_table.hpp"
-#include "tb/support/idle_turns.hpp"
+#include "tb/support/programs/idle_turns.hpp"
 
 namespace {
 

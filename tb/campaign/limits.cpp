@@ -11,8 +11,8 @@
 #include "ref/feed/plan_stream.hpp"
 #include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_stream.hpp"
-#include "tb/support/chopped_curves.hpp"
-#include "tb/support/random_lines.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/programs/random_lines.hpp"
 
 namespace {
 

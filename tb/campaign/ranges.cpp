@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "ref/segment/spline_segment.hpp"
-#include "tb/support/checked_drawing.hpp"
-#include "tb/support/extreme_cubics.hpp"
+#include "tb/support/judge/checked_drawing.hpp"
+#include "tb/support/segments/extreme_cubics.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/bad_input_case.hpp"
+#include "tb/support/programs/bad_input_case.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/plain_surface.hpp"
-#include "tb/support/sample_cam.hpp"
+#include "tb/support/programs/plain_surface.hpp"
+#include "tb/support/programs/sample_cam.hpp"
 
 namespace curvecore::tb {
 namespace {

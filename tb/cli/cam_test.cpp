@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/sample_cam.hpp"
+#include "tb/support/programs/sample_cam.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/long_programs.hpp"
+#include "tb/support/programs/long_programs.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/curve_distance.hpp"
+#include "tb/support/judge/curve_distance.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tb/cli/program_run.hpp"
-#include "tb/support/long_programs.hpp"
+#include "tb/support/programs/long_programs.hpp"
 
 namespace curvecore::tb {
 namespace {

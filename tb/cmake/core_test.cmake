@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # core_test(<test> <configuration> TOP <module> [PARAMS Name=Value ...] [SOURCES <file or flag> ...]
 #           [LIBRARIES target ...] [FLAT] [TESTS <filter of GoogleTest>])
-# builds tb/unit/<test>_test.cpp against the module in that configuration; its tests are called
-# unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h"; Name=Value
-# reaches the test as CFG_Name.  FLAT: the model is made of scripts/flat.sh's file.
+# builds tb/unit/<room>/<test>_test.cpp against the module in that configuration; its tests are
+# called unit.<configuration>.<Suite>.<Test>.  The model is class V<module> in "V<module>.h";
+# Name=Value reaches the test as CFG_Name.  FLAT: the model is made of scripts/flat.sh's file.
 #
 # core_test(<bench> <configuration> TOP <module> PORTS curve|motion [PARAMS ...] [SOURCES ...])
 # the same for a bench of any widths, compiled once: bench_objects(<bench>).
@@ -17,26 +17,39 @@ target_link_libraries(core_test_headers PRIVATE curvecore_test_options verilator
 target_precompile_headers(core_test_headers PRIVATE <gtest/gtest.h> <verilated.h> <Eigen/Geometry>
                           <algorithm> <array> <functional> <map> <random> <string> <vector>)
 
+# bench_file(<test> <variable>): its file, in whichever room of tb/unit
+function(bench_file test variable)
+  file(GLOB file ${PROJECT_SOURCE_DIR}/tb/unit/*/${test}_test.cpp)
+  list(LENGTH file files)
+  if(NOT files EQUAL 1)
+    message(FATAL_ERROR "tb/unit has ${files} files ${test}_test.cpp in its rooms, and not one")
+  endif()
+  set(${variable} ${file} PARENT_SCOPE)
+endfunction()
+
 # bench_objects(<bench> [TESTS <test> ...]): bench_<bench>, of <bench>_test.cpp or those of TESTS
 function(bench_objects bench)
   cmake_parse_arguments(ARG "" "" "TESTS" ${ARGN})
   if(NOT ARG_TESTS)
     set(ARG_TESTS ${bench})
   endif()
-  list(TRANSFORM ARG_TESTS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tb/unit/\\1_test.cpp"
-       OUTPUT_VARIABLE files)
+  set(files "")
+  foreach(test ${ARG_TESTS})
+    bench_file(${test} file)
+    list(APPEND files ${file})
+  endforeach()
   add_library(bench_${bench} OBJECT ${files}
-                                    ${PROJECT_SOURCE_DIR}/tb/support/core_configuration.cpp)
+                                    ${PROJECT_SOURCE_DIR}/tb/support/bench/core_configuration.cpp)
   target_link_libraries(bench_${bench} PUBLIC curvecore_host GTest::gtest_main
                                        PRIVATE curvecore_test_options verilator_runtime)
   target_precompile_headers(bench_${bench} REUSE_FROM core_test_headers)
 endfunction()
 
 # core_bench(<target> <bench> MODEL <verilated model> TOP <module> PORTS curve|motion PARAMS ...)
-# An executable: the bench's objects with support/<ports>_model.cpp for that configuration.
+# An executable: the bench's objects with support/bench/<ports>_model.cpp for that configuration.
 function(core_bench target bench)
   cmake_parse_arguments(ARG "" "MODEL;TOP;PORTS" "PARAMS" ${ARGN})
-  add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/support/${ARG_PORTS}_model.cpp)
+  add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/support/bench/${ARG_PORTS}_model.cpp)
   target_precompile_headers(${target} REUSE_FROM core_test_headers)
   list(JOIN ARG_PARAMS " " text)
   target_compile_definitions(${target} PRIVATE MODEL=V${ARG_TOP} MODEL_HEADER="V${ARG_TOP}.h"
@@ -60,7 +73,8 @@ function(core_test test configuration)
     core_bench(${target} ${test} MODEL ${model} TOP ${ARG_TOP} PORTS ${ARG_PORTS}
                PARAMS ${ARG_PARAMS})
   else()
-    add_executable(${target} ${PROJECT_SOURCE_DIR}/tb/unit/${test}_test.cpp)
+    bench_file(${test} file)
+    add_executable(${target} ${file})
     target_precompile_headers(${target} REUSE_FROM core_test_headers)
     list(TRANSFORM ARG_PARAMS PREPEND CFG_ OUTPUT_VARIABLE definitions)
     target_compile_definitions(${target} PRIVATE ${definitions})

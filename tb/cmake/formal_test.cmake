@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# formal_test(tb/formal/<module>_formal.sv): tests formal.<module>.proved, .covered and one
+# formal_test(tb/formal/<room>/<module>_formal.sv): tests formal.<module>.proved, .covered and one
 # .catches.<NAME> for every line `// control: NAME ...` of the wrapper, one .proved.<NAME> for every
 # line `// configuration: NAME ...`. Controls but the first, and what `// long: TEST ...` names, run
 # in the long form alone (label long: scripts/campaign.sh).

@@ -7,7 +7,7 @@
 #   control  with the defect NAME built in, the proof fails: a test of the proof itself.  WRAPPER
 #            declares it in a line `// control: NAME` (NAME is defined for the preprocessor), or
 #            `// control: NAME s/old/new/` (a change of the module under proof).
-# WRAPPER is tb/formal/<module>_formal.sv and assumes the reset in its first cycle.
+# WRAPPER is tb/formal/<room>/<module>_formal.sv and assumes the reset in its first cycle.
 # With lines `// forget: REGISTER ... unless GUARD`, rules of tb/formal/search, that program
 # (STATE_SEARCH) goes through all reachable states, in place of ABC.
 set -euo pipefail

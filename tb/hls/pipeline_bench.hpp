@@ -20,7 +20,7 @@
 #include "Vhls.h"
 #include "hls/clocks.hpp"
 #include "sysc/cores/port_word.hpp"
-#include "tb/support/plain_segments.hpp"
+#include "tb/support/segments/plain_segments.hpp"
 
 namespace curvecore::tb {
 

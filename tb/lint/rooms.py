@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Each tree's README has a table of its rooms, the highest first: a row for every folder that has
 sources, a room has 4 to 16 of them, and no file includes one of a room in a row above its own.  Of
-trees, sysc stands above hls, and hls above ref."""
+trees, sysc stands above hls, and hls above ref.  Rooms of tests are as large, and have no rows."""
 
 import collections
 import pathlib
@@ -11,7 +11,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 TREES = ("sysc", "hls", "ref")
-MOST = 16
+TESTS = ("tb/model", "tb/unit", "tb/formal", "tb/support")
+LEAST, MOST = 4, 16
 SOURCES = (".cpp", ".hpp", ".h", ".in", ".def", ".html", ".js", ".css", ".json")
 
 
@@ -40,9 +41,14 @@ def faults(order, includes):
             above = of(other)
             if above and floor[above] < floor[room]:
                 yield f"{file} includes {other}, whose room {above} stands above {room}"
+    del count["hls"]
+    yield from crowds(count)
+
+
+def crowds(count):
     for room, files in count.items():
-        if not 4 <= files <= MOST and room != "hls":
-            yield f"{room}: {files} files, a room has 4 to {MOST}"
+        if not LEAST <= files <= MOST:
+            yield f"{room}: {files} files, a room has {LEAST} to {MOST}"
 
 
 def main():
@@ -52,6 +58,9 @@ def main():
     includes = {str(file.relative_to(ROOT)): re.findall(r'^#include "([^"]+)"', file.read_text(),
                                                         re.M) for file in files}
     found = list(faults(order, includes))
+    found += crowds(collections.Counter(
+        str(file.parent.relative_to(ROOT)) for tree in TESTS for file in (ROOT / tree).rglob("*")
+        if file.suffix in (".cpp", ".hpp", ".sv") and file.parent.name != "environment"))
     print(*found, sep="\n")
     # An include that runs up, a folder without a row and a crowd are seen.
     up = {"ref/curve/a.hpp": ["ref/feed/b.hpp"]}

@@ -7,7 +7,7 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/hyperbola_kernel.hpp"
 #include "hls/path_kernel.hpp"
-#include "tb/support/plain_segments.hpp"
+#include "tb/support/segments/plain_segments.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "ref/moves/spline_form.hpp"
-#include "tb/support/curve_distance.hpp"
+#include "tb/support/judge/curve_distance.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "ref/curve/fit/cubic_fit.hpp"
 #include "ref/program/gcode_reader.hpp"
-#include "tb/support/curve_distance.hpp"
+#include "tb/support/judge/curve_distance.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "ref/curve/fit/hermite.hpp"
 #include "ref/curve/fit/point_slopes.hpp"
-#include "tb/support/curve_distance.hpp"
+#include "tb/support/judge/curve_distance.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "ref/series/interpreter.hpp"
 #include "ref/series/spline_state.hpp"
-#include "tb/support/convergence_radius.hpp"
-#include "tb/support/cubics.hpp"
+#include "tb/support/judge/convergence_radius.hpp"
+#include "tb/support/segments/cubics.hpp"
 
 namespace curvecore::ref {
 namespace {

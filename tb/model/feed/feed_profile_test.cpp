@@ -12,7 +12,7 @@
 #include "ref/feed/pieces/profile_words.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/feed/ramps/ramp.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -13,7 +13,7 @@
 #include "ref/feed/planner.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
 #include "ref/format/queues.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -18,7 +18,7 @@
 #include "sysc/core/core_clocks.hpp"
 #include "sysc/watch/predicted_pace.hpp"
 #include "sysc/words/path_source.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

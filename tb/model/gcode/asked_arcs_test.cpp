@@ -18,10 +18,10 @@
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/gcode_writer.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/frechet.hpp"
-#include "tb/support/mutator.hpp"
-#include "tb/support/program_builder.hpp"
-#include "tb/support/random_arcs.hpp"
+#include "tb/support/judge/frechet.hpp"
+#include "tb/support/programs/mutator.hpp"
+#include "tb/support/programs/program_builder.hpp"
+#include "tb/support/programs/random_arcs.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -9,7 +9,7 @@
 #include "ref/machine/machine.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/bad_input_case.hpp"
+#include "tb/support/programs/bad_input_case.hpp"
 
 namespace curvecore::tb {
 namespace {

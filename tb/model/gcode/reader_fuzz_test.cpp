@@ -13,7 +13,7 @@
 #include "ref/program/points_reader.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
-#include "tb/support/mutator.hpp"
+#include "tb/support/programs/mutator.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -9,7 +9,7 @@
 #include "ref/plan/curve_follower.hpp"
 #include "ref/program/program_reader.hpp"
 #include "sysc/words/path_cursor.hpp"
-#include "tb/support/random_splines.hpp"
+#include "tb/support/segments/random_splines.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

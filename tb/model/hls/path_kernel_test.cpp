@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "tb/support/random_pieces.hpp"
+#include "tb/support/segments/random_pieces.hpp"
 
 namespace curvecore::hls {
 namespace {

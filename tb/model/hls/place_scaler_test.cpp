@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "tb/support/step_motion.hpp"
+#include "tb/support/pins/step_motion.hpp"
 
 namespace curvecore::hls {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "hls/spline_kernel.hpp"
-#include "tb/support/serial_machine.hpp"
-#include "tb/support/spline_segments.hpp"
+#include "tb/support/bench/serial_machine.hpp"
+#include "tb/support/segments/spline_segments.hpp"
 
 namespace curvecore::tb {
 namespace {

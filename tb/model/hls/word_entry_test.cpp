@@ -14,7 +14,7 @@
 
 #include "ref/feed/planner.hpp"
 #include "sysc/words/bus_words.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ref/moves/move_part.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -5,9 +5,9 @@
 #include "ref/feed/pieces/limit_report.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/limits/spline_shape.hpp"
-#include "tb/support/cubics.hpp"
-#include "tb/support/random_splines.hpp"
-#include "tb/support/spline_loads.hpp"
+#include "tb/support/segments/cubics.hpp"
+#include "tb/support/segments/random_splines.hpp"
+#include "tb/support/segments/spline_loads.hpp"
 
 namespace curvecore::tb {
 namespace {

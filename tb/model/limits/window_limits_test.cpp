@@ -13,10 +13,10 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "tb/support/chopped_curves.hpp"
-#include "tb/support/drawn_limits.hpp"
-#include "tb/support/random_joints.hpp"
-#include "tb/support/random_lines.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/programs/random_joints.hpp"
+#include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {

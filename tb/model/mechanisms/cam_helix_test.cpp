@@ -10,8 +10,8 @@
 #include "ref/cam/cam_shape.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
-#include "tb/support/mutator.hpp"
-#include "tb/support/sample_cam.hpp"
+#include "tb/support/programs/mutator.hpp"
+#include "tb/support/programs/sample_cam.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "ref/cam/cam_shape.hpp"
-#include "tb/support/cam_claims.hpp"
+#include "tb/support/judge/cam_claims.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -12,7 +12,7 @@
 #include "ref/join/least.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/idle_turns.hpp"
+#include "tb/support/programs/idle_turns.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "ref/curve/cubic.hpp"
 #include "ref/path/corner.hpp"
-#include "tb/support/chopped_curves.hpp"
-#include "tb/support/frechet.hpp"
-#include "tb/support/random_lines.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/judge/frechet.hpp"
+#include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "tb/support/chopped_curves.hpp"
-#include "tb/support/drawn_limits.hpp"
-#include "tb/support/random_lines.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -7,8 +7,8 @@
 #include "ref/feed/planner.hpp"
 #include "ref/moves/move_part.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/frechet.hpp"
-#include "tb/support/random_lines.hpp"
+#include "tb/support/judge/frechet.hpp"
+#include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
 namespace {

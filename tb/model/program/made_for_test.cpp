@@ -13,7 +13,7 @@
 #include "hls/word_entry.hpp"
 #include "ref/feed/planner.hpp"
 #include "sysc/words/bus_words.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

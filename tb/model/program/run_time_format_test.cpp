@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/support/mixed_segments.hpp"
+#include "tb/support/segments/mixed_segments.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

@@ -13,7 +13,7 @@
 #include "sysc/report/report.hpp"
 #include "sysc/watch/predicted_pace.hpp"
 #include "sysc/words/path_source.hpp"
-#include "tb/support/tiny_moves.hpp"
+#include "tb/support/programs/tiny_moves.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;

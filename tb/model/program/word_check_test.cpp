@@ -8,7 +8,7 @@
 #include "ref/feed/planner.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -11,7 +11,7 @@
 #include "hls/spherical_kernel.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/plan/segment_curve.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -5,7 +5,7 @@
 #include "ref/format/path_words.hpp"
 #include "ref/geometry/geometry.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

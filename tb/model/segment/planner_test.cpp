@@ -10,7 +10,7 @@
 #include "ref/limits/travel.hpp"
 #include "ref/plan/segment_curve.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/program_builder.hpp"
+#include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -10,8 +10,8 @@
 #include "ref/plan/segment_curve.hpp"
 #include "ref/plan/segment_shape.hpp"
 #include "ref/text/input_error.hpp"
-#include "tb/support/cubics.hpp"
-#include "tb/support/random_splines.hpp"
+#include "tb/support/segments/cubics.hpp"
+#include "tb/support/segments/random_splines.hpp"
 
 namespace curvecore::tb {
 namespace {

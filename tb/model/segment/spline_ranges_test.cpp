@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "ref/segment/spline_segment.hpp"
-#include "tb/support/checked_drawing.hpp"
-#include "tb/support/extreme_cubics.hpp"
+#include "tb/support/judge/checked_drawing.hpp"
+#include "tb/support/segments/extreme_cubics.hpp"
 
 namespace curvecore::tb {
 namespace {

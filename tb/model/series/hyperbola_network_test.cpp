@@ -7,7 +7,7 @@
 
 #include "ref/series/figures.hpp"
 #include "ref/series/interpreter.hpp"
-#include "tb/support/precise_cubic.hpp"
+#include "tb/support/judge/precise_cubic.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The format of the core that a bench is linked with, for its kernel and its words.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sysc/core/run_time_format.hpp"
+#include "tb/support/bench/core_configuration.hpp"
+
+namespace curvecore::tb {
+using namespace sysc;
+
+/// A base of benches.
+class BenchFormat {
+  protected:
+    /// Words of a segment on the bus.
+    std::size_t segment_frame() const {
+        return static_cast<std::size_t>(ref::segment_bus_words(core_.aux_axes));
+    }
+    std::vector<uint64_t> bus_words(const RunSegment& segment, unsigned sequence) const {
+        std::vector<uint64_t> bus(segment_frame());
+        hls::pack(segment, sequence, bus.data(), format_);
+        return bus;
+    }
+
+    const CoreParameters core_ = core_configuration().parameters;
+    ValueRanges ranges_{core_.coef_bits};
+    const RunTimeFormat format_{core_, core_.axes(), &ranges_};
+};
+
+}  // namespace curvecore::tb

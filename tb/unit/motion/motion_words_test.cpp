@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+// rtl/motion_interpolator.sv and the host: late words, and invalid words. In each case the path is
+// the kernel's, time's rate keeps its bounds, and a sample comes or a fault is reported.
+#include "hls/registers/registers.h"
+#include "hls/word_entry.hpp"
+#include "tb/support/bench/motion_bench.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+int stalls() {
+    const char* count = std::getenv("CURVECORE_STALLS");
+    return count ? std::atoi(count) : 60;
+}
+
+class MotionWords : public MotionInterpolator {
+  protected:
+    /// A host that sometimes stops feeding a stream, for any time.
+    class Host {
+      public:
+        explicit Host(uint32_t seed) : random_(seed) {}
+        /// Percentage of clocks in which it feeds nothing.
+        int stall() {
+            if (left_-- == 0) {
+                away_ = !away_;
+                left_ = static_cast<int>(std::exp(static_cast<double>(random_() % 1000) / 120));
+                stalls_ += away_ ? 1 : 0;
+            }
+            return away_ ? 100 : 0;
+        }
+        int stalls() const { return stalls_; }
+
+      private:
+        std::mt19937 random_;
+        bool away_ = false;
+        int left_ = 1;
+        int stalls_ = 0;
+    };
+
+    /// Requests samples until all words are taken and the machine stands or is idle.
+    void run_out() {
+        requesting_ = true;
+        int64_t path = -1;
+        for (int still = 0; still < 3 && !HasFatalFailure();) {
+            const int64_t samples = samples_;
+            for (int n = 0; n < 3000 && !HasFatalFailure(); ++n) clock();
+            if (fault() == 0 && dut_->active_o) {
+                ASSERT_GT(samples_, samples) << "no sample, and no fault";
+            }
+            const bool words = !segment_words_.empty() || !profile_words_.empty();
+            still = words || path_ != path ? 0 : still + 1;
+            path = path_;
+        }
+    }
+
+    uint32_t fault() { return dut_->fault_o; }
+};
+
+TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
+    int stalls_seen = 0;
+    for (uint32_t seed = 1; stalls_seen < stalls() && !HasFatalFailure(); ++seed) {
+        Host segments(2 * seed);
+        Host profile(2 * seed + 1);
+        program(pieces(seed, 60, 5, 40, (seed % 8) << 16));
+        int64_t waited = 0;  // clocks without a requested sample
+        int64_t samples = 0;
+        run([&] {
+            segment_stall_ = seed % 3 == 0 ? 0 : segments.stall();
+            profile_stall_ = seed % 3 == 1 ? 0 : profile.stall();
+            waited = samples_ < requested_ && samples_ == samples ? waited + 1 : 0;
+            samples = samples_;
+            ASSERT_LT(waited, 20000);
+        });
+        stalls_seen += segments.stalls() + profile.stalls();
+        if (HasFatalFailure()) FAIL() << "seed " << seed;
+    }
+}
+
+TEST_F(MotionWords, StandUntilTheyCoverAStop) {
+    program(pieces(3, 300, 5, 20, 1 << 16));
+    segment_stall_ = 100;
+    fill();
+    requesting_ = true;
+    fill();
+    EXPECT_EQ(path_, 0);
+    EXPECT_FALSE(dut_->active_o);
+    segment_stall_ = 0;
+    run();
+    EXPECT_FALSE(dut_->underrun_o);
+}
+
+// The program before is complete, and so are the next one's pieces: its segments come later.
+TEST_F(MotionWords, OfTheNextProgramStandUntilTheyCoverAStop) {
+    program(pieces(3, 30, 10, 20, 3 << 16));
+    const int64_t first = length_;
+    const auto words = static_cast<std::ptrdiff_t>(segment_words_.size());
+    program(pieces(4, 60, 10, 20, 3 << 16));
+    const std::deque<uint64_t> later(segment_words_.begin() + words, segment_words_.end());
+    segment_words_.erase(segment_words_.begin() + words, segment_words_.end());
+    fill();
+    run_out();
+    EXPECT_EQ(path_, first);
+    EXPECT_FALSE(dut_->active_o);
+    segment_words_ = later;
+    requesting_ = false;
+    fill();
+    run();
+    EXPECT_FALSE(dut_->underrun_o);
+}
+
+TEST_F(MotionWords, OfSegmentsThatRunLowStopTheMotionInTime) {
+    program(pieces(7, 600, 5, 20, 3 << 16));
+    segment_stall_ = 90;
+    fill();
+    int64_t stood = 0;
+    run([&] {
+        // The host feeds segments, slowly, only while the motion stands.
+        segment_stall_ = rate_ == 0 || !dut_->active_o ? 97 : 100;
+        stood += rate_ == 0 ? 1 : 0;
+    });
+    EXPECT_TRUE(dut_->underrun_o);
+    EXPECT_GT(stood, 0);
+}
+
+// A program of pieces so short that a full queue of them is shorter than a stop.
+TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
+    program(pieces(5, 400, 1, 1, 3 << 16));
+    dut_->stop_ticks_i = 500;
+    dut_.reset();
+    requesting_ = true;
+    for (int n = 0; n < 8000; ++n) clock();
+    EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_SHORT_QUEUE);
+    EXPECT_EQ(path_, 0);
+}
+
+// Segments that claim more time than they have, and then do not come: they mislead the guard.
+TEST_F(MotionWords, ThatLieAboutTheirTicksAreFoundOut) {
+    const auto whole = pieces(9, 200, 20, 20, 3 << 16);
+    LegalSegments shapes(core_, 9, kMaxStepExponent);
+    auto segments = chain(shapes, 200 * 20 * (int64_t{3} << 16));
+    join(segments);
+    program(whole, segments);
+    segment_words_.clear();
+    set_ticks(whole, segments);
+    const std::size_t cut = segments.size() / 3;
+    uint32_t stolen = 0;
+    for (std::size_t n = cut; n < segments.size(); ++n) {
+        stolen += segments[n].ticks;
+        segments[n].ticks = 0;
+    }
+    segments[0].ticks += stolen;
+    hls::WordCheck check(static_cast<uint16_t>(dut_->digest_i));
+    for (std::size_t n = 0; n < cut; ++n) {
+        std::vector<uint64_t> bus = bus_words(segments[n], static_cast<unsigned>(n));
+        check.seal(bus.data(), bus.size());
+        segment_words_.insert(segment_words_.end(), bus.begin(), bus.end());
+    }
+    fill();
+    requesting_ = true;
+    const int most = core_.build == Build::kParallel ? 60'000 : 1'000'000;
+    for (int n = 0; n < most && fault() == 0; ++n) clock();
+    EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_NO_SAMPLE);
+}
+
+// Words of one stream, as they should be and as they come.
+struct Stream {
+    std::deque<uint64_t>& words;
+    const std::deque<uint64_t>& other;
+    std::size_t frame;
+    hls::Tag first;  // tag of a frame's first word
+};
+
+hls::Tag tag(uint64_t word) { return static_cast<hls::Tag>(hls::get(hls::kTagField, word)); }
+
+/// Damages words between host and core.
+void damage(const Stream& stream, std::mt19937& random) {
+    std::deque<uint64_t>& words = stream.words;
+    const std::size_t at = random() % words.size();
+    const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto like_it = [&] {  // another word with the same tag
+        std::size_t other = random() % words.size();
+        while (tag(words[other]) != tag(*begin)) other = (other + 1) % words.size();
+        return words.begin() + static_cast<std::ptrdiff_t>(other);
+    };
+    switch (random() % 12) {
+        case 0:
+            words.erase(begin);
+            return;
+        case 1:
+            words.insert(begin, *begin);
+            return;
+        case 2:
+            *begin = 0;
+            return;
+        case 3:
+            *begin = (uint64_t{1} << 48) - 1;
+            return;
+        case 4:
+            *begin = stream.other[random() % stream.other.size()];
+            return;
+        case 5:
+            *begin ^= uint64_t{1} << (44 + random() % 4);
+            return;
+        case 6:
+            std::swap(*begin, words[at == 0 ? 1 : at - 1]);
+            return;
+        case 7: {  // a whole frame
+            auto first = begin;
+            while (first != words.begin() && tag(*first) != stream.first) --first;
+            if (tag(*first) != stream.first) return;
+            words.erase(first, first + static_cast<std::ptrdiff_t>(stream.frame));
+            return;
+        }
+        case 8:
+            *begin = *like_it();
+            return;
+        case 9:
+            std::iter_swap(begin, like_it());
+            return;
+        case 10:
+            *begin ^= uint64_t{1} << random() % 44;
+            return;
+        default:
+            words.resize(at);  // the host stops
+            return;
+    }
+}
+
+TEST_F(MotionWords, ThatCannotBeCutTheStreamAndDrawWhatIsQueuedToAStop) {
+    std::mt19937 random(11);
+    int found = 0;
+    const int rounds = stalls();
+    rates_ = Rates::kAny;
+    most_wait_ = 10;
+    constexpr int kLongestBranch = 250;  // ticks
+    dut_->stop_ticks_i = kStopTicks + static_cast<uint32_t>(most_wait_ + kLongestBranch);
+    start_afresh();
+    for (int round = 0; round < rounds; ++round) {
+        branch_percent_ = round % 4 == 1 ? 40 : 0;
+        program(pieces(300 + round, 60, 5, 20, (round % 8) << 16));
+        const bool of_segments = round % 2 == 0;
+        const Stream stream =
+            of_segments
+                ? Stream{segment_words_, profile_words_, segment_frame(), hls::Tag::kLength}
+                : Stream{profile_words_, segment_words_, hls::kProfileBusWords, hls::Tag::kPiece};
+        const std::deque<uint64_t> intended = stream.words;
+        damage(stream, random);
+
+        // The entry's twin predicts the result
+        const auto digest = static_cast<uint16_t>(dut_->digest_i);
+        hls::SegmentEntry<RunTimeFormat> segment_entry(format_, core_.splines != 0, digest);
+        hls::PieceEntry piece_entry(digest);
+        uint32_t expected = 0;
+        for (const uint64_t word : stream.words) {
+            const hls::Entry entry =
+                of_segments ? segment_entry.take(word) : piece_entry.take(word);
+            if (entry == hls::Entry::kBadWord) {
+                expected |= of_segments ? CURVECORE_STATE_MOTION_SEGMENT_WORD
+                                        : CURVECORE_STATE_MOTION_PIECE_WORD;
+            }
+            if (entry == hls::Entry::kBadOrder) {
+                expected |= of_segments ? CURVECORE_STATE_MOTION_SEGMENT_ORDER
+                                        : CURVECORE_STATE_MOTION_PIECE_ORDER;
+            }
+        }
+        const bool same = stream.words == intended;
+        run_out();
+        EXPECT_EQ(fault(), expected) << "round " << round;
+        if (same) {
+            EXPECT_EQ(path_, length_) << "round " << round;
+        }
+        found += expected != 0 ? 1 : 0;
+        start_afresh();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+    EXPECT_GT(found, rounds / 2);
+}
+
+// Each program has its own digest, which applies from its first word on.
+TEST_F(MotionWords, AreOfTheDigestThatTheyAreMadeFor) {
+    const uint16_t first = 0x1234;
+    for (const int other : {0, 1, 0x100, 0x101, 0x8000, 0x5555}) {
+        for (const bool told : {true, false}) {
+            make_for(first);
+            program(pieces(31, 30, 10, 20, 3 << 16));
+            run();
+            const int64_t length = length_;
+            make_for(static_cast<uint16_t>(first ^ other));
+            if (!told) dut_->digest_i = first;
+            program(pieces(32, 30, 10, 20, 3 << 16));
+            run_out();
+            if (told || other == 0) {
+                EXPECT_EQ(fault(), 0U);
+                EXPECT_EQ(path_, length_);
+            } else {
+                EXPECT_TRUE(fault() == CURVECORE_STATE_MOTION_SEGMENT_WORD ||
+                            fault() == CURVECORE_STATE_MOTION_PIECE_WORD)
+                    << fault();
+                EXPECT_EQ(path_, length);
+            }
+            start_afresh();
+            if (HasFailure()) FAIL() << other << " " << told;
+        }
+    }
+}
+
+// A program, queued behind another, that begins elsewhere than the first one ended. Its pieces are
+// queued, and time does not begin on them.
+TEST_F(MotionWords, OfAProgramThatBeginsElsewhereAreAFaultAndTheOneBeforeIsDrawn) {
+    const int64_t far = int64_t{1} << (core_.position_bits + core_.guard_bits - 3);
+    for (const int64_t off : {int64_t{1}, int64_t{-3}, far}) {
+        program(pieces(21, 30, 10, 20, 3 << 16));
+        const int64_t length = length_;
+        const auto whole = pieces(22, 30, 10, 20, 3 << 16);
+        LegalSegments shapes(core_, 22, kMaxStepExponent);
+        int64_t more = 0;
+        for (const hls::ProfileWords& piece : whole) more += piece.ds;
+        auto segments = chain(shapes, more);
+        join(segments);
+        segments.front().start[random_() % 3] ^= off;
+        set_ticks(whole, segments);
+        send(whole, segments);
+        run_out();
+        EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_SEGMENT_ORDER) << off;
+        EXPECT_EQ(path_, length) << off;
+        EXPECT_FALSE(dut_->active_o) << off;
+        start_afresh();
+        if (HasFailure()) FAIL() << off;
+    }
+}
+
+// Fields that are legal on their own: a path or ticks that differ from the other stream's.
+TEST_F(MotionWords, ThatEndApartAreAFault) {
+    for (int round = 0; round < 8; ++round) {
+        const auto whole = pieces(400 + round, 40, 10, 20, 3 << 16);
+        LegalSegments shapes(core_, 9, kMaxStepExponent);
+        int64_t length = 0;
+        for (const hls::ProfileWords& piece : whole) length += piece.ds;
+        auto segments = chain(shapes, length + (round % 2 == 0 ? 1 : round % 4 == 1 ? -1 : 0));
+        join(segments);
+        set_ticks(whole, segments);
+        if (round % 4 == 3) segments[1].ticks ^= 1;
+        send(whole, segments);
+        run_out();
+        EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_APART) << "round " << round;
+        start_afresh();
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
