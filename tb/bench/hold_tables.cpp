@@ -6,9 +6,9 @@
 
 #include "ref/feed/planner.hpp"
 #include "tb/bench/claim_table.hpp"
+#include "tb/support/judge/hold_run.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/even_paths.hpp"
-#include "tb/support/judge/hold_run.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <string>
 
-#include "tb/support/segments/cubics.hpp"
 #include "tb/support/judge/precise_cubic.hpp"
+#include "tb/support/segments/cubics.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tb/support/segments/cubics.hpp"
 #include "tb/support/judge/precise_cubic.hpp"
+#include "tb/support/segments/cubics.hpp"
 
 namespace curvecore::ref {
 namespace {

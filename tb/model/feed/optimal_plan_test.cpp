@@ -11,12 +11,12 @@
 #include "ref/limits/limits.hpp"
 #include "ref/numeric/newton_work.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/judge/tick_run.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/programs/random_lines.hpp"
 #include "tb/support/segments/random_splines.hpp"
-#include "tb/support/judge/tick_run.hpp"
 
 namespace curvecore::tb {
 namespace {

@@ -8,12 +8,12 @@
 #include "ref/feed/planner.hpp"
 #include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
+#include "tb/support/judge/hold_run.hpp"
+#include "tb/support/judge/shortest_stop.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/even_paths.hpp"
-#include "tb/support/judge/hold_run.hpp"
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/segments/random_splines.hpp"
-#include "tb/support/judge/shortest_stop.hpp"
 
 namespace curvecore::tb {
 namespace {

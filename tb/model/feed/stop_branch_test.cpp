@@ -5,12 +5,12 @@
 
 #include "ref/feed/planner.hpp"
 #include "ref/limits/limits.hpp"
+#include "tb/support/judge/shortest_stop.hpp"
+#include "tb/support/judge/stop_run.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/even_paths.hpp"
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/segments/random_splines.hpp"
-#include "tb/support/judge/shortest_stop.hpp"
-#include "tb/support/judge/stop_run.hpp"
 
 namespace curvecore::tb {
 namespace {

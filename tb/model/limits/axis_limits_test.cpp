@@ -6,8 +6,8 @@
 
 #include "ref/feed/places/path_places.hpp"
 #include "ref/feed/planner.hpp"
-#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/segments/random_splines.hpp"
 #include "tb/support/segments/spline_loads.hpp"
 

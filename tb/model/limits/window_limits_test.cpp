@@ -13,8 +13,8 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/programs/random_lines.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "ref/curve/cubic.hpp"
 #include "ref/path/corner.hpp"
-#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/judge/frechet.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {

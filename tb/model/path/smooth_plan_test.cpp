@@ -5,8 +5,8 @@
 
 #include "ref/feed/planner.hpp"
 #include "ref/path/smooth_path.hpp"
-#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
+#include "tb/support/programs/chopped_curves.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {

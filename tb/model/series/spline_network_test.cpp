@@ -10,8 +10,8 @@
 #include "ref/curve/arc_length.hpp"
 #include "ref/series/interpreter.hpp"
 #include "ref/series/spline_state.hpp"
-#include "tb/support/segments/cubics.hpp"
 #include "tb/support/judge/precise_cubic.hpp"
+#include "tb/support/segments/cubics.hpp"
 
 namespace curvecore::ref {
 namespace {

@@ -15,8 +15,8 @@
 #include "sysc/core/core_clocks.hpp"
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/curve_ports.hpp"
-#include "tb/support/segments/legal_segments.hpp"
 #include "tb/support/bench/sample_campaign.hpp"
+#include "tb/support/segments/legal_segments.hpp"
 
 namespace curvecore::tb {
 

@@ -16,8 +16,8 @@
 #include "hls/word_check.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
 #include "tb/support/bench/bench_format.hpp"
-#include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/bench/motion_ports.hpp"
+#include "tb/support/segments/mixed_segments.hpp"
 #include "tb/support/segments/random_pieces.hpp"
 
 namespace curvecore::tb {
