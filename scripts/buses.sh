@@ -31,5 +31,5 @@ printf '%s\n' spi_line uart spi axi_lite axi_stream wishbone | xargs -P "$(nproc
     exit 1
   }
   echo "BUS: $(grep -o "[0-9]* [aw].* as described" "$folder.log")"' "$accesses"
-CURVECORE_DATAGRAMS=$((2 * accesses)) python tb/wire/wire_test.py build/curvecore \
-  WireTest.test_random_writes_give_no_step
+CURVECORE_DATAGRAMS=$((2 * accesses)) python tb/wire/master_test.py build/curvecore \
+  MasterTest.test_random_writes_give_no_step

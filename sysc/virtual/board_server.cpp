@@ -21,6 +21,8 @@ using std::chrono::milliseconds;
 
 /// Silence after which a master loses the board, in clocks of the board.
 constexpr auto kMasterLeaves = static_cast<std::uint64_t>(VirtualBoard::kClockHertz);
+/// Refused frames after which it loses a fast board whose drives are off.
+constexpr int kRefusals = 8;
 /// Time by which a frame advances the clock of a fast board, s of the board.
 constexpr double kTimeOfFrame = 0.005;
 /// Greatest number of words that a frame may read, and of frames that wait.
@@ -43,6 +45,7 @@ struct BoardServer::State {
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);
+    bool master_left() const;
     void run(std::uint64_t clocks);
     void follow_wall();
     std::uint64_t due();
@@ -53,6 +56,7 @@ struct BoardServer::State {
     Udp::socket socket{context};
     std::optional<Udp::endpoint> master;
     std::uint64_t master_spoke = 0;  // clock of the board
+    int refused = 0;                 // frames of others since then
     std::deque<Waiting> waiting;
     std::optional<Udp::endpoint> asks;  // receiver of the next answer
     WireClock::time_point looked = WireClock::now();
@@ -78,12 +82,23 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
     }
     // Also those of another host, which waits until the master has left.
     if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
-    if (master && board.clocks() > master_spoke + kMasterLeaves) master.reset();
+    if (master_left()) master.reset();
     if (contents.writes && !master) master = from;
     const bool from_master = master == from;
-    if ((contents.writes || !contents.whole) && !from_master) return;
-    if (from_master) master_spoke = board.clocks();
+    if ((contents.writes || !contents.whole) && !from_master) {
+        ++refused;
+        return;
+    }
+    if (from_master) {
+        master_spoke = board.clocks();
+        refused = 0;
+    }
     waiting.push_back({frame, from, contents.words_read});
+}
+
+bool BoardServer::State::master_left() const {
+    return board.clocks() > master_spoke + kMasterLeaves ||
+           (fast && refused >= kRefusals && !board.drives_on());
 }
 
 /// Runs the clocks; frames go in one after the other, the next when the last is answered.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A virtual board behind UDP: a datagram is a frame or an answer.
 //
-// The board has one master, the first host that writes, until it is silent; from others it takes
-// frames that only read.
+// The board has one master, the first host that writes, until it is silent for 1 s of the board;
+// from others it takes frames that only read. A fast board's time passes with frames alone: while
+// its drives are off, it lets a silent master go once it has refused 8 frames of others.
 #pragma once
 
 #include <memory>

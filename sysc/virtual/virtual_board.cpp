@@ -37,6 +37,8 @@ bool VirtualBoard::taken() const { return offered_.empty(); }
 
 std::uint64_t VirtualBoard::clocks() const { return model_->dut.cycle(); }
 
+bool VirtualBoard::drives_on() const { return model_->dut->enable_o != 0; }
+
 void VirtualBoard::set_switches() {
     unsigned closed = 0;
     for (const VirtualRange& one : axes_.switches) {

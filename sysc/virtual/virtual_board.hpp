@@ -52,6 +52,7 @@ class VirtualBoard {
     /// Advances by one clock. Returns the answer that it completed, if any.
     std::optional<Bytes> clock();
     std::uint64_t clocks() const;
+    bool drives_on() const;
 
   private:
     struct Model;

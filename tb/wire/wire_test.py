@@ -343,21 +343,6 @@ class WireTest(unittest.TestCase):
         self.finish(host)
         self.assertEqual(counts(board.end()), [STEPS_PER_MM * mm for mm in END])
 
-    def test_random_writes_give_no_step(self):
-        board = self.board("--fast")
-        chance = random.Random(4)
-        number = int(os.environ.get("CURVECORE_DATAGRAMS", "1000"))
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as host:
-            host.settimeout(5)
-            host.connect(("127.0.0.1", board.port))
-            for n in range(number):
-                sequence = numbered(board.port)
-                data = chance.randbytes(chance.randrange(1, 200)) if n % 2 else command(
-                    0x8200, 1, 4 * chance.randrange(128), chance.getrandbits(32))
-                host.send(sequence + data)
-        self.assertTrue(read(board.port, STATE) & 0xFFFF)
-        self.assertEqual(board.end(), [])
-
     def test_serial_line(self):
         board = self.board()
         master, device = pty.openpty()
