@@ -28,7 +28,7 @@ Drawing::Drawing(const PathJoints& joints, const Pace& pace, const std::optional
     if (begun_) reached_ = begun_->s;
 }
 
-std::vector<Move> Drawing::run(const std::optional<PathCut>& cut) {
+std::deque<Move> Drawing::run(const std::optional<PathCut>& cut) {
     cut_ = cut;
     const std::size_t end = cut_ ? cut_->joint + (cut_->curve ? 0 : 1) : joints_.count();
     std::size_t first = 1;
@@ -43,12 +43,12 @@ std::vector<Move> Drawing::run(const std::optional<PathCut>& cut) {
     return finish();
 }
 
-std::vector<Move> Drawing::run_as_programmed(const std::optional<PathCut>& cut) {
+std::deque<Move> Drawing::run_as_programmed(const std::optional<PathCut>& cut) {
     cut_ = cut;
     return finish();
 }
 
-std::vector<Move> Drawing::finish() {
+std::deque<Move> Drawing::finish() {
     copy_to(cut_ ? cut_->s : joints_.path().length());
     if (!cut_) {
         const Move& last = joints_.move(joints_.count() - 1);

@@ -2,6 +2,7 @@
 // The drawn path of a group of programmed moves, or of its first part.
 #pragma once
 
+#include <deque>
 #include <limits>
 #include <optional>
 
@@ -29,9 +30,9 @@ class Drawing {
     std::optional<PathCut> best_cut() const;
 
     /// Draws up to a cut, or all of it.
-    std::vector<Move> run(const std::optional<PathCut>& cut);
+    std::deque<Move> run(const std::optional<PathCut>& cut);
     /// Copies the same part as programmed; one of the two is called, once.
-    std::vector<Move> run_as_programmed(const std::optional<PathCut>& cut);
+    std::deque<Move> run_as_programmed(const std::optional<PathCut>& cut);
 
   private:
     bool free(std::size_t move) const;
@@ -44,7 +45,7 @@ class Drawing {
     TubeEnd end_at(double s, std::size_t move, bool stop) const;
     void round_corner(std::size_t joint);
     void copy_to(double s);
-    std::vector<Move> finish();
+    std::deque<Move> finish();
     void append(const Move& programmed, Bezier points, double deviation);
 
     const PathJoints& joints_;
@@ -52,7 +53,7 @@ class Drawing {
     std::optional<PathCut> begun_;
     Smoothed& report_;
     std::optional<PathCut> cut_;
-    std::vector<Move> drawn_;
+    std::deque<Move> drawn_;
     double reached_ = 0;      // mm of the path
     std::size_t copied_ = 0;  // moves that are drawn
 };

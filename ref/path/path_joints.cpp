@@ -36,6 +36,10 @@ bool one_line(const Move& a, const Move& b) {
 
 }  // namespace
 
+std::size_t PathJoints::parts(const Move& move, double tolerance) {
+    return ProgrammedPath::parts(move, kArcError * tolerance);
+}
+
 PathJoints::PathJoints(const std::vector<Move>& moves, double tolerance, Rest rest,
                        const std::optional<PathJoint>& first, const Pace& pace)
     : tolerance_(tolerance), pace_(pace) {

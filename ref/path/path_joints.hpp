@@ -35,6 +35,9 @@ struct Rest {
 /// in one direction are one move here.
 class PathJoints {
   public:
+    /// Returns the number of pieces of ProgrammedPath that a move takes.
+    static std::size_t parts(const Move& move, double tolerance);
+
     /// @param first joint at the start as it was seen before the group was cut there
     PathJoints(const std::vector<Move>& moves, double tolerance, Rest rest,
                const std::optional<PathJoint>& first, const Pace& pace);

@@ -13,6 +13,7 @@ namespace curvecore::ref {
 namespace {
 
 constexpr std::size_t kLargest = 8;  // times a window that has no place for a cut
+constexpr std::size_t kPieces = 16;  // mean number of pieces of a window's moves
 
 bool smoothable(const Move& move) {
     const bool moves = move.kind == Move::Kind::kArc || move.start != move.end;  // X Y Z
@@ -65,11 +66,17 @@ void SmoothStream::read_ahead() {
     if (ahead_) ++report_.moves;
 }
 
-/// Reads until a group has `count` moves, or ends.
+/// Reads until a group has `count` moves, or kPieces pieces for each of these, or ends.
 void SmoothStream::read_group(std::size_t count) {
-    while (more_ && group_.size() < count) {
+    const auto parts = [this](const Move& move) {
+        return PathJoints::parts(move, share_ * move.tolerance);
+    };
+    std::size_t pieces = 0;
+    for (const Move& move : group_) pieces += parts(move);
+    while (more_ && group_.size() < count && pieces < kPieces * count) {
         more_ = ahead_ && (group_.empty() || together(group_.back(), *ahead_));
         if (!more_) return;
+        pieces += parts(*ahead_);
         group_.push_back(*ahead_);
         read_ahead();
     }
@@ -98,14 +105,14 @@ bool SmoothStream::draw_group(bool must) {
     Drawing drawing(joints, pace_, begun_, report);
     const std::optional<PathCut> cut = more_ ? drawing.best_cut() : std::nullopt;
     if (more_ && !cut && !must) return false;
-    std::vector<Move> moves = drawing.run(cut);
+    std::deque<Move> moves = drawing.run(cut);
     if (!carried_ || carried_(moves)) {
         report_ = report;
     } else {
         refused_ = true;
         moves = Drawing(joints, pace_, begun_, report).run_as_programmed(cut);
     }
-    give(moves);
+    give(std::move(moves));
     if (!cut) {
         before_ = group_.back();
         group_.clear();
@@ -121,11 +128,9 @@ bool SmoothStream::draw_group(bool must) {
     return true;
 }
 
-void SmoothStream::give(const std::vector<Move>& moves) {
-    for (const Move& move : moves) {
-        look_at(move, report_);
-        drawn_.push_back(move);
-    }
+void SmoothStream::give(std::deque<Move> moves) {
+    for (const Move& move : moves) look_at(move, report_);
+    drawn_ = std::move(moves);
 }
 
 }  // namespace curvecore::ref

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A stream of programmed moves made a smooth path while it is read, in bounded memory.
 //
-// Moves are processed in groups. A group longer than a window is cut within an unchanged move or
-// between two corners. If all of it is one curve, the cut is at the straightest place, which the
-// curve then passes with the direction and the bend of the chords there.
+// Moves are processed in groups. A group longer than a window, or of arcs with too many pieces, is
+// cut within an unchanged move or between two corners. If all of it is one curve, the cut is at the
+// straightest place, which the curve then passes with the direction and the bend of the chords
+// there.
 #pragma once
 
 #include <deque>
@@ -19,7 +20,7 @@
 namespace curvecore::ref {
 
 /// Returns true if core and machine can make these moves.
-using MovesCheck = std::function<bool(const std::vector<Move>&)>;
+using MovesCheck = std::function<bool(const std::deque<Move>&)>;
 
 class SmoothStream {
   public:
@@ -43,7 +44,7 @@ class SmoothStream {
     void read_group(std::size_t count);
     void draw();
     bool draw_group(bool must);
-    void give(const std::vector<Move>& moves);
+    void give(std::deque<Move> moves);
 
     MoveSource source_;
     Pace pace_;

@@ -53,11 +53,11 @@ DrawnMoves::DrawnMoves(const Options& options, const ref::Machine& machine,
     const bool arcs = form_of(options) == ref::SplineForm::kArcs;
     smooth_.emplace([this](ref::Move& move) { return program_.next(move); }, machine,
                     arcs ? kShareBesideArcs : 1,
-                    [this](const std::vector<ref::Move>& moves) { return carried(moves); });
+                    [this](const std::deque<ref::Move>& moves) { return carried(moves); });
 }
 
 /// Checks travel and segments.
-bool DrawnMoves::carried(const std::vector<ref::Move>& moves) const {
+bool DrawnMoves::carried(const std::deque<ref::Move>& moves) const {
     ref::SegmentBatches batches({}, machine_, plan_options_);
     try {
         for (const ref::Move& move : moves) {

@@ -36,7 +36,7 @@ class DrawnMoves {
     const std::shared_ptr<ref::KnownCuts>& cuts() const { return plan_options_.cuts; }
 
   private:
-    bool carried(const std::vector<ref::Move>& moves) const;
+    bool carried(const std::deque<ref::Move>& moves) const;
     void replace(const ref::Move& spline);
 
     ref::ProgramStream program_;

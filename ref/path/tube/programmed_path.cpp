@@ -16,6 +16,13 @@ double local(const ProgrammedPath::Piece& piece, double s) { return (s - piece.s
 
 }  // namespace
 
+std::size_t ProgrammedPath::parts(const Move& move, double error) {
+    if (move.kind == Move::Kind::kLine) return 1;
+    const double radius = (move.start - move.centre).norm();
+    const double widest = std::min(kWidestPart, std::pow(384 * error / radius, 0.25));
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(move.angle / widest)));
+}
+
 void ProgrammedPath::add(const Move& move, double error) {
     const std::size_t index = moves_++;
     if (move.kind == Move::Kind::kLine) {
@@ -25,13 +32,12 @@ void ProgrammedPath::add(const Move& move, double error) {
         return;
     }
     const double radius = (move.start - move.centre).norm();
-    const double widest = std::min(kWidestPart, std::pow(384 * error / radius, 0.25));
-    const int parts = std::max(1, static_cast<int>(std::ceil(move.angle / widest)));
-    error_ = std::max(error_, radius * std::pow(move.angle / parts, 4) / 384);
+    const auto count = static_cast<int>(parts(move, error));
+    error_ = std::max(error_, radius * std::pow(move.angle / count, 4) / 384);
     HermitePiece hermite;
-    hermite.h = move.length() / parts;
+    hermite.h = move.length() / count;
     MovePlace place = place_on(move, 0);
-    for (int part = 1; part <= parts; ++part) {
+    for (int part = 1; part <= count; ++part) {
         hermite.start = place.position;
         hermite.start_d1 = place.tangent;
         place = place_on(move, part * hermite.h);

@@ -32,6 +32,8 @@ class ProgrammedPath {
         }
     };
 
+    /// Returns the number of pieces of a move.
+    static std::size_t parts(const Move& move, double error);
     /// Adds a move, a line or an arc; arcs in parts with an error of `error` mm at most.
     void add(const Move& move, double error);
 

@@ -108,10 +108,28 @@ TEST(SmoothStream, PassesACutInACurve) {
     EXPECT_LE(duration(parts.program), 1.05 * duration(whole.program));
 }
 
+/// Half circles, each 1 to 100 pieces of the programmed path.
+TEST(SmoothStream, ReadsFewMovesAheadThatHaveManyPieces) {
+    for (const double radius : {0.1, 5.0, 500.0}) {
+        ProgramBuilder builder;
+        for (int i = 0; i < 300; ++i) {
+            const double x = 2 * radius * i + radius;
+            builder.arc({x, 0, 0}, {0, 0, i % 2 == 0 ? 1.0 : -1.0}, M_PI, 0, 100);
+        }
+        const Program program = with_tolerance(builder.program(), 0.01);
+        const std::size_t parts = ref::PathJoints::parts(program.moves.front(), 0.01);
+        SmoothStream stream(ref::source_of(program), Machine(), 1, {}, 200);
+        Move move;
+        ASSERT_TRUE(stream.next(move));
+        EXPECT_EQ(stream.report().moves, std::min<std::size_t>(200, (3200 + parts - 1) / parts) + 1)
+            << radius << " mm, " << parts;
+    }
+}
+
 TEST(SmoothStream, DrawsAsProgrammedWhatIsRefused) {
     const Program program = wave_in_chords();
     const double middle = program.moves[1500].end[0];
-    const auto carried = [middle](const std::vector<Move>& moves) {
+    const auto carried = [middle](const std::deque<Move>& moves) {
         return middle < moves.front().start[0] || middle > moves.back().end[0];
     };
     const Drawn all = drawn(program, 400, 1000000, carried);
