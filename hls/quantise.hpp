@@ -31,16 +31,29 @@ inline std::int64_t whole(std::uint64_t value, int bits) {
     return static_cast<std::int64_t>(value);
 }
 
-/// Sets the words that only a spline has.
+/// Set the words of a curve: head and coefficients of X Y Z.
 template <class C>
-inline void spline_words(const ref::Segment& segment, const C& c, SegmentWords<C>& words) {
-    words.kind = SegmentKind::kSpline;
-    words.lambda = segment.lambda;
-    words.theta = quantise(1 / segment.c.norm(), c.kCoefFrac, c.kCoefBits);
+inline void curve_words(const ref::ArcPiece& arc, int step_exponent, const C& c,
+                        SegmentWords<C>& words) {
+    words.kind = SegmentKind::kArc;
+    words.theta = quantise(std::ldexp(arc.twist(), step_exponent), c.kUnitFrac, c.kCoefBits);
     for (int axis = 0; axis < 3; ++axis) {
-        words.tangent[axis] = quantise(segment.a[axis], c.kCoefFrac, c.kCoefBits);
-        words.normal[axis] = quantise(segment.b[axis], c.kCoefFrac, c.kCoefBits);
-        words.advance[axis] = quantise(segment.c[axis], c.kCoefFrac, c.kCoefBits);
+        words.tangent[axis] = quantise(arc.tangent[axis] * arc.cos_pitch, c.kCoefFrac, c.kCoefBits);
+        words.normal[axis] = quantise(arc.normal[axis] * arc.cos_pitch, c.kCoefFrac, c.kCoefBits);
+        words.advance[axis] = quantise(arc.advance[axis], c.kCoefFrac, c.kCoefBits);
+    }
+}
+
+template <class C>
+inline void curve_words(const ref::SplinePiece& spline, int /*step_exponent*/, const C& c,
+                        SegmentWords<C>& words) {
+    words.kind = SegmentKind::kSpline;
+    words.lambda = spline.lambda;
+    words.theta = quantise(1 / spline.c.norm(), c.kCoefFrac, c.kCoefBits);
+    for (int axis = 0; axis < 3; ++axis) {
+        words.tangent[axis] = quantise(spline.a[axis], c.kCoefFrac, c.kCoefBits);
+        words.normal[axis] = quantise(spline.b[axis], c.kCoefFrac, c.kCoefBits);
+        words.advance[axis] = quantise(spline.c[axis], c.kCoefFrac, c.kCoefBits);
     }
 }
 
@@ -48,11 +61,9 @@ inline void spline_words(const ref::Segment& segment, const C& c, SegmentWords<C
 template <class C>
 inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
     SegmentWords<C> words;
-    const double theta = segment.radius > 0
-                             ? std::ldexp(segment.cos_pitch / segment.radius, segment.step_exponent)
-                             : 0.0;
     words.length = whole(segment.length, kBusLengthBits);
-    words.theta = quantise(theta, c.kUnitFrac, c.kCoefBits);
+    std::visit([&](const auto& curve) { curve_words(curve, segment.step_exponent, c, words); },
+               segment.curve);
     words.step_exponent = segment.step_exponent;
     words.ticks = segment.ticks;
     words.last = segment.last;
@@ -61,19 +72,9 @@ inline SegmentWords<C> to_words(const ref::Segment& segment, const C& c = C()) {
         const std::size_t a = static_cast<std::size_t>(aux ? axis - 3 : 0);
         const double start = aux ? segment.aux_start[a] : segment.start[axis];
         const double end = aux ? segment.aux_end[a] : segment.end[axis];
-        const double rate = aux ? segment.aux_advance[a] : segment.advance[axis];
         words.start[axis] = quantise(start, c.kGuardBits, c.kFineBits);
         words.end[axis] = quantise(end, c.kGuardBits, c.kFineBits);
-        words.advance[axis] = quantise(rate, c.kCoefFrac, c.kCoefBits);
-        if (!aux) {
-            words.tangent[axis] =
-                quantise(segment.tangent[axis] * segment.cos_pitch, c.kCoefFrac, c.kCoefBits);
-            words.normal[axis] =
-                quantise(segment.normal[axis] * segment.cos_pitch, c.kCoefFrac, c.kCoefBits);
-        }
-    }
-    if (segment.kind == ref::Segment::Kind::kSpline) {
-        spline_words(segment, c, words);
+        if (aux) words.advance[axis] = quantise(segment.aux_advance[a], c.kCoefFrac, c.kCoefBits);
     }
     return words;
 }

@@ -36,8 +36,7 @@ struct Steps {
           family(of_family) {}
 
     Steps(const CoreParameters& format, const Segment& segment)
-        : Steps(format, segment.step_exponent,
-                segment.radius > 0 ? segment.cos_pitch / segment.radius : 0,
+        : Steps(format, segment.step_exponent, segment.arc().twist(),
                 static_cast<double>(segment.length) * kQuantum, false) {}
 };
 
@@ -145,23 +144,22 @@ double truncation(const CoreParameters& format, const Steps& s, double radius) {
 // differ by at most theta^(P+1) / (P+1)!. The position is R / cos(pitch) times what n has turned,
 // so m steps and a fraction f differ from the circle by R (m d(theta) + d(f theta)) |T_P|^m.
 double truncation_bound(const CoreParameters& format, const Segment& segment) {
-    if (segment.radius <= 0) return 0;
-    return truncation(format, Steps(format, segment), segment.radius);
+    const double radius = segment.arc().radius;
+    return radius > 0 ? truncation(format, Steps(format, segment), radius) : 0;
 }
 
 double rounding_bound(const CoreParameters& format, const Segment& segment) {
     const Steps s(format, segment);
-    const double circular = segment.radius > 0 ? circular_error(format, s) : 0;
+    const ArcPiece& arc = segment.arc();
+    const double circular = arc.radius > 0 ? circular_error(format, s) : 0;
     double along = 0;  // worst axis: circular part and advance
     for (int axis = 0; axis < 3; ++axis) {
-        const bool turns =
-            std::hypot(segment.tangent[axis], segment.normal[axis]) * segment.radius > 0;
-        const double error =
-            (turns ? circular : 0) + advance_error(s, segment.advance[axis], s.half);
+        const bool turns = std::hypot(arc.tangent[axis], arc.normal[axis]) * arc.radius > 0;
+        const double error = (turns ? circular : 0) + advance_error(s, arc.advance[axis], s.half);
         along = std::max(along, error);
     }
     // The product advance * tau of a line or an auxiliary axis; an arc's Horner has counted it.
-    if (segment.radius <= 0) along += s.h * s.half;
+    if (arc.radius <= 0) along += s.h * s.half;
     // X Y Z are at most as fast as the path, an auxiliary axis may be faster.
     const double shift = path_shift(s);
     for (const double advance : segment.aux_advance) {
@@ -172,7 +170,7 @@ double rounding_bound(const CoreParameters& format, const Segment& segment) {
 }
 
 double segment_bound(const CoreParameters& format, const Segment& segment) {
-    if (segment.kind == Segment::Kind::kSpline) return spline_error(format, segment).total();
+    if (segment.kind() == CurveKind::kSpline) return spline_error(format, segment).total();
     return truncation_bound(format, segment) + rounding_bound(format, segment);
 }
 

@@ -15,8 +15,7 @@ namespace curvecore::ref {
 constexpr double kMostTheta = 0.5;
 
 /// Error bounds of arcs and lines per axis, in length units, before the final rounding, at any path
-/// length of the segment. Fields read: radius, cos_pitch, advance, aux_advance, length,
-/// step_exponent.
+/// length of the segment. Fields read: curve, aux_advance, length, step_exponent.
 double truncation_bound(const CoreParameters& format, const Segment& segment);
 double rounding_bound(const CoreParameters& format, const Segment& segment);
 

@@ -48,13 +48,14 @@ class Walk {
     Walk(const CoreParameters& format, const Segment& segment)
         : format_(format),
           segment_(segment),
-          unit_(std::ldexp(1.0, segment.lambda)),
+          spline_(segment.spline()),
+          unit_(std::ldexp(1.0, spline_.lambda)),
           h_(std::ldexp(1.0, segment.step_exponent)),
           g_(half_bit(format.guard_bits)),
           words_(format, segment),
-          a_(word_error(segment.a, format.coef_bits - 2)),
-          b_(word_error(segment.b, format.coef_bits - 2)),
-          c_(word_error(segment.c, format.coef_bits - 2)),
+          a_(word_error(spline_.a, format.coef_bits - 2)),
+          b_(word_error(spline_.b, format.coef_bits - 2)),
+          c_(word_error(spline_.c, format.coef_bits - 2)),
           network_(kSplineWiring, format.order + kTail, words_.six_a()) {}
 
     SplineError run(double give_up) {
@@ -148,7 +149,7 @@ class Walk {
     /// Rounds v, unless the shift is exact; returns its distance from where phi is predicted.
     double round_parameter(double from_speed, double speed) {
         const int guard = format_.parameter_guard;
-        const int shift = segment_.lambda - segment_.step_exponent - 1;
+        const int shift = spline_.lambda - segment_.step_exponent - 1;
         const double half = shift > 0 ? half_bit(format_.coef_bits - 1) : 0;
         if (shown_rounding_ > 0) shift_rounding_ += unit_ * half * std::abs(from_speed - speed);
         if (shift > guard) shift_rounding_ += std::ldexp(unit_ * half * speed, -guard);
@@ -206,8 +207,8 @@ class Walk {
     /// Errors of e = B' + a' q, f = V + e q, d = f q: those of the words and one rounding each.
     double polynomial(int k, double q) const {
         const int width = format_.coef_bits;
-        const bool bent = segment_.a[k] != 0;
-        const bool turned = bent || segment_.b[k] != 0;
+        const bool bent = spline_.a[k] != 0;
+        const bool turned = bent || spline_.b[k] != 0;
         const double e = words_.half_W(k).rounding + words_.step_a(k).rounding * q +
                          (bent ? half_bit(width - 1) : 0);
         const double f = words_.V(k).rounding + e * q + (turned ? half_bit(width - 1) : 0);
@@ -235,9 +236,9 @@ class Walk {
         const int exact = format_.coef_bits - 2 - format_.guard_bits;
         double error = g_ + (segment_.step_exponent < exact ? g_ : 0);
         if (v_ == 0) return error;
-        const bool bent = segment_.a[k] != 0;
-        const bool turned = bent || segment_.b[k] != 0;
-        error += segment_.lambda < exact ? g_ : 0;
+        const bool bent = spline_.a[k] != 0;
+        const bool turned = bent || spline_.b[k] != 0;
+        error += spline_.lambda < exact ? g_ : 0;
         return error + unit_ * half * (1 + (turned ? v_ : 0) + (bent ? v_ * v_ : 0));
     }
 
@@ -274,12 +275,13 @@ class Walk {
     }
 
     const Series<double>& series(std::size_t node) const { return network_.series()[node]; }
-    double bend() const { return (2 * segment_.b + 6 * v_ * segment_.a).norm(); }  // |dV/dv|
-    Vec3 V(double v) const { return segment_.c + v * (2 * segment_.b + 3 * v * segment_.a); }
+    double bend() const { return (2 * spline_.b + 6 * v_ * spline_.a).norm(); }  // |dV/dv|
+    Vec3 V(double v) const { return spline_.c + v * (2 * spline_.b + 3 * v * spline_.a); }
     Vec3 V_error(double v) const { return c_ + v * (2 * b_ + 3 * v * a_); }
 
     const CoreParameters& format_;
     const Segment& segment_;
+    const SplinePiece& spline_;
     double unit_, h_, g_;
     SplineWords words_;
     Vec3 a_, b_, c_;

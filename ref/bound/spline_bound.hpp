@@ -33,8 +33,8 @@ struct SplineError {
 
 constexpr double kAlongShare = 0.5;  // share of an error limit that may be along the path
 
-/// Walks the segment's integration steps. Fields read: a, b, c, beta, lambda, step_exponent,
-/// length, aux_advance. Stops early when something has to be shorter, when the error exceeds
+/// Walks the segment's integration steps. Fields read: curve, step_exponent, length,
+/// aux_advance. Stops early when something has to be shorter, when the error exceeds
 /// `give_up`, or when its part along the path exceeds its share of that.
 SplineError spline_error(const CoreParameters& format, const Segment& segment,
                          double give_up = std::numeric_limits<double>::infinity());

@@ -39,13 +39,11 @@ Segment prototype(const Move& move, const PathShape& shape, int pieces, double u
         static_cast<std::uint64_t>(std::ceil(shape.length / unit / pieces * kQuantaPerUnit)) + 1;
     if (move.kind == Move::Kind::kArc) {
         const Vec3 arm = move.start - move.centre;
-        segment.radius = arm.norm() / unit;
-        segment.normal = arm.normalized();
-        segment.tangent = move.normal.cross(segment.normal);
-        segment.cos_pitch = shape.turn;
-        segment.advance = move.advance / shape.length;
+        const Vec3 normal = arm.normalized();
+        segment.curve = ArcPiece{move.normal.cross(normal), normal, shape.turn, arm.norm() / unit,
+                                 move.advance / shape.length};
     } else {
-        segment.advance = (move.end - move.start) / shape.length;
+        segment.arc().advance = (move.end - move.start) / shape.length;
     }
     for (int i = 0; i < kAuxAxes; ++i) segment.aux_advance[i] = shape.advance[3 + i];
     return segment;
@@ -60,9 +58,7 @@ Cut best_step(Segment segment, const CoreParameters& format, double limit) {
         std::min(kMaxStepExponent, std::max(0, static_cast<int>(std::ceil(std::log2(length)))));
     for (int k = longest; k >= 0 && std::ldexp(kMaxSteps, k) > length; --k) {
         segment.step_exponent = k;
-        const double theta =
-            segment.radius > 0 ? std::ldexp(segment.cos_pitch, k) / segment.radius : 0;
-        if (theta > kMostTheta) continue;
+        if (std::ldexp(segment.arc().twist(), k) > kMostTheta) continue;
         const double bound = segment_bound(format, segment);
         if (bound < cut.bound) {
             cut.bound = bound;
@@ -276,13 +272,14 @@ class Cutter {
         const double from = static_cast<double>(i) / cut.pieces;
         const double to = static_cast<double>(i + 1) / cut.pieces;
         if (move.kind == Move::Kind::kArc) {
-            const Vec3 n = segment.normal;
-            const Vec3 t = segment.tangent;
+            ArcPiece& arc = segment.arc();
+            const Vec3 n = arc.normal;
+            const Vec3 t = arc.tangent;
             const double angle = move.angle * from;
-            segment.normal = n * std::cos(angle) + t * std::sin(angle);
-            segment.tangent = t * std::cos(angle) - n * std::sin(angle);
-            segment.start = on_arc(move, n, t, segment.radius, from);
-            segment.end = on_arc(move, n, t, segment.radius, to);
+            arc.normal = n * std::cos(angle) + t * std::sin(angle);
+            arc.tangent = t * std::cos(angle) - n * std::sin(angle);
+            segment.start = on_arc(move, n, t, arc.radius, from);
+            segment.end = on_arc(move, n, t, arc.radius, to);
             const double miss = (segment.end - move.end / unit).norm();
             if (i + 1 == cut.pieces && miss > kClosing) {
                 refuse(move,

@@ -17,7 +17,6 @@ struct PlannedMove {
     PathShape shape;
     std::uint64_t length = 0;  // quanta
     double steps = 0;          // integration steps in all
-    bool spline = false;       // steps of the spline network
     bool stop_before = false;  // the curve stands still at the start
     bool stop_after = false;   // or at its end
     double miss = 0;           // quanta of path before it that rounding has left out

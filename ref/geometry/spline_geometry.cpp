@@ -130,7 +130,6 @@ std::vector<PlannedMove> planned_spline(const Program& program, const Machine& m
             planned.length = to - from;
             planned.steps =
                 steps * static_cast<double>(to - from) / static_cast<double>(segment.length);
-            planned.spline = segment.kind == Segment::Kind::kSpline;
             planned.stop_before = from == segment.s_start && stands.at(from - begin);
             planned.stop_after = to == end && stands.at(to - begin);
             all.push_back(planned);

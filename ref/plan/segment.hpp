@@ -1,53 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a core's queues in real numbers: the planner's output, the quantiser's input.
+// A plan: the content of a core's queues, the planner's output, the quantiser's input.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "ref/curve/axes.hpp"
-#include "ref/curve/vec3.hpp"
+#include "ref/curve/drawn/drawn_curve.hpp"
+#include "ref/plan/profile_piece.hpp"
 
 namespace curvecore::ref {
 
-/// A piece of one curve, at most a quarter turn, drawn from one set of words.
-///
-/// All lengths in length units (1 nm by default), as real numbers of the exact curve.
-///
-///     r(s) = centre + radius (n cos(phi s) + t sin(phi s)) + (advance) s     0 <= s <= length
-///
-/// with unit vectors t (tangent of the circle), n (outward normal) and phi = cos_pitch / radius.
-/// A line has radius 0: r(s) = start + advance s.
-///
-/// A spline is a piece of a cubic in a parameter v of its own, drawn at constant path speed:
-///
-///     r(v) = start + 2^lambda ((a v + b) v + c) v       0 <= v <= beta,  v(s) by path length
-///
-/// with 1/2 < |dr/dv| / 2^lambda < 1 (ref/segment/spline_segment.hpp); tangent, normal, cos_pitch,
-/// radius and advance are zero.
+/// A piece of one curve, drawn from one set of words: X Y Z along the curve, 0 <= s <= length, the
+/// auxiliary axes linear in s. All lengths in length units (1 nm by default), as real numbers of
+/// the exact curve.
 struct Segment {
-    enum class Kind { kArc, kSpline };
-
-    Kind kind = Kind::kArc;
     std::size_t move = 0;       // index into Program::moves
     int line = 0;               // line in the program's file
     std::uint64_t s_start = 0;  // path quanta (2^-16 unit), program-wide
     std::uint64_t length = 0;   // path quanta
     Vec3 start = Vec3::Zero();  // exact, not rounded
     Vec3 end = Vec3::Zero();
-    Vec3 tangent = Vec3::Zero();  // unit vectors at the start; zero for lines
-    Vec3 normal = Vec3::Zero();
-    double cos_pitch = 0;         // 0 for lines
-    double radius = 0;            // 0 for lines
-    Vec3 advance = Vec3::Zero();  // per unit of path
-    Vec3 a = Vec3::Zero();        // splines: a, b, c, lambda, beta
-    Vec3 b = Vec3::Zero();
-    Vec3 c = Vec3::Zero();
-    int lambda = 0;
-    double beta = 0;
+    DrawnCurve curve;
     Aux aux_start{};
     Aux aux_end{};
     Aux aux_advance{};      // per unit of path
@@ -58,43 +32,18 @@ struct Segment {
     bool last = false;        // last segment of the program
     double feed_start = 0;    // mm/s along the path, planned
     double feed_end = 0;
-};
 
-/// "line", "arc", "helix" or "spline".
-inline const char* kind_name(const Segment& segment) {
-    if (segment.kind == Segment::Kind::kSpline) return "spline";
-    if (segment.radius == 0) return "line";
-    constexpr double kFlat = 1e-9;  // an arc's advance within its plane makes no helix
-    const double rise = segment.normal.cross(segment.tangent).dot(segment.advance);
-    return std::abs(rise) < kFlat ? "arc" : "helix";
-}
+    CurveKind kind() const { return static_cast<CurveKind>(curve.index()); }
+    /// Returns "line", "arc", "helix" or "spline".
+    const char* kind_name() const {
+        return std::visit([](const auto& piece) { return piece.name(); }, curve);
+    }
 
-/// Constant jerk over a whole number of ticks, in the hardware's own integers
-/// (ref/feed/pieces/profile_words.hpp).
-///
-///     s(t) = s0 + 2^exponent (c1 tau + c2 tau^2 + c3 tau^3),  tau = t / 2^time_exponent
-struct ProfilePiece {
-    std::uint32_t ticks = 1;
-    int time_exponent = 0;            // m, ticks <= 2^m, m <= 19
-    int exponent = 0;                 // e, 0..46, in quanta
-    std::uint64_t ds = 0;             // quanta, exact
-    std::array<std::int64_t, 3> c{};  // c1 c2 c3, 34 fraction bits, |c| < 2
-    bool final = false;               // last piece of the program
-};
-
-/// A step of `ticks` ticks, in each of which the slope of time's rate changes by `change`, 2^-32
-/// per tick, and the rate then by its slope.
-struct StopStep {
-    std::uint32_t ticks = 1;
-    std::int32_t change = 0;
-};
-
-/// A stop branch: steps from the rate 1 to rest that the core may begin kStopLead ticks after
-/// pieces[piece] has begun (ref/format/path_words.hpp).
-struct PlannedBranch {
-    std::size_t piece = 0;
-    std::uint32_t wait = 1;  // ticks at the rate 1 until the next one, or the end, at most
-    std::vector<StopStep> steps;
+    /// Return the curve as one of its kind. @throws std::bad_variant_access if it is another
+    ArcPiece& arc() { return std::get<ArcPiece>(curve); }
+    const ArcPiece& arc() const { return std::get<ArcPiece>(curve); }
+    SplinePiece& spline() { return std::get<SplinePiece>(curve); }
+    const SplinePiece& spline() const { return std::get<SplinePiece>(curve); }
 };
 
 /// Properties that all parts of a plan share.

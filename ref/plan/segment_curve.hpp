@@ -5,53 +5,22 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
-#include "ref/curve/arc_length.hpp"
 #include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
 
-/// The cubic of a spline segment, in length units, 0 <= u <= 1; v = beta u.
-inline Cubic to_cubic(const Segment& segment) {
-    const double beta = segment.beta;
-    const double unit = std::ldexp(1.0, segment.lambda);
-    return {segment.a * (unit * beta * beta * beta), segment.b * (unit * beta * beta),
-            segment.c * (unit * beta), segment.start};
+/// Returns the exact curve of a segment in X Y Z.
+inline std::unique_ptr<PathCurve> exact_curve(const Segment& segment) {
+    const double length = std::ldexp(static_cast<double>(segment.length), -16);
+    return std::visit([&](const auto& piece) { return piece.path(segment.start, length); },
+                      segment.curve);
 }
 
-/// Position in closed form, length units, from the segment's real numbers.
-///
-/// | quantity | symbol     | shape | unit  | domain and remark                                   |
-/// |----------|------------|-------|-------|-----------------------------------------------------|
-/// | path     | s          |       | units | 0 .. length / 2^16, local                           |
-/// | tangent  | t          | 3     | 1     | at s = 0                                            |
-/// | normal   | n          | 3     | 1     | outward, at s = 0                                   |
-/// | angle    | a = phi s  |       | rad   | phi = cos_pitch / radius; at most a quarter turn    |
-/// | position | r(s)       | 3     | units |                                                     |
-///
-///     r(s) = start + radius (t sin a - n 2 sin^2(a/2)) + advance s
-///
-/// The chord form has no centre: a large radius costs nothing. Error per axis: the roundings of
-/// about eight operations, measured below 0.6 2^-50 max(|start|, s): below 1e-6 units for |start|,
-/// s <= 2.1e9 units and any radius.
-///
-/// A spline is its cubic at the parameter of s, by quadrature: slow. A caller that needs every
-/// sample keeps
-/// an ArcLength of to_cubic(segment). Error: 1e-13 of the length.
+/// Position at s, length units; a caller that needs every sample keeps the curve.
 inline Vec3 exact_position(const Segment& segment, double s) {
-    if (segment.kind == Segment::Kind::kSpline) {
-        const Cubic cubic = to_cubic(segment);
-        return cubic.position(parameter_at(cubic, s));
-    }
-    Vec3 linear = segment.start + segment.advance * s;
-    if (segment.radius == 0) {
-        return linear;
-    }
-    const double half = s * segment.cos_pitch / (2 * segment.radius);
-    const double sin_half = std::sin(half);
-    const double cos_half = std::cos(half);
-    const double chord = 2 * segment.radius * sin_half;
-    return linear + (segment.tangent * cos_half - segment.normal * sin_half) * chord;
+    return exact_curve(segment)->position(s);
 }
 
 /// Position of auxiliary axis `axis`, linear in s; its unit is the plan's.

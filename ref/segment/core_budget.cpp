@@ -22,8 +22,11 @@ double budget_of(const PlanOptions& options) {
 
 double two_changes_time(const PlanOptions& options) {
     const CoreTime& core = options.core;
-    double change = std::max(core.arc.step, core.arc.segment);
-    if (options.format.splines) change = std::max({change, core.spline.step, core.spline.segment});
+    double change = 0;
+    for (const CurveKind kind : kCurveKinds) {
+        if (!draws(options.format, kind)) continue;
+        change = std::max({change, core.curve[kind].step, core.curve[kind].segment});
+    }
     if (kSeveral * change <= budget_of(options)) return 0;
     return core.ahead ? change : window_of(options);
 }

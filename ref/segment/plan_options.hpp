@@ -23,20 +23,15 @@ struct CurveTime {
 
 /// | field         | unit | remark                                                              |
 /// |---------------|------|---------------------------------------------------------------------|
-/// | arc, spline   | s    | beyond the time of a sample                                         |
+/// | curve         | s    | by kind, beyond the time of a sample                                |
 /// | ahead         |      | true: during the samples of the last step; false: in turn           |
 /// | sample        | s    | time of a sample in which the core makes no steps; 0 with ahead     |
 /// | samples_ahead | 1    | samples that the core makes ahead of the one that is due            |
 struct CoreTime {
-    CurveTime arc{2e-6, 2e-6};
-    CurveTime spline{4e-6, 4e-6};
+    ByKind<CurveTime> curve{{{{2e-6, 2e-6}, {4e-6, 4e-6}}}};
     bool ahead = true;
     double sample = 0;
     int samples_ahead = 2;
-
-    const CurveTime& of(const Segment& segment) const {
-        return segment.kind == Segment::Kind::kSpline ? spline : arc;
-    }
 };
 
 /// Method of planning the feed: by rules, one bound for each move and ramps between; or as the

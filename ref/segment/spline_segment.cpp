@@ -45,9 +45,9 @@ Segment short_line(const Cubic& piece, double length, const CoreParameters& form
     line.start = piece.d;
     line.end = piece.position(1);
     line.length = static_cast<std::uint64_t>(std::llround(length * kQuantaPerUnit));
-    if (length > 0) line.advance = (line.end - line.start) / length;
+    if (length > 0) line.arc().advance = (line.end - line.start) / length;
     line.step_exponent = 2;
-    const double straight = std::min(1.0, line.advance.norm());
+    const double straight = std::min(1.0, line.arc().advance.norm());
     aside = length / 2 * std::sqrt(1 - straight * straight);
     line.bound = aside + segment_bound(format, line);
     return line;
@@ -57,17 +57,16 @@ Segment short_line(const Cubic& piece, double length, const CoreParameters& form
 Segment segment_of(const Cubic& piece, const CoreParameters& format, double speed, double length) {
     const double fastest = with_room(speed, format);
     Segment segment;
-    segment.kind = Segment::Kind::kSpline;
     segment.start = piece.d;
     segment.end = piece.position(1);
     int exponent = 0;
     std::frexp(fastest / (1 - hair(format)), &exponent);
-    segment.lambda = std::max(0, exponent);
-    segment.beta = std::ldexp(fastest, -segment.lambda);
-    const double unit = std::ldexp(1.0, segment.lambda);
-    segment.c = piece.c / (unit * segment.beta);
-    segment.b = piece.b / (unit * segment.beta * segment.beta);
-    segment.a = piece.a / (unit * segment.beta * segment.beta * segment.beta);
+    const int lambda = std::max(0, exponent);
+    const double beta = std::ldexp(fastest, -lambda);
+    const double unit = std::ldexp(1.0, lambda);
+    segment.curve =
+        SplinePiece{piece.a / (unit * beta * beta * beta), piece.b / (unit * beta * beta),
+                    piece.c / (unit * beta), lambda, beta};
     segment.length = static_cast<std::uint64_t>(std::llround(length * kQuantaPerUnit));
     return segment;
 }
@@ -94,7 +93,8 @@ struct Splitter {
         if (speed.max > 0 && with_room(speed.max, format) < 2 * speed.min) {
             Segment piece = segment_of(part, format, speed.max, length);
             piece.aux_advance = aux_advance;
-            if (piece.lambda <= kMaxStepExponent && piece.lambda < format.position_bits &&
+            const int lambda = piece.spline().lambda;
+            if (lambda <= kMaxStepExponent && lambda < format.position_bits &&
                 choose_step(format, limit, piece)) {
                 const double place =
                     cut_for_last_step(length, piece.step_exponent, least_last_step);
@@ -133,7 +133,7 @@ bool choose_step(const CoreParameters& format, double limit, Segment& segment) {
     int exponent = 0;  // 2^exponent covers the length
     std::frexp(static_cast<double>(segment.length) / kQuantaPerUnit, &exponent);
     Segment trial = segment;
-    for (int k = std::clamp(exponent, 0, segment.lambda); k >= 0; --k) {
+    for (int k = std::clamp(exponent, 0, segment.spline().lambda); k >= 0; --k) {
         trial.step_exponent = k;
         const SplineError error = spline_error(format, trial, limit);
         if (error.shorten == Shorten::kPiece) return false;

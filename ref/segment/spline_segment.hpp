@@ -17,12 +17,9 @@ namespace curvecore::ref {
 ///
 /// | field    | set here                                                  |
 /// |----------|-----------------------------------------------------------|
-/// | kind     | kSpline                                                   |
+/// | curve    | SplinePiece; beta is v of the end, below 1                |
 /// | start    | r(0), units                                               |
 /// | end      | r(1), units                                               |
-/// | a b c    | r(v) = start + 2^lambda ((a v + b) v + c) v               |
-/// | lambda   |                                                           |
-/// | beta     | v of the end, below 1                                     |
 /// | length   | path quanta, rounded; a chain of pieces corrects its sums |
 ///
 /// Errors: roundings of double, the length's 1e-13. Source: theory of [Chikurov] (30), trap D2.
@@ -39,7 +36,7 @@ bool choose_step(const CoreParameters& format, double limit, Segment& segment);
 std::vector<Segment> placed(SplineCut cut, long double& path);
 
 /// Cuts a cubic in halves of u until each fits and keeps the limit. Tips of a few units' radius,
-/// and cusps, are drawn by lines of a few units (kind kArc).
+/// and cusps, are drawn by lines of a few units.
 ///
 /// `path` is that of placed(). Auxiliary axes share the bound.
 /// @throws std::domain_error when halving does not help, the limit is below four half guard bits,

@@ -71,9 +71,10 @@ double Chooser::fastest(const Candidate& candidate) const {
 /// Returns the largest load that a build can serve at this clock and the host can send.
 Load Chooser::most_load(const Candidate& candidate, double clock_hz) const {
     int step = std::numeric_limits<int>::max();
-    if (requirement_.arcs()) step = change_clocks(candidate.parameters, false).step;
-    if (requirement_.splines())
-        step = std::min(step, change_clocks(candidate.parameters, true).step);
+    if (requirement_.arcs()) step = change_clocks(candidate.parameters, ref::CurveKind::kArc).step;
+    if (requirement_.splines()) {
+        step = std::min(step, change_clocks(candidate.parameters, ref::CurveKind::kSpline).step);
+    }
     Load most;
     most.segments = requirement_.host_words / kSegmentWords;
     most.steps = clock_hz / step;

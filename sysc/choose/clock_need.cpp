@@ -9,9 +9,9 @@
 namespace curvecore::sysc {
 namespace {
 
-ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool splines,
+ClockNeed serial_need(const CoreParameters& parameters, const Load& load, ref::CurveKind kind,
                       double period) {
-    const hls::Clocks change = change_clocks(parameters, splines);
+    const hls::Clocks change = change_clocks(parameters, kind);
     const double window = (1 + hls::samples_ahead(timed_core(parameters))) * period;
     const double segments = std::ceil(load.segments * window);
     const double steps = std::ceil(load.steps * window);
@@ -19,10 +19,10 @@ ClockNeed serial_need(const CoreParameters& parameters, const Load& load, bool s
     return {change.sample / period, change.sample / period + pauses / window};
 }
 
-ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, bool splines,
+ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, ref::CurveKind kind,
                         double period) {
     return {parameters.sample_interval / period,
-            std::max(load.steps * core_clocks(parameters, splines).step,
+            std::max(load.steps * core_clocks(parameters, kind).step,
                      load.segments * hls::load_clocks(timed_core(parameters)))};
 }
 
@@ -32,15 +32,16 @@ ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
                      double sample_period_s) {
     ClockNeed need;
     need.samples = hls::tick_clocks(timed_core(parameters)) / sample_period_s;
-    for (const bool splines : {false, true}) {
-        const Load& load = splines ? demand.splines : demand.arcs;
-        if (load.segments == 0) continue;
+    const auto add = [&](ref::CurveKind kind, const Load& load) {
+        if (load.segments == 0) return;
         const ClockNeed one = parameters.build == Build::kSerial
-                                  ? serial_need(parameters, load, splines, sample_period_s)
-                                  : parallel_need(parameters, load, splines, sample_period_s);
+                                  ? serial_need(parameters, load, kind, sample_period_s)
+                                  : parallel_need(parameters, load, kind, sample_period_s);
         need.samples = std::max(need.samples, one.samples);
         need.steps = std::max(need.steps, one.steps);
-    }
+    };
+    add(ref::CurveKind::kArc, demand.arcs);
+    add(ref::CurveKind::kSpline, demand.splines);
     return need;
 }
 

@@ -9,6 +9,8 @@
 
 namespace curvecore::sysc {
 
+using ref::CurveKind;
+
 hls::TimedCore timed_core(const CoreParameters& parameters) {
     hls::TimedCore core;
     core.serial = parameters.build == Build::kSerial;
@@ -22,13 +24,13 @@ hls::TimedCore timed_core(const CoreParameters& parameters) {
     return core;
 }
 
-hls::Clocks core_clocks(const CoreParameters& parameters, bool spline) {
+hls::Clocks core_clocks(const CoreParameters& parameters, CurveKind kind) {
     const hls::TimedCore core = timed_core(parameters);
-    return spline ? hls::spline_clocks(core) : hls::arc_clocks(core);
+    return kind == CurveKind::kSpline ? hls::spline_clocks(core) : hls::arc_clocks(core);
 }
 
-hls::Clocks change_clocks(const CoreParameters& parameters, bool spline) {
-    hls::Clocks clocks = core_clocks(parameters, spline);
+hls::Clocks change_clocks(const CoreParameters& parameters, CurveKind kind) {
+    hls::Clocks clocks = core_clocks(parameters, kind);
     if (parameters.build == Build::kSerial) {
         // The first sample after a change may begin up to a rotation before the others' turn.
         clocks.step += hls::kRotation - clocks.sample;
@@ -38,31 +40,27 @@ hls::Clocks change_clocks(const CoreParameters& parameters, bool spline) {
 }
 
 ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz) {
-    const auto of = [&](bool spline) {
-        const hls::Clocks clocks = change_clocks(parameters, spline);
-        return ref::CurveTime{clocks.step / clock_hz, clocks.segment / clock_hz};
-    };
     ref::CoreTime time;
-    time.arc = of(false);
-    time.spline = of(true);
     time.samples_ahead = hls::samples_ahead(timed_core(parameters));
     time.ahead = parameters.build == Build::kParallel;
-    if (!time.ahead) {
-        time.sample = std::max(core_clocks(parameters, false).sample,
-                               parameters.splines != 0 ? core_clocks(parameters, true).sample : 0) /
-                      clock_hz;
+    int sample = 0;  // clocks
+    for (const CurveKind kind : ref::kCurveKinds) {
+        const hls::Clocks clocks = change_clocks(parameters, kind);
+        time.curve[kind] = {clocks.step / clock_hz, clocks.segment / clock_hz};
+        if (draws(parameters, kind)) sample = std::max(sample, clocks.sample);
     }
+    if (!time.ahead) time.sample = sample / clock_hz;
     return time;
 }
 
 double least_period_clocks(const CoreParameters& parameters, bool splines, int samples_per_tick) {
     double least = hls::tick_clocks(timed_core(parameters)) / double(samples_per_tick);
-    for (const bool spline : {false, true}) {
-        if (spline && !splines) continue;
-        const hls::Clocks clocks = core_clocks(parameters, spline);
+    for (const CurveKind kind : ref::kCurveKinds) {
+        if (kind == CurveKind::kSpline && !splines) continue;
+        const hls::Clocks clocks = core_clocks(parameters, kind);
         double period = clocks.sample;
         if (parameters.build == Build::kSerial) {
-            const hls::Clocks change = change_clocks(parameters, spline);
+            const hls::Clocks change = change_clocks(parameters, kind);
             period += std::max(change.step, change.segment) /
                       (1.0 + hls::samples_ahead(timed_core(parameters)));
         }

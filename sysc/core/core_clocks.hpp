@@ -10,12 +10,12 @@ namespace curvecore::sysc {
 
 hls::TimedCore timed_core(const CoreParameters& parameters);
 
-/// Clocks of steps along arcs and lines, or along splines.
-hls::Clocks core_clocks(const CoreParameters& parameters, bool spline);
+/// Clocks of steps along a curve.
+hls::Clocks core_clocks(const CoreParameters& parameters, ref::CurveKind kind);
 
 /// Clocks by which the start of a step, or of a segment, delays the next sample beyond a sample's
 /// own clocks; for the parallel build, those that it takes beside the samples.
-hls::Clocks change_clocks(const CoreParameters& parameters, bool spline);
+hls::Clocks change_clocks(const CoreParameters& parameters, ref::CurveKind kind);
 
 /// The change clocks in seconds.
 ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz);

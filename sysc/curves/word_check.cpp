@@ -30,7 +30,7 @@ void check_words(const Job& job, const ref::Plan& part) {
         }
         if (ranges.missing() > 0) {
             refuse(fmt::format("a word of the core's network would need {} more bits for this {}",
-                               ranges.missing(), ref::kind_name(segment)));
+                               ranges.missing(), segment.kind_name()));
         }
     }
 }

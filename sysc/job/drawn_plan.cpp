@@ -27,7 +27,7 @@ void DrawnPlan::append(const ref::Plan& part) {
 }
 
 void DrawnPlan::append(const ref::Segment& segment) {
-    OfKind& kind = kinds_[index(segment.kind)];
+    OfKind& kind = kinds_[segment.kind()];
     ++kind.count;
     kind.bound = std::max(kind.bound, segment.bound);
     stops += stop_behind_ || segments.empty();

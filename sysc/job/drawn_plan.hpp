@@ -2,8 +2,6 @@
 // A whole plan as it is drawn, written part by part to the disk; reading it needs little memory.
 #pragma once
 
-#include <array>
-
 #include "ref/format/path_words.hpp"
 #include "ref/plan/segment.hpp"
 #include "sysc/words/bus_words.hpp"
@@ -37,8 +35,8 @@ class DrawnPlan : public ref::PlanFrame {
     /// Returns the words of a piece and their number; those of a stop branch come first.
     std::pair<const std::uint64_t*, std::size_t> words_of(std::size_t piece) const;
     /// Number of segments of a kind.
-    std::size_t count(ref::Segment::Kind kind) const { return kinds_[index(kind)].count; }
-    double bound(ref::Segment::Kind kind) const { return kinds_[index(kind)].bound; }
+    std::size_t count(ref::CurveKind kind) const { return kinds_[kind].count; }
+    double bound(ref::CurveKind kind) const { return kinds_[kind].bound; }
 
   private:
     struct OfKind {
@@ -46,15 +44,14 @@ class DrawnPlan : public ref::PlanFrame {
         double bound = 0;  // worst derived bound of the error before rounding, units
     };
 
-    static std::size_t index(ref::Segment::Kind kind) { return static_cast<std::size_t>(kind); }
     void append(const ref::Segment& segment);
 
     ProfileWriter writer_;
     FileList<std::uint64_t> profile_words_;  // words of all pieces
     FileList<std::size_t> first_word_;       // first word of each piece
-    std::array<OfKind, 2> kinds_;            // figures by Segment::Kind
-    std::uint64_t wait_ = ref::kStopLead;    // ticks since the last branch
-    bool stop_behind_ = false;               // the last segment that has a length ends at rest
+    ref::ByKind<OfKind> kinds_;
+    std::uint64_t wait_ = ref::kStopLead;  // ticks since the last branch
+    bool stop_behind_ = false;             // the last segment that has a length ends at rest
 };
 
 /// Returns true if the path is at rest where a segment ends: a stop's word is rounded, so it ends

@@ -32,18 +32,18 @@ std::uint16_t Job::digest() const { return made_for(options, machine).digest(); 
 
 const char* Job::core_name() const { return options.core.splines != 0 ? "curve" : "spherical"; }
 
-bool Job::bounded(ref::Segment::Kind kind) const {
-    return options.core.anchor != 0 || kind != ref::Segment::Kind::kSpline;
+bool Job::bounded(ref::CurveKind kind) const {
+    return options.core.anchor != 0 || kind != ref::CurveKind::kSpline;
 }
 
 bool Job::bounded() const {
-    constexpr auto kSpline = ref::Segment::Kind::kSpline;
-    return bounded(kSpline) || plan.count(kSpline) == 0;
+    return std::all_of(ref::kCurveKinds.begin(), ref::kCurveKinds.end(),
+                       [&](ref::CurveKind kind) { return bounded(kind) || plan.count(kind) == 0; });
 }
 
 double Job::bound() const {
     double bound = 0;
-    for (const auto kind : {ref::Segment::Kind::kArc, ref::Segment::Kind::kSpline}) {
+    for (const ref::CurveKind kind : ref::kCurveKinds) {
         if (bounded(kind)) bound = std::max(bound, plan.bound(kind));
     }
     return bound;

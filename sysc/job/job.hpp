@@ -30,7 +30,7 @@ struct Job {
     const char* core_name() const;
     /// Returns true if a bound is derived for segments of this kind: none for splines with Anchor
     /// 0, which are planned with that of Anchor 1.
-    bool bounded(ref::Segment::Kind kind) const;
+    bool bounded(ref::CurveKind kind) const;
     /// Returns true if a bound is derived for every segment.
     bool bounded() const;
     /// Worst derived bound of any segment, length units before the final rounding.

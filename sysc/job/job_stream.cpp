@@ -182,7 +182,7 @@ const ref::Plan* JobStream::next() {
     job_.plan.core_slowed.add(part_->core_slowed);
     bounded_ =
         bounded_ && std::all_of(part_->segments.begin(), part_->segments.end(),
-                                [this](const ref::Segment& s) { return job_.bounded(s.kind); });
+                                [this](const ref::Segment& s) { return job_.bounded(s.kind()); });
     return &*part_;
 }
 

@@ -33,8 +33,8 @@ Course course(const Job& job) {
             const auto bin =
                 std::min(static_cast<std::size_t>((start + s) / total * Pictures::kBins),
                          Pictures::kBins - 1);
-            const double bend = curve.curvature(segment, s) / plan.unit_mm;
-            const ref::Vec3 slope = curve.direction(segment, s);
+            const double bend = curve.on(segment).curvature(s) / plan.unit_mm;
+            const ref::Vec3 slope = curve.on(segment).direction(s);
             found.deviation[bin].add(move.deviation);
             if (move.deviation > 0) found.tolerance[bin].add(move.tolerance);
             if (std::isfinite(bend)) found.curvature[bin].add(bend);

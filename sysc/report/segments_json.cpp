@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "ref/plan/segment_shape.hpp"
+#include "ref/plan/segment_curve.hpp"
 #include "sysc/words/bus_words.hpp"
 
 namespace curvecore::sysc {
@@ -27,15 +27,15 @@ void point(Text& text, const char* name, const Job& job, const ref::Vec3& xyz, c
 }
 
 /// Writes r(v) = start + 2^lambda ((a v + b) v + c) v in length units, up to v = beta.
-void spline(Text& text, const ref::Segment& segment) {
+void spline(Text& text, const ref::SplinePiece& piece) {
     const auto out = std::back_inserter(text);
     const auto vector = [&](const char* name, const ref::Vec3& v) {
         fmt::format_to(out, ", \"{}\": [{:.15g}, {:.15g}, {:.15g}]", name, v.x(), v.y(), v.z());
     };
-    vector("a", segment.a);
-    vector("b", segment.b);
-    vector("c", segment.c);
-    fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", segment.lambda, segment.beta);
+    vector("a", piece.a);
+    vector("b", piece.b);
+    vector("c", piece.c);
+    fmt::format_to(out, ", \"lambda\": {}, \"beta\": {:.15g}", piece.lambda, piece.beta);
 }
 
 /// Number as text; JSON has no infinity, so a cusp's curvature is null.
@@ -46,17 +46,20 @@ std::string number(double value) {
 /// Writes the derivatives at both ends and at the sharpest place.
 void shape(Text& text, const ref::Segment& segment, double unit_mm) {
     const auto out = std::back_inserter(text);
-    const ref::SegmentShape shape = ref::segment_shape(segment);
+    const double length = std::ldexp(static_cast<double>(segment.length), -16);
+    const auto curve = ref::exact_curve(segment);
+    const ref::SharpestPlace sharpest = curve->sharpest();
     const auto vector = [&](const char* name, const ref::Vec3& v) {
         fmt::format_to(out, ", \"{}\": [{}, {}, {}]", name, number(v.x()), number(v.y()),
                        number(v.z()));
     };
-    vector("tangent_start", shape.tangent_start);
-    vector("tangent_end", shape.tangent_end);
+    vector("tangent_start", curve->direction(0));
+    vector("tangent_end", curve->direction(length));
     fmt::format_to(out, ", \"curvature_start_per_mm\": {}, \"curvature_end_per_mm\": {}",
-                   number(shape.curvature_start / unit_mm), number(shape.curvature_end / unit_mm));
+                   number(curve->curvature(0) / unit_mm),
+                   number(curve->curvature(length) / unit_mm));
     fmt::format_to(out, ", \"least_radius_mm\": {}, \"least_radius_at_mm\": {}",
-                   number(unit_mm / shape.most), number(shape.most_at * unit_mm));
+                   number(unit_mm / sharpest.curvature), number(sharpest.s * unit_mm));
 }
 
 }  // namespace
@@ -71,10 +74,11 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
         Text text;
         const auto out = std::back_inserter(text);
         fmt::format_to(out, "{}\n{{\"segment\": {}, \"move\": {}, \"line\": {}, \"kind\": \"{}\"",
-                       i == 0 ? "" : ",", i, segment.move, segment.line, ref::kind_name(segment));
+                       i == 0 ? "" : ",", i, segment.move, segment.line, segment.kind_name());
         point(text, "start_mm", job, segment.start, segment.aux_start, segment.aux_turned);
         point(text, "end_mm", job, segment.end, segment.aux_end, segment.aux_turned);
-        if (segment.kind == ref::Segment::Kind::kSpline) spline(text, segment);
+        const auto* piece = std::get_if<ref::SplinePiece>(&segment.curve);
+        if (piece != nullptr) spline(text, *piece);
         shape(text, segment, job.plan.unit_mm);
         fmt::format_to(out,
                        ", \"s_quanta\": {}, \"length_quanta\": {}, \"length_mm\": {:.12g}, "
@@ -82,8 +86,9 @@ void write_segments(const Job& job, const std::function<void(const std::string& 
                        "\"feed_start\": {:.9g}, \"feed_end\": {:.9g}, \"ticks\": {}, \"words\": [",
                        segment.s_start, segment.length,
                        std::ldexp(static_cast<double>(segment.length), -16) * job.plan.unit_mm,
-                       segment.radius * job.plan.unit_mm, segment.step_exponent,
-                       job.bounded(segment.kind) ? fmt::format("{:.6g}", segment.bound) : "null",
+                       (piece != nullptr ? 0 : segment.arc().radius) * job.plan.unit_mm,
+                       segment.step_exponent,
+                       job.bounded(segment.kind()) ? fmt::format("{:.6g}", segment.bound) : "null",
                        segment.feed_start, segment.feed_end, segment.ticks);
         const char* comma = "";
         for (const std::uint64_t word : writer.write(segment)) {

@@ -42,7 +42,7 @@ struct CheckResult {
     std::string first_difference;
     std::array<AxisError, ref::kMachineAxes> rounded;
     std::array<AxisError, ref::kMachineAxes> unrounded;
-    std::map<std::string, KindResult> kinds;  // by ref::kind_name
+    std::map<std::string, KindResult> kinds;  // by Segment::kind_name()
     std::int64_t landing = 0;                 // worst output word - commanded word at a stop
     std::uint64_t stops = 0;                  // exact stops that a sample fell on
     double increment = 0;       // worst sample's increment - its share of the tick, quanta

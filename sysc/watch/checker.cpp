@@ -92,7 +92,7 @@ void Checker::compare_with_kernel(const Sample& drawn) {
 void Checker::compare_with_curve(const Sample& drawn) {
     const ref::Segment& segment = cursor_.segment();
     const double s = cursor_.local();
-    const ref::Vec3 curve = curve_.position(segment, s);
+    const ref::Vec3 curve = curve_.on(segment).position(s);
     ref::Vec3 point;
     double worst = 0;
     for (int axis = 0; axis < axes_; ++axis) {
@@ -107,7 +107,7 @@ void Checker::compare_with_curve(const Sample& drawn) {
     KindResult& kind = kind_of(segment);
     ++kind.samples;
     kind.error = std::max(kind.error, worst);
-    const double bound = job_.bounded(segment.kind) ? segment.bound : 0;
+    const double bound = job_.bounded(segment.kind()) ? segment.bound : 0;
     if (bound > 0) {
         kind.bound = std::max(kind.bound, bound);
         kind.of_bound = std::max(kind.of_bound, worst / bound);
@@ -131,7 +131,7 @@ void Checker::meter(const ref::AxisPoint& exact, const std::int64_t* position) {
 KindResult& Checker::kind_of(const ref::Segment& segment) {
     if (segment_of_kind_ != &segment) {
         segment_of_kind_ = &segment;
-        kind_ = &result_.kinds[ref::kind_name(segment)];
+        kind_ = &result_.kinds[segment.kind_name()];
     }
     return *kind_;
 }
@@ -144,7 +144,7 @@ void Checker::compare_speed(const ref::Vec3& point, const ref::Vec3& curve) {
         const double error = std::abs((point - last_point_).norm() - length);
         KindResult& kind = kind_of(cursor_.segment());
         kind.speed_error = std::max(kind.speed_error, error);
-        if (job_.bounded(cursor_.segment().kind)) {
+        if (job_.bounded(cursor_.segment().kind())) {
             result_.speed_of_allowed =
                 std::max(result_.speed_of_allowed, error / (1e-6 * length + chord_tolerance_));
         }

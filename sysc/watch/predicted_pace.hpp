@@ -19,8 +19,9 @@ class PredictedPace {
         : walk_(plan),
           serial_(core.build == Build::kSerial),
           latency_(hls::sample_latency(timed_core(core))),
-          change_{change_clocks(core, false), change_clocks(core, true)},
-          sample_clocks_(change_[plan.segments.front().kind == ref::Segment::Kind::kSpline].sample),
+          change_{{{change_clocks(core, ref::CurveKind::kArc),
+                    change_clocks(core, ref::CurveKind::kSpline)}}},
+          sample_clocks_(change_[plan.segments.front().kind()].sample),
           pace_(hls::samples_ahead(timed_core(core))),
           tick_share_(double(hls::tick_clocks(timed_core(core))) / samples_per_tick) {}
 
@@ -29,7 +30,7 @@ class PredictedPace {
         bool first = samples_ == 0;
         double ready = 0;
         walk_.to(s, [&](const ref::Segment& segment, bool fresh) {
-            const hls::Clocks& clocks = change_[segment.kind == ref::Segment::Kind::kSpline];
+            const hls::Clocks& clocks = change_[segment.kind()];
             ready = make_step(fresh ? clocks.segment : clocks.step);
             sample_clocks_ = clocks.sample;
             first = true;
@@ -55,7 +56,7 @@ class PredictedPace {
     StepWalk walk_;
     bool serial_;
     int latency_;
-    std::array<hls::Clocks, 2> change_;
+    ref::ByKind<hls::Clocks> change_;
     int sample_clocks_;  // along the present segment
     SamplePace pace_;
     double tick_share_;             // clocks of a tick of time, for each of its samples

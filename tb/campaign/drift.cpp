@@ -67,14 +67,15 @@ class Truth {
   public:
     explicit Truth(const std::vector<ref::Segment>& turn) : turn_(turn) {
         for (const ref::Segment& segment : turn) {
-            if (segment.kind == ref::Segment::Kind::kSpline) {
-                splines_.emplace_back(ref::to_cubic(segment));
+            if (segment.kind() == ref::CurveKind::kSpline) {
+                splines_.emplace_back(segment.spline().cubic(segment.start));
             }
         }
     }
     ref::Vec3 position(std::size_t index, double s) const {
         if (splines_.empty()) return ref::exact_position(turn_[index], s);
-        return ref::to_cubic(turn_[index]).position(splines_[index].parameter(s));
+        const ref::Segment& piece = turn_[index];
+        return piece.spline().cubic(piece.start).position(splines_[index].parameter(s));
     }
 
   private:

@@ -51,7 +51,7 @@ Seen draw_cubics(int cubics, tb::Extreme extreme) {
         const ref::Cubic cubic = random.next(extreme, size);
         ++seen.cubics;
         for (const ref::Segment& segment : ref::split_spline(cubic, format, limit)) {
-            if (segment.kind != ref::Segment::Kind::kSpline || segment.length == 0) continue;
+            if (segment.kind() != ref::CurveKind::kSpline || segment.length == 0) continue;
             ++seen.segments;
             seen.steps += static_cast<std::int64_t>(
                 (segment.length >> (segment.step_exponent + hls::kPathFrac)) + 1);

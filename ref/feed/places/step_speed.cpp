@@ -23,7 +23,7 @@ class Changes {
     bool over() const { return index_ == segments_.size(); }
     std::uint64_t place() const { return segments_[index_].s_start + offset_; }
     double cost() const {
-        const CurveTime& time = core_.of(segments_[index_]);
+        const CurveTime& time = core_.curve[segments_[index_].kind()];
         return offset_ == 0 ? time.segment : time.step;
     }
 

@@ -25,10 +25,6 @@ double local_length(const Segment& segment) {
     return std::ldexp(static_cast<double>(segment.length), -16);
 }
 
-bool is_line(const Segment& segment) {
-    return segment.kind == Segment::Kind::kArc && segment.radius == 0;
-}
-
 }  // namespace
 
 VelocityCourse::VelocityCourse(const std::vector<Segment>& segments, double unit_mm, int axes,
@@ -52,7 +48,7 @@ VelocityCourse::VelocityCourse(const std::vector<Segment>& segments, double unit
 AxisVector VelocityCourse::velocity(std::size_t segment, double s, double v) {
     if (v < kRest) return {};  // a spline may stand still there, without a direction
     const Segment& at = segments_[segment];
-    const Vec3 xyz = v * curve_.direction(at, std::max(0.0, s));
+    const Vec3 xyz = v * curve_.on(at).direction(std::max(0.0, s));
     AxisVector velocity{xyz.x(), xyz.y(), xyz.z()};
     for (std::size_t i = 3; i < axes_; ++i) velocity[i] = v * at.aux_advance[i - 3];
     return velocity;
@@ -91,7 +87,7 @@ bool VelocityCourse::is_joint(const Piece& piece) {
     if (on.move == next.move) return false;
     const double v = speed(*piece.phase, piece.to);
     const double length = local_length(on);
-    const double bend = (curve_.bend(on, length) - curve_.bend(next, 0)).norm() / unit_mm_;
+    const double bend = (curve_.on(on).bend(length) - curve_.on(next).bend(0)).norm() / unit_mm_;
     if (!(v * v * bend <= kSameShare * least_acceleration_)) return true;
     const AxisVector before = velocity(piece.segment, length, v);
     const AxisVector after = velocity(piece.segment + 1, 0, v);
@@ -150,9 +146,10 @@ void VelocityCourse::add_knots(const Piece& piece, double until, double since) {
         last.before = velocity(piece.segment, local_length(on), last.v);
         last.after = last.before;
     }
-    if ((piece.phase->j != 0 || !is_line(on)) && time > resolution_) {
+    const bool line = curve_.on(on).straight();
+    if ((piece.phase->j != 0 || !line) && time > resolution_) {
         const Knot middle = knot(piece, time / 2);
-        const int parts = count(time, distance(middle, knots_.back(), last), is_line(on));
+        const int parts = count(time, distance(middle, knots_.back(), last), line);
         for (int i = 1; i < parts; ++i) {
             const double after = time * i / parts;
             const double t = piece.t + after;

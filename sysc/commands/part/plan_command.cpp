@@ -35,8 +35,8 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
         pace.sample(cursor.s());
         if (tick) pictures.tick(source.tick_ds());
         pictures.error(cursor.s(), 0,
-                       job.bounded(cursor.segment().kind) ? cursor.segment().bound : 0);
-        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
+                       job.bounded(cursor.segment().kind()) ? cursor.segment().bound : 0);
+        const ref::Vec3 point = curve.on(cursor.segment()).position(cursor.local());
         meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
         pictures.sample(cursor.s(), cursor.index(), point, cursor.at_end());
     }

@@ -182,15 +182,16 @@ TEST(Curve, ImpossibleArcsAreRefusedWithTheReason) {
 /// A quarter turn at most, whose path stays below `reach` units.
 Segment random_segment(Random& random, double radius, double reach) {
     Segment segment;
+    ArcPiece& arc = segment.arc();
     const Vec3 axis = random.direction();
-    segment.normal = axis.cross(random.direction()).normalized();
-    segment.tangent = axis.cross(segment.normal);
-    segment.radius = radius;
+    arc.normal = axis.cross(random.direction()).normalized();
+    arc.tangent = axis.cross(arc.normal);
+    arc.radius = radius;
     const double pitch = random.uniform(-1.5, 1.5);
-    segment.cos_pitch = std::cos(pitch);
-    segment.advance = axis * std::sin(pitch);
+    arc.cos_pitch = std::cos(pitch);
+    arc.advance = axis * std::sin(pitch);
     segment.start = random.direction() * std::max(0.0, random.uniform(-reach, reach));
-    const double quarter = M_PI / 2 * radius / segment.cos_pitch;
+    const double quarter = M_PI / 2 * radius / arc.cos_pitch;
     segment.length = static_cast<std::uint64_t>(std::ldexp(std::min(quarter, reach), 16));
     segment.aux_start = {random.uniform(-reach, reach)};
     segment.aux_advance = {random.uniform(-0.5, 0.5)};
@@ -198,14 +199,14 @@ Segment random_segment(Random& random, double radius, double reach) {
 }
 
 Vector widest_position(const Segment& segment, double s) {
+    const ArcPiece& arc = segment.arc();
     const Real path(s);
-    Vector position = wide(segment.start) + wide(segment.advance) * path;
-    if (segment.radius > 0) {
-        const Real radius(segment.radius);
-        const Real angle = path * Real(segment.cos_pitch) / radius;
+    Vector position = wide(segment.start) + wide(arc.advance) * path;
+    if (arc.radius > 0) {
+        const Real radius(arc.radius);
+        const Real angle = path * Real(arc.cos_pitch) / radius;
         position +=
-            (wide(segment.tangent) * sin(angle) - wide(segment.normal) * (Real(1) - cos(angle))) *
-            radius;
+            (wide(arc.tangent) * sin(angle) - wide(arc.normal) * (Real(1) - cos(angle))) * radius;
     }
     return position;
 }
@@ -222,8 +223,8 @@ Worst worst_of(unsigned seed, double smallest_radius, double largest_radius, dou
         const double radius = n % 8 == 0 ? 0 : random.log_uniform(smallest_radius, largest_radius);
         Segment segment = random_segment(random, radius == 0 ? 1e9 : radius, reach);
         if (radius == 0) {
-            segment.radius = segment.cos_pitch = 0;
-            segment.advance = random.direction();
+            segment.curve = ArcPiece();
+            segment.arc().advance = random.direction();
         }
         for (const double part : {0.0, random.uniform(0, 1e-3), random.uniform(0, 1), 1.0}) {
             const double s = std::ldexp(std::floor(part * double(segment.length)), -16);
@@ -266,15 +267,16 @@ TEST(SegmentCurve, AgreesWithTheHelix) {
     Random random(7);
     for (int n = 0; n < 200; ++n) {
         const Segment segment = random_segment(random, random.log_uniform(1e4, 1e9), 1e8);
-        const Vec3 axis = segment.normal.cross(segment.tangent);
+        const ArcPiece& arc = segment.arc();
+        const Vec3 axis = arc.normal.cross(arc.tangent);
         const double length = std::ldexp(double(segment.length), -16);
-        const Helix<double> helix(segment.start, segment.start - segment.normal * segment.radius,
-                                  axis, segment.cos_pitch * length / segment.radius,
-                                  segment.advance.dot(axis) * length);
+        const Helix<double> helix(segment.start, segment.start - arc.normal * arc.radius, axis,
+                                  arc.cos_pitch * length / arc.radius,
+                                  arc.advance.dot(axis) * length);
         for (int i = 0; i <= 4; ++i) {
             const double s = length * i / 4;
             EXPECT_LT((exact_position(segment, s) - helix.position(s)).norm(),
-                      std::ldexp(segment.radius + segment.start.norm() + length, -49));
+                      std::ldexp(arc.radius + segment.start.norm() + length, -49));
         }
     }
 }

@@ -293,7 +293,7 @@ TEST(FeedProfile, LatencyOfTheNetworkBoundsTheSpeed) {
     PlanOptions options;
     options.sample_period_s = 1e-6;  // shorter than the latency: one step at a time
     options.samples_per_tick = 128;
-    options.core.arc = {1, 1};  // s
+    options.core.curve[ref::CurveKind::kArc] = {1, 1};  // s
     const Machine machine;
     const Plan plan = make_plan(builder.program(), machine, options);
     const double step = std::ldexp(1e-6, plan.segments[0].step_exponent);

@@ -57,13 +57,13 @@ Drawn draw(const ref::Program& program, const ref::Plan& plan, std::int64_t spoi
         kernel.sample(ds, segments, fine);
         cursor.advance(static_cast<std::uint64_t>(ds));
         const ref::Segment& segment = cursor.segment();
-        const ref::Vec3 exact = curve.position(segment, cursor.local());
+        const ref::Vec3 exact = curve.on(segment).position(cursor.local());
         for (int axis = 0; axis < 3; ++axis) {
             const double got = std::ldexp(static_cast<double>(fine[axis]), -C::kGuardBits);
             drawn.of_bound = std::max(drawn.of_bound, std::abs(got - exact[axis]) / segment.bound);
         }
         ++drawn.samples;
-        drawn.splines += segment.kind == ref::Segment::Kind::kSpline;
+        drawn.splines += segment.kind() == ref::CurveKind::kSpline;
         if (!cursor.at_end() || segment.feed_end > 1e-6 || cursor.index() == last_stop) continue;
         last_stop = cursor.index();
         ++drawn.stops;

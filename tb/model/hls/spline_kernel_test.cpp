@@ -43,6 +43,8 @@ void expect_series(int steps) {
     double worst = 0;  // of error / derived error
     for (int n = 0; n < steps; ++n) {
         ref::Segment segment;  // a step from v = 0 with g = 1: 2b and 6a are the network's words
+        segment.curve = ref::SplinePiece();
+        ref::SplinePiece& spline = segment.spline();
         hls::SplineNetwork<C> network;
         const ref::Vec3 direction = ref::Vec3(uniform(-1, 1), uniform(-1, 1), 1).normalized();
         for (int k = 0; k < 3; ++k) {
@@ -52,17 +54,17 @@ void expect_series(int steps) {
             network.V[k][0] = static_cast<std::int64_t>(velocity);
             network.W[k][0] = static_cast<std::int64_t>(bend);
             network.six_a[k] = static_cast<std::int64_t>(six_a);
-            segment.c[k] = std::ldexp(velocity, 1 - kBits);
-            segment.b[k] = std::ldexp(bend, -1 - kBits) / 2;
-            segment.a[k] = std::ldexp(six_a, -1 - kBits) / 6;
+            spline.c[k] = std::ldexp(velocity, 1 - kBits);
+            spline.b[k] = std::ldexp(bend, -1 - kBits) / 2;
+            spline.a[k] = std::ldexp(six_a, -1 - kBits) / 6;
         }
         ref::SplineWords words(format, segment);
         std::array<ref::Enclosed, 3> V, W;
         for (int k = 0; k < 3; ++k) {
-            V[k] = segment.c[k];
-            W[k] = 2 * segment.b[k];
+            V[k] = spline.c[k];
+            W[k] = 2 * spline.b[k];
         }
-        const double phi = 1 / segment.c.norm();
+        const double phi = 1 / spline.c.norm();
         words.open(V, W, {phi, ref::half_bit(kBits - 2), 0});
         words.expand();
         network.phi[0] = std::llround(std::ldexp(phi, kBits - 2));
@@ -114,7 +116,7 @@ double largest_newton_product(double limit,
             const ref::Cubic cubic = random.next(family);
             if (n < skipped) continue;
             for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
-                if (piece.kind != ref::Segment::Kind::kSpline) continue;
+                if (piece.kind() != ref::CurveKind::kSpline) continue;
                 Kernel kernel;
                 kernel.load(hls::to_words<C>(piece));
                 const auto steps = piece.length >> (piece.step_exponent + 16);
@@ -159,9 +161,9 @@ std::vector<ref::Segment> mixed_segments(const ref::CoreParameters& format) {
             segments.push_back(piece);
             ref::Segment line;
             line.start = piece.end;
-            line.advance = ref::Vec3(1, 2, -2) / 3;
+            line.arc().advance = ref::Vec3(1, 2, -2) / 3;
             line.length = 3000 * 65536 + 77;
-            line.end = line.start + line.advance * (3000 + 77.0 / 65536);
+            line.end = line.start + line.arc().advance * (3000 + 77.0 / 65536);
             line.step_exponent = 9;
             segments.push_back(line);
         }
@@ -177,7 +179,7 @@ void expect_one_stream() {
     std::int64_t rest = 0;  // from the last sample to the end of its segment
     for (std::size_t i = 0; i < segments.size(); ++i) {
         const hls::SegmentWords<C> words = hls::to_words<C>(segments[i]);
-        const bool spline = segments[i].kind == ref::Segment::Kind::kSpline;
+        const bool spline = segments[i].kind() == ref::CurveKind::kSpline;
         hls::InterpolatorKernel<C, hls::SplineKernel<C>> splines;
         hls::InterpolatorKernel<C> arcs;
         const auto length = static_cast<std::int64_t>(segments[i].length);
@@ -254,7 +256,7 @@ TEST(SplineKernel, AuxiliaryAxesAreLinearInThePath) {
 template <class C>
 double worst_error(ref::Segment piece, int k) {
     piece.step_exponent = k;
-    const ref::Cubic cubic = ref::to_cubic(piece);
+    const ref::Cubic cubic = piece.spline().cubic(piece.start);
     const ref::ArcLength truth(cubic);
     hls::InterpolatorKernel<C, hls::SplineKernel<C>> kernel;
     const std::int64_t ds = static_cast<std::int64_t>(piece.length) / 1001;

@@ -24,7 +24,7 @@ std::vector<Vec3> drawn_positions(const ref::Plan& plan) {
     ref::CurveFollower curve;
     std::vector<Vec3> positions;
     for (std::uint64_t k = 0; k < samples; ++k) {
-        positions.push_back(plan.unit_mm * curve.position(cursor.segment(), cursor.local()));
+        positions.push_back(plan.unit_mm * curve.on(cursor.segment()).position(cursor.local()));
         source.next();
         cursor.advance(static_cast<std::uint64_t>(source.ds()));
     }

@@ -90,13 +90,13 @@ TEST(ExactSamples, AreOnTheSegmentsOfAPlan) {
         ++of_move[segment.move];
         const double s = std::ldexp(
             static_cast<double>(sample.s - static_cast<std::int64_t>(segment.s_start)), -16);
-        const ref::Vec3 point = curve.position(segment, s);
+        const ref::Vec3 point = curve.on(segment).position(s);
         const ref::Vec3 got(sample.position[0], sample.position[1], sample.position[2]);
         const ref::Vec3 tangent(sample.tangent[0], sample.tangent[1], sample.tangent[2]);
         EXPECT_LE((got - point).norm(), 3e-3) << "move " << segment.move;
         EXPECT_NEAR(tangent.norm(), 1, 1e-9);
         if (s + 1 < std::ldexp(static_cast<double>(segment.length), -16)) {
-            EXPECT_GE((curve.position(segment, s + 1) - point).dot(tangent), 0.99);
+            EXPECT_GE((curve.on(segment).position(s + 1) - point).dot(tangent), 0.99);
         }
         if (before != nullptr && segment.move == move_before) {
             const ref::Vec3 last(before->position[0], before->position[1], before->position[2]);

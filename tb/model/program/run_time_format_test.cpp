@@ -98,14 +98,15 @@ void loads_the_same_words() {
     std::vector<ref::Segment> segments =
         ref::split_spline(maker.next({"", SplineShape::kRandom, 20e3}), setting_of<C>(), 400);
     ref::Segment arc;
+    ref::ArcPiece& piece = arc.arc();
     arc.length = 1000 * 65536 + 3;
     arc.start = ref::Vec3(1.25, -7.1, 100.3);
     arc.end = ref::Vec3(-1.7, 1000.5, 0);
-    arc.normal = ref::Vec3(1, 2, -2) / 3;
-    arc.tangent = ref::Vec3(2, 1, 2) / 3;
-    arc.cos_pitch = 0.8;
-    arc.radius = 1234.5;
-    arc.advance = 0.6 * arc.normal.cross(arc.tangent);
+    piece.normal = ref::Vec3(1, 2, -2) / 3;
+    piece.tangent = ref::Vec3(2, 1, 2) / 3;
+    piece.cos_pitch = 0.8;
+    piece.radius = 1234.5;
+    piece.advance = 0.6 * piece.normal.cross(piece.tangent);
     arc.aux_start.fill(-3.3);
     arc.aux_advance.fill(0.7);
     arc.step_exponent = 8;

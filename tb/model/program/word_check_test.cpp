@@ -47,7 +47,7 @@ TEST(WordCheck, RefusesAnOverflowAtItsLine) {
     ref::Segment segment =
         ref::spline_segment({1e6 * cubic.a, 1e6 * cubic.b, 1e6 * cubic.c, 1e6 * cubic.d}, {});
     segment.line = 2;
-    segment.step_exponent = segment.lambda - 5;
+    segment.step_exponent = segment.spline().lambda - 5;
     whole.segments = {segment};
     EXPECT_EQ(refusal(whole),
               "test.ngc:2: error: a word of the core's network would need 1 more bits for this "

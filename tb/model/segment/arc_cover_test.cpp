@@ -42,21 +42,21 @@ class Random {
 
 ref::Segment segment_of(Random& random, double radius, double length, int step_exponent) {
     ref::Segment segment;
-    segment.radius = radius;
+    ref::ArcPiece& arc = segment.arc();
+    arc.radius = radius;
     segment.length = static_cast<std::uint64_t>(length * 65536);
     segment.step_exponent = step_exponent;
-    segment.cos_pitch = 1;
-    segment.normal = random.direction();
-    segment.tangent = segment.normal.unitOrthogonal();
+    arc.cos_pitch = 1;
+    arc.normal = random.direction();
+    arc.tangent = arc.normal.unitOrthogonal();
     const double kind = random.uniform(0, 1);
     if (kind < 0.3) {
-        segment.cos_pitch = random.uniform(0, 1);
-        segment.advance = segment.normal.cross(segment.tangent) *
-                          std::sqrt(1 - segment.cos_pitch * segment.cos_pitch);
+        arc.cos_pitch = random.uniform(0, 1);
+        arc.advance = arc.normal.cross(arc.tangent) * std::sqrt(1 - arc.cos_pitch * arc.cos_pitch);
     } else if (kind < 0.4) {
-        segment.advance = segment.normal;
-        segment.normal = segment.tangent = ref::Vec3::Zero();
-        segment.radius = segment.cos_pitch = 0;
+        arc.advance = arc.normal;
+        arc.normal = arc.tangent = ref::Vec3::Zero();
+        arc.radius = arc.cos_pitch = 0;
     }
     return segment;
 }

@@ -179,10 +179,7 @@ TEST(ErrorBound, IsLeftByWrongLastBits) {
 
 TEST(ErrorBound, GrowsWithLengthAndShrinksWithWidth) {
     ref::Segment segment;
-    segment.radius = 25e6;
-    segment.cos_pitch = 1;
-    segment.tangent = {0, 1, 0};
-    segment.normal = {1, 0, 0};
+    segment.curve = ref::ArcPiece{{0, 1, 0}, {1, 0, 0}, 1, 25e6};
     segment.step_exponent = 23;
     segment.length = std::uint64_t{20} << 39;
     const ref::CoreParameters format;

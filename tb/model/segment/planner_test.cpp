@@ -66,11 +66,9 @@ TEST(Planner, SegmentsJoinAndFollowTheirMoves) {
                 EXPECT_EQ(segment.end, Vec3(move.end / options.unit_mm));
             }
             EXPECT_LT((ref::exact_position(segment, units(segment)) - segment.end).norm(), 1e-4);
-            if (segment.radius > 0) {
-                EXPECT_LE(units(segment) * segment.cos_pitch / segment.radius, M_PI_2 * (1 + 1e-4));
-                EXPECT_LE(std::ldexp(segment.cos_pitch, segment.step_exponent) / segment.radius,
-                          0.5);
-            }
+            const double twist = segment.arc().twist();
+            EXPECT_LE(units(segment) * twist, M_PI_2 * (1 + 1e-4));
+            EXPECT_LE(std::ldexp(twist, segment.step_exponent), 0.5);
             EXPECT_LE(segment.bound, options.error_limit);
             EXPECT_NO_THROW(hls::to_words<hls::DefaultConfiguration>(segment));
         }
@@ -118,7 +116,7 @@ TEST(Planner, FastAuxiliaryAxisStretchesThePath) {
     const Plan plan = make_plan(builder.program(), Machine(), PlanOptions());
     const Segment& segment = plan.segments[0];
     EXPECT_NEAR(segment.aux_advance[0], ref::kMaxAuxRate, 1e-12);
-    EXPECT_NEAR(segment.advance[0], 0.1, 1e-12);
+    EXPECT_NEAR(segment.arc().advance[0], 0.1, 1e-12);
     std::uint64_t sum = 0;
     for (const Segment& part : plan.segments) sum += part.length;
     EXPECT_NEAR(static_cast<double>(sum), 100e6 * 65536, 1);

@@ -37,7 +37,7 @@ double worst_error(const ref::Segment& segment, const hls::SegmentWords<C>& word
                    SplineMaker& random) {
     hls::SplineKernel<C> kernel;
     kernel.load(words);
-    const ref::Cubic cubic = ref::to_cubic(segment);
+    const ref::Cubic cubic = segment.spline().cubic(segment.start);
     const ref::ArcLength truth(cubic);
     const std::uint64_t step = std::uint64_t{1} << (segment.step_exponent + hls::kPathFrac);
     double worst = 0;
@@ -74,7 +74,7 @@ Worst measure(const SplineFamily& family, int curves, double limit, Spoil spoil)
     for (int n = 0; n < curves; ++n) {
         const ref::Cubic cubic = random.next(family);
         for (const ref::Segment& segment : ref::split_spline(cubic, format_of<C>(), limit)) {
-            if (segment.kind == ref::Segment::Kind::kArc) continue;
+            if (segment.kind() == ref::CurveKind::kArc) continue;
             hls::SegmentWords<C> words = hls::to_words<C>(segment);
             spoil(words);
             const double error = worst_error<C>(segment, words, random);

@@ -20,7 +20,7 @@ void expect_same(const ref::SplineCut& found, const ref::SplineCut& wanted) {
     for (std::size_t i = 0; i < found.pieces.size(); ++i) {
         const ref::Segment& piece = found.pieces[i];
         EXPECT_EQ(piece.start, wanted.pieces[i].start);
-        EXPECT_EQ(piece.c, wanted.pieces[i].c);
+        EXPECT_EQ(piece.spline().c, wanted.pieces[i].spline().c);
         EXPECT_EQ(piece.bound, wanted.pieces[i].bound);
         EXPECT_EQ(piece.step_exponent, wanted.pieces[i].step_exponent);
         EXPECT_EQ(piece.aux_advance, wanted.pieces[i].aux_advance);

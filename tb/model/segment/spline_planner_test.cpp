@@ -8,7 +8,6 @@
 #include "ref/geometry/geometry.hpp"
 #include "ref/limits/travel.hpp"
 #include "ref/plan/segment_curve.hpp"
-#include "ref/plan/segment_shape.hpp"
 #include "ref/text/input_error.hpp"
 #include "tb/support/segments/cubics.hpp"
 #include "tb/support/segments/random_splines.hpp"
@@ -69,7 +68,7 @@ TEST(SplinePlanner, SegmentsJoinAndFollowTheirMoves) {
             EXPECT_LT((ref::exact_position(segment, units(segment)) - segment.end).norm(), 1e-4);
             EXPECT_LE(segment.bound, options.error_limit);
             EXPECT_NO_THROW(hls::to_words<hls::DefaultSplineConfiguration>(segment));
-            splines += segment.kind == Segment::Kind::kSpline;
+            splines += segment.kind() == ref::CurveKind::kSpline;
         }
         EXPECT_GT(splines, 20);
     }
@@ -202,7 +201,7 @@ TEST(SplinePlanner, LatencyOfTheSplineNetworkBoundsTheSpeed) {
     PlanOptions options;
     options.sample_period_s = 1e-6;  // shorter than the latency: one step at a time
     options.samples_per_tick = 128;
-    options.core.spline = {1, 1};  // s
+    options.core.curve[ref::CurveKind::kSpline] = {1, 1};  // s
     const ref::Geometry geometry = make_geometry(builder.program(), Machine(), options);
     const Plan plan = make_plan(builder.program(), Machine(), options);
     double steps = 0;
@@ -215,7 +214,8 @@ TEST(SplinePlanner, LatencyOfTheSplineNetworkBoundsTheSpeed) {
     for (const ref::PlannedMove& move : geometry.moves) counted += move.steps;
     EXPECT_NEAR(counted, steps, 1e-6 * steps);
     // Control: the latency of the other network does not slow it.
-    std::swap(options.core.spline, options.core.arc);
+    std::swap(options.core.curve[ref::CurveKind::kSpline],
+              options.core.curve[ref::CurveKind::kArc]);
     EXPECT_LT(make_plan(builder.program(), Machine(), options).duration_s, 5);
 }
 
@@ -227,19 +227,21 @@ TEST(SegmentShape, FindsTheSharpestPlaceAndTheEnds) {
         builder.cubic({c / 3, -80. / 3, 0}, {2 * c / 3, -80. / 3, 0}, {c, 0, 0}, 20);
         const Plan plan = make_plan(builder.program(), Machine(), PlanOptions());
         double least = 1e9;
-        const Segment* before = nullptr;
+        std::unique_ptr<ref::PathCurve> before;
+        double end = 0;  // of it
         for (const Segment& segment : plan.segments) {
-            const ref::SegmentShape shape = ref::segment_shape(segment);
-            EXPECT_NEAR(shape.tangent_start.norm(), 1, 1e-9);
-            EXPECT_GE(shape.most, shape.curvature_start * (1 - 1e-9));
-            EXPECT_GE(shape.most, shape.curvature_end * (1 - 1e-9));
-            least = std::min(least, 1e-6 / shape.most);
-            if (before != nullptr) {
-                const ref::SegmentShape last = ref::segment_shape(*before);
-                EXPECT_LT((last.tangent_end - shape.tangent_start).norm(), 1e-5);
-                EXPECT_NEAR(last.curvature_end / shape.curvature_start, 1, 1e-3);
+            auto curve = ref::exact_curve(segment);
+            const double most = curve->sharpest().curvature;
+            EXPECT_NEAR(curve->direction(0).norm(), 1, 1e-9);
+            EXPECT_GE(most, curve->curvature(0) * (1 - 1e-9));
+            EXPECT_GE(most, curve->curvature(units(segment)) * (1 - 1e-9));
+            least = std::min(least, 1e-6 / most);
+            if (before) {
+                EXPECT_LT((before->direction(end) - curve->direction(0)).norm(), 1e-5);
+                EXPECT_NEAR(before->curvature(end) / curve->curvature(0), 1, 1e-3);
             }
-            before = &segment;
+            before = std::move(curve);
+            end = units(segment);
         }
         EXPECT_NEAR(least, radius, 1e-5 * radius);
     }

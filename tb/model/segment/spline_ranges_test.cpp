@@ -44,7 +44,7 @@ TEST(SplineRanges, HandsOnAPhiBelowTwo) {
     }
     // Most step lengths of the whole put that minimum at the end of a step.
     ref::Segment whole = ref::spline_segment(slow_at_a_joint(), format_of<C>());
-    whole.step_exponent = whole.lambda - 5;
+    whole.step_exponent = whole.spline().lambda - 5;
     EXPECT_THROW(draw_checked<C>(whole), std::range_error);
 }
 
@@ -55,7 +55,7 @@ void expect_in_range(Extreme extreme, int cubics, double limit, double size) {
     for (int n = 0; n < cubics; ++n) {
         const ref::Cubic cubic = random.next(extreme, size * random.uniform(0.3, 1));
         for (const ref::Segment& segment : ref::split_spline(cubic, format_of<C>(), limit)) {
-            if (segment.kind != ref::Segment::Kind::kSpline) continue;
+            if (segment.kind() != ref::CurveKind::kSpline) continue;
             ++drawn;
             EXPECT_NO_THROW(draw_checked<C>(segment)) << "cubic " << n << " of " << C::kOrder;
         }

@@ -33,18 +33,18 @@ TEST(SplineSegment, PiecesKeepTheWordsRangesAndJoin) {
             EXPECT_LE(piece.bound, 0.1);
             const ref::Vec3 joint = i > 0 ? pieces[i - 1].end : cubic.d;
             EXPECT_LT((piece.start - joint).norm(), 1e-5);
-            if (piece.kind == ref::Segment::Kind::kArc) continue;
-            EXPECT_LE(piece.step_exponent, piece.lambda);
-            EXPECT_LT(piece.beta, 1);
+            if (piece.kind() == ref::CurveKind::kArc) continue;
+            EXPECT_LE(piece.step_exponent, piece.spline().lambda);
+            EXPECT_LT(piece.spline().beta, 1);
             for (int n = 0; n <= 16; ++n) {
-                const double v = piece.beta * n / 16;
-                const ref::Vec3 bend = piece.b + 3 * v * piece.a;
-                const double speed = (piece.c + v * (piece.b + bend)).norm();
+                const double v = piece.spline().beta * n / 16;
+                const ref::Vec3 bend = piece.spline().b + 3 * v * piece.spline().a;
+                const double speed = (piece.spline().c + v * (piece.spline().b + bend)).norm();
                 EXPECT_LT(speed, 1);
                 EXPECT_GT(speed, 0.5);
                 EXPECT_LT(bend.cwiseAbs().maxCoeff(), 2);
             }
-            EXPECT_LT(piece.a.cwiseAbs().maxCoeff(), 2.0 / 3);
+            EXPECT_LT(piece.spline().a.cwiseAbs().maxCoeff(), 2.0 / 3);
         }
         EXPECT_LT((pieces.back().end - cubic.position(1)).norm(), 1e-5);
         EXPECT_NEAR(static_cast<double>(s - 1000), 65536 * ref::arc_length(cubic, 0, 1), 8);
@@ -72,10 +72,10 @@ TEST(SplineSegment, DrawsACuspByShortLines) {
     const std::vector<ref::Segment> pieces = ref::split_spline(cubic, kFormat, 0.1);
     int lines = 0;
     for (const ref::Segment& piece : pieces) {
-        if (piece.kind == ref::Segment::Kind::kSpline) continue;
+        if (piece.kind() == ref::CurveKind::kSpline) continue;
         ++lines;
         EXPECT_LE(piece.length, 4U * 65536);
-        EXPECT_LE(piece.advance.norm(), 1 + 1e-9);
+        EXPECT_LE(piece.arc().advance.norm(), 1 + 1e-9);
     }
     EXPECT_GT(lines, 0);
     EXPECT_LT(pieces.size(), 100U);
@@ -109,7 +109,7 @@ TEST(SplineError, GrowsAsWidthOrOrderShrink) {
 TEST(SplineError, RefusesStepsBeyondTheWordsRanges) {
     ref::Segment segment = piece();
     EXPECT_EQ(ref::spline_error(kFormat, segment).shorten, ref::Shorten::kNothing);
-    segment.step_exponent = segment.lambda;
+    segment.step_exponent = segment.spline().lambda;
     EXPECT_EQ(ref::spline_error(kFormat, segment).shorten, ref::Shorten::kSteps);
 }
 

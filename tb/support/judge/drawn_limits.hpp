@@ -30,7 +30,7 @@ inline sysc::LimitLoads drawn_limits(const ref::Plan& plan, const ref::Machine& 
     sysc::LimitMeter meter(machine, plan.unit_mm, options.sample_period_s, options.samples_per_tick,
                            3 + plan.aux_axes, 0, kManyWindows);
     const auto take = [&] {
-        const ref::Vec3 point = curve.position(cursor.segment(), cursor.local());
+        const ref::Vec3 point = curve.on(cursor.segment()).position(cursor.local());
         meter.take(ref::exact_point(cursor.segment(), point, cursor.local()), cursor.index());
     };
     take();

@@ -63,7 +63,7 @@ inline Differences stopped_differences(const ref::Plan& plan, const ref::Machine
             ++segment;
         }
         const double local = std::ldexp(s - static_cast<double>(segment->s_start), -16);
-        places.push_back(curve.position(*segment, local) * plan.unit_mm);
+        places.push_back(curve.on(*segment).position(local) * plan.unit_mm);
     };
     place();
     for (std::uint64_t k = 0; k < tick; ++k, time += 1, place()) {

@@ -36,7 +36,7 @@ class TickRun {
 
   private:
     void take() {
-        const ref::Vec3 point = curve_.position(cursor_.segment(), cursor_.local());
+        const ref::Vec3 point = curve_.on(cursor_.segment()).position(cursor_.local());
         meter_.take(ref::exact_point(cursor_.segment(), point, cursor_.local()), cursor_.index());
     }
 

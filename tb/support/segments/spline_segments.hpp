@@ -55,7 +55,7 @@ inline std::vector<RunSegment> spline_pieces(const CoreParameters& core, std::ui
         for (const ref::Segment& piece : ref::split_spline(cubic, format, limit)) {
             const double reach =
                 std::max(piece.start.cwiseAbs().maxCoeff(), piece.end.cwiseAbs().maxCoeff());
-            if (reach > most || piece.kind != ref::Segment::Kind::kSpline) continue;
+            if (reach > most || piece.kind() != ref::CurveKind::kSpline) continue;
             if (++taken <= 12) pieces.push_back(hls::to_words(piece, words));
         }
     }
