@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""README's picture of chords beside the curve -> scripts/figures/chords.svg.
+"""README's picture of chords beside the curve -> scripts/figures/chords.png.
 
 On the left a quarter of a circle and three chords. On the right chords that stay within e of a
 circle of radius R at the feed v: each spans 2 acos(1 - e/R), by which the velocity turns at once at
@@ -9,16 +9,9 @@ each corner.
 
 import math
 
-import matplotlib
+import numpy as np
 
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "curvecore"  # the same figures, the same file
-matplotlib.rcParams["svg.fonttype"] = "none"
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-from demo_figure import BAND, LIMIT, STYLE  # noqa: E402
-from result_table import ROOT  # noqa: E402
+from demo_figure import BAND, LIMIT, STYLE, plt, save
 
 RADIUS = 10.0  # mm
 FEED = 100.0  # mm/s
@@ -32,7 +25,7 @@ def main():
     fine = np.linspace(corners[0], corners[-1], 97)
     quarter = np.linspace(0, math.pi / 2, 61)
     with plt.rc_context(STYLE):
-        figure, (path, speed) = plt.subplots(1, 2, figsize=(8.4, 2.9),
+        figure, (path, speed) = plt.subplots(1, 2, figsize=(8.4, 2.9), dpi=110,
                                            gridspec_kw={"width_ratios": (1, 1.9)})
         path.plot(RADIUS * np.cos(quarter), RADIUS * np.sin(quarter), color=BAND, label="the curve")
         path.plot(RADIUS * np.cos(quarter[::20]), RADIUS * np.sin(quarter[::20]), ".-",
@@ -48,7 +41,7 @@ def main():
                   title=f"chords {ERROR * 1000:g} um off a circle of {RADIUS:g} mm,"
                   f" at {FEED:g} mm/s:\nthe velocity jumps by {FEED * turn:.1f} mm/s a corner")
         figure.tight_layout()
-        figure.savefig(ROOT / "scripts/figures/chords.svg", metadata={"Date": None})
+        save(figure, "chords")
 
 
 if __name__ == "__main__":

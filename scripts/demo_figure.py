@@ -23,6 +23,13 @@ BAND = "#3fb6ff"
 LIMIT = "#ff6b5e"
 
 
+def save(figure, name):
+    """Writes scripts/figures/NAME.png, in few colours; from the same figure the same bytes."""
+    figure.canvas.draw()
+    image = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB").quantize(128)
+    image.save(ROOT / f"scripts/figures/{name}.png", optimize=True)
+
+
 def page_data():
     page = (BUILD / "demo/report.html").read_text()
     return json.loads(re.search(r"const D = (\{.*?\});\n", page, re.S)[1])
@@ -74,9 +81,7 @@ def main():
     band(acceleration, data["total"], data["duration_s"], window["acceleration"])
     acceleration.set(title=f"Acceleration, means over {window['ms']:g} ms, and their limit,"
                      " mm/s\u00b2", xlabel="time, s")
-    figure.canvas.draw()
-    image = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB").quantize(128)
-    image.save(ROOT / "scripts/figures/demo.png", optimize=True)
+    save(figure, "demo")
 
 
 if __name__ == "__main__":

@@ -1,24 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figure of tb/README.md: build/figures/others.json -> scripts/figures/others.svg."""
+"""The figure of tb/README.md: build/figures/others.json -> scripts/figures/others.png."""
 
 import json
-import pathlib
 
-import matplotlib
+from demo_figure import plt, save
+from result_table import BUILD
 
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "curvecore"  # the same figures, the same file
-import matplotlib.pyplot as plt  # noqa: E402
-
-ROOT = pathlib.Path(__file__).resolve().parent.parent
 MARKS = ["o", "s", "^", "D"]
 
 
 def main():
-    rows = json.loads((ROOT / "build/figures/others.json").read_text())["rows"]
+    rows = json.loads((BUILD / "figures/others.json").read_text())["rows"]
     curves = list(dict.fromkeys(row["curve"] for row in rows))
     methods = list(dict.fromkeys(row["method"] for row in rows))
-    figure, axes = plt.subplots(figsize=(8, 4.2))
+    figure, axes = plt.subplots(figsize=(8, 4.2), dpi=110, layout="constrained")
     for number, method in enumerate(methods):
         for mark, curve in zip(MARKS, curves, strict=True):
             row = next(r for r in rows if (r["curve"], r["method"]) == (curve, method))
@@ -28,8 +23,7 @@ def main():
     axes.legend(handles, methods + curves, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
     axes.set(xscale="log", yscale="log", xlabel="bits sent per mm", ylabel="off the curve, mm")
     axes.grid(alpha=0.3)
-    figure.savefig(ROOT / "scripts/figures/others.svg", bbox_inches="tight",
-                   metadata={"Date": None})
+    save(figure, "others")
 
 
 if __name__ == "__main__":
