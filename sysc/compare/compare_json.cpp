@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kAxisNames[] = {"x", "y", "z", "a", "b", "c", "u", "v", "w"};
-
 Json figures_json(const ErrorFigures& figures) {
     return {{"worst", figures.worst}, {"rms", figures.rms}, {"p999", figures.most}};
 }
@@ -20,7 +18,7 @@ Json figures_json(const ErrorFigures& figures) {
 Json position_json(const PositionFigures& figures, int axes) {
     Json json;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
-        json[kAxisNames[axis]] = figures_json(figures.axis[axis]);
+        json[std::string(1, kAxisNames[axis])] = figures_json(figures.axis[axis]);
     }
     json["along"] = figures_json(figures.along);
     json["across"] = figures_json(figures.across);

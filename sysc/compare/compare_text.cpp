@@ -13,8 +13,6 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr const char* kAxisNames = "xyzabcuvw";
-
 std::string number(const std::optional<double>& value) {
     return value ? fmt::format("{:.6g}", *value) : "";
 }
