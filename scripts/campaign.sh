@@ -1,92 +1,213 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The long form of what the tests do in short: every proof, unit tests of every configuration and of
-# broken cores, clang-tidy of every file, 10^9 samples of the RTL against the kernel, accuracy over
-# many more curves, drift over 10^7 segments; then the tests of models, units and commands under the
-# sanitizers, and coverage. Four hours or so.
+# The long form of what the tests do in short, in parts. A part that ended well on this tree is not
+# run again, so a campaign that was stopped goes on. Four hours or so; the page of results is
+# scripts/results/campaign.md, the logs are in build/campaign.
 #
-#   scripts/campaign.sh [SAMPLES]      samples in all, default 10^9; logs in build/campaign
+#   scripts/campaign.sh [--samples N] [PART ...]    all parts, or these; N: 1000000000 when left out
+#   scripts/campaign.sh --list                      says which parts there are, and which are done
+#
+#   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
+#   models     tests of models with all their random cases, 10^4 cubics at slow clocks
+#   equality   N samples of the RTL against the kernel, in every configuration
+#   steps      10^8 steps under the monitors of the pins; the demo part from words to pins
+#   buses      20,000 accesses and more on every bus
+#   curves     errors of arcs and splines, ranges of words, drift over 10^7 segments
+#   limits     pairs of machines that differ in one limit
+#   sanitizers tests of models, units and commands with the sanitizers, 10^5 mutations
+#   coverage   lines and branches that tests run
+#   pages      figures of the pages that are the same on every machine
 set -euo pipefail
-total=${1:-1000000000}
-case $total in
-  -h | --help)
-    sed -n '3,8s/^# \{0,1\}//p' "$0"
-    exit 0
-    ;;
-  "" | *[!0-9]* | 0*)
-    echo "campaign: '$total' is no number of samples: digits only, such as 1000000" >&2
-    exit 2
-    ;;
-esac
 cd "$(dirname "$0")/.."
+mapfile -t known < <(sed -nE 's/^#   ([a-z]+) +[a-z0-9N].*/\1/p' "$0")
+samples=1000000000
+parts=()
+list=false
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help)
+      sed -n '3,20s/^# \{0,1\}//p' "$0"
+      exit 0
+      ;;
+    --list) list=true ;;
+    --samples)
+      case ${2:-} in
+        "" | *[!0-9]* | 0*)
+          echo "campaign: --samples '${2:-}' is no number: digits only, such as 1000000" >&2
+          exit 2
+          ;;
+      esac
+      samples=$2
+      shift
+      ;;
+    *)
+      if [[ " ${known[*]} " != *" $1 "* ]]; then
+        echo "campaign: '$1' is no part: one of ${known[*]}" >&2
+        exit 2
+      fi
+      parts+=("$1")
+      ;;
+  esac
+  shift
+done
+
+# The last commit of what is tried; changes that are in no commit are nobody's tree.
+tree=$(git log -1 --format=%h -- ref hls rtl sysc tb)
+[ -z "$(git status --porcelain -- ref hls rtl sysc tb)" ] || tree=$tree-changed
+out=build/campaign
+mkdir -p $out build/figures
+is_done() { grep -qs "\"tree\": \"$tree\"" "$out/$1.json"; }
+if $list; then
+  for part in "${known[@]}"; do
+    echo "$part$(is_done "$part" && echo ": done on $tree")"
+  done
+  exit 0
+fi
 scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
-cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON >/dev/null
-cmake --build --preset release -j "$(nproc)" --target all label_long
-CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
-ctest --preset release -L "^(unit|long)$"
-rm -rf build/campaign
-mkdir -p build/campaign build/figures
+tb=build/release/tb
 
-# Every configuration of every core but those of DSP primitives, whose models are slow.
-mapfile -t benches < <(find build/release/tb -maxdepth 1 -type f -executable \
-  -regex '.*/\(spherical\|spline\|curve\)_interpolator_.*' ! -name '*_ecp5*' ! -name '*_up5k*' |
-  sort)
-# The more clocks a sample takes, the fewer samples.
-share() {
-  case $1 in
-    *serial*) echo 1 ;;
-    *_si8*) echo 5 ;;
-    *_si4*) echo 10 ;;
-    *_si2*) echo 20 ;;
-    *) echo 32 ;;
-  esac
+build() {
+  cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON
+  cmake --build --preset release -j "$(nproc)" --target "$@"
 }
-shares=0
-for bench in "${benches[@]}"; do shares=$((shares + $(share "$bench"))); done
-echo "${#benches[@]} configurations, $total samples"
-for bench in "${benches[@]}"; do
-  echo "$bench" $(((total * $(share "$bench") + shares - 1) / shares))
-done | xargs -P "$(nproc)" -L 1 sh -c \
-  'log=build/campaign/$(basename $0).log
-   CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 ||
-     echo "FAILED: $0"
-   grep -H "words differ" $log'
-# 10^8 steps of the step generator under the monitors of its pins, 2 10^7 in each configuration.
-for bench in build/release/tb/step_pins_*; do
-  CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps,"
-done
-CURVECORE_PART=demo.ngc build/release/tb/motion_steps_serial | grep "steps$"
-for form in serial flat; do
-  CURVECORE_PART=demo.ngc build/release/tb/motion_system_$form --gtest_filter=*.Draws* |
-    grep "clocks$"
-done
-CURVECORE_CUBICS=10000 build/release/tb/model_tests --gtest_filter=SlowClock.* | grep "curves:"
-scripts/buses.sh
-build/release/tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
-build/release/tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
-build/release/tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
-build/release/tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
-build/release/tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json ||
-  echo "limits: these pairs miss what is asked (ref/feed/README.md, Effort)"
 
-python3 - <<'PYTHON'
+# What a part prints with `result` stands in the page.
+result() { echo "$*" >>"$out/$part.results"; }
+
+tests() {
+  build all label_long
+  CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
+  ctest --preset release -L "^(unit|long)$" | tee $out/tests.run
+  result "$(sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' $out/tests.run)"
+}
+
+models() {
+  build model_tests
+  CURVECORE_LONG=1 $tb/model_tests | tee $out/models.run
+  CURVECORE_CUBICS=10000 $tb/model_tests --gtest_filter="SlowClock.*" | tee -a $out/models.run
+  result "$(sed -nE 's/^\[  PASSED  \] ([0-9]+) tests?\./\1 tests passed/p;T;q' $out/models.run)"
+}
+
+equality() {
+  build all
+  # Every configuration of every core but those of DSP primitives, whose models are slow. The more
+  # clocks a sample takes, the fewer samples.
+  mapfile -t benches < <(find $tb -maxdepth 1 -type f -executable \
+    -regex '.*/\(spherical\|spline\|curve\)_interpolator_.*' ! -name '*_ecp5*' ! -name '*_up5k*' |
+    sort)
+  share() {
+    case $1 in
+      *serial*) echo 1 ;;
+      *_si8*) echo 5 ;;
+      *_si4*) echo 10 ;;
+      *_si2*) echo 20 ;;
+      *) echo 32 ;;
+    esac
+  }
+  shares=0
+  for bench in "${benches[@]}"; do shares=$((shares + $(share "$bench"))); done
+  rm -rf $out/equality
+  mkdir $out/equality
+  for bench in "${benches[@]}"; do
+    echo "$bench" $(((samples * $(share "$bench") + shares - 1) / shares))
+  done | xargs -P "$(nproc)" -L 1 sh -c \
+    'log=build/campaign/equality/$(basename $0).log
+     CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 ||
+       echo "FAILED: $0"
+     grep -H "words differ" $log'
+  result "$(
+    python3 - <<'PYTHON'
 import glob
 import json
 import re
 import sys
 
 line = re.compile(r"(\d+) samples of .* (\d+) words differ")
-found = [line.search(open(log).read()) for log in glob.glob("build/campaign/*.log")]
+found = [line.search(open(log).read()) for log in glob.glob("build/campaign/equality/*.log")]
 samples = sum(int(m[1]) for m in found if m)
 differ = sum(int(m[2]) for m in found if m)
 equality = {"configurations": len(found), "samples": samples, "differ": differ}
 json.dump(equality, open("build/figures/equality.json", "w"))
-print(f"{samples} samples in {len(found)} configurations, {differ} words differ")
+print(f"{samples:,} samples in {len(found)} configurations, {differ} words differ")
 sys.exit(not all(found) or differ > 0)
 PYTHON
+  )"
+}
+
+steps() {
+  build all
+  for bench in $tb/step_pins_*; do
+    CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps," |
+      tee -a $out/$part.results
+  done
+  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | grep "steps$"
+  for form in serial flat; do
+    CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" | grep "clocks$"
+  done
+}
+
+buses() {
+  scripts/buses.sh
+  result "every access as described"
+}
+
+curves() {
+  build accuracy_campaign splines_campaign ranges_campaign drift_campaign
+  $tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
+  $tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
+  $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
+  $tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
+  result "every error within its bound"
+}
+
+limits() {
+  build limits_campaign
+  $tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json | tee $out/limits.run
+  result "$(tail -1 $out/limits.run)"
+}
+
+sanitizers() {
+  for label in model unit cli; do
+    CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$label"
+  done
+  result "no report"
+}
+
+coverage() {
+  scripts/coverage.sh | tee $out/coverage.run
+  result "$(tail -1 $out/coverage.run)"
+}
+
+pages() {
+  scripts/pages.sh
+  result "every page is what this tree gives"
+}
+
+failed=()
+for part in "${parts[@]:-${known[@]}}"; do
+  if is_done "$part"; then
+    echo "$part: done on $tree"
+    continue
+  fi
+  echo "$part: begun at $(date +%H:%M), its log is $out/$part.log"
+  rm -f "$out/$part.json" "$out/$part.results"
+  begin=$SECONDS
+  "$part" >"$out/$part.log" 2>&1 &  # a shell of its own, which ends at the first error
+  if wait $!; then
+    python3 -c 'import json, pathlib, sys
+file = pathlib.Path(sys.argv[1])
+text = file.with_suffix(".results").read_text().strip().split("\n")
+file.write_text(json.dumps({"tree": sys.argv[2], "seconds": int(sys.argv[3]), "results": text}))
+print(*text, sep="\n")' "$out/$part.json" "$tree" $((SECONDS - begin))
+  else
+    failed+=("$part")
+    echo "$part: failed:"
+    tail -5 "$out/$part.log"
+  fi
+done
 scripts/results.py accuracy splines equality
-export CURVECORE_MUTATIONS=100000
-for label in model unit cli; do scripts/test.sh --preset asan -L "$label"; done
-scripts/coverage.sh
-scripts/pages.sh
+[ ${#failed[@]} = 0 ] || {
+  echo "campaign: failed: ${failed[*]}" >&2
+  exit 1
+}
