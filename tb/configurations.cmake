@@ -309,7 +309,8 @@ set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 Samp
                   ClockHertz=2560000 SampleBufferWords=512)
 set(serial ${system} Build=1 Galvo=0)
 core_test(motion_system serial TOP motion_system LIBRARIES curvecore_board ${serial})
-rows(tests *.Draws* *.Random* MORE *)  # the parallel core's model is slow
+# The parallel core's model is slow, and two at once are.
+rows(tests *.DrawsAProgram* *.Random* MORE *)
 list(JOIN tests ":" tests)
 core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
           ${system} Build=0 Galvo=1)
@@ -322,7 +323,7 @@ core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_board ${seri
 core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_board ${serial} Encoders=2)
 # The same beside its flat file, clock by clock.
 verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
-core_test(motion_system flat TOP motion_system TESTS *.Draws*:*.Random*
+core_test(motion_system flat TOP motion_system TESTS ${tests}
           LIBRARIES curvecore_board flat_motion_system ${serial})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial

@@ -29,7 +29,9 @@ class Memory : public testing::TestWithParam<std::vector<std::string>> {
     ProgramRun program_;
 };
 
-TEST_P(Memory, HasABoundForLongMoves) {
+class MovesMemory : public Memory {};
+
+TEST_P(MovesMemory, HasABoundForLongMoves) {
     const std::vector<std::string> rules{"--effort", "rules"};
     EXPECT_LT(peak_kib("part.ngc", strokes(3500, "G64 P0.01"), rules), kMostKib);
     EXPECT_LT(peak_kib("part.ngc", waves(3500, "G61"), rules), kMostKib);
@@ -66,13 +68,16 @@ TEST_P(LongMemory, HasABoundForProgramsOfManyLines) {
     EXPECT_LT(peak_kib("raster.ngc", raster(kLines, "G64 P0.01"), {}), kMostKib);
 }
 
-const auto kCommands = testing::Values(
-    std::vector<std::string>{"words"}, std::vector<std::string>{"plan", "--no-segments"},
-    std::vector<std::string>{"run", "--no-segments", "--on", "kernel"});
+const std::vector<std::string> kWords{"words"};
+const std::vector<std::string> kPlan{"plan", "--no-segments"};
+const std::vector<std::string> kRun{"run", "--no-segments", "--on", "kernel"};
+const auto kCommands = testing::Values(kWords, kPlan, kRun);
 std::string name_of(const testing::TestParamInfo<std::vector<std::string>>& of) {
     return of.param.front();
 }
 INSTANTIATE_TEST_SUITE_P(Of, Memory, kCommands, name_of);
+INSTANTIATE_TEST_SUITE_P(Of, MovesMemory, testing::Values(kWords, kPlan), name_of);
+INSTANTIATE_TEST_SUITE_P(Long, MovesMemory, testing::Values(kRun), name_of);  // half a minute
 INSTANTIATE_TEST_SUITE_P(Long, LongMemory, kCommands, name_of);
 
 /// Motions that take hours: chords, and two lines.

@@ -268,8 +268,10 @@ TEST_P(CarriedStates, RunAndSayThatSplinesHaveNoBound) {
 INSTANTIATE_TEST_SUITE_P(Boards, CarriedStates,
                          testing::Values(std::vector<std::string>{"--on", "kernel"},
                                          std::vector<std::string>{"--on", "kernel", "--set",
-                                                                  "Mode=1"},
-                                         std::vector<std::string>{"--stall", "5"}),
+                                                                  "Mode=1"}),
+                         [](const auto& tested) { return name_of(tested.param); });
+INSTANTIATE_TEST_SUITE_P(Long, CarriedStates,
+                         testing::Values(std::vector<std::string>{"--stall", "5"}),
                          [](const auto& tested) { return name_of(tested.param); });
 
 TEST_F(SplineCommands, OfCarriedStatesArePlannedAndMadeIntoWords) {

@@ -101,7 +101,7 @@ TEST(SynthSweep, FailuresAreNamedAndTheOthersFinished) {
 
 // Placements of Order 5 wait for the file `gate`, so that the sweep is killed in the middle. Three
 // jobs, because the two that wait must not block the one of Order 4.
-TEST(SynthSweep, KilledAndStartedAgainDoesTheRest) {
+TEST(LongSynthSweep, KilledAndStartedAgainDoesTheRest) {
     const SynthRun synth;
     synth.write("t.csv",
                 "core,build,device,Order,CoefBits\n"
@@ -131,7 +131,7 @@ TEST(SynthSweep, KilledAndStartedAgainDoesTheRest) {
     EXPECT_EQ(synth.runs("nextpnr-ecp5") + synth.runs("yosys"), runs);
 }
 
-TEST(SynthSweep, InterruptedEndsItsJobsAndKeepsWhatIsFinished) {
+TEST(LongSynthSweep, InterruptedEndsItsJobsAndKeepsWhatIsFinished) {
     const SynthRun synth;
     synth.write("t.csv", std::string(kHeader) +
                              "spherical,serial,ecp5-25,,1,,4\n"
@@ -146,7 +146,7 @@ TEST(SynthSweep, InterruptedEndsItsJobsAndKeepsWhatIsFinished) {
     EXPECT_EQ(std::count(found.begin(), found.end(), '\n'), 1) << found;
 }
 
-TEST(SynthSweep, ProfileSendsEveryJobToSlurm) {
+TEST(LongSynthSweep, ProfileSendsEveryJobToSlurm) {
     const SynthRun synth({"yosys", "nextpnr-ecp5", "sbatch"});
     synth.write("gate", "");
     synth.write("t.csv", std::string(kHeader) + "spherical,serial,ecp5-25,,1,,5\n");

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # clang_tidy.sh CLANG_TIDY BUILD FOLDER : the rules of .clang-tidy on the translation units of a
-# tree, two at a time, each once however many configurations compile it. Those that the last ten
-# commits touched, or a header that they include; with CURVECORE_TIDY=all, or where no git is, all.
+# tree, two at a time, each once however many configurations compile it. Those that the last commit
+# or the work tree changed, or a header that they include; with CURVECORE_TIDY=all, or where no git
+# is, all.
 set -euo pipefail
 commands=$(mktemp -d)
 trap 'rm -r "$commands"' EXIT
@@ -16,7 +17,7 @@ def git(*words):
 
 def changed():
     """Paths from the top of the repository; None: nobody knows."""
-    log = git("log", "--format=", "--name-only", "-10")
+    log = git("log", "--format=", "--name-only", "-1")
     status = git("status", "--porcelain", "--untracked-files=all")
     return None if log is None or status is None else {*log, *(line[3:] for line in status)}
 

@@ -12,6 +12,7 @@
 #include "ref/feed/pieces/profile_words.hpp"
 #include "ref/feed/planner.hpp"
 #include "ref/feed/ramps/ramp.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
@@ -83,7 +84,7 @@ Program line(double mm, double feed) {
 }
 
 TEST(FeedProfile, PiecesSumToThePathAndFitTheirWords) {
-    for (unsigned seed = 1; seed <= 8; ++seed) {
+    for (int seed = 1; seed <= cases(2, 8); ++seed) {
         const Plan plan = make_plan(random_program(seed, 400), Machine(), PlanOptions());
         EXPECT_EQ(path(plan), length(plan)) << seed;
         EXPECT_LT(worst_jump(plan), 8) << seed;
@@ -142,8 +143,8 @@ TEST(FeedProfile, ContinuityAndSumSeeSmallFaults) {
 class FeedEffort : public testing::TestWithParam<ref::Effort> {};
 
 TEST_P(FeedEffort, LimitsHoldOnRandomPrograms) {
-    const unsigned end = GetParam() == ref::Effort::kRules ? 40 : 26;
-    for (unsigned seed = 20; seed < end; ++seed) {
+    const int programs = GetParam() == ref::Effort::kRules ? cases(8, 20) : cases(3, 6);
+    for (unsigned seed = 20; seed < 20U + programs; ++seed) {
         const Machine machine = unequal_machine(seed);
         PlanOptions options;
         options.effort = GetParam();
@@ -312,11 +313,12 @@ double planning_time(int moves) {
     return static_cast<double>(end - begin) / CLOCKS_PER_SEC;
 }
 
-TEST(FeedProfile, PlansAHundredThousandMovesInLinearTime) {
-    const double tenth = planning_time(10'000);
-    const double whole = planning_time(100'000);
-    RecordProperty("seconds", std::to_string(whole));  // about 10, optimised
-    EXPECT_LT(whole, 25 * tenth);                      // quadratic: 100
+TEST(FeedProfile, PlansManyMovesInLinearTime) {
+    const int moves = cases(20'000, 100'000);
+    const double tenth = planning_time(moves / 10);
+    const double whole = planning_time(moves);
+    RecordProperty("seconds", std::to_string(whole));
+    EXPECT_LT(whole, 25 * tenth);  // quadratic: 100
 }
 
 // Holds within a line: the kernel's path under the kernel's time scaler, second difference.

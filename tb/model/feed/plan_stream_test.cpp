@@ -11,6 +11,7 @@
 #include "ref/text/input_error.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
 #include "tb/support/judge/hold_run.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
@@ -137,7 +138,8 @@ Program smooth_lines(unsigned seed) {
 TEST(PlanStream, KeepsLimitsWhereverItIsCut) {
     std::size_t parts = 0;
     std::size_t forced = 0;
-    for (unsigned seed = 0; seed < 16; ++seed) {
+    const int programs = cases(6, 16);
+    for (int seed = 0; seed < programs; ++seed) {
         for (const Effort effort : {Effort::kRules, Effort::kOptimum}) {
             const std::string which =
                 fmt::format("seed {} effort {}", seed, static_cast<int>(effort));
@@ -154,7 +156,7 @@ TEST(PlanStream, KeepsLimitsWhereverItIsCut) {
             forced += all.forced_stops;
         }
     }
-    EXPECT_GT(parts, 250U);
+    EXPECT_GT(parts, 15U * programs);
     EXPECT_GT(forced, 0U);
 }
 
@@ -318,7 +320,8 @@ TEST(PlanStream, OfNothingIsRefused) {
 /// before cuts, by branches and by the bounds of the whole program.
 TEST(PlanStream, HoldsKeepTheLimitsAcrossCuts) {
     std::size_t branches = 0;
-    for (unsigned seed = 1; seed < 5; ++seed) {
+    const int programs = cases(2, 4);
+    for (int seed = 1; seed <= programs; ++seed) {
         const Joined all = joined(smooth_lines(seed), options(Effort::kOptimum), 60);
         branches += all.plan.branches.size();
         for (std::size_t part = 0; part + 1 < all.ends.size(); part += all.ends.size() / 5 + 1) {
@@ -335,7 +338,7 @@ TEST(PlanStream, HoldsKeepTheLimitsAcrossCuts) {
             }
         }
     }
-    EXPECT_GT(branches, 50U);
+    EXPECT_GT(branches, 12U * programs);
 }
 
 TEST(PlanStream, BoundsHoldsByTheFastestMotion) {

@@ -15,6 +15,7 @@
 #include "ref/path/smooth_path.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/random_joints.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
@@ -142,7 +143,7 @@ TEST(WindowLimits, AreLookedAtWhereVelocityOrItsSlopeJumps) {
 TEST(WindowLimits, RandomJointsKeepThem) {
     double acceleration = 0;
     double jerk = 0;
-    for (unsigned seed = 0; seed < 150; ++seed) {
+    for (int seed = 0; seed < cases(50, 150); ++seed) {
         const JointCase random = RandomJoints(seed).make();
         const Plan plan = make_plan(random.program, random.machine, random.options);
         const sysc::LimitLoads loads = drawn_limits(plan, random.machine, random.options);

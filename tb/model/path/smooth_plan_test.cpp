@@ -7,6 +7,7 @@
 #include "ref/path/smooth_path.hpp"
 #include "tb/support/judge/drawn_limits.hpp"
 #include "tb/support/programs/chopped_curves.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/random_lines.hpp"
 
 namespace curvecore::tb {
@@ -49,8 +50,8 @@ TEST(SmoothPlan, OfChoppedCurvesKeepsTheLimits) {
     }
 }
 
-class SmoothPlans : public testing::TestWithParam<unsigned> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0U, 10U),
+class SmoothPlans : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, SmoothPlans, testing::Range(0, cases(4, 10)),
                          [](const auto& seed) { return "seed_" + std::to_string(seed.param); });
 
 TEST_P(SmoothPlans, KeepTheLimits) {

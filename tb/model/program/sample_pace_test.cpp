@@ -13,6 +13,7 @@
 #include "sysc/report/report.hpp"
 #include "sysc/watch/predicted_pace.hpp"
 #include "sysc/words/path_source.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/tiny_moves.hpp"
 
 namespace curvecore::tb {
@@ -75,21 +76,21 @@ struct Case {
 };
 
 TEST(SamplePace, PlansOfTinySegmentsKeepTime) {
-    const std::vector<Case> cases{
+    const std::vector<Case> cores{
         {"parallel", Build::kParallel, 0, 0, {1, 2, 7, 30, 100, 133, 140, 300, 1000, 10000}},
         {"parallel splines", Build::kParallel, 1, 1, {1, 7, 100, 520, 530, 3000, 10000}},
         {"serial", Build::kSerial, 0, 0, {1.001, 1.2, 1.5, 2, 3, 10, 100}},
         {"serial polynomial", Build::kSerial, 0, 1, {1.001, 1.5, 2, 10}},
         {"serial splines", Build::kSerial, 1, 1, {1.001, 1.2, 2, 10}},
     };
-    for (const Case& one : cases) {
+    for (const Case& one : cores) {
         CoreParameters core;
         core.build = one.build;
         core.splines = one.splines;
         core.mode = one.mode;
         for (const double times : one.available) {
             const double available = times * least_period_clocks(core, one.splines != 0);
-            for (unsigned seed = 1; seed <= 3; ++seed) {
+            for (int seed = 1; seed <= cases(1, 3); ++seed) {
                 const ref::Program program =
                     one.splines != 0 ? tiny_splines(seed, 300) : tiny_moves(seed, 800);
                 const double used = share_used(program, core, available);

@@ -10,6 +10,7 @@
 #include "ref/limits/travel.hpp"
 #include "ref/plan/segment_curve.hpp"
 #include "ref/text/input_error.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
@@ -46,7 +47,7 @@ std::string refusal(const ref::Program& program, const Machine& machine,
 }
 
 TEST(Planner, SegmentsJoinAndFollowTheirMoves) {
-    for (unsigned seed = 1; seed <= 6; ++seed) {
+    for (int seed = 1; seed <= cases(2, 6); ++seed) {
         const ref::Program program = random_program(seed, 300);
         const PlanOptions options;
         const Plan plan = make_plan(program, Machine(), options);

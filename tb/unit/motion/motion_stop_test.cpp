@@ -5,6 +5,7 @@
 #include "ref/feed/stops/planned_branches.hpp"
 #include "sysc/core/core_clocks.hpp"
 #include "tb/support/bench/motion_bench.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
 
 namespace curvecore::tb {
@@ -54,7 +55,8 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
     rates_ = Rates::kOfKernel;
     branch_percent_ = 60;
     int64_t stops = 0;
-    for (int round = 0; round < 30; ++round) {
+    const int rounds = cases(10, 30);
+    for (int round = 0; round < rounds; ++round) {
         program(pieces(static_cast<uint32_t>(500 + round), 60, 10, 60, 3 << 16));
         fill();
         const auto every = static_cast<unsigned>(50 << round % 4) *
@@ -70,7 +72,7 @@ TEST_F(MotionStop, EqualsKernelsUnderHoldsAndOverrides) {
         dut_->override_i = 65536;
         stops = steps_;
     }
-    EXPECT_GT(stops, 50);
+    EXPECT_GT(stops, 5 * rounds / 3);
 }
 
 /// A hold lasts as long as the plan says, if the rate has been 1 for as long as branches are apart.

@@ -10,6 +10,7 @@
 #include "hls/clocks.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
+#include "tb/support/programs/long_form.hpp"
 #if __has_include("Vtime_scaler.h")
 #include "Vtime_scaler.h"
 #else
@@ -27,7 +28,7 @@ constexpr bool kSerial = false;
 using Scaler = Vtime_scaler_serial;
 constexpr bool kSerial = true;
 #endif
-constexpr int kFewer = kSerial ? 8 : 1;  // divides the number of ticks, as each takes longer
+const int kFewer = kSerial ? cases(24, 8) : 1;  // divides the number of ticks: each takes longer
 
 struct Bounds {
     int64_t acceleration;
