@@ -2,6 +2,7 @@
 // Options of `curvecore cam`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ref/cam/cam_path.hpp"
@@ -12,6 +13,7 @@ namespace curvecore::sysc {
 struct CamOptions {
     Options common;
     ref::SurfaceKind kind;
+    std::optional<ref::Generatrix> generatrix;  // asked for; none: the surface's own
     double kappa = 0;     // half-turns per section pitch; 0: derived from scallop and cutter
     double scallop = 0;   // mm
     double cutter = 0;    // radius, mm; 0: not given
@@ -21,19 +23,8 @@ struct CamOptions {
     std::string against;  // file of a finer table; empty: the table's own tensor surface
 };
 
-/// The command line as text; empty: not given.
-struct RawCamOptions {
-    std::string kappa;
-    std::string scallop;
-    std::string cutter;
-    std::string delta = "5um";
-    std::string surface = "lagrange";
-    std::string generatrix;
-    std::string ends;
-};
-
-/// Converts the texts into `options`.
-void interpret(const RawCamOptions& raw, CamOptions& options);
+/// Completes the options and checks that they go together. @throws UsageError
+void complete(CamOptions& options);
 
 /// Returns the helix on a table of `angles` angles with a section every dx mm.
 /// @throws UsageError: kappa n / 2 is not whole

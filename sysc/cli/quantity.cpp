@@ -56,6 +56,10 @@ double quantity(const std::string& option, const std::string& text,
         fmt::format("{} '{}': the unit must be {}", option, text, suffix_names(suffixes)));
 }
 
+double plain_number(const std::string& option, const std::string& text) {
+    return quantity(option, text, {{"", 0}});
+}
+
 double length(const std::string& option, const std::string& text, double low, double high) {
     const double value = quantity(option, text, kLengths);
     if (!(value >= low && value <= high)) {

@@ -21,6 +21,8 @@ struct Suffix {
 double quantity(const std::string& option, const std::string& text,
                 const std::vector<Suffix>& suffixes);
 
+/// Reads a number without a unit. @throws UsageError
+double plain_number(const std::string& option, const std::string& text);
 /// Reads a length in nm, um, mm, m or in; mm. @throws UsageError, also outside [low, high] mm
 double length(const std::string& option, const std::string& text, double low, double high);
 /// Reads a speed in mm/min (also without a unit), m/min, in/min, mm/s or m/s; mm/s. @throws

@@ -135,7 +135,7 @@ Json CompareReport::json() const {
     Json front = Json::array();
     for (const std::size_t index : pareto_front(result.rows)) front.push_back(index);
     Json curves = Json::array();
-    for (std::size_t move = 0; options.schemes && move < program.moves.size(); ++move) {
+    for (std::size_t move = 0; !options.schemes.empty() && move < program.moves.size(); ++move) {
         curves.push_back(curve_name(move));
     }
     return {{"title", title()},

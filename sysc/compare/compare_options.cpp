@@ -4,14 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <sstream>
 
 #include "ref/text/input_error.hpp"
-#include "sysc/cli/choice.hpp"
-#include "sysc/cli/number_list.hpp"
-#include "sysc/cli/quantity.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/compare/tick_comparison.hpp"
 #include "sysc/curves/parameter_sets.hpp"
@@ -19,26 +14,17 @@
 namespace curvecore::sysc {
 namespace {
 
-int single(const std::string& option, const std::string& text, int low, int high) {
-    const std::vector<int> numbers = number_list(option, text, low, high);
-    if (numbers.size() > 1) {
-        throw UsageError(fmt::format("{} '{}': one number is expected", option, text));
-    }
-    return numbers.front();
-}
-
-std::vector<ParameterList> lists_of(const std::vector<std::string>& set, bool core_given) {
-    std::vector<ParameterList> lists;
-    for (const std::string& text : set) {
-        const ParameterList list = read_parameter(text);
+/// Lists of --set, and those that are compared without it.
+std::vector<ParameterList> lists_of(const CompareOptions& options) {
+    std::vector<ParameterList> lists = options.set;
+    for (const ParameterList& list : lists) {
         for (const auto value : {&CoreParameters::splines, &CoreParameters::aux_axes}) {
             if (list.row->value == value) {
                 throw UsageError(fmt::format("--set {}: follows the curves", list.row->name));
             }
         }
-        lists.push_back(list);
     }
-    if (core_given) return lists;
+    if (options.core_given || !options.schemes.empty()) return lists;
     for (const char* text : kComparedSets) {
         const ParameterList list = read_parameter(text);
         const bool given = std::any_of(lists.begin(), lists.end(), [&](const ParameterList& one) {
@@ -47,37 +33,6 @@ std::vector<ParameterList> lists_of(const std::vector<std::string>& set, bool co
         if (!given) lists.push_back(list);
     }
     return lists;
-}
-
-std::vector<std::string> items_of(const std::string& option, const std::string& text) {
-    std::vector<std::string> items;
-    std::istringstream stream(text);
-    for (std::string item; std::getline(stream, item, ',');) {
-        if (std::find(items.begin(), items.end(), item) != items.end()) {
-            throw UsageError(fmt::format("{} '{}': {} is there twice", option, text, item));
-        }
-        items.push_back(item);
-    }
-    return items;
-}
-
-std::vector<Scheme> schemes_of(const std::string& text) {
-    std::vector<Scheme> schemes;
-    for (const std::string& name : items_of("--scheme", text)) {
-        const auto found = std::find(kSchemeNames.begin(), kSchemeNames.end(), name);
-        if (found == kSchemeNames.end()) {
-            throw UsageError(
-                fmt::format("--scheme '{}': must be of {}", name, fmt::join(kSchemeNames, ", ")));
-        }
-        schemes.push_back(static_cast<Scheme>(found - kSchemeNames.begin()));
-    }
-    return schemes;
-}
-
-double tick_of(const std::string& text) {
-    const double tick = quantity("--tick", text, {{"us", -6}, {"ms", -3}, {"s", 0}});
-    if (!(tick >= 1e-6 && tick <= 10)) throw UsageError("--tick must be in [1us, 10s]");
-    return tick;
 }
 
 bool has(const std::vector<Scheme>& schemes, Scheme scheme) {
@@ -100,13 +55,18 @@ void add_ticked(Scheme scheme, bool words, const CompareOptions& options, double
     }
 }
 
-void interpret_schemes(const RawCompareOptions& raw, CompareOptions& options) {
-    const std::vector<Scheme> schemes = schemes_of(raw.scheme);
+void complete_schemes(CompareOptions& options) {
+    const std::vector<Scheme>& schemes = options.schemes;
+    for (const ParameterList& list : options.set) {
+        if (list.row->value == &CoreParameters::anchor) {
+            throw UsageError("--set Anchor: follows --scheme");
+        }
+    }
     const bool any = std::any_of(schemes.begin(), schemes.end(), is_ticked);
-    if (!any && !(raw.tick.empty() && raw.feed.empty())) {
+    if (!any && !(options.ticks.empty() && options.feeds.empty())) {
         throw UsageError("--tick and --feed are for --scheme paper, rk4 and scalar");
     }
-    options.schemes = options.sweep.by_move = true;
+    options.sweep.by_move = true;
     for (CoreParameters setting : options.settings) {
         for (const Scheme scheme : {Scheme::kAnchored, Scheme::kPropagated}) {
             if (!has(schemes, scheme)) continue;
@@ -114,12 +74,8 @@ void interpret_schemes(const RawCompareOptions& raw, CompareOptions& options) {
             options.drawn.push_back(setting);
         }
     }
-    const std::string ticks = raw.tick.empty() ? kStandardTick : raw.tick;
-    const std::string feeds = raw.feed.empty() ? kStandardFeeds : raw.feed;
-    for (const std::string& tick_text : items_of("--tick", ticks)) {
-        const double tick = tick_of(tick_text);
-        for (const std::string& feed_text : items_of("--feed", feeds)) {
-            const double feed = speed("--feed", feed_text);
+    for (const double tick : options.ticks) {
+        for (const double feed : options.feeds) {
             for (const Scheme scheme : schemes) {
                 if (!is_ticked(scheme)) continue;
                 if (scheme == Scheme::kPaper) {
@@ -131,41 +87,28 @@ void interpret_schemes(const RawCompareOptions& raw, CompareOptions& options) {
     }
 }
 
-CurveSet curve_set(const std::string& name) {
-    return static_cast<CurveSet>(choice("--curves", name, kCurveSets));
-}
-
 }  // namespace
 
-void interpret(const RawCompareOptions& raw, CompareOptions& options) {
+void complete(CompareOptions& options) {
     const Options& common = options.common;
-    const bool schemes = !raw.scheme.empty();
-    options.settings = all_combinations(common.core, lists_of(raw.set, raw.core_given || schemes));
-    options.curves = curve_set(raw.curves);
-    if (!options.common.file.empty() && raw.curves != RawCompareOptions().curves) {
+    options.settings = all_combinations(common.core, lists_of(options));
+    if (!common.file.empty() && options.curves != CurveSet::kAll) {
         throw UsageError("--curves is for a comparison without FILE");
     }
-    if (options.common.file.empty() && !options.common.machine.empty()) {
+    if (common.file.empty() && !common.machine.empty()) {
         throw UsageError("--machine is for a comparison with FILE");
     }
-    if (schemes) {
-        for (const std::string& text : raw.set) {
-            if (read_parameter(text).row->value == &CoreParameters::anchor) {
-                throw UsageError("--set Anchor: follows --scheme");
-            }
-        }
-        interpret_schemes(raw, options);
-    } else if (!raw.tick.empty()) {
+    if (!options.schemes.empty()) {
+        complete_schemes(options);
+    } else if (!options.ticks.empty()) {
         throw UsageError("--tick is for --scheme paper, rk4 and scalar");
     } else {
         options.drawn = options.settings;
     }
-    options.sweep.unit_mm = options.common.unit_mm;
+    options.sweep.unit_mm = common.unit_mm;
     options.sweep.limit = common.error_limit;
-    options.sweep.times_segments = single("--segments", raw.segments, 1, 1000);
-    options.sweep.samples = single("--samples", raw.samples, 100, 10000000);
     options.sweep.device = device_of(common.device.empty() ? kComparedDevice : common.device);
-    options.sweep.quiet = options.common.quiet;
+    options.sweep.quiet = common.quiet;
 }
 
 void complete_settings(const ref::Program& program, std::vector<CoreParameters>& settings) {

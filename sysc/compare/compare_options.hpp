@@ -13,9 +13,13 @@ namespace curvecore::sysc {
 struct CompareOptions {
     Options common;  // file (empty: built-in curves), folder, machine, points, unit, quiet
     CurveSet curves = CurveSet::kAll;
+    std::vector<ParameterList> set;
+    bool core_given = false;      // --core was given: what it has is not swept
+    std::vector<Scheme> schemes;  // empty: --scheme was not given
+    std::vector<double> ticks;    // s
+    std::vector<double> feeds;    // mm/s
     std::vector<CoreParameters> settings;
     std::vector<CoreParameters> drawn;  // configurations that our segments and steps draw
-    bool schemes = false;               // --scheme was given
     SweepOptions sweep;
 };
 
@@ -24,21 +28,9 @@ constexpr std::array<const char*, 3> kComparedSets{"Order=4:8:2", "CoefBits=20:3
 
 constexpr const char* kComparedDevice = "ecp5-85";
 
-/// The command line as text.
-struct RawCompareOptions {
-    std::string curves = "all";
-    std::string scheme;
-    std::string tick;
-    std::string feed;         // without --scheme: an option of `common`, along points
-    bool core_given = false;  // --core was given, of the common options
-    std::vector<std::string> set;
-    std::string segments = "4";
-    std::string samples = "100000";
-};
-
-/// Converts the texts; `options.common` is already converted.
-/// @throws UsageError with the option's name and the reason
-void interpret(const RawCompareOptions& raw, CompareOptions& options);
+/// Completes the options, of which `common` is complete, and checks that they go together.
+/// @throws UsageError
+void complete(CompareOptions& options);
 
 /// Gives the settings the axes of the program, and splines if the program has them.
 /// @throws UsageError: a setting is not built

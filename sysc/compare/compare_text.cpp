@@ -169,7 +169,8 @@ std::string CompareReport::csv() const {
 std::string CompareReport::table() const {
     const std::vector<const ref::Parameter*> columns = columns_of(options.settings);
     std::string text;
-    if (options.schemes) text += fmt::format("{:<13} {:>8} {:>11} ", "scheme", "tick", "feed");
+    if (!options.schemes.empty())
+        text += fmt::format("{:<13} {:>8} {:>11} ", "scheme", "tick", "feed");
     for (const ref::Parameter* one : columns) text += std::string(one->name) + ' ';
     text += fmt::format(
         "{:>8} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>6} {:>8} {:>8} {:>7} {:>8} {:>6} {:>4} "
@@ -179,7 +180,7 @@ std::string CompareReport::table() const {
         "DSP", "~MHz");
     for (const Row& row : result.rows) {
         const auto out = std::back_inserter(text);
-        if (options.schemes) {
+        if (!options.schemes.empty()) {
             fmt::format_to(out, "{:<13} {:>8} {:>11} ", name_of(row),
                            row.ticks ? tick_text(*row.ticks) : "",
                            row.ticks ? feed_text(*row.ticks) : "");
@@ -227,7 +228,7 @@ std::string CompareReport::table() const {
 std::string CompareReport::curves_table() const {
     constexpr std::size_t kMostCurves = 30;
     constexpr std::size_t kMostRows = 12;
-    if (!options.schemes) return "";
+    if (options.schemes.empty()) return "";
     std::string text = "\nworst distance from the exact place by curve, mm:\n";
     const auto out = std::back_inserter(text);
     const std::size_t rows = std::min(result.rows.size(), kMostRows);

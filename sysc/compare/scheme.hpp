@@ -21,8 +21,6 @@ namespace curvecore::sysc {
 enum class Scheme { kAnchored, kPropagated, kPaper, kRungeKutta, kScalar };
 constexpr std::array<std::string_view, 5> kSchemeNames{"anchored", "propagated", "paper", "rk4",
                                                        "scalar"};
-constexpr const char* kStandardTick = "10ms";
-constexpr const char* kStandardFeeds = "1.5m/min,2m/min";
 
 /// A scheme that steps once a tick, by feed times tick along the path.
 ///

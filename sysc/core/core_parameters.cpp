@@ -49,13 +49,12 @@ ParameterList read_parameter(const std::string& text) {
     return list;
 }
 
-const ref::Parameter& set_parameter(CoreParameters& parameters, const std::string& text) {
-    const ParameterList list = read_parameter(text);
+ParameterList single_parameter(const std::string& text) {
+    ParameterList list = read_parameter(text);
     if (list.values.size() > 1) {
         throw UsageError(fmt::format("--set {}: one value is expected; compare takes lists", text));
     }
-    parameters.*list.row->value = list.values.front();
-    return *list.row;
+    return list;
 }
 
 }  // namespace curvecore::sysc

@@ -23,14 +23,16 @@ nlohmann::ordered_json parameters_json(const CoreParameters& parameters);
 struct ParameterList {
     const ref::Parameter* row;
     std::vector<int> values;
+
+    /// Sets the parameter to the first value.
+    void set(CoreParameters& parameters) const { parameters.*row->value = values.front(); }
 };
 
 /// Reads Name=LIST, sysc/cli/number_list.hpp.
 /// @throws UsageError: unknown name, invalid list, a value out of range
 ParameterList read_parameter(const std::string& text);
 
-/// Sets one parameter from Name=Value and returns it.
-/// @throws UsageError, also where there are several values
-const ref::Parameter& set_parameter(CoreParameters& parameters, const std::string& text);
+/// Reads Name=Value. @throws UsageError, also where there are several values
+ParameterList single_parameter(const std::string& text);
 
 }  // namespace curvecore::sysc

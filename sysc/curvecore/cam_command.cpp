@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore cam`: converts a table of radii into a program, which runs as any part does, and
 // checks the drawn positions against the cam's surface.
-#include "sysc/curvecore/cam_command.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,8 +10,11 @@
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
 #include "sysc/cam/cam_report.hpp"
-#include "sysc/cli/usage_error.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/run_job.hpp"
+#include "sysc/commands/terminal/help.hpp"
+#include "sysc/curvecore/commands.hpp"
 
 namespace curvecore::sysc {
 namespace {
@@ -100,9 +101,15 @@ void warn_of_delta(const CamOptions& options, const ref::CamShape& surface, ref:
                     options.common.file, options.delta * 1e3, own * 1e3));
 }
 
-}  // namespace
+struct CamChoice {
+    PartOptions part;
+    CamOptions cam;
+};
 
-int cam_command(const CamOptions& options) {
+int cam_command(CamChoice& asked) {
+    CamOptions& options = asked.cam;
+    options.common = asked.part.complete();
+    complete(options);
     OutputFolder folder(options.common.folder);
     const std::string program = folder.path(kProgram);
     std::vector<ref::CamSection> sections;
@@ -138,6 +145,45 @@ int cam_command(const CamOptions& options) {
         return cam.held();
     };
     return runner.run(folder, extras);
+}
+
+}  // namespace
+
+void add_cam(CLI::App& app, int& status) {
+    auto [command, asked] =
+        add_command(app, status, "cam",
+                    "a volumetric cam: TABLE of radii into a program, which runs as any part does",
+                    cam_command);
+    CamOptions& cam = asked.cam;
+    begin_group(command, group::kInput);
+    add_text(command, "TABLE", asked.part.options.file, "",
+             "radii of the cutter's centre (.csv): 'x,0,7.5,..' (degrees), then a row per "
+             "section: x and radii in mm")
+        ->required();
+    add_value(command, "--kappa", cam.kappa, "N",
+              "half-turns of the spindle from section to section",
+              within(plain_number, kAboveZero, 1e6, "above 0, up to 1e+06"));
+    add_value(command, "--scallop", cam.scallop, "LENGTH",
+              "instead: height that the cutter may leave between turns",
+              in_range(length, 1e-6, 10));
+    add_value(command, "--cutter", cam.cutter, "LENGTH", "radius of the cutter",
+              in_range(length, 1e-3, 1e4));
+    add_choice(command, "--surface", cam.kind.surface, ref::kSurfaceNames, "through the radii: {}");
+    add_choice(command, "--generatrix", cam.generatrix, ref::kGeneratrixNames,
+               "of tamm and blend: {}; parabola when left out");
+    add_choice(command, "--ends", cam.ends, ref::kCamEndNames,
+               "turn (default): once around the first and the last section too; helix: without")
+        ->default_str("");
+    add_value(command, "--delta", cam.delta, "LENGTH",
+              "how far a piece may be off the surface, along the radius",
+              in_range(length, ref::kLeastDelta, 10))
+        ->default_val("5um");
+    add_text(command, "--against", cam.against, "FINE.csv",
+             "a finer table, to hold the drawn cam against");
+    add_feed(command, asked.part, "over the surface: 1m/min, 20mm/s");
+    add_surroundings(command, asked.part);
+    add_timed_core(command, asked.part);
+    add_drawing(command, asked.part);
 }
 
 }  // namespace curvecore::sysc

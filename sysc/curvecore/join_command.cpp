@@ -1,24 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/curvecore/join_command.hpp"
-
+// `curvecore join`: an idle move between two working paths.
 #include <fmt/format.h>
 
 #include <stdexcept>
 
+#include "ref/join/jumps.hpp"
 #include "ref/join/least.hpp"
 #include "ref/limits/travel.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/program/program_reader.hpp"
 #include "ref/text/input_error.hpp"
-#include "sysc/cli/choice.hpp"
-#include "sysc/cli/quantity.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/run_job.hpp"
+#include "sysc/commands/terminal/help.hpp"
+#include "sysc/curvecore/commands.hpp"
 #include "sysc/join/join_page.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
 using ref::Program;
+
+/// Choices that are not given are those of the loaded file, or the defaults.
+struct JoinOptions {
+    PartOptions part;
+    std::string a, b;
+    std::string load;  // join.json; empty: not given
+    std::optional<ref::JoinFit> fit;
+    std::optional<int> points;
+    std::optional<ref::Least> least;
+    std::optional<ref::SpeedLaw> speed;
+    std::optional<double> tolerance, step;  // mm
+    bool exact = false;
+};
 
 constexpr double kSame = 1e-6;   // mm, 1: equal ends of a loaded move and of the programs
 constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
@@ -67,59 +82,57 @@ void check_loaded(const std::string& file, const ref::Joint& loaded, const ref::
                     which, program));
 }
 
-int point_count(const std::string& text) {
-    if (text.empty()) return kUsualPoints;
-    const double count = quantity("--points", text, {{"", 0}});
+int point_count(const std::string& option, const std::string& text) {
+    const double count = plain_number(option, text);
     if (count >= 0 && count <= static_cast<double>(kMostJoinPoints) && count == std::floor(count)) {
         return static_cast<int>(count);
     }
     throw UsageError(
-        fmt::format("--points '{}': must be a whole number in [0, {}]", text, kMostJoinPoints));
+        fmt::format("{} '{}': must be a whole number in [0, {}]", option, text, kMostJoinPoints));
 }
 
-void choose_gcode(const RawJoinOptions& raw, bool loaded, JoinFile& file) {
-    const int given = int{raw.exact} + int{!raw.tolerance.empty()} + int{!raw.step.empty()};
+void choose_gcode(const JoinOptions& asked, bool loaded, JoinFile& file) {
+    const int given =
+        int{asked.exact} + int{asked.tolerance.has_value()} + int{asked.step.has_value()};
     if (given > 1) throw UsageError("--exact, --tolerance and --step exclude each other");
-    if (!raw.tolerance.empty()) {
-        file.gcode = {ref::GcodeForm::kTolerance, length("--tolerance", raw.tolerance, 1e-6, 10)};
-    } else if (!raw.step.empty()) {
-        file.gcode = {ref::GcodeForm::kStep, length("--step", raw.step, 1e-6, 1e4)};
-    } else if (raw.exact || (!loaded && ref::is_plane(file.move.pieces()))) {
+    if (asked.tolerance) {
+        file.gcode = {ref::GcodeForm::kTolerance, *asked.tolerance};
+    } else if (asked.step) {
+        file.gcode = {ref::GcodeForm::kStep, *asked.step};
+    } else if (asked.exact || (!loaded && ref::is_plane(file.move.pieces()))) {
         file.gcode = {};
     } else if (!loaded) {
         file.gcode = {ref::GcodeForm::kTolerance, 1e-3};
     }
 }
 
-JoinFile design(const RawJoinOptions& raw, JoinFile file, const Program& a, const Program& b) {
-    const bool loaded = !raw.load.empty();
+JoinFile design(const JoinOptions& asked, JoinFile file, const Program& a, const Program& b) {
+    const bool loaded = !asked.load.empty();
     const ref::Joint start = ref::joint_of(a.file, a.moves.back(), true);
     const ref::Joint end = ref::joint_of(b.file, b.moves.front(), false);
-    if (!raw.fit.empty()) {
-        file.move.fit = static_cast<ref::JoinFit>(choice("--fit", raw.fit, ref::kJoinFitNames));
-    }
-    if (!raw.speed.empty()) {
-        file.law = static_cast<ref::SpeedLaw>(choice("--speed", raw.speed, ref::kSpeedLawNames));
-    }
-    if (loaded && raw.points.empty()) {
-        check_loaded(raw.load, file.move.start, start, "start", a.file);
-        check_loaded(raw.load, file.move.end, end, "end", b.file);
+    file.move.fit = asked.fit.value_or(file.move.fit);
+    file.law = asked.speed.value_or(file.law);
+    if (loaded && !asked.points) {
+        check_loaded(asked.load, file.move.start, start, "start", a.file);
+        check_loaded(asked.load, file.move.end, end, "end", b.file);
         file.move.start = start;
         file.move.end = end;
     } else {
-        file.move = ref::default_idle_move(start, end, file.move.fit, point_count(raw.points));
+        file.move =
+            ref::default_idle_move(start, end, file.move.fit, asked.points.value_or(kUsualPoints));
     }
-    if (!raw.least.empty()) {
-        const auto least = static_cast<ref::Least>(choice("--least", raw.least, ref::kLeastNames));
+    if (asked.least) {
         try {
-            file.move = ref::with_least(file.move, least);
+            file.move = ref::with_least(file.move, *asked.least);
         } catch (const std::invalid_argument& error) {
-            throw UsageError(fmt::format("--least {}: {}", raw.least, error.what()));
+            throw UsageError(fmt::format(
+                "--least {}: {}", ref::kLeastNames.at(static_cast<std::size_t>(*asked.least)),
+                error.what()));
         }
     }
     const std::string flaw = flaw_of(file.move);
     if (!flaw.empty()) throw ref::InputError(b.file, b.moves.front().line, flaw);
-    choose_gcode(raw, loaded, file);
+    choose_gcode(asked, loaded, file);
     return file;
 }
 
@@ -152,13 +165,14 @@ void print_design(const JoinFile& file) {
     if (inside.slope + inside.curvature > 0) fmt::print("{}", joint_row("at its points", inside));
 }
 
-}  // namespace
-
-int join_command(const Options& options, const RawJoinOptions& raw) {
+/// Designs the move, writes join.ngc, join.json and join.html, and runs join.ngc as `run` does.
+int join_command(JoinOptions& asked) {
+    asked.part.options.file = "join.ngc";
+    const Options& options = asked.part.complete();
     JoinFile file;
-    if (!raw.load.empty()) file = read_join_file(raw.load);
-    if (!raw.a.empty()) file.a = raw.a;
-    if (!raw.b.empty()) file.b = raw.b;
+    if (!asked.load.empty()) file = read_join_file(asked.load);
+    if (!asked.a.empty()) file.a = asked.a;
+    if (!asked.b.empty()) file.b = asked.b;
     if (file.a.empty() || file.b.empty()) {
         throw UsageError("join wants two programs, A and B, or --load FILE.json");
     }
@@ -166,7 +180,7 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
     const Program a = working_path(file.a, true, options, machine);
     const Program b = working_path(file.b, false, options, machine);
     check_ends(a, b);
-    file = design(raw, std::move(file), a, b);
+    file = design(asked, std::move(file), a, b);
 
     const JoinProgram program = join_program(a, b);
     const std::string text = program.with(blocks_of(file));
@@ -184,6 +198,39 @@ int join_command(const Options& options, const RawJoinOptions& raw) {
     folder.write("join.json", file.text());
     folder.write("join.html", join_html(file, a, b, program));
     return runner.run(folder);
+}
+
+}  // namespace
+
+void add_join(CLI::App& app, int& status) {
+    auto [command, join] = add_command(
+        app, status, "join",
+        "an idle move between two working paths A and B: G-code, page to design it, run",
+        join_command);
+    begin_group(command, group::kInput);
+    const char* const programs = "working path: G-code, or points (.csv)";
+    add_text(command, "A", join.a, "", programs);
+    add_text(command, "B", join.b, "", programs);
+    add_text(command, "--load", join.load, "FILE.json",
+             "control points and all choices of a join.json; A and B if they are left out");
+    add_choice(command, "--fit", join.fit, ref::kJoinFitNames,
+               "curve through the control points: {}; default quintic");
+    add_value(command, "--points", join.points, "N", "control points, placed anew; default 3",
+              point_count);
+    add_choice(command, "--least", join.least, ref::kLeastNames, "move them for the least {}",
+               "WHAT", " or ");
+    add_choice(command, "--speed", join.speed, ref::kSpeedLawNames, "from feed to feed: {}", "LAW",
+               " (default) or ");
+    command.add_flag("--exact", join.exact,
+                     "G5 and G5.2, in space with Z K R of this reader's own; default in XY");
+    add_value(command, "--tolerance", join.tolerance, "LENGTH",
+              "G1 chords within this; default in space, 1um", in_range(length, 1e-6, 10));
+    add_value(command, "--step", join.step, "LENGTH", "G1 chords of this path at most",
+              in_range(length, 1e-6, 1e4));
+    add_interpreter(command, join.part);
+    add_surroundings(command, join.part);
+    add_timed_core(command, join.part);
+    add_drawing(command, join.part);
 }
 
 }  // namespace curvecore::sysc

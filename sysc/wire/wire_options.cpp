@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <sstream>
-
 #include "sysc/cli/quantity.hpp"
 #include "sysc/cli/usage_error.hpp"
 
@@ -34,23 +32,14 @@ void plan_for(const std::string& link, Options& options) {
     }
 }
 
-Drives drives_of(const RawWireOptions& raw, int axes) {
-    Drives drives;
-    std::istringstream list(raw.steps_per_mm);
-    for (std::string text; std::getline(list, text, ',');) {
-        const double steps = quantity("--steps-per-mm", text, {{"", 0}});
-        if (!(steps > 0)) throw UsageError("--steps-per-mm must be above 0");
-        drives.steps_per_mm.push_back(steps);
-    }
-    if (drives.steps_per_mm.size() == 1) drives.steps_per_mm.resize(axes, drives.steps_per_mm[0]);
-    if (drives.steps_per_mm.size() != static_cast<std::size_t>(axes)) {
+Drives drives_of(const WireOptions& options, int axes) {
+    Drives drives = options.drives;
+    std::vector<double>& scales = drives.steps_per_mm;
+    if (scales.size() == 1) scales.resize(axes, scales[0]);
+    if (scales.size() != static_cast<std::size_t>(axes)) {
         throw UsageError(fmt::format("--steps-per-mm has {} values, and the board {} axes",
-                                     drives.steps_per_mm.size(), axes));
+                                     scales.size(), axes));
     }
-    drives.steplen_s = duration_of("--steplen", raw.steplen);
-    drives.stepspace_s = duration_of("--stepspace", raw.stepspace);
-    drives.dirsetup_s = duration_of("--dirsetup", raw.dirsetup);
-    drives.dirhold_s = duration_of("--dirhold", raw.dirhold);
     return drives;
 }
 

@@ -9,19 +9,16 @@
 
 namespace curvecore::sysc {
 
-struct RawWireOptions {
-    std::string to;
-    std::string steps_per_mm = "400";
-    std::string steplen = "2us";
-    std::string stepspace = "2us";
-    std::string dirsetup = "4us";
-    std::string dirhold = "4us";
-    std::string watchdog = "500ms";
-    std::string control;
+struct WireOptions {
+    std::string to;           // the link, as open_link() takes it
+    Drives drives{{400.0}};   // one scale, or one an axis
+    double watchdog_s = 0.5;  // silence of this program that is a hold; 0: none
+    std::string control;      // file of commands; empty: none
 };
 
-/// Returns the drives of a board's axes. @throws UsageError
-Drives drives_of(const RawWireOptions& raw, int axes);
+/// Returns the drives of a board's axes. @throws UsageError: as many scales as it has axes are
+/// wanted
+Drives drives_of(const WireOptions& options, int axes);
 
 /// Sets the options to plan for this board.
 void plan_for(const RemoteBuild& build, Options& options);
@@ -29,7 +26,7 @@ void plan_for(const RemoteBuild& build, Options& options);
 /// @throws UsageError: no board is there, or one of another kind
 void plan_for(const std::string& link, Options& options);
 
-/// Reads a duration, s; units ns, us, ms, s. @throws UsageError
+/// Reads a duration in [0, 10s], s; units ns, us, ms, s. @throws UsageError
 double duration_of(const std::string& option, const std::string& text);
 
 }  // namespace curvecore::sysc

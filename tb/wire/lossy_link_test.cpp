@@ -39,7 +39,7 @@ Drawn draw(LossyLink& link, Steps& steps) {
     RemoteMachine machine(link, 1);
     plan_for(machine.build(), options);
     WordSource words(options);
-    machine.prepare(drives_of(RawWireOptions(), machine.build().axes), options.unit_mm);
+    machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);
     Console console("", 100);
     WireStream stream(machine, words, console, 1);

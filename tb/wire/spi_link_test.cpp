@@ -81,7 +81,7 @@ LinkFigures draw(Link& link, const std::string& part) {
     RemoteMachine machine(link);
     plan_for(machine.build(), options);
     WordSource words(options);
-    machine.prepare(drives_of(RawWireOptions(), machine.build().axes), options.unit_mm);
+    machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);  // no watchdog: the board's time is not the host's
     Console console("", 100);
     WireStream stream(machine, words, console, 1);

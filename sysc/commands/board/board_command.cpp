@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/commands/board/board_command.hpp"
-
+// `curvecore board`: a virtual board that listens.
 #include <fmt/format.h>
 
 #include <cinttypes>
@@ -9,49 +8,21 @@
 
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
+#include "sysc/commands/board/commands.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/virtual/board_server.hpp"
-#include "sysc/wire/wire_options.hpp"
 
 namespace curvecore::sysc {
 
-void add_board(CLI::App& command, BoardOptions& options) {
-    command
-        .add_option("--listen", options.listen, "where; port 27181 when left out, 0: any free one")
-        ->type_name("ADDRESS[:PORT]")
-        ->capture_default_str();
-    command.add_flag(
-        "--fast", options.fast,
-        "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
-        "that of the wall");
-    command
-        .add_option("-o,--output", options.folder,
-                    "folder for steps.csv: every step of its pins, written when it ends")
-        ->type_name("DIR");
-    command
-        .add_option("--home", options.home,
-                    "a home switch: steps from the start in which it is closed, as x=-9000..-300")
-        ->type_name("AXIS=FROM..TO,..")
-        ->delimiter(',');
-    command.add_flag("--limits", options.limits, "the home switches are limit switches too");
-    command
-        .add_option("--slip", options.slip,
-                    "an axis that slips: steps from the start that it does not make, as "
-                    "x=1000..1040")
-        ->type_name("AXIS=FROM..TO,..")
-        ->delimiter(',');
-    command.add_option("--lag", options.lag, "axes, as their encoders see them, are so late")
-        ->type_name("TIME")
-        ->capture_default_str();
-    command.footer(
-        "It ends when it is interrupted (Ctrl-C). Only then DIR is written: killed otherwise, it "
-        "leaves "
-        "what an earlier run left.");
-}
-
 namespace {
 
-VirtualRange range_of(const char* option, const std::string& text) {
+struct BoardOptions {
+    BoardServerOptions served{kWireAddress, false, {}};
+    std::string folder;  // empty: no steps.csv
+};
+
+VirtualRange range_of(const std::string& option, const std::string& text) {
     VirtualRange one;
     char axis = 0;
     int end = 0;
@@ -65,9 +36,7 @@ VirtualRange range_of(const char* option, const std::string& text) {
     return one;
 }
 
-}  // namespace
-
-int board_command(const BoardOptions& options) {
+int board_command(BoardOptions& options) {
     std::optional<OutputFolder> folder;
     std::optional<OutputFile> steps;
     if (!options.folder.empty()) {
@@ -76,15 +45,7 @@ int board_command(const BoardOptions& options) {
         steps->write("clock,axis,direction\n");
     }
     std::uint64_t count = 0;
-    BoardServerOptions served{options.listen, options.fast, {}};
-    VirtualAxes& axes = served.axes;
-    axes.limits = options.limits;
-    axes.lag_s = duration_of("--lag", options.lag);
-    for (const std::string& text : options.home) {
-        axes.switches.push_back(range_of("--home", text));
-    }
-    for (const std::string& text : options.slip) axes.slips.push_back(range_of("--slip", text));
-    BoardServer server(served, [&](const VirtualStep& step) {
+    BoardServer server(options.served, [&](const VirtualStep& step) {
         ++count;
         if (steps)
             steps->write(fmt::format("{},{},{}\n", step.clock, step.axis, step.back ? -1 : 1));
@@ -92,7 +53,7 @@ int board_command(const BoardOptions& options) {
     fmt::print("listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
                server.where(), VirtualBoard::kAxes, VirtualBoard::kClockHertz / 1e6,
                std::exp2(VirtualBoard::kPeriodLog2) / VirtualBoard::kClockHertz * 1e6,
-               options.fast ? ", 5 ms of it a frame" : "");
+               options.served.fast ? ", 5 ms of it a frame" : "");
     std::fflush(stdout);
     const InterruptGuard guard;
     try {
@@ -108,9 +69,42 @@ int board_command(const BoardOptions& options) {
     }
     fmt::print("{} steps in {:.3f} s of its clock", count,
                static_cast<double>(server.clocks()) / VirtualBoard::kClockHertz);
-    if (!options.fast) fmt::print(", which held {:.1f} % of real time", 100 * server.pace());
+    if (!options.served.fast) fmt::print(", which held {:.1f} % of real time", 100 * server.pace());
     fmt::print("\n");
     return 0;
+}
+
+}  // namespace
+
+void add_board(CLI::App& app, int& status) {
+    auto [command, options] = add_command(
+        app, status, "board",
+        "a virtual board that stream finds: the RTL of motion_board behind UDP", board_command);
+    BoardServerOptions& served = options.served;
+    add_text(command, "--listen", served.address, "ADDRESS[:PORT]",
+             "where; port 27181 when left out, 0: any free one")
+        ->capture_default_str();
+    command.add_flag(
+        "--fast", served.fast,
+        "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
+        "that of the wall");
+    add_text(command, "-o,--output", options.folder, "DIR",
+             "folder for steps.csv: every step of its pins, written when it ends");
+    add_values(command, "--home", served.axes.switches, "AXIS=FROM..TO,..",
+               "a home switch: steps from the start in which it is closed, as x=-9000..-300",
+               range_of)
+        ->delimiter(',');
+    command.add_flag("--limits", served.axes.limits, "the home switches are limit switches too");
+    add_values(command, "--slip", served.axes.slips, "AXIS=FROM..TO,..",
+               "an axis that slips: steps from the start that it does not make, as x=1000..1040",
+               range_of)
+        ->delimiter(',');
+    add_value(command, "--lag", served.axes.lag_s, "TIME",
+              "axes, as their encoders see them, are so late", duration_of)
+        ->default_val("0ms");
+    command.footer(
+        "It ends when it is interrupted (Ctrl-C). Only then DIR is written: killed otherwise, it "
+        "leaves what an earlier run left.");
 }
 
 }  // namespace curvecore::sysc

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/commands/board/home_command.hpp"
-
+// `curvecore home`: drives the axes of a board's machine to their switches.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,12 +8,19 @@
 #include "ref/curve/axes.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/usage_error.hpp"
-#include "sysc/commands/board/stream_command.hpp"
+#include "sysc/commands/board/commands.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/home/encoders.hpp"
 #include "sysc/home/homing.hpp"
 
 namespace curvecore::sysc {
 namespace {
+
+struct HomeOptions {
+    Options options;
+    WireOptions wire;
+    std::string axes;  // empty: all that have a switch
+};
 
 /// Home settings of the machine's axes that were named.
 std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& machine,
@@ -46,38 +52,22 @@ std::vector<AxisHome> asked_homes(const std::string& axes, const std::string& ma
 /// The limit switch that serves as the axis' home switch.
 std::uint32_t limit_of(const AxisHome& home) { return home.ignore_limits ? 1U << home.axis : 0; }
 
-}  // namespace
-
-void add_home(CLI::App& command, RawHomeOptions& raw, Options& options) {
-    command
-        .add_option("--machine", options.machine,
-                    "LinuxCNC's .ini: HOME_SEARCH_VEL, HOME_LATCH_VEL, HOME_OFFSET, HOME, "
-                    "HOME_SEQUENCE, HOME_IGNORE_LIMITS and the travel of [JOINT_n]")
-        ->type_name("FILE.ini")
-        ->required();
-    command.add_option("--axes", raw.axes, "of them, as zx; all when left out")
-        ->type_name("LETTERS");
-    command.add_flag("-q,--quiet", options.quiet, "print warnings and errors only");
-    add_wire(command, raw.wire);
-    command.footer(
-        "One axis after the other, Z first unless HOME_SEQUENCE says otherwise. Ctrl-C stops.");
-}
-
-int home_command(Options options, const RawHomeOptions& raw) {
-    const std::unique_ptr<Link> link = open_link(raw.wire.to);
+int home_command(HomeOptions& asked) {
+    const WireOptions& wire = asked.wire;
+    Options options = asked.options;
+    const std::unique_ptr<Link> link = open_link(wire.to);
     try {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
         plan_for(build, options);
-        const Drives drives = drives_of(raw.wire, build.axes);
-        const double silence = duration_of("--watchdog", raw.wire.watchdog);
-        const std::vector<AxisHome> homes = asked_homes(raw.axes, options.machine, build.axes);
-        Console console(raw.wire.control, 100);
+        const Drives drives = drives_of(wire, build.axes);
+        const std::vector<AxisHome> homes = asked_homes(asked.axes, options.machine, build.axes);
+        Console console(wire.control, 100);
         const InterruptGuard guard;
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         Homing homing(machine, options, drives,
-                      static_cast<int>(std::ceil(silence / build.sample_period_s)), console,
+                      static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)), console,
                       [] { InterruptGuard::check(); });
         int exit = 0;
         // Any axis may stand on its limit switch until it is homed.
@@ -105,9 +95,27 @@ int home_command(Options options, const RawHomeOptions& raw) {
         machine.finish();
         return exit;
     } catch (const BoardLost& lost) {
-        fmt::print(stderr, "{}: {}\n", raw.wire.to, lost.what());
+        fmt::print(stderr, "{}: {}\n", wire.to, lost.what());
         return 1;
     }
+}
+
+}  // namespace
+
+void add_home(CLI::App& app, int& status) {
+    auto [command, asked] = add_command(
+        app, status, "home",
+        "the axes of such a board's machine to their switches: where they stand is known",
+        home_command);
+    add_text(command, "--machine", asked.options.machine, "FILE.ini",
+             "LinuxCNC's .ini: HOME_SEARCH_VEL, HOME_LATCH_VEL, HOME_OFFSET, HOME, "
+             "HOME_SEQUENCE, HOME_IGNORE_LIMITS and the travel of [JOINT_n]")
+        ->required();
+    add_text(command, "--axes", asked.axes, "LETTERS", "of them, as zx; all when left out");
+    command.add_flag("-q,--quiet", asked.options.quiet, "print warnings and errors only");
+    add_wire(command, asked.wire);
+    command.footer(
+        "One axis after the other, Z first unless HOME_SEQUENCE says otherwise. Ctrl-C stops.");
 }
 
 }  // namespace curvecore::sysc

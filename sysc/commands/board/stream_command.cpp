@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sysc/commands/board/stream_command.hpp"
-
+// `curvecore stream`: a program to a board at the other end of a wire.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +10,9 @@
 #include "ref/curve/axes.hpp"
 #include "ref/format/path_words.hpp"
 #include "sysc/cli/interrupt.hpp"
-#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/board/commands.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/home/encoders.hpp"
@@ -109,36 +110,20 @@ nlohmann::ordered_json report(const Options& options, const RemoteMachine& machi
     return json;
 }
 
-}  // namespace
+struct StreamOptions {
+    PartOptions part;
+    WireOptions wire;
+};
 
-void add_wire(CLI::App& command, RawWireOptions& raw) {
-    begin_group(command, group::kBoard);
-    const auto add = [&command](const char* name, std::string& text, const char* type,
-                                const char* help) {
-        return command.add_option(name, text, help)->type_name(type)->capture_default_str();
-    };
-    add("--to", raw.to, "BOARD", kLinkNames)->required();
-    add("--steps-per-mm", raw.steps_per_mm, "LIST", "of the drives, one value or one an axis");
-    add("--steplen", raw.steplen, "TIME", "a pulse is so long");
-    add("--stepspace", raw.stepspace, "TIME", "and the pause behind it");
-    add("--dirsetup", raw.dirsetup, "TIME", "from a turn to the next pulse");
-    add("--dirhold", raw.dirhold, "TIME", "from a pulse to a turn");
-    add("--watchdog", raw.watchdog, "TIME", "silence of this program that is a hold; 0: none");
-    add("--control", raw.control, "FILE",
-        "lines that are added to it are obeyed: hold, resume, override 50, stop, estop");
-    command.footer(
-        "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path.\n"
-        "The axes stand where the program begins; of axes that are homed that is checked.");
-}
-
-int stream_command(Options options, const RawWireOptions& wire) {
+int stream_command(StreamOptions& asked) {
+    const WireOptions& wire = asked.wire;
+    Options options = asked.part.complete();
     const std::unique_ptr<Link> link = open_link(wire.to);
     try {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
         plan_for(build, options);
         const Drives drives = drives_of(wire, build.axes);
-        const double silence = duration_of("--watchdog", wire.watchdog);
         Console console(wire.control, static_cast<int>(std::min(options.override_percent, 100.0)));
         const InterruptGuard guard;
         WordSource words(options);
@@ -146,7 +131,8 @@ int stream_command(Options options, const RawWireOptions& wire) {
         machine.prepare(drives, options.unit_mm);
         const Encoders encoders(machine, options.machine, drives);
         check_start(machine, words.start(), drives, options.machine);
-        machine.begin(settings, static_cast<int>(std::ceil(silence / build.sample_period_s)));
+        machine.begin(settings,
+                      static_cast<int>(std::ceil(wire.watchdog_s / build.sample_period_s)));
         WireStream stream(machine, words, console, std::min(options.override_percent / 100, 1.0));
         std::optional<StatusLine> status(options.quiet);
         const WireClock::time_point begin = WireClock::now();
@@ -221,6 +207,42 @@ int stream_command(Options options, const RawWireOptions& wire) {
         fmt::print(stderr, "{}: {}\n", wire.to, lost.what());
         return 1;
     }
+}
+
+}  // namespace
+
+void add_wire(CLI::App& command, WireOptions& wire) {
+    begin_group(command, group::kBoard);
+    Drives& drives = wire.drives;
+    add_text(command, "--to", wire.to, "BOARD", kLinkNames)->required();
+    add_value(command, "--steps-per-mm", drives.steps_per_mm, "LIST",
+              "of the drives, one value or one an axis",
+              list_of(within(plain_number, kAboveZero, kMost, "above 0")))
+        ->default_val("400");
+    const auto add = [&command](const char* name, double& time, const char* help) {
+        return add_value(command, name, time, "TIME", help, duration_of);
+    };
+    add("--steplen", drives.steplen_s, "a pulse is so long")->default_val("2us");
+    add("--stepspace", drives.stepspace_s, "and the pause behind it")->default_val("2us");
+    add("--dirsetup", drives.dirsetup_s, "from a turn to the next pulse")->default_val("4us");
+    add("--dirhold", drives.dirhold_s, "from a pulse to a turn")->default_val("4us");
+    add("--watchdog", wire.watchdog_s, "silence of this program that is a hold; 0: none")
+        ->default_val("500ms");
+    add_text(command, "--control", wire.control, "FILE",
+             "lines that are added to it are obeyed: hold, resume, override 50, stop, estop");
+    command.footer(
+        "Keys: h hold, r resume, + - override, s stop, e e-stop. Ctrl-C stops on the path.\n"
+        "The axes stand where the program begins; of axes that are homed that is checked.");
+}
+
+void add_stream(CLI::App& app, int& status) {
+    auto [command, asked] =
+        add_command(app, status, "stream",
+                    "FILE to a board at the other end of a wire: steps and turns", stream_command);
+    add_input(command, asked.part)->required();
+    add_planning(command, asked.part);
+    add_override(command, asked.part);
+    add_wire(command, asked.wire);
 }
 
 }  // namespace curvecore::sysc

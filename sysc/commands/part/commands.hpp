@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The subcommands: each returns the exit status 0 (every check held) or 1 (one failed).
+// Commands of a part. Each is added with its options, and sets the exit status when it has run: 0
+// every check held, 1 one failed.
 #pragma once
 
-#include "sysc/job/job.hpp"
-#include "sysc/job/options.hpp"
+#include <CLI/CLI.hpp>
 
 namespace curvecore::sysc {
 
-int run_command(const Options& options);
-int plan_command(const Options& options);
-int words_command(const Options& options);
+/// Planned and drawn by a board; every sample is compared.
+void add_run(CLI::App& app, int& status);
+/// Planned without a board.
+void add_plan(CLI::App& app, int& status);
+/// Words as memory files.
+void add_words(CLI::App& app, int& status);
 
 }  // namespace curvecore::sysc

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore plan`: segments, feed profile, predicted error and time, without a board.
 #include "ref/plan/curve_follower.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/commands.hpp"
 #include "sysc/commands/part/planned_job.hpp"
 #include "sysc/commands/part/publish.hpp"
@@ -43,12 +45,10 @@ Foreseen draw(const Job& job, std::uint64_t samples, Pictures& pictures) {
     return {pace.period(), meter.finish()};
 }
 
-}  // namespace
-
-int plan_command(const Options& options) {
-    Options held = options;
-    hold_input(held);
-    JobStream stream(held);
+int plan_command(PartOptions& part) {
+    Options options = part.complete();
+    hold_input(options);
+    JobStream stream(options);
     Job job = plan_and_check(stream);
     plan_others(job);
     OutputFolder folder(options.folder);
@@ -57,6 +57,16 @@ int plan_command(const Options& options) {
     Pictures pictures(job, samples / static_cast<std::uint64_t>(options.samples_per_tick));
     const Foreseen seen = draw(job, samples, pictures);
     return publish({job, samples, seen.limits, nullptr, seen.period}, pictures, folder);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, int& status) {
+    auto [command, part] = add_command(
+        app, status, "plan",
+        "the same without a board: segments, feed profile, predicted error and time", plan_command);
+    add_common(command, part);
+    add_report(command, part);
 }
 
 }  // namespace curvecore::sysc

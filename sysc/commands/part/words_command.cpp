@@ -11,6 +11,8 @@
 #include "ref/feed/stops/planned_branches.hpp"
 #include "ref/text/input_error.hpp"
 #include "sysc/cli/comment_text.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/commands.hpp"
 #include "sysc/commands/terminal/device_clock.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
@@ -18,6 +20,7 @@
 #include "sysc/curves/word_check.hpp"
 #include "sysc/job/job_stream.hpp"
 #include "sysc/job/made_for.hpp"
+#include "sysc/wire/wire_options.hpp"
 #include "sysc/words/bus_words.hpp"
 
 namespace curvecore::sysc {
@@ -194,9 +197,14 @@ void write_incomplete(const OutputFolder& folder, const ref::InputError& error) 
     folder.write("INCOMPLETE", std::string(error.what()) + "\n");
 }
 
-}  // namespace
+struct WordsOptions {
+    PartOptions part;
+    std::string board;  // link; empty: not given
+};
 
-int words_command(const Options& options) {
+int words_command(WordsOptions& asked) {
+    Options options = asked.part.complete();
+    if (!asked.board.empty()) plan_for(asked.board, options);
     JobStream stream(options);
     take_device(stream.options());
     OutputFolder folder(options.folder);
@@ -220,6 +228,17 @@ int words_command(const Options& options) {
     print_warnings(job);
     if (failed) throw *failed;
     return 0;
+}
+
+}  // namespace
+
+void add_words(CLI::App& app, int& status) {
+    auto [command, asked] =
+        add_command(app, status, "words", "segment and profile words as memory files for $readmemh",
+                    words_command);
+    add_common(command, asked.part);
+    add_text(command, "--to", asked.board, "BOARD",
+             "for this board, which is asked for its core, clock, sample period and queues");
 }
 
 }  // namespace curvecore::sysc

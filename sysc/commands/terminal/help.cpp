@@ -68,6 +68,10 @@ bool has(const std::vector<std::string>& arguments, const char* name) {
                        [name](const std::string& argument) { return is(argument, name); });
 }
 
+bool is_help(const std::string& argument) {
+    return is(argument, "-h") || is(argument, "--help") || is(argument, kHelpAll);
+}
+
 /// Names of options as the user types them, "--output"; also those of a hidden group.
 std::vector<std::string> option_names(const CLI::App& command) {
     std::vector<std::string> names;
@@ -83,16 +87,8 @@ bool known(const std::vector<std::string>& names, const std::string& word) {
     });
 }
 
-}  // namespace
-
-void begin_group(CLI::App& command, const char* group) { command.option_defaults()->group(group); }
-
-void begin_help(CLI::App& app) {
-    app.set_help_flag("-h,--help,--help-all", "this text; --help-all: with every option");
-    app.ignore_case();
-    app.option_defaults()->ignore_case();
-}
-
+/// Adds examples below each help; rare options are hidden unless one of the arguments is
+/// --help-all.
 void finish_help(CLI::App& app, const std::vector<std::string>& arguments) {
     const bool all = has(arguments, kHelpAll);
     for (CLI::App* command : app.get_subcommands({})) {
@@ -110,6 +106,7 @@ void finish_help(CLI::App& app, const std::vector<std::string>& arguments) {
     app.footer("curvecore COMMAND --help says more, with examples.");
 }
 
+/// Rewrites `help run` as `run --help`.
 std::vector<std::string> asked_help(std::vector<std::string> arguments) {
     if (arguments.empty()) return {"--help"};
     if (!is(arguments.front(), "help")) return arguments;
@@ -118,6 +115,8 @@ std::vector<std::string> asked_help(std::vector<std::string> arguments) {
     return arguments;
 }
 
+/// Refuses a first word that is no command, and an option that the command does not have.
+/// @throws UsageError with the nearest name
 void check_names(const CLI::App& app, const std::vector<std::string>& arguments) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -138,6 +137,32 @@ void check_names(const CLI::App& app, const std::vector<std::string>& arguments)
         throw UsageError(fmt::format(
             "{} has no option '{}'; {}", command->get_name(), word,
             nearest_text(word, options, command->get_name() + " --help-all lists them")));
+    }
+}
+
+}  // namespace
+
+void begin_group(CLI::App& command, const char* group) { command.option_defaults()->group(group); }
+
+void begin_help(CLI::App& app) {
+    app.set_help_flag("-h,--help,--help-all", "this text; --help-all: with every option");
+    app.ignore_case();
+    app.option_defaults()->ignore_case();
+}
+
+void parse(CLI::App& app, std::vector<std::string> arguments) {
+    arguments = asked_help(std::move(arguments));
+    finish_help(app, arguments);
+    check_names(app, arguments);
+    const auto help = std::find_if(arguments.begin() + 1, arguments.end(), is_help);
+    if (help != arguments.end()) arguments = {arguments.front(), *help};
+    std::reverse(arguments.begin(), arguments.end());
+    try {
+        app.parse(std::move(arguments));
+    } catch (const CLI::Success& asked) {
+        app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(error.what());
     }
 }
 

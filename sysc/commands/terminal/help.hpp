@@ -25,15 +25,10 @@ void begin_group(CLI::App& command, const char* group);
 /// command is added.
 void begin_help(CLI::App& app);
 
-/// Adds examples below each help; rare options are hidden unless one of the arguments is
-/// --help-all. To be called after all commands are added.
-void finish_help(CLI::App& app, const std::vector<std::string>& arguments);
-
-/// Rewrites `help run` as `run --help`.
-std::vector<std::string> asked_help(std::vector<std::string> arguments);
-
-/// Refuses a first word that is no command, and an option that the command does not have.
-/// @throws UsageError with the nearest name
-void check_names(const CLI::App& app, const std::vector<std::string>& arguments);
+/// Reads the line and runs its command; help is shown whatever else stands beside --help. To be
+/// called after all commands are added.
+/// @throws UsageError: an unknown command or option, with the nearest name, or an invalid line;
+/// what the command throws
+void parse(CLI::App& app, std::vector<std::string> arguments);
 
 }  // namespace curvecore::sysc

@@ -1,113 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0
 // `curvecore explore`: the shortest queues that a program does not outrun, for each host.
-#include "sysc/commands/widths/explore_command.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/progress_bar.hpp"
-#include "sysc/cli/usage_error.hpp"
-#include "sysc/commands/part/commands.hpp"
+#include "sysc/commands/options/part_options.hpp"
+#include "sysc/commands/options/typed_option.hpp"
 #include "sysc/commands/part/planned_job.hpp"
 #include "sysc/commands/terminal/device_clock.hpp"
 #include "sysc/commands/terminal/help.hpp"
 #include "sysc/commands/terminal/output_folder.hpp"
 #include "sysc/commands/terminal/summary.hpp"
+#include "sysc/commands/widths/commands.hpp"
 #include "sysc/explore/explore_report.hpp"
 
 namespace curvecore::sysc {
 namespace {
 
-std::vector<std::string> items_of(const char* option, const std::string& list) {
-    std::vector<std::string> items;
-    std::istringstream stream(list);
-    for (std::string item; std::getline(stream, item, ',');) items.push_back(item);
-    if (items.empty()) throw UsageError(fmt::format("{}: a list is expected", option));
-    return items;
+struct ExploreOptions {
+    PartOptions part;
+    std::vector<double> host_s;
+    std::vector<double> word_s;
+};
+
+/// Reads what the setting NAME of --system takes.
+auto setting(const char* name, double SystemSettings::*member) {
+    return [=](const std::string&, const std::string& text) {
+        SystemSettings settings;
+        set_system(settings, fmt::format("{}={}", name, text));
+        return settings.*member;
+    };
 }
 
-/// Reads each item as the option of one value does; ascending, each once.
-template <class Value, class Read>
-std::vector<Value> list_of(const char* option, const std::string& list, Read&& read) {
-    std::vector<Value> values;
-    for (const std::string& item : items_of(option, list)) values.push_back(read(item));
+/// Returns the values ascending, each once.
+template <class Value>
+std::vector<Value> ascending(std::vector<Value> values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 
-std::vector<double> times_of(const char* name, const std::string& list,
-                             double SystemSettings::*member) {
-    const std::string option = fmt::format("--{}", name);
-    return list_of<double>(option.c_str(), list, [&](const std::string& item) {
-        SystemSettings settings;
-        set_system(settings, fmt::format("{}={}", name, item));
-        return settings.*member;
-    });
-}
-
-/// Reads the values of an option, each as its single value is read.
-template <class Value>
-std::vector<Value> values_of(const char* option, const RawOptions& raw,
-                             std::string RawOptions::*text, const Options& options,
-                             Value Options::*member) {
-    return list_of<Value>(option, raw.*text, [&](const std::string& item) {
-        RawOptions one = raw;
-        one.sample_period.clear();
-        one.segment_queue = RawOptions().segment_queue;
-        one.profile_queue = RawOptions().profile_queue;
-        one.*text = item;
-        Options read = options;
-        interpret(one, read);
-        return read.*member;
-    });
-}
-
-}  // namespace
-
-RawExplore::RawExplore() {
-    common.segment_queue = "256,512,1024,2048,4096,8192";
-    common.profile_queue = "64,128,256,512,1024,2048,4096";
-}
-
-void add_explore(CLI::App& command, RawExplore& explore) {
-    begin_group(command, group::kBoard);
-    const auto add = [&command](const char* name, std::string& text, const char* type,
-                                const char* help) {
-        command.add_option(name, text, help)->type_name(type)->capture_default_str();
-    };
-    add("--host", explore.host, "LIST", "from one look of the host to the next");
-    add("--word", explore.word, "LIST", "of a word of 48 bits on the bus");
-    add("--jitter", explore.jitter, "TIME", "the host looks up to so much later, at random");
-    command.footer(
-        "--segment-queue, --profile-queue and --sample-period take lists, too.\n"
-        "Exit status: 0 there is an answer; 2 the input is wrong; 3 no queues fit any host.");
-}
-
-int explore_command(const RawExplore& explore, Options options) {
-    RawOptions raw = explore.common;
+int explore_command(ExploreOptions& asked) {
+    Options options = asked.part.complete();
+    const CoreChoice& core = asked.part.core;
     ExploreGrid grid;
-    grid.host_s = times_of("host", explore.host, &SystemSettings::host_s);
-    grid.word_s = times_of("word", explore.word, &SystemSettings::word_s);
-    if (!raw.sample_period.empty()) {
-        grid.sample_s = values_of("--sample-period", raw, &RawOptions::sample_period, options,
-                                  &Options::sample_period_s);
-    }
-    grid.segment_queue = values_of("--segment-queue", raw, &RawOptions::segment_queue, options,
-                                   &Options::segment_queue_words);
-    grid.profile_queue = values_of("--profile-queue", raw, &RawOptions::profile_queue, options,
-                                   &Options::profile_queue_words);
-    raw.on = "systemc";
-    raw.system = {"jitter=" + explore.jitter};
-    raw.sample_period.clear();
-    raw.segment_queue = fmt::format("{}", grid.segment_queue.back());
-    raw.profile_queue = fmt::format("{}", grid.profile_queue.back());
-    interpret(raw, options);
-    if (grid.sample_s.empty()) grid.sample_s = {options.sample_period_s};
-    options.sample_period_s = grid.sample_s.front();
+    grid.host_s = ascending(asked.host_s);
+    grid.word_s = ascending(asked.word_s);
+    grid.sample_s = core.sample_periods_s.empty() ? std::vector{options.sample_period_s}
+                                                  : ascending(core.sample_periods_s);
+    grid.segment_queue = ascending(core.segment_queues_words);
+    grid.profile_queue = ascending(core.profile_queues_words);
 
     const InterruptGuard guard;
     hold_input(options);
@@ -129,6 +73,31 @@ int explore_command(const RawExplore& explore, Options options) {
     print_warnings(planned);
     if (!options.quiet) fmt::print("{}report  {}/explore.html\n", report.table(), options.folder);
     return report.answered() ? 0 : 3;
+}
+
+}  // namespace
+
+void add_explore(CLI::App& app, int& status) {
+    auto [command, asked] =
+        add_command(app, status, "explore", "the shortest queues that FILE needs", explore_command);
+    PartOptions& part = asked.part;
+    part.options.board = BoardKind::kSystemc;
+    add_common(command, part,
+               {true, "256,512,1024,2048,4096,8192", "64,128,256,512,1024,2048,4096"});
+    begin_group(command, group::kBoard);
+    add_value(command, "--host", asked.host_s, "LIST", "from one look of the host to the next",
+              list_of(setting("host", &SystemSettings::host_s)))
+        ->default_val("1ms,20ms,100ms,500ms");
+    add_value(command, "--word", asked.word_s, "LIST", "of a word of 48 bits on the bus",
+              list_of(setting("word", &SystemSettings::word_s)))
+        ->default_val("1us,500us");
+    add_value(command, "--jitter", part.options.system.jitter_s, "TIME",
+              "the host looks up to so much later, at random",
+              setting("jitter", &SystemSettings::jitter_s))
+        ->default_val("0ms");
+    command.footer(
+        "--segment-queue, --profile-queue and --sample-period take lists, too.\n"
+        "Exit status: 0 there is an answer; 2 the input is wrong; 3 no queues fit any host.");
 }
 
 }  // namespace curvecore::sysc

@@ -39,7 +39,8 @@ std::vector<KnownRun> runs() {
         p.splines = run.core == Core::kSpherical ? 0 : 1;
         for (const char* name : {"Order", "CoefBits", "PositionBits", "GuardBits", "AuxAxes",
                                  "Mode", "SampleInterval"}) {
-            set_parameter(p, std::string(name) + "=" + std::to_string(one.at(name).get<int>()));
+            single_parameter(std::string(name) + "=" + std::to_string(one.at(name).get<int>()))
+                .set(p);
         }
         run.device = std::find_if(kDevices.begin(), kDevices.end(), [&](const Device& device) {
             return device.name == one.at("device").get<std::string>();

@@ -17,20 +17,23 @@ namespace {
 
 using namespace sysc;
 
-constexpr std::size_t kCurves = 8;  // of ref::test_splines()
+constexpr std::size_t kCurves = 8;     // of ref::test_splines()
+constexpr double kSlow = 1500.0 / 60;  // mm/s
+constexpr double kFast = 2000.0 / 60;
+const std::vector<Scheme> kTicked{Scheme::kPaper, Scheme::kRungeKutta, Scheme::kScalar};
 
 /// Rows of `--curves papers --scheme SCHEME ..`.
-std::vector<Row> compare(const std::string& schemes, const std::string& feed,
+std::vector<Row> compare(const std::vector<Scheme>& schemes, const std::vector<double>& feeds,
                          const std::vector<std::string>& set = {}) {
     CompareOptions options;
-    RawCompareOptions raw;
-    raw.curves = "papers";
-    raw.scheme = schemes;
-    raw.feed = feed;
-    raw.set = set;
-    raw.samples = "2000";
+    options.curves = CurveSet::kPapers;
+    options.schemes = schemes;
+    options.ticks = {10e-3};
+    options.feeds = feeds;
+    for (const std::string& one : set) options.set.push_back(read_parameter(one));
+    options.sweep.samples = 2000;
     options.common.quiet = true;
-    interpret(raw, options);
+    complete(options);
     const ref::Program program = built_in_curves(options.curves);
     check_ticked(program, options);
     complete_settings(program, options.drawn);
@@ -42,12 +45,12 @@ std::vector<Row> compare(const std::string& schemes, const std::string& feed,
 /// scripts/results/spline_tick.md.)
 TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
     struct Feed {
-        const char* feed;
+        double feed;  // mm/s
         double expected[kCurves];
     };
-    for (const Feed& test : {Feed{"1.5m/min", {9.7e-10, 3.2e-7, 3.5e-5, 9.9e-3, 49, 0, 0, 0}},
-                             Feed{"2m/min", {3.0e-9, 1.0e-6, 1.07e-4, 4.3e-2, 0, 0, 0, 0}}}) {
-        const std::vector<Row> rows = compare("rk4", test.feed);
+    for (const Feed& test : {Feed{kSlow, {9.7e-10, 3.2e-7, 3.5e-5, 9.9e-3, 49, 0, 0, 0}},
+                             Feed{kFast, {3.0e-9, 1.0e-6, 1.07e-4, 4.3e-2, 0, 0, 0, 0}}}) {
+        const std::vector<Row> rows = compare({Scheme::kRungeKutta}, {test.feed});
         ASSERT_EQ(rows.size(), 1U);
         ASSERT_EQ(rows[0].by_move.size(), kCurves);
         for (std::size_t i = 0; i < kCurves; ++i) {
@@ -64,7 +67,7 @@ TEST(TickComparison, RungeKuttaLosesWhatThePapersLose) {
 TEST(TickComparison, InDoubleIsWhatTheTablesFollow) {
     const std::vector<ref::TestSpline> curves = ref::test_splines();
     const double step = ref::tick_path(1.5, ref::kSplineTickMs);
-    for (const Row& row : compare("paper,rk4,scalar", "1.5m/min", {"Order=8"})) {
+    for (const Row& row : compare(kTicked, {kSlow}, {"Order=8"})) {
         if (row.ticks->words) continue;
         const ref::SplineMethod method =
             row.ticks->scheme == Scheme::kPaper    ? ref::SplineMethod::kPropagated
@@ -80,7 +83,8 @@ TEST(TickComparison, InDoubleIsWhatTheTablesFollow) {
 }
 
 TEST(TickComparison, OurStepsBesideThemStayWithinTheirBound) {
-    const std::vector<Row> rows = compare("anchored,propagated,scalar", "1.5m/min,2m/min");
+    const std::vector<Row> rows =
+        compare({Scheme::kAnchored, Scheme::kPropagated, Scheme::kScalar}, {kSlow, kFast});
     ASSERT_EQ(rows.size(), 4U);
     EXPECT_LE(rows[0].of_bound.value(), 1);
     EXPECT_FALSE(rows[1].bound.has_value());
@@ -99,7 +103,7 @@ TEST(TickComparison, ThePapersSchemeInWordsIsItsSeriesAndItsRoundings) {
     double last = 10;
     for (const int bits : {20, 28, 36}) {
         const std::vector<Row> rows =
-            compare("paper", "1.5m/min", {"CoefBits=" + std::to_string(bits)});
+            compare({Scheme::kPaper}, {kSlow}, {"CoefBits=" + std::to_string(bits)});
         ASSERT_EQ(rows.size(), 2U);
         ASSERT_TRUE(rows[0].ticks->words);
         const double gentle = rows[0].by_move[0];
@@ -119,7 +123,7 @@ TEST(TickComparison, EachSchemeIsDrawnOnceForWhatItDependsOn) {
     const std::vector<std::string> set{"Order=4,6", "CoefBits=28,36", "GuardBits=8,10"};
     std::size_t words = 0;
     std::size_t in_double = 0;
-    for (const Row& row : compare("paper,rk4", "2m/min", set)) {
+    for (const Row& row : compare({Scheme::kPaper, Scheme::kRungeKutta}, {kFast}, set)) {
         if (!row.ticks->words) ++in_double;
         words += row.ticks->words ? 1 : 0;
     }

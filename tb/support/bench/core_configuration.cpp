@@ -21,7 +21,7 @@ CoreConfiguration read_configuration(const std::string& text) {
         } else if (name == "ProfileQueueWords") {
             core.profile_queue_words = std::stoul(value);
         } else {
-            sysc::set_parameter(core.parameters, word);
+            sysc::single_parameter(word).set(core.parameters);
         }
     }
     return core;
