@@ -217,7 +217,7 @@ void add_wire(CLI::App& command, WireOptions& wire) {
     add_text(command, "--to", wire.to, "BOARD", kLinkNames)->required();
     add_value(command, "--steps-per-mm", drives.steps_per_mm, "LIST",
               "of the drives, one value or one an axis",
-              list_of(within(plain_number, kAboveZero, kMost, "above 0")))
+              list_of(within(plain_number, kAboveZero, kGreatest, "above 0")))
         ->default_val("400");
     const auto add = [&command](const char* name, double& time, const char* help) {
         return add_value(command, name, time, "TIME", help, duration_of);

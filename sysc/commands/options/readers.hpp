@@ -20,7 +20,7 @@
 namespace curvecore::sysc {
 
 constexpr double kAboveZero = std::numeric_limits<double>::min();
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kGreatest = std::numeric_limits<double>::max();
 
 /// Reads as `read` does a number from `low` to `high`; `range` says which: "in [0, 10s]".
 template <class Read>
