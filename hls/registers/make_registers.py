@@ -12,7 +12,7 @@ import json
 import pathlib
 import sys
 
-from systemrdl import RDLCompiler
+from systemrdl import RDLCompileError, RDLCompiler
 from systemrdl.node import RegfileNode, RegNode
 
 READERS = """\
@@ -22,7 +22,7 @@ READERS = """\
     (((uint32_t)(word)&CURVECORE_##name##_MASK) >> CURVECORE_##name##_LOW)
 #define CURVECORE_PUT(name, value) ((uint32_t)(value) << CURVECORE_##name##_LOW)
 #define CURVECORE_MOST(name) (CURVECORE_##name##_MASK >> CURVECORE_##name##_LOW)""".split("\n")
-HERE = pathlib.Path(__file__).resolve().parent
+RDL = pathlib.Path(__file__).resolve().parent / "registers.rdl"
 MADE = "Made by hls/registers/make_registers.py from registers.rdl, which explains the registers."
 
 
@@ -51,7 +51,7 @@ def read_registers():
     """Registers in the order of their addresses; those of axes: of axis 0. NAME[n]: NAMEn, of which
     only the first has a name in the package and the header."""
     compiler = RDLCompiler()
-    compiler.compile_file(str(HERE / "registers.rdl"))
+    compiler.compile_file(str(RDL))
     registers, axes = [], {}
     for node in compiler.elaborate("registers").top.descendants(unroll=False):
         if isinstance(node, RegfileNode):
@@ -75,6 +75,8 @@ def read_registers():
             "read": node.has_sw_readable, "write": node.has_sw_writable, "fields": fields,
             "first": number in ("", 0)}
             for number in numbers]
+    if not axes:
+        raise RDLCompileError("there is no regfile: the registers of an axis")
     return registers, axes
 
 
@@ -193,13 +195,18 @@ def page(registers, axes):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    registers, axes = read_registers()
+    try:
+        registers, axes = read_registers()
+    except (RDLCompileError, OSError) as error:  # the compiler has said line and column
+        print(f"{RDL}: error: {getattr(error, 'strerror', error)}", file=sys.stderr)
+        return 2
     texts = {"registers_pkg.sv": package(registers, axes), "registers.h": header(registers, axes),
              "registers.json": json.dumps({"axes": axes, "registers": registers}, indent=1) + "\n",
              "registers.html": page(registers, axes)}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="ascii")
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

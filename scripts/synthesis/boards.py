@@ -95,9 +95,9 @@ def board_named(name, given=()):
         check(board)
         return board
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise Refused(f"{file.name}: is no board: {error!r}") from None
+        raise Refused(f"{file}: is no board: {error!r}") from None
     except Refused as error:
-        raise Refused(f"{file.name}: {error}") from None
+        raise Refused(f"{file}: {error}") from None
 
 
 def check(board):

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <regex>
@@ -21,6 +22,10 @@ using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr const char* kExtension = ".json";
+/// Keys of a board's table (scripts/synthesis/boards.py); not all are read here.
+constexpr std::array<std::string_view, 11> kBoardKeys{
+    "board", "part",       "family", "device", "oscillator_hz", "clock_hz",
+    "baud",  "parameters", "pins",   "loader", "where"};
 
 /// Name of the file of a board of this name; a file's name is returned as given.
 std::string file_of(const std::string& name) {
@@ -50,6 +55,7 @@ std::map<std::string, int> defaults_of(const fs::path& module) {
 }
 
 BoardFile board_of(const Json& json, std::map<std::string, int> values) {
+    check_keys(json, kBoardKeys, "a board");
     for (const auto& [parameter, value] : member(json, "parameters").items()) {
         if (values.count(parameter) == 0) {
             throw JsonFlaw{parameter, "motion_board has no parameter " + parameter};

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "ref/text/text_file.hpp"
@@ -14,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 8> kKeys{
+constexpr std::array<std::string_view, 8> kCoreKeys{
     "core", "build", "device", "unit_mm", "parameters", "error_mm", "clock_hz", "sample_period_s"};
 
 /// Reads a value that must be a number above 0 if it is present.
@@ -52,10 +51,7 @@ CoreParameters parameters_of(const Json& json) {
 }
 
 CoreFile core_of(const Json& json) {
-    for (const auto& [name, value] : json.items()) {
-        if (std::find(kKeys.begin(), kKeys.end(), name) != kKeys.end()) continue;
-        throw JsonFlaw{name, fmt::format("'{}': a core has {}", name, fmt::join(kKeys, ", "))};
-    }
+    check_keys(json, kCoreKeys, "a core");
     CoreFile core;
     core.core = text_of(json, "core", "");
     core.parameters = parameters_of(json);

@@ -2,8 +2,13 @@
 // JSON that a user gives: what is wrong with it is named with its file and line.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "ref/text/input_error.hpp"
@@ -22,6 +27,16 @@ const nlohmann::ordered_json& member(const nlohmann::ordered_json& json, const c
 /// The number that the value of `key` is. @throws JsonFlaw
 double number(const nlohmann::ordered_json& value, const std::string& key);
 int whole_number(const nlohmann::ordered_json& value, const std::string& key);
+
+/// Checks that an object has no other keys than these. @throws JsonFlaw
+template <std::size_t Count>
+void check_keys(const nlohmann::ordered_json& json, const std::array<std::string_view, Count>& keys,
+                const char* what) {
+    for (const auto& [key, value] : json.items()) {
+        if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
+        throw JsonFlaw{key, fmt::format("'{}': {} has {}", key, what, fmt::join(keys, ", "))};
+    }
+}
 
 /// The error of a flaw in the file's text.
 ref::InputError input_error(const JsonFlaw& flaw, const std::string& text, const std::string& file);

@@ -73,6 +73,9 @@ std::vector<Json> list(const Json& json, const char* key) {
     return {value.begin(), value.end()};
 }
 
+constexpr std::array<std::string_view, 11> kMoveKeys{
+    "curvecore_join", "a", "b", "start", "end", "fit", "speed", "gcode", "t", "points", "result"};
+
 JoinFile parsed(const Json& json) {
     if (!json.is_object() || !json.contains("curvecore_join")) {
         throw JsonFlaw{"curvecore_join",
@@ -83,6 +86,7 @@ JoinFile parsed(const Json& json) {
                        fmt::format("is of version {}, this program reads version {}",
                                    json["curvecore_join"].dump().substr(0, 20), kJoinVersion)};
     }
+    check_keys(json, kMoveKeys, "a move");
     JoinFile file;
     file.a = name(json, "a");
     file.b = name(json, "b");

@@ -117,6 +117,12 @@ TEST_P(BrokenFile, AValueOfAnotherTypeIsRefusedWithItsLine) {
     }
 }
 
+TEST_P(BrokenFile, AKeyThatNobodyReadsIsRefusedWithItsLine) {
+    Json more = Json::parse(GetParam().text());
+    more["colour"] = "red";
+    refused(more.dump(2), "colour");
+}
+
 INSTANTIATE_TEST_SUITE_P(All, BrokenFile, testing::ValuesIn(kKinds),
                          [](const auto& test) { return std::string(test.param.name); });
 

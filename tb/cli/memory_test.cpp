@@ -51,7 +51,6 @@ TEST_P(Memory, DoesNotGrowWithAPrint) {
     constexpr int kShort = 7500;
     constexpr int kLong = 30000;
     constexpr double kBytes = 160;  // a line: 20 to 131 are taken; `plan` with all pieces took 244
-        160;  // a line: all take 20 to 131, and `plan` 244 if it keeps its pieces
     const std::vector<std::string> fast{"--sample-period", "1ms"};
     const long before = peak_kib("print.gcode", print(kShort), fast);
     const long after = peak_kib("print.gcode", print(kLong), fast);

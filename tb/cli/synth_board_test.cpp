@@ -175,9 +175,10 @@ TEST_P(SynthBadBoard, IsRefusedBeforeAnythingRuns) {
     Json table = table_of("colorlight_i5");
     table.merge_patch(Json::parse(GetParam().change));
     synth.write("mine.json", table.dump());
-    const ProgramResult result = synth.synth({"--board", "mine.json"});
+    const std::string file = (synth.folder() / "mine.json").string();
+    const ProgramResult result = synth.synth({"--board", file});
     EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err.substr(0, 18), "synth: mine.json: ");
+    EXPECT_EQ(result.err.rfind("synth: " + file + ": ", 0), 0U) << result.err;
     EXPECT_PRED_FORMAT2(IsSubstring, GetParam().message, result.err);
     EXPECT_FALSE(synth.exists("log"));
 }
