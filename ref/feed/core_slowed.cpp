@@ -30,7 +30,7 @@ CoreSlowed core_slowed(const FeedTask& task, const WindowMotion& motion, std::si
                        std::size_t end, std::size_t dropped) {
     const Machine& machine = task.machine;
     const std::vector<PlannedMove>& moves = task.geometry.moves;
-    const std::vector<double> core = step_speeds(task.segments, moves, task.options);
+    const std::vector<double> core = step_speeds(task.geometry.segments, moves, task.options);
     CoreSlowed slowed;
     double slowest = 0;  // mm/s, largest loss in this row of slowed moves
     for (std::size_t i = first; i < end; ++i) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "ref/feed/core_slowed.hpp"
 #include "ref/feed/feed_window.hpp"
 #include "ref/feed/stops/hold_bounds.hpp"
 #include "ref/feed/stops/planned_branches.hpp"
@@ -29,35 +28,22 @@ constexpr double kSteady = 0.99;  // share of its feed at which a move has as fe
 constexpr double kFew = 100;
 constexpr double kSlow = 0.3;  // s
 
-/// The input of one planning run.
-struct Subject {
-    const Program& program;
-    const Machine& machine;
-    PlanOptions options;
-    const Geometry& geometry;
-    std::vector<GivenRun> given = {};
-    bool window = false;  // bounds of holds are given
-    bool more = false;    // more moves follow
-    std::size_t least = 0;
-    double pace = 1;
-};
-
 /// Returns the number of moves for which there is memory, by a motion that the rules give.
-std::size_t enough_moves(const Subject& subject, const WindowMotion& motion) {
+std::size_t enough_moves(const FeedTask& task, const WindowMotion& motion) {
     const std::vector<double>& times = motion.times();
     double knots = 0;
-    for (std::size_t i = given_moves(subject.given); i < subject.geometry.moves.size(); ++i) {
-        if (knots > kMostKnots && i >= subject.least && motion.begins_move(i)) return i;
-        const PlannedMove& planned = subject.geometry.moves[i];
-        const Move& move = subject.program.moves[planned.move];
+    for (std::size_t i = given_moves(task.given); i < task.geometry.moves.size(); ++i) {
+        if (knots > kMostKnots && i >= task.least && motion.begins_move(i)) return i;
+        const PlannedMove& planned = task.geometry.moves[i];
+        const Move& move = task.program.moves[planned.move];
         const double time = times[i + 1] - times[i];
-        const double step = knot_step(planned.shape, subject.machine);
+        const double step = knot_step(planned.shape, task.machine);
         const double feed = move.rapid || move.feed <= 0 ? 1e9 : move.feed;
         const bool steady = planned.shape.length >= kSteady * feed * time;
         const bool few = steady || move.kind == Move::Kind::kLine;
         knots += std::min(time / step, few ? kFew : 1e300) + time / kSlow;
     }
-    return subject.geometry.moves.size();
+    return task.geometry.moves.size();
 }
 
 /// Returns the slowest joint; a stop counts as slowest, and of equal joints the last is taken.
@@ -85,23 +71,24 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
     return best;
 }
 
-/// Plans with slower motion, which stops sooner so that the queues last longer: a few rounds
-/// suffice. Returns none if it takes longer than `most` seconds.
-std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cut, double most,
-                                          Plan& plan) {
-    const std::size_t count = subject.geometry.moves.size();
-    const std::size_t given = given_moves(subject.given);
-    std::vector<Slowed> slowed(count);
-    const FeedTask task{subject.program, subject.machine, subject.options, subject.geometry,
-                        plan.segments,   slowed,          subject.pace};
-    plan.slowed_moves = 0;
-    plan.slowed_line = 0;
+bool is_slowed(const Slowed& move) { return move.speed < Slowed().speed || move.ramp > 0; }
+
+/// Makes a profile from the motion of a window: slower motion stops sooner, so that the queues last
+/// longer, and a few rounds suffice. Returns none if the given motion cannot be continued, or if it
+/// takes longer than `most` seconds.
+/// @param slowed for each planned move, set to what it is slowed to
+std::optional<WindowProfile> cover_motion(const FeedTask& task, std::size_t cut, double most,
+                                          std::vector<Slowed>& slowed) {
+    const std::size_t count = task.geometry.moves.size();
+    const std::size_t given = given_moves(task.given);
+    slowed.assign(count, {});
+    Plan plan = task.frame;
     for (int round = 0;; ++round) {
-        FeedWindow window(task, subject.given, cut);
-        if (!window.plan()) return {};
+        FeedWindow window(task, slowed, cut);
+        if (!window.solve()) return {};
         WindowMotion found = window.motion();
-        if (subject.more && cut == 0) {
-            cut = best_cut(found, given, subject.machine);
+        if (task.more && cut == 0) {
+            cut = best_cut(found, given, task.machine);
             if (cut > 0 && window.cut_before(cut)) {
                 found = window.motion();
             } else {
@@ -109,103 +96,70 @@ std::optional<PlannedWindow> plan_covered(const Subject& subject, std::size_t cu
             }
         }
         if (round == 0) {  // endless queues for now: slowed motion has as many knots
-            const std::size_t enough = enough_moves(subject, found);
-            if (enough < count) return PlannedWindow{std::move(found), cut, enough};
+            const std::size_t enough = enough_moves(task, found);
+            if (enough < count) return WindowProfile{std::move(found), {}, cut, enough};
         }
         plan.pieces.clear();
         found.append(0, count, plan.pieces);
         found.append_last_dwell(plan.pieces);
         plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
         if (plan.duration_s > most) return {};
-        if (!subject.window) {
-            set_hold_bounds(subject.machine, subject.options, subject.geometry, plan);
-        }
-        set_segment_feeds(subject.program, subject.options, plan);
+        if (task.whole) set_hold_bounds(task.machine, task.options, task.geometry, plan);
+        set_segment_feeds(task.program, task.options, plan.pieces, task.geometry.segments);
         plan.branches.clear();
         const auto slow = [&] {
-            return slow_to_cover(subject.geometry, subject.options, plan, given, round, slowed);
+            return slow_to_cover(task.geometry, task.options, plan, given, round, slowed);
         };
         std::size_t more = slow();
-        if (more == 0 && !subject.window && subject.options.has_branches()) {
-            set_branches(subject.program, subject.machine, subject.geometry, subject.options, plan);
+        if (more == 0 && task.whole && task.options.has_branches()) {
+            set_branches(task.program, task.machine, task.geometry, task.options, plan);
             more = slow();
         }
-        if (more == 0) return PlannedWindow{std::move(found), cut, count};
+        if (more == 0) return WindowProfile{std::move(found), std::move(plan), cut, count};
         plan.slowed_moves = std::max(plan.slowed_moves, more);
-        const auto first = std::find_if(slowed.begin(), slowed.end(), [](const Slowed& move) {
-            return move.speed < Slowed().speed || move.ramp > 0;
-        });
-        const auto at = static_cast<std::size_t>(first - slowed.begin());
-        plan.slowed_line = subject.program.moves[subject.geometry.moves[at].move].line;
+        const auto first = std::find_if(slowed.begin(), slowed.end(), is_slowed) - slowed.begin();
+        const PlannedMove& at = task.geometry.moves[static_cast<std::size_t>(first)];
+        plan.slowed_line = task.program.moves[at.move].line;
         if (round == kCoverRounds) {
-            throw InputError(subject.program.file, 0,
+            throw InputError(task.program.file, 0,
                              "the moves are so short that what fits into the core's queues does "
                              "not outlast a stop at any speed tried");
         }
     }
 }
 
-/// Plans by rules, and by the optimum if it is asked for and faster.
-std::optional<PlannedWindow> plan_best(Subject subject, Plan& plan) {
-    const Effort effort = subject.options.effort;
-    if (subject.window && effort == Effort::kOptimum) subject.pace = kPace;
-    subject.options.effort = Effort::kRules;
-    const std::size_t count = subject.geometry.moves.size();
-    if (effort == Effort::kRules) subject.least = count;
-    std::optional<PlannedWindow> rules = plan_covered(subject, 0, kAnyTime, plan);
-    if (effort == Effort::kRules || !rules || rules->enough < count) return rules;
-    subject.least = count;
+}  // namespace
+
+std::optional<WindowProfile> profile_window(FeedTask task) {
+    const Effort effort = task.options.effort;
+    const std::size_t count = task.geometry.moves.size();
+    if (!task.whole && effort == Effort::kOptimum) task.pace = kPace;
+    if (effort == Effort::kRules) task.least = count;
+    task.options.effort = Effort::kRules;
+    std::vector<Slowed> slowed;
+    std::optional<WindowProfile> best = cover_motion(task, 0, kAnyTime, slowed);
+    if (effort == Effort::kRules || !best || best->enough < count) return best;
+    task.least = count;
     // More pieces need more queue, and so do stop branches: where that costs time, the optimum does
     // without them, and where it costs more than the optimum gains the rules stay.
-    const std::size_t cut = rules->cut;
-    std::optional<PlannedWindow> best = std::move(rules);
-    subject.options.effort = effort;
-    if (!carries_branches(subject.machine, subject.options, plan)) {
-        subject.options.holds = Holds::kBounds;
+    const std::size_t cut = best->cut;
+    task.options.effort = effort;
+    if (!carries_branches(task.machine, task.options, best->plan)) {
+        task.options.holds = Holds::kBounds;
     }
-    // Returns false if the optimum was slowed for the queues, or there is none.
     const auto improve = [&](double worth) {
-        Plan found = plan;
-        std::optional<PlannedWindow> optimum;
         try {
-            optimum = plan_covered(subject, cut, worth * plan.duration_s, found);
-        } catch (const InputError&) {
-            return false;
+            auto optimum = cover_motion(task, cut, worth * best->plan.duration_s, slowed);
+            if (optimum) best = std::move(optimum);
+        } catch (const InputError&) {  // the motion by rules stays
         }
-        const bool fits = found.slowed_moves == 0;
-        if (optimum) {
-            plan = std::move(found);
-            best = std::move(optimum);
-        }
-        return fits;
     };
-    if (!improve(1) && subject.options.has_branches()) {
-        subject.options.holds = Holds::kBounds;
+    improve(1);
+    if (task.options.has_branches() && std::any_of(slowed.begin(), slowed.end(), is_slowed)) {
+        task.options.holds = Holds::kBounds;
         improve(kWithoutBranches);
     }
     return best;
-}
-
-}  // namespace
-
-std::size_t plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
-                      const Geometry& geometry, std::size_t least, Plan& plan) {
-    const std::optional<PlannedWindow> planned =
-        plan_best({program, machine, options, geometry, {}, false, false, least}, plan);
-    const std::size_t count = geometry.moves.size();
-    if (planned->enough < count) return planned->enough;
-    plan.core_slowed = core_slowed({program, machine, options, geometry, plan.segments, {}},
-                                   planned->motion, 0, count);
-    plan.pieces.back().final = true;
-    plan.segments.back().last = true;
-    return planned->enough;
-}
-
-std::optional<PlannedWindow> plan_window(const Program& program, const Machine& machine,
-                                         const PlanOptions& options, const Geometry& geometry,
-                                         const std::vector<GivenRun>& given, bool more,
-                                         std::size_t least, Plan& plan) {
-    return plan_best({program, machine, options, geometry, given, true, more, least}, plan);
 }
 
 std::size_t given_from(const WindowMotion& motion, std::size_t cut, const Machine& machine) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feed profile of a program or of a window of it: limits, stops and look-ahead become pieces, slow
-// enough that what is queued outlasts a stop.
+// Feed profile of a window of a program, or of all of it: limits, stops and look-ahead become
+// pieces, slow enough that what is queued outlasts a stop.
 #pragma once
 
 #include <optional>
@@ -9,29 +9,24 @@
 
 namespace curvecore::ref {
 
-/// Fills in pieces, duration, bounds of holds and the feed at both ends of every segment.
-///
-/// @param least number of planned moves for which there is memory in any case
-/// @returns the number of planned moves for which there is memory: if not all, nothing is filled in
-std::size_t plan_feed(const Program& program, const Machine& machine, const PlanOptions& options,
-                      const Geometry& geometry, std::size_t least, Plan& plan);
-
-struct PlannedWindow {
+/// | field  | remark                                                                          |
+/// |--------|---------------------------------------------------------------------------------|
+/// | plan   | pieces and duration, of a whole program also branches; segments are left out    |
+/// | cut    | planned move before which the motion may be cut, without acceleration; 0: none  |
+/// | enough | number of planned moves for which there is memory: if not all, plan is empty   |
+struct WindowProfile {
     WindowMotion motion;
-    std::size_t cut;     // planned move before which it can be cut, without acceleration there
-    std::size_t enough;  // result of plan_feed()
+    Plan plan;
+    std::size_t cut;
+    std::size_t enough;
 };
 
-/// Plans a window that begins with the given motion and ends at rest, with the plan's bounds of
-/// holds, and fills in what it plans.
-///
-/// `more`: makes a cut, far enough from the end that what follows may be faster there than a motion
-/// that stops; cut 0: there is no place for one. `least`: as in plan_feed().
+/// Makes the profile of a window from its geometry, by rules or, where it is asked for and faster,
+/// by the optimum. A cut is far enough from the end that what follows may be faster there than a
+/// motion that stops.
 /// @returns none if the given motion cannot be continued
-std::optional<PlannedWindow> plan_window(const Program& program, const Machine& machine,
-                                         const PlanOptions& options, const Geometry& geometry,
-                                         const std::vector<GivenRun>& given, bool more,
-                                         std::size_t least, Plan& plan);
+/// @throws InputError: what the queues hold outlasts a stop at no speed
+std::optional<WindowProfile> profile_window(FeedTask task);
 
 /// Returns the last planned move, of those that begin a move of the program, from which on a window
 /// must be given the motion to see all that affects what follows `cut`.

@@ -10,7 +10,7 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr int kRounds = 50;    // rounds of planning; some five are seen
+constexpr int kRounds = 50;    // rounds of solving; some five are seen
 constexpr int kCutRounds = 5;  // rounds of making a cut
 // Share by which the speed at a cut is lowered, off its limits; four times more if that was not
 // enough.
@@ -19,63 +19,57 @@ constexpr double kSame = 1 + 1e-9;  // ratio of speeds
 
 }  // namespace
 
-FeedWindow::FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut)
+FeedWindow::FeedWindow(const FeedTask& task, const std::vector<Slowed>& slowed, std::size_t cut)
     : task_(task),
       cut_(cut),
-      planner_(task),
-      stretches_(planner_.cut_at_stops(given)),
-      open_(given_moves(given)) {
+      solver_(task, slowed),
+      stretches_(solver_.cut_at_stops()),
+      open_(given_moves(task.given)) {
     for (std::size_t i = 0; i < open_; ++i) given_end_ += task.geometry.moves[i].length;
 }
 
-bool FeedWindow::plan() {
+bool FeedWindow::solve() {
     for (Stretch& stretch : stretches_) {
-        if (!plan_one(stretch)) return false;
+        if (!solve(stretch)) return false;
     }
     return keep_windows();
 }
 
 bool FeedWindow::cut_before(std::size_t cut) {
     cut_ = cut;
-    const bool by_rules = task_.options.effort == Effort::kRules;  // they are planned already
     for (Stretch& stretch : stretches_) {
         stretch.changed = cut >= stretch.first && cut <= stretch.last;
-        if (!stretch.changed) continue;
-        if (!(by_rules ? pass_and_improve(stretch) : plan_one(stretch))) return false;
+        if (stretch.changed && !solve(stretch)) return false;
     }
     return keep_windows();
 }
 
-bool FeedWindow::plan_one(Stretch& stretch) {
-    return planner_.plan(stretch) && pass_and_improve(stretch);
-}
-
-bool FeedWindow::pass_and_improve(Stretch& stretch) {
-    if (!pass_cut(stretch)) return false;
+bool FeedWindow::solve(Stretch& stretch) {
+    if (!solver_.solve_by_rules(stretch) || !pass_cut(stretch)) return false;
     if (task_.options.effort == Effort::kOptimum) {
-        planner_.improve(stretch, cut_ > 0 ? cut_ : task_.geometry.moves.size());
+        solver_.improve(stretch, cut_ > 0 ? cut_ : task_.geometry.moves.size());
     }
     return true;
 }
 
-/// Makes the cut pass: there is no acceleration where a joint's own limit is met.
+/// Lowers the speed at the cut until it passes: no acceleration where a joint's own limit is met.
 bool FeedWindow::pass_cut(Stretch& stretch) {
     if (cut_ <= stretch.open() || cut_ > stretch.last) return true;
-    const long double place = place_of(task_.geometry, stretch, cut_, planner_.grid());
+    const long double place = place_of(task_.geometry, stretch, cut_, solver_.grid());
     const std::size_t joint = stretch.joint_before(cut_);
     double slower = kSlower;
     for (int round = 0; round < kCutRounds; ++round, slower *= 4) {
         const Phase after = part_of(stretch.phases, place, kEnd).front();
         if (after.a == 0 && after.v <= stretch.caps[joint] * kSame) return true;
         stretch.cap(joint, std::max(1 - slower, kSlower) * after.v);
-        if (!planner_.plan(stretch)) return false;
+        if (!solver_.solve_by_rules(stretch)) return false;
     }
     return false;
 }
 
-/// Plans again, slower, where limits over windows are violated.
+/// Solves again, slower, where limits over windows are violated.
 bool FeedWindow::keep_windows() {
-    const std::vector<Segment>& segments = task_.segments;
+    const std::vector<Segment>& segments = task_.geometry.segments;
     double given = 0;  // s
     for (const Stretch& stretch : stretches_) {
         if (stretch.given.moves > 0) given += stretch.dwell + duration(stretch.given.phases);
@@ -109,7 +103,7 @@ bool FeedWindow::keep_windows() {
             stretch.changed = first != cap;
             if (!stretch.changed) continue;
             lower(stretch, first, cap);
-            if (!plan_one(stretch)) return false;
+            if (!solve(stretch)) return false;
         }
     }
     return true;
@@ -149,7 +143,7 @@ void FeedWindow::lower(Stretch& stretch, Cap cap, Cap end) const {
 }
 
 WindowMotion FeedWindow::motion() const {
-    return {stretches_, task_.geometry, planner_.grid(), planner_.last_dwell()};
+    return {stretches_, task_.geometry, solver_.grid(), solver_.last_dwell()};
 }
 
 }  // namespace curvecore::ref

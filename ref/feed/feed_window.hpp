@@ -9,29 +9,29 @@ namespace curvecore::ref {
 
 class FeedWindow {
   public:
-    /// @param given the motion of the first planned moves
+    /// @param slowed each planned move, for the core's queues; both outlive the window
     /// @param cut planned move before which there is no acceleration; 0: none yet
-    FeedWindow(const FeedTask& task, const std::vector<GivenRun>& given, std::size_t cut);
+    FeedWindow(const FeedTask& task, const std::vector<Slowed>& slowed, std::size_t cut);
 
-    /// Plans by options.effort. Returns false if the given motion cannot be continued.
-    bool plan();
-    /// Makes the same motion with a cut, as far as the cut allows.
+    /// Makes the motion from the stretches, by options.effort, within limits over windows of time.
+    /// Returns false if the given motion cannot be continued.
+    bool solve();
+    /// Makes it again with a cut, as far as the cut allows.
     bool cut_before(std::size_t cut);
 
     WindowMotion motion() const;
 
   private:
-    bool plan_one(Stretch& stretch);
-    bool pass_and_improve(Stretch& stretch);
+    bool solve(Stretch& stretch);
     bool pass_cut(Stretch& stretch);
     bool keep_windows();
     void look_near_changes();
     template <class Cap>
     void lower(Stretch& stretch, Cap cap, Cap end) const;
 
-    FeedTask task_;
+    const FeedTask& task_;
     std::size_t cut_;
-    StretchPlanner planner_;
+    StretchSolver solver_;
     std::vector<Stretch> stretches_;
     std::size_t open_;             // the first planned move that is not given
     std::uint64_t given_end_ = 0;  // quanta

@@ -44,8 +44,7 @@ double fastest_motion(const Move& move) {
 /// A window's moves with their motion, from the given part to a rest.
 struct PlanStream::Window {
     Geometry geometry;
-    Plan plan;
-    std::optional<PlannedWindow> planned;
+    std::optional<WindowProfile> profile;
     std::size_t open = 0;   // planned moves that are given
     std::size_t first = 0;  // move of the program, from its start
     std::size_t end = 0;
@@ -84,24 +83,19 @@ std::optional<Plan> PlanStream::next() {
         std::unique_ptr<Window> window = look(all ? SIZE_MAX : kMostPlanned);
         const std::size_t count = window->geometry.moves.size();
         if (count == 0) break;
-        const std::size_t least = all ? count : window->least(planned_before());
-        std::size_t enough = count;
-        if (!begun_ && !more_) {
-            enough = plan_feed(program_, machine_, options_, window->geometry, least, window->plan);
-            if (enough == count) {
-                begun_ = ended_ = true;
-                return std::move(window->plan);
-            }
-        } else {
-            begun_ = true;
-            if (!plan(*window, least)) return stop_where_planned();
-            enough = window->planned->enough;
-        }
+        FeedTask task = task_of(*window);
+        task.whole = !std::exchange(begun_, true) && !more_;
+        task.more = more_;
+        task.least = all ? count : window->least(planned_before());
+        if (!profile(*window, task)) return stop_where_planned();
+        const std::size_t enough = window->profile->enough;
         if (enough < count) {
             put_back(window->geometry.moves[enough].move);
             size = size_;
             all = true;
-        } else if (more_ && window->planned->cut == 0 && size < kLargest * size_) {
+        } else if (task.whole) {
+            return give_out_whole(*window);
+        } else if (more_ && window->profile->cut == 0 && size < kLargest * size_) {
             size *= 2;
             all = true;
         } else {
@@ -237,8 +231,6 @@ std::unique_ptr<PlanStream::Window> PlanStream::look(std::size_t most) {
     window->open = given_moves(given_);
     window->first = dropped_;
     window->end = dropped_ + program_.moves.size();
-    window->plan = frame_;
-    window->plan.segments = std::move(window->geometry.segments);
     return window;
 }
 
@@ -251,11 +243,14 @@ void PlanStream::leave_out_what_fails() {
     }
 }
 
-/// Returns false if the window cannot continue the given motion.
-bool PlanStream::plan(Window& window, std::size_t least) {
+FeedTask PlanStream::task_of(Window& window) const {
+    return {program_, machine_, options_, window.geometry, frame_, given_};
+}
+
+/// Profiles the window. Returns false if it cannot continue the given motion.
+bool PlanStream::profile(Window& window, const FeedTask& task) {
     try {
-        window.planned = plan_window(program_, machine_, options_, window.geometry, given_, more_,
-                                     least, window.plan);
+        window.profile = profile_window(task);
     } catch (const InputError&) {
         if (!before_) {
             ended_ = true;
@@ -264,23 +259,34 @@ bool PlanStream::plan(Window& window, std::size_t least) {
         fail();
         program_.moves.resize(planned_before());
     }
-    return window.planned.has_value();
+    return window.profile.has_value();
+}
+
+/// Gives out a window that is the whole program.
+Plan PlanStream::give_out_whole(Window& window) {
+    Plan plan = std::move(window.profile->plan);
+    plan.core_slowed =
+        core_slowed(task_of(window), window.profile->motion, 0, window.geometry.moves.size());
+    plan.segments = std::move(window.geometry.segments);
+    set_segment_feeds(program_, options_, plan.pieces, plan.segments);
+    plan.segments.back().last = plan.pieces.back().final = ended_ = true;
+    return plan;
 }
 
 /// Gives out the window up to its cut, or to its rest.
 Plan PlanStream::give_out(std::unique_ptr<Window> window) {
     const std::vector<PlannedMove>& moves = window->geometry.moves;
-    const std::size_t cut = window->planned->cut;
+    const std::size_t cut = window->profile->cut;
     Plan plan = part(*window, window->open, cut > 0 ? cut : moves.size());
     if (cut == 0) {
         drop(program_.moves.size());
         return plan;
     }
-    const std::size_t first = given_from(window->planned->motion, cut, machine_);
+    const std::size_t first = given_from(window->profile->motion, cut, machine_);
     drop(moves[first].move);
     begun_moves_ = moves[cut - 1].move - moves[first].move + 1;
     miss_ = moves[first].miss;
-    given_ = window->planned->motion.given(first, cut);
+    given_ = window->profile->motion.given(first, cut);
     before_ = std::move(window);
     return plan;
 }
@@ -288,7 +294,7 @@ Plan PlanStream::give_out(std::unique_ptr<Window> window) {
 Plan PlanStream::stop_where_planned() {
     const std::unique_ptr<Window> window = std::move(before_);
     if (forced_stops_++ == 0) forced_stop_line_ = program_.moves[window->end - dropped_ - 1].line;
-    Plan plan = part(*window, window->planned->cut, window->geometry.moves.size());
+    Plan plan = part(*window, window->profile->cut, window->geometry.moves.size());
     drop(window->end - dropped_);
     return plan;
 }
@@ -305,7 +311,7 @@ void PlanStream::drop(std::size_t first) {
 }
 
 /// Returns the plan of the planned moves from `first` up to `end` (not included).
-Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) {
+Plan PlanStream::part(Window& window, std::size_t first, std::size_t end) {
     const std::vector<PlannedMove>& moves = window.geometry.moves;
     const auto length = [&](std::size_t from, std::size_t to) {
         std::uint64_t sum = 0;
@@ -315,20 +321,19 @@ Plan PlanStream::part(const Window& window, std::size_t first, std::size_t end) 
     const std::uint64_t from = length(0, first);
     const std::uint64_t to = from + length(first, end);
     Plan plan = frame_;
-    plan.slowed_moves = window.plan.slowed_moves;
-    plan.slowed_line = window.plan.slowed_line;
+    plan.slowed_moves = window.profile->plan.slowed_moves;
+    plan.slowed_line = window.profile->plan.slowed_line;
     plan.core_slowed =
-        core_slowed({program_, machine_, options_, window.geometry, window.plan.segments, {}},
-                    window.planned->motion, first, end, dropped_ - window.first);
-    for (const Segment& segment : window.plan.segments) {
+        core_slowed(task_of(window), window.profile->motion, first, end, dropped_ - window.first);
+    for (const Segment& segment : window.geometry.segments) {
         if (segment.s_start < from || segment.s_start >= to) continue;
         plan.segments.push_back(segment);
         plan.segments.back().s_start -= from;
     }
-    window.planned->motion.append(first, end, plan.pieces);
-    if (end == moves.size()) window.planned->motion.append_last_dwell(plan.pieces);
+    window.profile->motion.append(first, end, plan.pieces);
+    if (end == moves.size()) window.profile->motion.append_last_dwell(plan.pieces);
     plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
-    set_segment_feeds(program_, options_, plan);
+    set_segment_feeds(program_, options_, plan.pieces, plan.segments);
     ended_ = end == moves.size() && window.end == dropped_ + program_.moves.size() && !more_;
     if (options_.has_branches()) add_branches(window, first, end, plan);
     for (Segment& segment : plan.segments) {

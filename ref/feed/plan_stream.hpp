@@ -39,9 +39,9 @@ class PlanStream {
     PlanStream(MoveSource source, StreamFrame frame, Machine machine, const PlanOptions& options);
     ~PlanStream();
 
-    /// Returns the plan of the next part of the program: its segments and pieces follow those of
-    /// the part before, path and moves count from the program's start, and the bounds of holds are
-    /// the same.
+    /// Makes the plan of the next part from the moves that follow: its segments and pieces follow
+    /// those of the part before, path and moves count from the program's start, and the bounds of
+    /// holds are the same.
     ///
     /// @throws InputError once, in place of a part that cannot be planned: what was given out ends
     ///         at rest before it
@@ -71,10 +71,12 @@ class PlanStream {
     bool check(const Move& move);
     std::unique_ptr<Window> look(std::size_t most);
     void leave_out_what_fails();
-    bool plan(Window& window, std::size_t least);
+    FeedTask task_of(Window& window) const;
+    bool profile(Window& window, const FeedTask& task);
+    Plan give_out_whole(Window& window);
     Plan give_out(std::unique_ptr<Window> window);
     Plan stop_where_planned();
-    Plan part(const Window& window, std::size_t first, std::size_t end);
+    Plan part(Window& window, std::size_t first, std::size_t end);
     void add_branches(const Window& window, std::size_t first, std::size_t end, Plan& plan) const;
     void drop(std::size_t first);
     void fail();

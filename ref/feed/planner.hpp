@@ -9,7 +9,7 @@
 
 namespace curvecore::ref {
 
-/// Plans segments and feed profile of a whole program, in windows (ref/feed/plan_stream.hpp).
+/// Makes the plan of a whole program from its moves, in windows (ref/feed/plan_stream.hpp).
 ///
 /// Moves follow each other: moves[i].end is moves[i+1].start. A move without length makes no
 /// segment; its exact_stop and dwell count. Where a cubic stands still (a cusp, a doubled control

@@ -61,42 +61,39 @@ long double place_of(const Geometry& geometry, const Stretch& stretch, std::size
     return place;
 }
 
-StretchPlanner::StretchPlanner(const FeedTask& task)
-    : program_(task.program),
-      machine_(task.machine),
-      geometry_(task.geometry),
-      unit_mm_(task.options.unit_mm),
+StretchSolver::StretchSolver(const FeedTask& task, const std::vector<Slowed>& slowed)
+    : task_(task),
       places_(task.program, task.geometry, task.options.unit_mm),
       grid_(task.machine, task.options.unit_mm, task.options.tick_s()),
-      step_speed_(step_speeds(task.segments, task.geometry.moves, task.options)),
-      slowed_(task.slowed),
-      pace_(task.pace) {
+      step_speed_(step_speeds(task.geometry.segments, task.geometry.moves, task.options)),
+      slowed_(slowed) {
     if (task.options.has_branches()) grid_.longest = longest_piece(grid_);
 }
 
 /// The limits at the ends of the moves from `first` up to `last` (not included).
-StretchPlanner::Rest StretchPlanner::rest(std::size_t first, std::size_t last) const {
+StretchSolver::Rest StretchSolver::rest(std::size_t first, std::size_t last) const {
     Rest all;
     for (std::size_t i = first; i < last; ++i) {
-        const Move& move = program_.moves[i];
+        const Move& move = task_.program.moves[i];
         all.stop = all.stop || move.exact_stop || move.dwell > 0;
         all.dwell += std::max(0.0, move.dwell);
     }
     return all;
 }
 
-std::vector<Stretch> StretchPlanner::cut_at_stops(const std::vector<GivenRun>& given) {
+std::vector<Stretch> StretchSolver::cut_at_stops() {
+    const std::vector<GivenRun>& given = task_.given;
     std::vector<Stretch> stretches;
     std::size_t next = 0;  // move of the program
     std::uint64_t s = 0;
-    for (std::size_t i = 0; i < geometry_.moves.size(); ++i) {
-        const PlannedMove& planned = geometry_.moves[i];
+    for (std::size_t i = 0; i < task_.geometry.moves.size(); ++i) {
+        const PlannedMove& planned = task_.geometry.moves[i];
         const Rest before = rest(next, planned.move);
         joint_speed_.push_back(0);
         if (i > 0) {
-            const PlannedMove& last = geometry_.moves[i - 1];
+            const PlannedMove& last = task_.geometry.moves[i - 1];
             const bool stop = before.stop || last.stop_after || planned.stop_before;
-            if (!stop) joint_speed_[i] = joint_velocity(last.shape, planned.shape, machine_);
+            if (!stop) joint_speed_[i] = joint_velocity(last.shape, planned.shape, task_.machine);
         }
         if (joint_speed_[i] == 0) {
             Stretch stretch;
@@ -110,14 +107,14 @@ std::vector<Stretch> StretchPlanner::cut_at_stops(const std::vector<GivenRun>& g
         stretches.back().end = s;
         next = planned.move;
     }
-    last_dwell_ = rest(next, program_.moves.size()).dwell;
+    last_dwell_ = rest(next, task_.program.moves.size()).dwell;
     for (std::size_t i = 0; i < given.size(); ++i) stretches[i].given = given[i];
     if (!given.empty()) stretches.front().dwell = 0;
     for (Stretch& stretch : stretches) set_zones(stretch);
     return stretches;
 }
 
-void StretchPlanner::set_zones(Stretch& stretch) const {
+void StretchSolver::set_zones(Stretch& stretch) const {
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
         if (i > stretch.first) {
             stretch.zones.push_back({0, kJointShare * joint_speed_[i], kAny, kAny});
@@ -126,9 +123,9 @@ void StretchPlanner::set_zones(Stretch& stretch) const {
     }
     if (!one_line(stretch)) {
         for (Zone& zone : stretch.zones) {
-            zone.velocity *= pace_;
-            zone.acceleration *= pace_ * pace_;
-            zone.jerk *= pace_ * pace_ * pace_;
+            zone.velocity *= task_.pace;
+            zone.acceleration *= task_.pace * task_.pace;
+            zone.jerk *= task_.pace * task_.pace * task_.pace;
         }
     }
     stretch.caps.assign(stretch.zones.size(), 1e9);
@@ -148,14 +145,14 @@ void StretchPlanner::set_zones(Stretch& stretch) const {
     stretch.zones.front().length += stretch.lead;
 }
 
-bool StretchPlanner::plan(Stretch& stretch) const {
+bool StretchSolver::solve_by_rules(Stretch& stretch) const {
     if (stretch.is_given()) {
         stretch.phases = stretch.given.phases;
         return true;
     }
-    stretch.phases = plan_speed(stretch.zones);
+    stretch.phases = ramps_over(stretch.zones);
     if (stretch.given.moves == 0) return true;
-    const long double begin = place_of(geometry_, stretch, stretch.open(), grid_);
+    const long double begin = place_of(task_.geometry, stretch, stretch.open(), grid_);
     const std::vector<Phase> own = part_of(stretch.phases, stretch.lead + begin, kEnd);
     const double v = end_speed(stretch.given.phases);
     stretch.phases = stretch.given.phases;
@@ -163,26 +160,27 @@ bool StretchPlanner::plan(Stretch& stretch) const {
     return own.front().a == 0 && std::abs(own.front().v - v) <= kSameSpeed * v && is_smooth(own);
 }
 
-std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size_t first,
-                                               std::size_t end) const {
+std::vector<RunMove> StretchSolver::run_moves(const Stretch& stretch, std::size_t first,
+                                              std::size_t end) const {
     std::vector<RunMove> moves;
     for (std::size_t i = first; i < end; ++i) {
         const std::size_t zone = stretch.zone_of(i);
-        const PathShape& shape = geometry_.moves[i].shape;
-        const double highest = highest_speed(shape, machine_);
-        const double fastest = shape.turn > 0 ? path_speed(shape, machine_) : highest;
+        const PathShape& shape = task_.geometry.moves[i].shape;
+        const double highest = highest_speed(shape, task_.machine);
+        const double fastest = shape.turn > 0 ? path_speed(shape, task_.machine) : highest;
         RunMove move;
         move.planned = i;
-        move.length = length_of(geometry_.moves[i], grid_);
+        move.length = length_of(task_.geometry.moves[i], grid_);
         const double asked = asked_speed(i, fastest);
         move.velocity = std::min({asked, slowed_[i].speed, stretch.caps[zone]});
         move.slow_axes = kVelocityShare * highest < move.velocity;
         // A motion that the queues slow has no more knots than before.
-        move.step = std::max(knot_step(shape, machine_) * std::max(1.0, asked / slowed_[i].speed),
-                             slowed_[i].ramp / kKnots);
-        move.widest = knots_apart(program_.moves[geometry_.moves[i].move]);
+        move.step =
+            std::max(knot_step(shape, task_.machine) * std::max(1.0, asked / slowed_[i].speed),
+                     slowed_[i].ramp / kKnots);
+        move.widest = knots_apart(task_.program.moves[task_.geometry.moves[i].move]);
         if (move.slow_axes) move.widest = std::min(move.widest, kSlowApart);
-        move.jerk = carried_jerk(i, move.velocity, kAccelerationShare * machine_.acceleration);
+        move.jerk = carried_jerk(i, move.velocity, kAccelerationShare * task_.machine.acceleration);
         if (i < stretch.last) {
             move.end_velocity = std::min(stretch.caps[zone + 1], kJointShare * joint_speed_[i + 1]);
         }
@@ -191,20 +189,20 @@ std::vector<RunMove> StretchPlanner::run_moves(const Stretch& stretch, std::size
     return moves;
 }
 
-void StretchPlanner::improve(Stretch& stretch, std::size_t end) {
+void StretchSolver::improve(Stretch& stretch, std::size_t end) {
     const std::size_t first = stretch.open();
     end = std::min(end, stretch.last + 1);
     if (first >= end || one_line(stretch)) return;
     const std::vector<RunMove> moves = run_moves(stretch, first, end);
     double least = 0;  // s, without ramps
     for (const RunMove& move : moves) least += move.length / move.velocity;
-    const long double from = place_of(geometry_, stretch, first, grid_);
-    const long double to = place_of(geometry_, stretch, end, grid_);
+    const long double from = place_of(task_.geometry, stretch, first, grid_);
+    const long double to = place_of(task_.geometry, stretch, end, grid_);
     const std::vector<Phase> rules = part_of(stretch.phases, from, to);
     if (duration(rules) * (1 - kWorth) < least) return;
     std::vector<Phase> phases = stretch.given.phases;
     append_motion(phases,
-                  optimal_run(rules, moves, geometry_, machine_, places_,
+                  optimal_run(rules, moves, task_.geometry, task_.machine, places_,
                               [&](const auto& run) { return word_loads(moves, run); }),
                   from);
     append_motion(phases, part_of(stretch.phases, to, kEnd), to);
@@ -212,22 +210,22 @@ void StretchPlanner::improve(Stretch& stretch, std::size_t end) {
 }
 
 /// Returns true on a straight line from rest to rest, where the rules are the optimum.
-bool StretchPlanner::one_line(const Stretch& stretch) const {
-    const Move& move = program_.moves[geometry_.moves[stretch.first].move];
+bool StretchSolver::one_line(const Stretch& stretch) const {
+    const Move& move = task_.program.moves[task_.geometry.moves[stretch.first].move];
     return stretch.first == stretch.last && move.kind == Move::Kind::kLine;
 }
 
 /// Loads of the words: rounding to ticks may ask too much, also at joints within a few of them.
-std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& moves,
-                                                const std::vector<Phase>& phases) {
+std::vector<RunLoad> StretchSolver::word_loads(const std::vector<RunMove>& moves,
+                                               const std::vector<Phase>& phases) {
     Geometry own;
     std::uint64_t length = 0;
     for (const RunMove& move : moves) {
-        own.moves.push_back(geometry_.moves[move.planned]);
+        own.moves.push_back(task_.geometry.moves[move.planned]);
         length += own.moves.back().length;
     }
     Plan run;
-    run.unit_mm = unit_mm_;
+    run.unit_mm = task_.options.unit_mm;
     run.tick_s = grid_.tick;
     append_run(phases, length, grid_, run.pieces);
     std::vector<RunLoad> loads;
@@ -235,7 +233,7 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
     walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
         LimitRatios worst;
         const RunMove& on = moves[part.move_index];
-        keep_loads(part, on.planned, run, grid_, machine_, places_, worst);
+        keep_loads(part, on.planned, run, grid_, task_.machine, places_, worst);
         const double load =
             std::max(worst.acceleration / kAccelerationShare, worst.jerk / kJerkShare);
         double speed = std::max(top_of(part, run) / on.velocity, worst.velocity / kVelocityShare);
@@ -244,7 +242,7 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
         }
         // Rounding leaves less than a tick of a piece beside a joint. No sample sees that alone.
         const double ticks = part.to - part.from;
-        const double unseen = kUnseen * machine_.joint_time / (ticks * grid_.tick);
+        const double unseen = kUnseen * task_.machine.joint_time / (ticks * grid_.tick);
         const double carried = ticks < 1 ? std::max(kCarried, 1 + unseen) : kCarried;
         if (load > carried || speed > kSpeedCarried) {
             loads.push_back(
@@ -256,25 +254,26 @@ std::vector<RunLoad> StretchPlanner::word_loads(const std::vector<RunMove>& move
 }
 
 /// Speed that feed, core and words allow, given the machine's.
-double StretchPlanner::asked_speed(std::size_t i, double machine) const {
-    const PlannedMove& planned = geometry_.moves[i];
-    const Move& move = program_.moves[planned.move];
+double StretchSolver::asked_speed(std::size_t i, double machine) const {
+    const PlannedMove& planned = task_.geometry.moves[i];
+    const Move& move = task_.program.moves[planned.move];
     const double v =
         std::min({machine * kVelocityShare, step_speed_[i] * kVelocityShare, fastest_word(grid_)});
     return !move.rapid && move.feed > 0 ? std::min(v, move.feed / planned.shape.rate) : v;
 }
 
-double StretchPlanner::carried_jerk(std::size_t i, double v, double acceleration) const {
+double StretchSolver::carried_jerk(std::size_t i, double v, double acceleration) const {
     const double time = static_cast<double>(grid_.shortest) * grid_.tick;
     const double least = slowed_[i].ramp / 2;  // to full acceleration and back
     return std::min({acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time),
                      least > 0 ? v / (least * least) : kAny});
 }
 
-Zone StretchPlanner::zone(std::size_t i) const {
-    const PlannedMove& planned = geometry_.moves[i];
-    const double v = std::min(asked_speed(i, top_speed(planned.shape, machine_)), slowed_[i].speed);
-    const PathLimits limits = along_path(planned.shape, machine_, v);
+Zone StretchSolver::zone(std::size_t i) const {
+    const PlannedMove& planned = task_.geometry.moves[i];
+    const double v =
+        std::min(asked_speed(i, top_speed(planned.shape, task_.machine)), slowed_[i].speed);
+    const PathLimits limits = along_path(planned.shape, task_.machine, v);
     const double acceleration = kAccelerationShare * limits.acceleration;
     const double jerk = std::min(kJerkShare * limits.jerk, carried_jerk(i, v, acceleration));
     return {length_of(planned, grid_), limits.velocity, acceleration, jerk};

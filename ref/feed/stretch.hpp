@@ -4,23 +4,12 @@
 
 #include <vector>
 
+#include "ref/feed/feed_task.hpp"
 #include "ref/feed/optimum/optimal_run.hpp"
 #include "ref/feed/pieces/profile_words.hpp"
 #include "ref/feed/stops/slowed.hpp"
 
 namespace curvecore::ref {
-
-/// A motion that was planned before and stays: the first moves of a stretch.
-struct GivenRun {
-    std::size_t moves = 0;  // number of planned moves
-    std::vector<Phase> phases;
-};
-
-inline std::size_t given_moves(const std::vector<GivenRun>& given) {
-    std::size_t moves = 0;
-    for (const GivenRun& run : given) moves += run.moves;
-    return moves;
-}
 
 /// | field       | unit   | remark                                                   |
 /// |-------------|--------|----------------------------------------------------------|
@@ -68,34 +57,21 @@ inline double length_of(const PlannedMove& move, const PieceGrid& grid) {
 long double place_of(const Geometry& geometry, const Stretch& stretch, std::size_t move,
                      const PieceGrid& grid);
 
-/// | field    | remark                                    |
-/// |----------|-------------------------------------------|
-/// | segments | of all planned moves; path from 0         |
-/// | slowed   | each planned move, for the core's queues  |
-/// | pace     | share of the speeds that the rules take   |
-struct FeedTask {
-    const Program& program;
-    const Machine& machine;
-    const PlanOptions& options;
-    const Geometry& geometry;
-    const std::vector<Segment>& segments;
-    const std::vector<Slowed>& slowed;
-    double pace = 1;
-};
-
-/// Cuts a path at its stops and plans the parts between them, within the limits of the machine, of
-/// the program and of the core.
-class StretchPlanner {
+/// Cuts a path at its stops and solves the stretches between them: their motion, within the limits
+/// of the machine, of the program and of the core.
+class StretchSolver {
   public:
-    explicit StretchPlanner(const FeedTask& task);
+    /// @param slowed each planned move, for the core's queues; both outlive the solver
+    StretchSolver(const FeedTask& task, const std::vector<Slowed>& slowed);
 
-    /// Returns all of the path, ready to be planned. `given`: motion of the first stretches.
-    std::vector<Stretch> cut_at_stops(const std::vector<GivenRun>& given);
+    /// Makes all stretches from the geometry, with their zones and without motion.
+    std::vector<Stretch> cut_at_stops();
 
-    /// Plans by rules. Returns false if the given motion cannot be continued.
-    bool plan(Stretch& stretch) const;
+    /// Makes a stretch's motion from its zones: ramps over them, behind its given motion. Returns
+    /// false if that cannot be continued.
+    bool solve_by_rules(Stretch& stretch) const;
 
-    /// Plans the optimum, after the rules' plan, from the given motion up to planned move `end`,
+    /// Makes the optimum from a motion by rules, behind the given one up to planned move `end`,
     /// whose speed at its start stays.
     void improve(Stretch& stretch, std::size_t end);
 
@@ -120,15 +96,11 @@ class StretchPlanner {
     std::vector<RunLoad> word_loads(const std::vector<RunMove>& moves,
                                     const std::vector<Phase>& phases);
 
-    const Program& program_;
-    const Machine& machine_;
-    const Geometry& geometry_;
-    double unit_mm_;
+    const FeedTask& task_;
     PathPlaces places_;
     PieceGrid grid_;
     std::vector<double> step_speed_;
     const std::vector<Slowed>& slowed_;
-    double pace_;
     std::vector<double> joint_speed_;  // mm/s before each planned move; 0: stop
     double last_dwell_ = 0;
 };

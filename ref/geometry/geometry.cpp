@@ -204,11 +204,12 @@ class Cutter {
             length += own;
             steps += std::ceil(std::ldexp(static_cast<double>(own), -16 - cut.step_exponent));
         }
-        plan(index, shape, length, steps);
+        add_stretches(index, shape, length, steps);
     }
 
-    /// Plans a line or an arc of `length` quanta with `steps` integration steps.
-    void plan(std::size_t index, const PathShape& shape, std::uint64_t length, double steps) {
+    /// Adds the stretches of a line or an arc of `length` quanta with `steps` integration steps.
+    void add_stretches(std::size_t index, const PathShape& shape, std::uint64_t length,
+                       double steps) {
         const Move& move = program_.moves[index];
         std::vector<ArcStretch> stretches{{0, 1, shape}};
         if (move.kind == Move::Kind::kArc) stretches = arc_stretches(move, machine_);
@@ -248,8 +249,8 @@ class Cutter {
                 return spline_fits(program_, index, options_, format, finer);
             });
         }
-        for (const PlannedMove& planned : planned_spline(program_, machine_, segments.data(),
-                                                         segments.size(), options_.unit_mm)) {
+        for (const PlannedMove& planned : spline_stretches(program_, machine_, segments.data(),
+                                                           segments.size(), options_.unit_mm)) {
             geometry_.moves.push_back(planned);
         }
         for (Segment& segment : segments) turns_.leave_out(segment);

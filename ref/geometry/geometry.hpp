@@ -27,9 +27,10 @@ struct Geometry {
     std::vector<PlannedMove> moves;
 };
 
-/// Cuts the moves. Path length is summed in long double; a segment's length is the difference of
-/// two rounded sums, so rounding does not add up. Moves shorter than a quantum make no segment; a
-/// line longer than a segment's length word is cut (ref/format/path_words.hpp).
+/// Makes segments from moves, and stretches for the feed. Path length is summed in long double; a
+/// segment's length is the difference of two rounded sums, so rounding does not add up. Moves
+/// shorter than a quantum make no segment; a line longer than a segment's length word is cut
+/// (ref/format/path_words.hpp).
 ///
 /// @throws InputError: beyond the machine's travel or the position words, more auxiliary axes than
 ///         the core has or faster along a spline than the words hold, an arc that misses its end

@@ -96,9 +96,9 @@ std::vector<Segment> spline_segments(const Program& program, std::size_t index,
     return segments;
 }
 
-std::vector<PlannedMove> planned_spline(const Program& program, const Machine& machine,
-                                        const Segment* segments, std::size_t count,
-                                        double unit_mm) {
+std::vector<PlannedMove> spline_stretches(const Program& program, const Machine& machine,
+                                          const Segment* segments, std::size_t count,
+                                          double unit_mm) {
     std::vector<PlannedMove> all;
     if (count == 0) return all;
     const Move& move = program.moves[segments->move];

@@ -13,10 +13,11 @@ namespace curvecore::ref {
 std::vector<Segment> spline_segments(const Program& program, std::size_t index,
                                      const PlanOptions& options, double fastest, long double& path);
 
-/// Makes stretches of those segments, in order; each lies within one segment and has its share of
-/// the segment's integration steps.
-std::vector<PlannedMove> planned_spline(const Program& program, const Machine& machine,
-                                        const Segment* segments, std::size_t count, double unit_mm);
+/// Makes a cubic's stretches from its segments, in order; each lies within one segment and has its
+/// share of the segment's integration steps.
+std::vector<PlannedMove> spline_stretches(const Program& program, const Machine& machine,
+                                          const Segment* segments, std::size_t count,
+                                          double unit_mm);
 
 /// Returns true if the move can be carried with other words or another unit.
 bool spline_fits(const Program& program, std::size_t index, PlanOptions options,

@@ -37,7 +37,7 @@ std::optional<FormCost> cost_of(const char* name, const Options& options, ref::S
 
 }  // namespace
 
-void plan_others(Job& job) {
+void add_other_forms(Job& job) {
     if (job.is_smooth()) {
         Options exact = job.options;
         exact.exact_path = true;

@@ -27,8 +27,8 @@ struct AsArcs {
     std::vector<FormCost> costs;  // costs of arcs, splines, chords
 };
 
-/// Plans the program in the forms that it is not drawn in, with the same core, for a report. A form
-/// that cannot be planned has no row.
-void plan_others(Job& job);
+/// Adds the costs of the forms that the program is not drawn in, for a report: each is planned for
+/// the same core. A form that cannot be planned has no row.
+void add_other_forms(Job& job);
 
 }  // namespace curvecore::sysc

@@ -14,7 +14,7 @@ double duration_of(const std::string& option, const std::string& text) {
     return time;
 }
 
-void plan_for(const RemoteBuild& build, Options& options) {
+void take_board(const RemoteBuild& build, Options& options) {
     options.for_steps = true;
     options.core = build.core;
     options.splines_set = options.aux_axes_set = true;
@@ -24,9 +24,9 @@ void plan_for(const RemoteBuild& build, Options& options) {
     options.profile_queue_words = build.profile_queue_words;
 }
 
-void plan_for(const std::string& link, Options& options) {
+void take_board(const std::string& link, Options& options) {
     try {
-        plan_for(ask_build(*open_link(link)), options);
+        take_board(ask_build(*open_link(link)), options);
     } catch (const BoardLost& lost) {
         throw UsageError(link + ": " + lost.what());
     }

@@ -20,11 +20,11 @@ struct WireOptions {
 /// wanted
 Drives drives_of(const WireOptions& options, int axes);
 
-/// Sets the options to plan for this board.
-void plan_for(const RemoteBuild& build, Options& options);
-/// Sets the options to plan for the board at the end of this link, which is only read.
+/// Sets the options to those of this board: a program is planned for it.
+void take_board(const RemoteBuild& build, Options& options);
+/// Sets them to those of the board at the end of this link, which is only read.
 /// @throws UsageError: no board is there, or one of another kind
-void plan_for(const std::string& link, Options& options);
+void take_board(const std::string& link, Options& options);
 
 /// Reads a duration in [0, 10s], s; units ns, us, ms, s. @throws UsageError
 double duration_of(const std::string& option, const std::string& text);

@@ -37,7 +37,7 @@ void move_to(std::deque<std::uint64_t>& held, std::deque<std::uint64_t>& planned
 
 WordSource::WordSource(const Options& options, const ref::Machine& machine) {
     stream_.emplace(options, machine);
-    thread_ = std::thread([this] { plan(); });
+    thread_ = std::thread([this] { fill(); });
 }
 
 WordSource::~WordSource() {
@@ -49,7 +49,7 @@ WordSource::~WordSource() {
     if (thread_.joinable()) thread_.join();
 }
 
-void WordSource::plan() {
+void WordSource::fill() {
     try {
         while (const ref::Plan* part = stream_->next()) {
             add(*part);

@@ -50,7 +50,7 @@ class WordSource {
     const std::vector<std::string>& warnings() const { return stream_->job().program.warnings; }
 
   private:
-    void plan();
+    void fill();
     void add(const ref::Plan& part);
     void count_words(std::size_t words);
     void pass(double time_s);

@@ -37,7 +37,7 @@ Drawn draw(LossyLink& link, Steps& steps) {
     Options options;
     options.file = part;
     RemoteMachine machine(link, 1);
-    plan_for(machine.build(), options);
+    take_board(machine.build(), options);
     WordSource words(options);
     machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);

@@ -79,7 +79,7 @@ LinkFigures draw(Link& link, const std::string& part) {
     Options options;
     options.file = part;
     RemoteMachine machine(link);
-    plan_for(machine.build(), options);
+    take_board(machine.build(), options);
     WordSource words(options);
     machine.prepare(drives_of(WireOptions(), machine.build().axes), options.unit_mm);
     machine.begin(words.settings(), 0);  // no watchdog: the board's time is not the host's

@@ -19,10 +19,10 @@ struct RunLoad {
 /// Returns the places where the words of a motion exceed their limits.
 using WordLoads = std::function<std::vector<RunLoad>(const std::vector<Phase>&)>;
 
-/// Lays knots on the motion of `phases`, runs TimeOptimum on them in windows, and returns its
-/// motion as phases of constant jerk; `phases` if these are not slower, or if the words of the
-/// other cannot be mended. It takes the shares of the machine's limits that ref/limits/limits.hpp
-/// names.
+/// Makes the fastest motion from that of `phases`: lays knots on it, runs TimeOptimum on them in
+/// windows, and returns phases of constant jerk; `phases` if these are not slower, or if the words
+/// of the other cannot be mended. It takes the shares of the machine's limits that
+/// ref/limits/limits.hpp names.
 std::vector<Phase> optimal_run(const std::vector<Phase>& phases, const std::vector<RunMove>& moves,
                                const Geometry& geometry, const Machine& machine, PathPlaces& places,
                                const WordLoads& word_loads);

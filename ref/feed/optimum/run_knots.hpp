@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/feed/ramps/zone_ramps.hpp"
 
 namespace curvecore::ref {
 

@@ -22,7 +22,7 @@ Geometry moves_of(const Program& program, const Machine& machine, const Plan& pl
         }
         if (program.moves[index].kind == Move::Kind::kCubic) {
             for (const PlannedMove& stretch :
-                 planned_spline(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
+                 spline_stretches(program, machine, &plan.segments[i], next - i, plan.unit_mm)) {
                 geometry.moves.push_back(stretch);
             }
         } else {

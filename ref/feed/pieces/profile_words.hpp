@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/feed/ramps/zone_ramps.hpp"
 #include "ref/machine/machine.hpp"
 #include "ref/plan/segment.hpp"
 

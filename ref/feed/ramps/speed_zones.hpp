@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed plan's limits, looked up along the path.
+// Limits of zones, looked up along the path.
 #pragma once
 
 #include <algorithm>
 #include <limits>
 
-#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/feed/ramps/zone_ramps.hpp"
 
 namespace curvecore::ref {
 

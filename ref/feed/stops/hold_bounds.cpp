@@ -134,7 +134,8 @@ std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps) 
     return static_cast<std::uint32_t>(std::min(std::ceil(ticks) + 6 + kStopLead, 0x1p31));
 }
 
-void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan) {
+void set_segment_feeds(const Program& program, const PlanOptions& options,
+                       const std::vector<ProfilePiece>& pieces, std::vector<Segment>& segments) {
     const double mm_per_s = options.unit_mm * kQuantum / options.tick_s();
     const auto as_ticks = [&](std::uint64_t count, const Segment& segment) {
         if (count < (std::uint64_t{1} << 31)) return static_cast<std::uint32_t>(count);
@@ -145,14 +146,14 @@ void set_segment_feeds(const Program& program, const PlanOptions& options, Plan&
     std::uint64_t begin = 0;  // path and ticks at the start of the piece
     std::uint64_t ticks = 0;
     std::uint64_t drawn = 0;  // ticks of the segments so far
-    double feed = piece_state(plan.pieces.front(), 0).v * mm_per_s;
-    for (Segment& segment : plan.segments) {
+    double feed = piece_state(pieces.front(), 0).v * mm_per_s;
+    for (Segment& segment : segments) {
         const std::uint64_t end = segment.s_start + segment.length;
-        while (piece + 1 < plan.pieces.size() && begin + plan.pieces[piece].ds < end) {
-            begin += plan.pieces[piece].ds;
-            ticks += plan.pieces[piece++].ticks;
+        while (piece + 1 < pieces.size() && begin + pieces[piece].ds < end) {
+            begin += pieces[piece].ds;
+            ticks += pieces[piece++].ticks;
         }
-        const ProfilePiece& p = plan.pieces[piece];
+        const ProfilePiece& p = pieces[piece];
         const double time = ticks_at(p, static_cast<double>(end - begin));
         const std::uint64_t reached = ticks + static_cast<std::uint64_t>(time);
         segment.ticks = as_ticks(reached - drawn, segment);
@@ -162,8 +163,8 @@ void set_segment_feeds(const Program& program, const PlanOptions& options, Plan&
         segment.feed_end = feed;
     }
     // The rest after the last segment's end belongs to that segment.
-    for (; piece < plan.pieces.size(); ++piece) ticks += plan.pieces[piece].ticks;
-    Segment& last = plan.segments.back();
+    for (; piece < pieces.size(); ++piece) ticks += pieces[piece].ticks;
+    Segment& last = segments.back();
     last.ticks = as_ticks(last.ticks + ticks - drawn, last);
 }
 

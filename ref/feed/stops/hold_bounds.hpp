@@ -38,6 +38,7 @@ std::uint32_t stop_ticks(std::uint32_t acceleration, std::uint32_t slope_steps);
 /// Sets Segment::ticks, feed_start, feed_end (mm/s along the path) from the pieces; both begin at s
 /// = 0.
 /// @throws InputError: a segment and the rests in it take 2^31 ticks or more
-void set_segment_feeds(const Program& program, const PlanOptions& options, Plan& plan);
+void set_segment_feeds(const Program& program, const PlanOptions& options,
+                       const std::vector<ProfilePiece>& pieces, std::vector<Segment>& segments);
 
 }  // namespace curvecore::ref

@@ -62,7 +62,7 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
                           std::size_t given, int round, std::vector<Slowed>& moves) {
     Ends segments;
     const auto segment_words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
-    for (const Segment& segment : plan.segments) {
+    for (const Segment& segment : geometry.segments) {
         segments.add(segment.length, segment.ticks, segment_words);
     }
     Ends pieces;

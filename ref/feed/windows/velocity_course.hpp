@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/feed/ramps/zone_ramps.hpp"
 #include "ref/limits/path_shape.hpp"
 #include "ref/plan/curve_follower.hpp"
 

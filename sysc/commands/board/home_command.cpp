@@ -59,7 +59,7 @@ int home_command(HomeOptions& asked) {
     try {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
-        plan_for(build, options);
+        take_board(build, options);
         const Drives drives = drives_of(wire, build.axes);
         const std::vector<AxisHome> homes = asked_homes(asked.axes, options.machine, build.axes);
         Console console(wire.control, 100);

@@ -122,7 +122,7 @@ int stream_command(StreamOptions& asked) {
     try {
         RemoteMachine machine(*link);
         const RemoteBuild& build = machine.build();
-        plan_for(build, options);
+        take_board(build, options);
         const Drives drives = drives_of(wire, build.axes);
         Console console(wire.control, static_cast<int>(std::min(options.override_percent, 100.0)));
         const InterruptGuard guard;

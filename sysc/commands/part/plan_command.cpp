@@ -50,7 +50,7 @@ int plan_command(PartOptions& part) {
     hold_input(options);
     JobStream stream(options);
     Job job = plan_and_check(stream);
-    plan_others(job);
+    add_other_forms(job);
     OutputFolder folder(options.folder);
     const std::uint64_t samples =
         count_samples(job.plan, options.samples_per_tick_log2(), options.override_word());

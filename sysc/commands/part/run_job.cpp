@@ -51,7 +51,7 @@ Runner::Runner(Options options) {
         make_ = built_in->make;
     }
     job_ = plan_and_check(stream);
-    plan_others(job_);
+    add_other_forms(job_);
     if (options.needs_rtl() && built_in == nullptr) {
         make_ = CoreCache().open(job_.options.core, options.quiet);
     }

@@ -204,7 +204,7 @@ struct WordsOptions {
 
 int words_command(WordsOptions& asked) {
     Options options = asked.part.complete();
-    if (!asked.board.empty()) plan_for(asked.board, options);
+    if (!asked.board.empty()) take_board(asked.board, options);
     JobStream stream(options);
     take_device(stream.options());
     OutputFolder folder(options.folder);

@@ -55,7 +55,7 @@ Plan joint_by_joint(const Program& program, const Machine& machine) {
     }
     const ref::Segment& last = plan.segments.back();
     plan.pieces.clear();
-    append_run(plan_speed(zones), last.s_start + last.length,
+    append_run(ramps_over(zones), last.s_start + last.length,
                ref::PieceGrid(machine, plan.unit_mm, plan.tick_s), plan.pieces);
     plan.pieces.back().final = true;
     return plan;

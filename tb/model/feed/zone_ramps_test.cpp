@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Speed plans over zones whose limits differ by orders of magnitude, as along a hairpin.
-#include "ref/feed/ramps/speed_plan.hpp"
+// Ramps over zones whose limits differ by orders of magnitude, as along a hairpin.
+#include "ref/feed/ramps/zone_ramps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,13 +67,13 @@ double worst_ratio(const std::vector<Phase>& phases, const std::vector<Zone>& zo
     return worst;
 }
 
-TEST(SpeedPlan, KeepsToTheLimitsOfEveryZone) {
+TEST(ZoneRamps, KeepsToTheLimitsOfEveryZone) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         const std::vector<Zone> zones = random_zones(seed);
-        EXPECT_LE(worst_ratio(plan_speed(zones), zones), 1 + 1e-6) << seed;
+        EXPECT_LE(worst_ratio(ramps_over(zones), zones), 1 + 1e-6) << seed;
     }
     const std::vector<Zone> zones = hairpin(1e-3, 10);
-    const std::vector<Phase> phases = plan_speed(zones);
+    const std::vector<Phase> phases = ramps_over(zones);
     EXPECT_LE(worst_ratio(phases, zones), 1 + 1e-6);
     // Control: limits of half the size are broken by it.
     std::vector<Zone> weak = zones;
@@ -81,12 +81,12 @@ TEST(SpeedPlan, KeepsToTheLimitsOfEveryZone) {
     EXPECT_GT(worst_ratio(phases, weak), 1.2);
 }
 
-TEST(SpeedPlan, EndsAtTheEnd) {
+TEST(ZoneRamps, EndsAtTheEnd) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         const std::vector<Zone> zones = random_zones(seed);
         double length = 0;
         for (const Zone& zone : zones) length += zone.length;
-        const std::vector<Phase> phases = plan_speed(zones);
+        const std::vector<Phase> phases = ramps_over(zones);
         const Phase& last = phases.back();
         const double t = last.duration;
         const double end =
@@ -97,14 +97,14 @@ TEST(SpeedPlan, EndsAtTheEnd) {
 }
 
 // With the least acceleration of all its zones, a hairpin would take twice as long.
-TEST(SpeedPlan, AHairpinsTipDoesNotSlowItsLegs) {
+TEST(ZoneRamps, AHairpinsTipDoesNotSlowItsLegs) {
     const std::vector<Zone> zones = hairpin(1e-3, 10);
     double least = 0;  // at every zone's speed, without ramps
     for (const Zone& zone : zones) least += zone.length / zone.velocity;
-    EXPECT_LT(duration(plan_speed(zones)), 2.2 * least);
+    EXPECT_LT(duration(ramps_over(zones)), 2.2 * least);
     std::vector<Zone> uniform = zones;
     for (Zone& zone : uniform) zone.acceleration = zones[zones.size() / 2].acceleration;
-    EXPECT_GT(duration(plan_speed(uniform)), 2 * duration(plan_speed(zones)));
+    EXPECT_GT(duration(ramps_over(uniform)), 2 * duration(ramps_over(zones)));
 }
 
 TEST(RampPair, IsTheGapsOwnWhereLimitsAreEqual) {

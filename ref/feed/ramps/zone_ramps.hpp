@@ -14,12 +14,12 @@ struct Zone {
     double jerk = 0;
 };
 
-/// Plans the motion from rest to rest over all zones.
+/// Makes a motion from zones: over all of them, from rest to rest.
 ///
 /// Acceleration is zero where a speed limit is met and wherever two ramps join; between such places
 /// the motion is at least as fast as the fastest one with the least acceleration and jerk of the
 /// zones that it crosses (ref/feed/ramps/ramp_pair.hpp). A ramp runs over any number of zones whose
 /// limits it does not touch, so a chain of short moves costs nothing.
-std::vector<Phase> plan_speed(const std::vector<Zone>& zones);
+std::vector<Phase> ramps_over(const std::vector<Zone>& zones);
 
 }  // namespace curvecore::ref

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ref/feed/ramps/speed_plan.hpp"
+#include "ref/feed/ramps/zone_ramps.hpp"
 
 #include <algorithm>
 
@@ -20,9 +20,9 @@ struct Interval {
     double cap = 0;        // settled: highest speed
 };
 
-class Planner {
+class ZoneRamps {
   public:
-    explicit Planner(const std::vector<Zone>& zones) : zones_(zones) {}
+    explicit ZoneRamps(const std::vector<Zone>& zones) : zones_(zones) {}
 
     std::vector<Phase> run() {
         const Zone all = zones_.weakest(0, zones_.size() - 1);
@@ -180,8 +180,8 @@ class Planner {
 
 }  // namespace
 
-std::vector<Phase> plan_speed(const std::vector<Zone>& zones) {
-    return zones.empty() ? std::vector<Phase>{} : Planner(zones).run();
+std::vector<Phase> ramps_over(const std::vector<Zone>& zones) {
+    return zones.empty() ? std::vector<Phase>{} : ZoneRamps(zones).run();
 }
 
 }  // namespace curvecore::ref
