@@ -306,6 +306,14 @@ TEST(PlanStream, EndsAtRestBeforeWhatTheMachineCannotDo) {
     }
 }
 
+TEST(PlanStream, EndsWithAProgramThatCannotBePlanned) {
+    Program program = random_lines(5);
+    program.moves.front().dwell = 1e9;
+    const Joined all = joined(program, options(Effort::kRules), program.moves.size() + 1);
+    EXPECT_EQ(all.parts, 0U);
+    EXPECT_NE(all.error.find("a dwell of 2^31 ticks"), std::string::npos) << all.error;
+}
+
 TEST(PlanStream, OfNothingIsRefused) {
     Program program;
     program.file = "part.ngc";
