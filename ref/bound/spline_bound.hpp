@@ -2,10 +2,9 @@
 // Bound of the distance between a spline segment's words and the exact curve: derived, not tuned.
 #pragma once
 
-#include <limits>
-
 #include "ref/bound/error_bound.hpp"
 #include "ref/bound/spline_words.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/plan/segment.hpp"
 
 namespace curvecore::ref {
@@ -37,6 +36,6 @@ constexpr double kAlongShare = 0.5;  // share of an error limit that may be alon
 /// aux_advance. Stops early when something has to be shorter, when the error exceeds
 /// `give_up`, or when its part along the path exceeds its share of that.
 SplineError spline_error(const CoreParameters& format, const Segment& segment,
-                         double give_up = std::numeric_limits<double>::infinity());
+                         double give_up = kUnlimited);
 
 }  // namespace curvecore::ref

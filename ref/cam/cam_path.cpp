@@ -79,7 +79,7 @@ void CamPath::finish() {
 
 /// Makes the pieces between the window's middle sections; `last`: they are the last of all.
 void CamPath::between(const SectionWindow& window, bool last) {
-    const bool turns = helix_.ends == CamEnds::kTurned;
+    const bool turns = helix_.ends == CamEnds::kTurn;
     if (turns && interval_ == 0) walk(window, angles_, {0, 0});
     walk(window, per_section_, {0, 1. / static_cast<double>(per_section_)});
     if (turns && last) walk(window, angles_, {1, 0});

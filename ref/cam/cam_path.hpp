@@ -22,14 +22,14 @@
 namespace curvecore::ref {
 
 /// Ends of the path: a turn on the first and one on the last section, or the paper's helix alone.
-enum class CamEnds { kTurned, kHelix };
+enum class CamEnds { kTurn, kHelix };
 constexpr std::array<std::string_view, 2> kCamEndNames{"turn", "helix"};
 
 struct CamHelix {
     SurfaceKind kind;
     double kappa = 2;     // half-turns of the spindle per Dx
     double delta = 5e-3;  // mm, along the radius; rounding included
-    CamEnds ends = CamEnds::kTurned;
+    CamEnds ends = CamEnds::kTurn;
 };
 
 /// Grid of a program's points, mm and degrees.

@@ -9,14 +9,14 @@
 #include "ref/feed/stops/queue_cover.hpp"
 #include "ref/feed/windows/window_rule.hpp"
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr int kCoverRounds = 12;
-constexpr double kAnyTime = 1e300;  // s
-constexpr double kCutFrom = 0.6;    // share of the planned time; what lies behind is planned again
+constexpr double kCutFrom = 0.6;  // share of the planned time; what lies behind is planned again
 // Share of the rules' speeds where an optimum joins them at a cut: it begins and ends within its
 // limits.
 constexpr double kPace = 0.95;
@@ -38,10 +38,10 @@ std::size_t enough_moves(const FeedTask& task, const WindowMotion& motion) {
         const Move& move = task.program.moves[planned.move];
         const double time = times[i + 1] - times[i];
         const double step = knot_step(planned.shape, task.machine);
-        const double feed = move.rapid || move.feed <= 0 ? 1e9 : move.feed;
+        const double feed = move.rapid || move.feed <= 0 ? kUnlimitedSpeed : move.feed;
         const bool steady = planned.shape.length >= kSteady * feed * time;
         const bool few = steady || move.kind == Move::Kind::kLine;
-        knots += std::min(time / step, few ? kFew : 1e300) + time / kSlow;
+        knots += std::min(time / step, few ? kFew : kUnlimited) + time / kSlow;
     }
     return task.geometry.moves.size();
 }
@@ -56,7 +56,7 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
     const double to = std::max(end - stopping, (from + end) / 2);
     std::size_t best = 0;
     double slowest = 0;
-    double nearest = 1e300;  // s, while no joint is in the range
+    double nearest = kUnlimited;  // s, while no joint is in the range
     for (std::size_t i = open + 1; i + 1 < motion.times().size(); ++i) {
         if (!motion.begins_move(i)) continue;
         const double t = motion.times()[i];
@@ -137,7 +137,7 @@ std::optional<WindowProfile> profile_window(FeedTask task) {
     if (effort == Effort::kRules) task.least = count;
     task.options.effort = Effort::kRules;
     std::vector<Slowed> slowed;
-    std::optional<WindowProfile> best = cover_motion(task, 0, kAnyTime, slowed);
+    std::optional<WindowProfile> best = cover_motion(task, 0, kUnlimited, slowed);
     if (effort == Effort::kRules || !best || best->enough < count) return best;
     task.least = count;
     // More pieces need more queue, and so do stop branches: where that costs time, the optimum does

@@ -15,7 +15,7 @@ constexpr int kCutRounds = 5;  // rounds of making a cut
 // Share by which the speed at a cut is lowered, off its limits; four times more if that was not
 // enough.
 constexpr double kSlower = 0.01;
-constexpr double kSame = 1 + 1e-9;  // ratio of speeds
+constexpr double kSameSpeedRatio = 1 + 1e-9;  // ratio of speeds
 
 }  // namespace
 
@@ -60,7 +60,7 @@ bool FeedWindow::pass_cut(Stretch& stretch) {
     double slower = kSlower;
     for (int round = 0; round < kCutRounds; ++round, slower *= 4) {
         const Phase after = part_of(stretch.phases, place, kEnd).front();
-        if (after.a == 0 && after.v <= stretch.caps[joint] * kSame) return true;
+        if (after.a == 0 && after.v <= stretch.caps[joint] * kSameSpeedRatio) return true;
         stretch.cap(joint, std::max(1 - slower, kSlower) * after.v);
         if (!solver_.solve_by_rules(stretch)) return false;
     }

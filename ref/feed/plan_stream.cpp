@@ -10,6 +10,7 @@
 #include "ref/feed/stops/planned_branches.hpp"
 #include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/segment/spline_cut.hpp"
 #include "ref/text/input_error.hpp"
 
@@ -38,7 +39,7 @@ PlanOptions with_cuts(PlanOptions options) {
 
 double fastest_motion(const Move& move) {
     const bool linear = move.aux_start == move.aux_end;  // else an axis may outrun the path
-    return linear && !move.rapid && move.feed > 0 ? move.feed : 1e9;
+    return linear && !move.rapid && move.feed > 0 ? move.feed : kUnlimitedSpeed;
 }
 
 /// A window's moves with their motion, from the given part to a rest.

@@ -15,6 +15,7 @@
 
 #include "ref/feed/stretch.hpp"
 #include "ref/moves/move_source.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 
@@ -28,7 +29,7 @@ namespace curvecore::ref {
 struct StreamFrame {
     std::string file;
     int aux_axes = 0;
-    double fastest = 1e9;
+    double fastest = kUnlimitedSpeed;
 };
 
 /// Upper limit of the move's speed, mm/s, without the machine's limits.

@@ -9,6 +9,7 @@
 #include "ref/feed/ramps/ramp.hpp"
 #include "ref/feed/stops/planned_branches.hpp"
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -25,13 +26,12 @@ constexpr double kWorth = 0.01;          // share of the time that an optimum mu
 constexpr double kRampTime = 0.05;       // s, ramp to full acceleration to which kKnots belongs
 constexpr double kKnots = 16;            // knots in it
 constexpr double kSlowApart = 2;         // steps between knots where an axis bounds the speed
-constexpr double kAny = 1e300;           // no limit
 constexpr double kSameSpeed = 1e-9;      // relative
 
 /// Factor by which knots may be spread where the speed is constant.
 double knots_apart(const Move& move) {
     if (move.kind == Move::Kind::kCubic) return 2;
-    return move.kind == Move::Kind::kArc ? 4 : 1e9;
+    return move.kind == Move::Kind::kArc ? 4 : kUnlimited;
 }
 
 /// Returns true if no jump is needed: a jump passes zones that no motion from the given speed can
@@ -117,7 +117,8 @@ std::vector<Stretch> StretchSolver::cut_at_stops() {
 void StretchSolver::set_zones(Stretch& stretch) const {
     for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
         if (i > stretch.first) {
-            stretch.zones.push_back({0, kJointShare * joint_speed_[i], kAny, kAny});
+            stretch.zones.push_back(
+                {0, kJointShare * joint_speed_[i], kUnlimitedChange, kUnlimitedChange});
         }
         stretch.zones.push_back(zone(i));
     }
@@ -128,19 +129,19 @@ void StretchSolver::set_zones(Stretch& stretch) const {
             zone.jerk *= task_.pace * task_.pace * task_.pace;
         }
     }
-    stretch.caps.assign(stretch.zones.size(), 1e9);
+    stretch.caps.assign(stretch.zones.size(), kUnlimitedSpeed);
     if (stretch.given.moves == 0 || stretch.is_given()) return;
     // A motion from rest has the end speed of the given motion before that begins.
     const double v = end_speed(stretch.given.phases);
-    double acceleration = kAny;
-    double jerk = kAny;
+    double acceleration = kUnlimitedChange;
+    double jerk = kUnlimitedChange;
     for (const Zone& zone : stretch.zones) {
         acceleration = std::min(acceleration, zone.acceleration);
         jerk = std::min(jerk, zone.jerk);
     }
     stretch.lead = 2 * Ramp(0, v, acceleration, jerk).length();
     for (std::size_t k = 0; k < stretch.joint_before(stretch.open()); ++k) {
-        stretch.zones[k] = {stretch.zones[k].length, v, kAny, kAny};
+        stretch.zones[k] = {stretch.zones[k].length, v, kUnlimitedChange, kUnlimitedChange};
     }
     stretch.zones.front().length += stretch.lead;
 }
@@ -266,7 +267,7 @@ double StretchSolver::carried_jerk(std::size_t i, double v, double acceleration)
     const double time = static_cast<double>(grid_.shortest) * grid_.tick;
     const double least = slowed_[i].ramp / 2;  // to full acceleration and back
     return std::min({acceleration / (kRampPieces * time), v / (kSpeedPieces * time * time),
-                     least > 0 ? v / (least * least) : kAny});
+                     least > 0 ? v / (least * least) : kUnlimited});
 }
 
 Zone StretchSolver::zone(std::size_t i) const {

@@ -9,8 +9,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kShortest = 1;      // unit: no plan has shorter pieces
-constexpr double kPrecision = 1.01;  // relative precision of the longest piece
+constexpr double kShortestPiece = 1;       // unit: no plan has shorter pieces
+constexpr double kLengthPrecision = 1.01;  // relative precision of the longest piece
 constexpr double kLonger = 1.25;
 
 class Search {
@@ -21,10 +21,10 @@ class Search {
     ArcCover run() {
         const double quarter = M_PI_2 * most_;
         ArcCover cover;
-        if (!keeps(std::min(kShortest, quarter), cover)) return cover;
+        if (!keeps(std::min(kShortestPiece, quarter), cover)) return cover;
         if (!keeps(quarter, cover)) {
             double low = cover.longest;
-            for (double high = quarter; high > low * kPrecision;) {
+            for (double high = quarter; high > low * kLengthPrecision;) {
                 const double middle = std::sqrt(low * high);
                 (keeps(middle, cover) ? low : high) = middle;
             }

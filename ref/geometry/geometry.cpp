@@ -17,6 +17,7 @@
 #include "ref/limits/arc_shape.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/limits/travel.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/segment/last_step.hpp"
 #include "ref/text/input_error.hpp"
 
@@ -52,7 +53,7 @@ Segment prototype(const Move& move, const PathShape& shape, int pieces, double u
 /// Longest step that keeps the bound; the best one if none does.
 Cut best_step(Segment segment, const CoreParameters& format, double limit) {
     Cut cut;
-    cut.bound = 1e300;
+    cut.bound = kUnlimited;
     const double length = static_cast<double>(segment.length) / kQuantaPerUnit;
     const int longest =
         std::min(kMaxStepExponent, std::max(0, static_cast<int>(std::ceil(std::log2(length)))));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ref/curve/axes.hpp"
+#include "ref/numeric/angles.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -21,7 +22,7 @@ RotaryTurns::RotaryTurns(const Machine& machine, const PlanOptions& options)
     : machine_(machine), options_(options) {}
 
 void RotaryTurns::leave_out(Segment& segment) const {
-    const double turn = kTurn / options_.unit_mm;
+    const double turn = kTurnDegrees / options_.unit_mm;
     for (std::size_t i = 0; i < kAuxAxes; ++i) {
         if (!machine_.axis[3 + i].rotary) continue;
         const double turned = std::trunc(segment.aux_start[i] / turn) * turn;
@@ -32,7 +33,7 @@ void RotaryTurns::leave_out(Segment& segment) const {
 }
 
 double RotaryTurns::longest() const {
-    return std::ldexp(options_.unit_mm, options_.format.position_bits - 1) - kTurn;
+    return std::ldexp(options_.unit_mm, options_.format.position_bits - 1) - kTurnDegrees;
 }
 
 double RotaryTurns::pieces(const Move& move) const {

@@ -77,7 +77,7 @@ std::vector<BezierPiece> IdleMove::pieces() const {
 
 IdleMove default_idle_move(const Joint& start, const Joint& end, JoinFit fit, int count) {
     constexpr int kMostSteps = 60;
-    constexpr double kSame = 1e-9;
+    constexpr double kSameShare = 1e-9;
     IdleMove guide;
     guide.start = start;
     guide.end = end;
@@ -87,7 +87,7 @@ IdleMove default_idle_move(const Joint& start, const Joint& end, JoinFit fit, in
     for (int i = 0; i < kMostSteps; ++i) {
         guide.t = {0, length};
         const double next = PathTable(guide.pieces()).length();
-        const bool same = std::abs(next - length) <= kSame * length;
+        const bool same = std::abs(next - length) <= kSameShare * length;
         length = next;
         if (same) break;
     }

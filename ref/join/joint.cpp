@@ -8,8 +8,8 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kStanding = 1e-9;  // share of the largest speed of a cubic
-constexpr double kSharpest = 1e6;   // 1/mm: a radius of 1 nm
+constexpr double kStandingShare = 1e-9;     // share of the largest speed of a cubic
+constexpr double kSharpestCurvature = 1e6;  // 1/mm: a radius of 1 nm
 constexpr const char* kRapids = "no working move: a joint wants a move with a feed (G1, G2, ..)";
 
 bool works(const Move& move) { return !move.rapid; }
@@ -26,14 +26,14 @@ void check_joint(const Program& program, const Move& move) {
 Joint joint_of(const std::string& file, const Move& move, bool at_end) {
     const bool stands =
         move.kind == Move::Kind::kCubic &&
-        !(move.cubic.speed(at_end ? 1 : 0) > kStanding * speed_range(move.cubic).max);
+        !(move.cubic.speed(at_end ? 1 : 0) > kStandingShare * speed_range(move.cubic).max);
     if (stands) {
         throw InputError(file, move.line,
                          "no direction at the joint: the spline stands still there");
     }
     Joint joint{place_on(move, at_end ? move.length() : 0).by_length(), move.feed};
     joint.position = at_end ? move.end : move.start;
-    if (!(joint.curvature.norm() < kSharpest)) {
+    if (!(joint.curvature.norm() < kSharpestCurvature)) {
         throw InputError(file, move.line, "the path is too sharp at the joint: radius below 1 nm");
     }
     return joint;

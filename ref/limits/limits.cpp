@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/numeric/unlimited.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -53,7 +55,7 @@ double circular_rate(const PathShape& shape) {
 }  // namespace
 
 double path_speed(const PathShape& shape, const Machine& machine) {
-    if (!shape.linear) return 1e9;
+    if (!shape.linear) return kUnlimitedSpeed;
     return machine.velocity / (shape.turn > 0 ? circular_rate(shape) : shape.rate);
 }
 
@@ -134,7 +136,7 @@ void each_limit(const PathShape& shape, const Machine& machine,
 double joint_velocity(const PathShape& before, const PathShape& after, const Machine& machine) {
     double path_turn = 0;
     double aux_turn = 0;
-    double v = 1e9;
+    double v = kUnlimitedSpeed;
     for (int i = 0; i < kMachineAxes; ++i) {
         const double turn = std::abs(after.tangent_start[i] - before.tangent_end[i]);
         (i < 3 ? path_turn : aux_turn) += turn * turn;
@@ -188,8 +190,8 @@ double ramp_time(const Machine& machine) {
 
 double ramp_time(const PathShape& shape, const Machine& machine) {
     const double turn = circular_rate(shape);
-    double acceleration = 1e300;
-    double jerk = 1e300;
+    double acceleration = kUnlimitedChange;
+    double jerk = kUnlimitedChange;
     each_load(shape, machine, [&](const Load& load) {
         const double rate = load.swing * turn + load.advance;
         acceleration = std::min(acceleration, load.acceleration / rate);

@@ -10,16 +10,16 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kLongest = 200;      // s, at the feed: bounds pieces and stop branches in memory
-constexpr double kLongestTurns = 10;  // s, of an arc at the machine's speed: bounds knots
+constexpr double kLongestTime = 200;  // s, at the feed: bounds pieces and stop branches in memory
+constexpr double kLongestTurningTime = 10;  // s, of an arc at the machine's speed: bounds knots
 
 int parts_of(const Move& move, const Machine& machine) {
     double parts = 1;
-    if (!move.rapid && move.feed > 0) parts = move.length() / move.feed / kLongest;
+    if (!move.rapid && move.feed > 0) parts = move.length() / move.feed / kLongestTime;
     if (move.kind == Move::Kind::kArc) {
         const PathShape shape = path_shape(move);
         const double time = shape.length / top_speed(shape, machine);
-        if (shape.length > 0) parts = std::max(parts, time / kLongestTurns);
+        if (shape.length > 0) parts = std::max(parts, time / kLongestTurningTime);
     }
     return static_cast<int>(std::clamp(std::ceil(parts), 1.0, 1e9));
 }

@@ -11,9 +11,9 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kSharpest = 1e-8;   // mm, radius of a tip that is passed in motion
-constexpr double kShortest = 1e-6;   // mm
-constexpr double kLeastShare = 0.6;  // share of the speed allowed at any point of a stretch
+constexpr double kSharpestRadius = 1e-8;  // mm, radius of a tip that is passed in motion
+constexpr double kShortestLength = 1e-6;  // mm
+constexpr double kLeastShare = 0.6;       // share of the speed allowed at any point of a stretch
 // Values that no machine feels at any speed below 10 m/s.
 constexpr double kNoCurvature = 1e-9;  // 1/mm
 constexpr double kNoSwerve = 1e-12;    // 1/mm^2
@@ -79,8 +79,8 @@ class Frenet {
 /// Returns true if the curve stands still, also where W = 0, judged by how fast |V| grows.
 bool stands_still(const Cubic& cubic, double u) {
     const double v = cubic.speed(u);
-    return v * v <= kSharpest * cubic.acceleration(u).norm() ||
-           v * v * v <= kSharpest * kSharpest * cubic.jerk().norm();
+    return v * v <= kSharpestRadius * cubic.acceleration(u).norm() ||
+           v * v * v <= kSharpestRadius * kSharpestRadius * cubic.jerk().norm();
 }
 
 class Stretcher {
@@ -95,14 +95,14 @@ class Stretcher {
         const Frenet frenet(part);
         const bool still = stands_still(part, speed.at_min);
         Bounds bounds;
-        if (still && length <= kTip) {
+        if (still && length <= kTipLength) {
             bounds = frenet.at(speed.at_max);
             bounds.along = Vec3::Ones();
         } else if (!still) {
             bounds = frenet.over(speed.min);
         }
-        const bool known = !still || length <= kTip;
-        if (known && (still || length <= kShortest || wide_enough(frenet, bounds))) {
+        const bool known = !still || length <= kTipLength;
+        if (known && (still || length <= kShortestLength || wide_enough(frenet, bounds))) {
             stretches.push_back({u0, u1, shape(bounds, u0, u1, length)});
             return;
         }
@@ -179,11 +179,11 @@ std::vector<double> standstills(const Cubic& cubic) {
     std::vector<double> stops;
     for (const double u : speed_extrema(cubic)) {
         if (!stands_still(cubic, u)) continue;
-        const bool near_start = arc_length(cubic, 0, u) < kTip;
-        const bool near_end = arc_length(cubic, u, 1) < kTip;
+        const bool near_start = arc_length(cubic, 0, u) < kTipLength;
+        const bool near_end = arc_length(cubic, u, 1) < kTipLength;
         first = first || near_start;
         last = last || near_end;
-        const bool apart = stops.empty() || arc_length(cubic, stops.back(), u) >= kTip;
+        const bool apart = stops.empty() || arc_length(cubic, stops.back(), u) >= kTipLength;
         if (!near_start && !near_end && apart) stops.push_back(u);
     }
     if (first) stops.insert(stops.begin(), 0.0);

@@ -10,7 +10,7 @@
 namespace curvecore::ref {
 
 /// Distance from a standstill up to which the curve counts as sharp as where it is fastest.
-constexpr double kTip = 1e-5;  // mm
+constexpr double kTipLength = 1e-5;  // mm
 
 /// Returns the parameters 0 <= u <= 1, ascending, at which the curve stands still: V = 0, or a tip
 /// of less than 1e-8 mm radius. The machine stops there.
@@ -26,7 +26,7 @@ std::vector<double> standstills(const Cubic& cubic);
 /// | swing          | components of V / v, r'' / curvature and the swerving part of r''' / swerve |
 /// | along          | components of V / v                                                        |
 ///
-/// Each is the convex hull of a polynomial over a power of the least speed. Within kTip of a
+/// Each is the convex hull of a polynomial over a power of the least speed. Within kTipLength of a
 /// standstill, where k grows as s^-1/2, they are those of the stretch's fastest point: from rest
 /// the speed grows as s^2/3, so the loads vanish. Source: Frenet's formulas.
 struct SplineStretch {

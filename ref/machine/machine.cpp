@@ -150,14 +150,14 @@ class MachineReader {
     void read_travel(int axis, const std::vector<std::string>& sections, double unit) {
         AxisLimits& limits = machine_.axis[axis];
         limits.rotary = axis >= 3 && axis < 6 && is_wrapped(sections);
-        limits.min = -kUnlimited;
-        limits.max = kUnlimited;
+        limits.min = -kUnlimitedTravel;
+        limits.max = kUnlimitedTravel;
         if (limits.rotary) return;
         for (const std::string& section : sections) {
             const std::optional<double> min = ini_.number(section, "MIN_LIMIT");
             const std::optional<double> max = ini_.number(section, "MAX_LIMIT");
-            limits.min = std::max(limits.min, min.value_or(-kUnlimited) * unit);
-            limits.max = std::min(limits.max, max.value_or(kUnlimited) * unit);
+            limits.min = std::max(limits.min, min.value_or(-kUnlimitedTravel) * unit);
+            limits.max = std::min(limits.max, max.value_or(kUnlimitedTravel) * unit);
             if (limits.min >= limits.max) {
                 const char* name = max ? "MAX_LIMIT" : "MIN_LIMIT";
                 throw InputError(
@@ -166,8 +166,8 @@ class MachineReader {
                                 kLetters[axis], limits.min, limits.max));
             }
         }
-        limits.rotary = axis >= 3 && axis < 6 && limits.min == -kUnlimited &&
-                        limits.max == kUnlimited && is_angular(sections);
+        limits.rotary = axis >= 3 && axis < 6 && limits.min == -kUnlimitedTravel &&
+                        limits.max == kUnlimitedTravel && is_angular(sections);
     }
 
     bool is_wrapped(const std::vector<std::string>& sections) const {

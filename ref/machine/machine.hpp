@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/curve/axes.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 
@@ -20,16 +21,12 @@ struct AxisLimits {
     bool rotary = false;         // turns without end: its words leave whole turns out
 };
 
-/// LinuxCNC's travel of an axis without limits, mm.
-constexpr double kUnlimited = 1e99;
-constexpr double kTurn = 360;  // degrees
-
 /// Returns the built-in axes: A B C turn without end.
 inline std::array<AxisLimits, kMachineAxes> built_in_axes() {
     std::array<AxisLimits, kMachineAxes> axes;
     for (std::size_t i = 3; i < 6; ++i) {
-        axes[i].min = -kUnlimited;
-        axes[i].max = kUnlimited;
+        axes[i].min = -kUnlimitedTravel;
+        axes[i].max = kUnlimitedTravel;
         axes[i].rotary = true;
     }
     return axes;

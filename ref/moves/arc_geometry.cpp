@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/numeric/angles.hpp"
+
 namespace curvecore::ref {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
 constexpr double kSamePoint = 1e-9;       // mm: below any length unit
 constexpr double kSmallestRadius = 1e-6;  // mm
 constexpr double kLargestRadius = 1e8;    // mm: 1e-16 of it is below any length unit
@@ -30,7 +31,7 @@ void check_radius(double radius) {
 double sweep(const Eigen::Vector2d& arm, const Eigen::Vector2d& chord, bool clockwise) {
     const double cross = arm.x() * chord.y() - arm.y() * chord.x();
     const double angle = std::atan2(clockwise ? -cross : cross, arm.dot(arm + chord));
-    return angle < 0 ? angle + kTurn : angle;
+    return angle < 0 ? angle + kTurnRadians : angle;
 }
 
 /// Place of `start` after a turn by `angle`; `arm` is its radius.
@@ -63,8 +64,8 @@ PlaneArc arc_with_centre(const Eigen::Vector2d& start, const Eigen::Vector2d& en
     }
     const Eigen::Vector2d arm = start - centre;
     double angle = sweep(arm, end - start, clockwise);
-    if (r_start * std::min(angle, kTurn - angle) < kSameDirection) angle = kTurn;
-    PlaneArc arc{centre, angle + kTurn * (turns - 1), Eigen::Vector2d::Zero()};
+    if (r_start * std::min(angle, kTurnRadians - angle) < kSameDirection) angle = kTurnRadians;
+    PlaneArc arc{centre, angle + kTurnRadians * (turns - 1), Eigen::Vector2d::Zero()};
     const Eigen::Vector2d rest = end - turned(start, arm, clockwise ? -angle : angle);
     if (rest.norm() > kSamePoint) arc.drift = rest;
     return arc;
@@ -89,7 +90,8 @@ PlaneArc arc_with_radius(const Eigen::Vector2d& start, const Eigen::Vector2d& en
     const double side = clockwise == (radius > 0) ? -1 : 1;
     const double minor = 2 * std::atan2(half, height);
     return {(start + end) / 2 + side * height * left,
-            (radius > 0 ? minor : kTurn - minor) + kTurn * (turns - 1), Eigen::Vector2d::Zero()};
+            (radius > 0 ? minor : kTurnRadians - minor) + kTurnRadians * (turns - 1),
+            Eigen::Vector2d::Zero()};
 }
 
 SpaceArc arc_through(const Eigen::Vector3d& start, const Eigen::Vector3d& middle,
@@ -112,7 +114,7 @@ SpaceArc arc_through(const Eigen::Vector3d& start, const Eigen::Vector3d& middle
     const Eigen::Vector3d from = start - centre;
     const Eigen::Vector3d to = end - centre;
     const double angle = std::atan2(normal.dot(from.cross(to)), from.dot(to));
-    return {centre, normal, angle > 0 ? angle : angle + kTurn};
+    return {centre, normal, angle > 0 ? angle : angle + kTurnRadians};
 }
 
 }  // namespace curvecore::ref

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
 #include <stdexcept>
+
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 
@@ -35,7 +36,7 @@ constexpr ArcTolerance kArcToleranceMm = arc_tolerance(0.02 * 1.4142135623730950
 constexpr ArcTolerance kArcToleranceInch =
     arc_tolerance(0.002 * 25.4 * 1.41421356237309505, 0.0005 * 25.4);
 /// Tolerance for arcs that another controller's interpreter has accepted.
-constexpr ArcTolerance kAnyArc = arc_tolerance(std::numeric_limits<double>::infinity(), 0);
+constexpr ArcTolerance kAnyArc = arc_tolerance(kUnlimited, 0);
 
 /// An arc in a plane seen from the tip of its normal, counter-clockwise positive:
 ///

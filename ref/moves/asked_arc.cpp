@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "ref/moves/move_part.hpp"
+#include "ref/numeric/angles.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kTurn = 2 * 3.14159265358979323846;
-constexpr double kSame = 1e-9;  // mm
-constexpr int kPlaces = 32;     // points of a turn; the total over many turns
-constexpr double kRound = 1e-14;
-constexpr double kRootRound = 8e-15;
+constexpr double kSamePoint = 1e-9;  // mm
+constexpr int kPlaces = 32;          // points of a turn; the total over many turns
+constexpr double kRoundingShare = 1e-14;
+constexpr double kRootRounding = 8e-15;
 
 /// Polar coordinates about the given centre.
 class Polar {
@@ -27,14 +27,16 @@ class Polar {
           from_(std::atan2(along(up_), along(across_))) {
         const Vec3 end = asked.end - asked.centre;
         turn_ = std::atan2(up_.dot(end), across_.dot(end)) - from_;
-        while (turn_ * radius_ < kSame) turn_ += kTurn;
-        turn_ += kTurn * (asked.turns - 1);
+        while (turn_ * radius_ < kSamePoint) turn_ += kTurnRadians;
+        turn_ += kTurnRadians * (asked.turns - 1);
         rest_ = asked.end - on_circle(1);
     }
 
     Vec3 at(double share) const { return on_circle(share) + share * rest_; }
     double turn() const { return turn_; }
-    double rounding() const { return kSame + asked_.loose + kRound * radius_ * (1 + turn_); }
+    double rounding() const {
+        return kSamePoint + asked_.loose + kRoundingShare * radius_ * (1 + turn_);
+    }
 
   private:
     double along(const Vec3& axis) const { return axis.dot(asked_.start - asked_.centre); }
@@ -63,7 +65,7 @@ AskedArc AskedArc::of_radius(const Vec3& start, const Vec3& end, double radius, 
     AskedArc asked{start, end, start + flat / 2, normal, turns};
     // The centre's height over the chord is a root, as uncertain as its square over it.
     const double angle = std::copysign(std::acos(std::min(1.0, ratio)), radius);
-    const double round = kRootRound * (start.norm() + end.norm() + std::abs(radius));
+    const double round = kRootRounding * (start.norm() + end.norm() + std::abs(radius));
     const double square = std::abs(radius) * round;
     asked.loose = square / std::max(std::abs(radius * std::sin(angle)), std::sqrt(square));
     if (ratio >= 1) return asked;
@@ -75,7 +77,8 @@ AskedArc AskedArc::of_radius(const Vec3& start, const Vec3& end, double radius, 
 double distance(const AskedArc& asked, const Move& move) {
     const Polar polar(asked);
     const double length = move.length();
-    const int places = std::clamp(static_cast<int>(polar.turn() / kTurn * kPlaces), 4, kPlaces);
+    const int places =
+        std::clamp(static_cast<int>(polar.turn() / kTurnRadians * kPlaces), 4, kPlaces);
     double worst = 0;
     for (int i = 0; i <= places; ++i) {
         const double share = static_cast<double>(i) / places;

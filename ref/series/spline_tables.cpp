@@ -5,8 +5,8 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <limits>
 
+#include "ref/numeric/unlimited.hpp"
 #include "ref/series/exact_path.hpp"
 
 namespace curvecore::ref {
@@ -117,12 +117,11 @@ std::vector<TestSpline> test_splines() {
 }
 
 Deviation follow(const Cubic& cubic, SplineMethod method, int order, double step) {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    const Deviation found = follow_to<double>(cubic, method, order, step, kNever);
+    const Deviation found = follow_to<double>(cubic, method, order, step, kUnlimited);
     if (found.blow_up || found.position > kDoubleShows) {
         return found;
     }
-    return follow_to<Precise>(cubic, method, order, step, kNever);
+    return follow_to<Precise>(cubic, method, order, step, kUnlimited);
 }
 
 double largest_step(const Cubic& cubic, SplineMethod method, int order) {

@@ -18,7 +18,7 @@ struct CamOptions {
     double scallop = 0;   // mm
     double cutter = 0;    // radius, mm; 0: not given
     double delta = 5e-3;  // mm
-    ref::CamEnds ends = ref::CamEnds::kTurned;
+    ref::CamEnds ends = ref::CamEnds::kTurn;
     double feed = 0;      // feed over the surface, mm/s
     std::string against;  // file of a finer table; empty: the table's own tensor surface
 };

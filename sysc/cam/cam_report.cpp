@@ -112,11 +112,11 @@ std::vector<std::pair<std::string, std::string>> CamReport::table() const {
                        ", generatrix {}",
                        ref::kGeneratrixNames[static_cast<std::size_t>(options.kind.generatrix)])
                  : ""));
-    rows.emplace_back("helix", fmt::format("kappa {:g}: {:.4g} mm a turn, {:.4g} turns{}",
-                                           cut.helix.kappa, cut.pitch, cut.turns,
-                                           cut.helix.ends == ref::CamEnds::kTurned
-                                               ? ", the first and the last on a section"
-                                               : ""));
+    rows.emplace_back(
+        "helix",
+        fmt::format(
+            "kappa {:g}: {:.4g} mm a turn, {:.4g} turns{}", cut.helix.kappa, cut.pitch, cut.turns,
+            cut.helix.ends == ref::CamEnds::kTurn ? ", the first and the last on a section" : ""));
     if (options.cutter > 0) rows.emplace_back("scallop", um(scallop()));
     rows.emplace_back("pieces",
                       fmt::format("{}: {:.1f} a turn; {:.1f} if no knot cut them", cut.pieces,

@@ -13,8 +13,8 @@
 namespace curvecore::sysc {
 namespace {
 
-constexpr double kFarthest = 1e4;    // factor on the asked value, or its inverse
-constexpr double kPrecision = 1.05;  // of a factor, relative
+constexpr double kMostFactor = 1e4;        // factor on the asked value, or its inverse
+constexpr double kFactorPrecision = 1.05;  // of a factor, relative
 
 using Change = std::function<void(Requirement& requirement, double factor)>;
 
@@ -40,7 +40,7 @@ double nearest(const Requirement& requirement, double farthest, const Change& ch
         bad = good;
         good = clamped(good * out);
     }
-    while (std::abs(std::log(good / bad)) > std::log(kPrecision)) {
+    while (std::abs(std::log(good / bad)) > std::log(kFactorPrecision)) {
         const double middle = std::sqrt(good * bad);
         (with(middle) ? good : bad) = middle;
     }
@@ -109,7 +109,7 @@ class Search {
         if (!requirement_.clock_hz) return;
         if (!clock_is_known(*requirement_.device)) {
             number(
-                "clock", *requirement_.clock_hz, kFarthest,
+                "clock", *requirement_.clock_hz, kMostFactor,
                 [](Requirement& other, double factor) { *other.clock_hz *= factor; },
                 frequency_text);
             return;
@@ -157,16 +157,17 @@ std::string frequency_text(double hz) {
 std::vector<Relaxation> relaxations(const Requirement& requirement) {
     Search search(requirement);
     search.number(
-        "error", requirement.error_mm, kFarthest,
+        "error", requirement.error_mm, kMostFactor,
         [](Requirement& other, double factor) { other.error_mm *= factor; }, length_text);
     search.unit();
     if (requirement.arcs()) {
-        search.number("radius", requirement.radius_mm,
-                      std::max(1 / kFarthest, requirement.least_radius_mm / requirement.radius_mm),
-                      reach(&Requirement::radius_mm, &Requirement::length_mm), length_text);
+        search.number(
+            "radius", requirement.radius_mm,
+            std::max(1 / kMostFactor, requirement.least_radius_mm / requirement.radius_mm),
+            reach(&Requirement::radius_mm, &Requirement::length_mm), length_text);
     }
     if (requirement.splines()) {
-        search.number("length", requirement.length_mm, 1 / kFarthest,
+        search.number("length", requirement.length_mm, 1 / kMostFactor,
                       reach(&Requirement::length_mm, &Requirement::radius_mm), length_text);
     }
     if (requirement.arcs()) {
@@ -177,14 +178,14 @@ std::vector<Relaxation> relaxations(const Requirement& requirement) {
             length_text);
     }
     search.number(
-        "feed", requirement.feed, 1 / kFarthest,
+        "feed", requirement.feed, 1 / kMostFactor,
         [](Requirement& other, double factor) { other.feed *= factor; }, feed_text);
     search.number(
-        "sample rate", 1 / requirement.sample_period_s, 1 / kFarthest,
+        "sample rate", 1 / requirement.sample_period_s, 1 / kMostFactor,
         [](Requirement& other, double factor) { other.sample_period_s /= factor; }, frequency_text);
     search.clock();
     search.number(
-        "host words", requirement.host_words, kFarthest,
+        "host words", requirement.host_words, kMostFactor,
         [](Requirement& other, double factor) { other.host_words *= factor; },
         [](double words) { return fmt::format("{:.4g}/s", words); });
     search.device();

@@ -138,14 +138,14 @@ void check_ticked(const ref::Program& program, const CompareOptions& options) {
         throw ref::InputError(program.file, move.line,
                               fmt::format("no spline, and --scheme {} draws nothing else", name));
     }
-    constexpr double kMost = 1e7;
+    constexpr double kMostTicks = 1e7;
     for (const TickedSetting& one : options.sweep.ticked) {
         const double ticks = ticks_of(program, one.ticks);
-        if (ticks <= kMost) continue;
+        if (ticks <= kMostTicks) continue;
         throw UsageError(
             fmt::format("--tick {:g}ms at --feed {:g}m/min: {:.2g} ticks, {:g} are "
                         "the most",
-                        one.ticks.tick * 1e3, one.ticks.feed * 60e-3, ticks, kMost));
+                        one.ticks.tick * 1e3, one.ticks.feed * 60e-3, ticks, kMostTicks));
     }
 }
 

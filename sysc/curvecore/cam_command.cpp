@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ref/cam/cam_program.hpp"
+#include "ref/numeric/angles.hpp"
 #include "ref/program/gcode_reader.hpp"
 #include "ref/text/input_error.hpp"
 #include "ref/text/text_file.hpp"
@@ -71,7 +72,7 @@ CamCut cut_table(const CamOptions& options, const std::string& program,
     }
     writer.close();
     cut.pieces = writer.pieces();
-    cut.turns = angle / ref::kTurn;
+    cut.turns = angle / ref::kTurnDegrees;
     return cut;
 }
 

@@ -35,8 +35,8 @@ struct JoinOptions {
     bool exact = false;
 };
 
-constexpr double kSame = 1e-6;   // mm, 1: equal ends of a loaded move and of the programs
-constexpr int kUsualPoints = 3;  // as in [Petrakov], fig. 1
+constexpr double kSameEnd = 1e-6;  // mm, 1: equal ends of a loaded move and of the programs
+constexpr int kUsualPoints = 3;    // as in [Petrakov], fig. 1
 
 Program working_path(const std::string& name, bool before, const Options& options,
                      const ref::Machine& machine) {
@@ -71,8 +71,8 @@ void check_ends(const Program& a, const Program& b) {
 
 void check_loaded(const std::string& file, const ref::Joint& loaded, const ref::Joint& now,
                   const char* which, const std::string& program) {
-    if ((loaded.position - now.position).norm() <= kSame &&
-        (loaded.tangent - now.tangent).norm() <= kSame) {
+    if ((loaded.position - now.position).norm() <= kSameEnd &&
+        (loaded.tangent - now.tangent).norm() <= kSameEnd) {
         return;
     }
     throw ref::InputError(

@@ -50,8 +50,8 @@ std::string paper_curve_name(std::size_t move) { return ref::test_splines().at(m
 ref::Machine unlimited_machine() {
     ref::Machine machine;
     for (ref::AxisLimits& axis : machine.axis) {
-        axis.min = -1e9;
-        axis.max = 1e9;
+        axis.min = -ref::kUnlimitedTravel;
+        axis.max = ref::kUnlimitedTravel;
     }
     return machine;
 }

@@ -51,8 +51,8 @@ bool Homing::drive(int axis, double way_mm, double speed, Until until) {
         ref::HeldProgram{line(axis, way_mm, speed), {}, {}});
     ref::Machine machine = machine_of(options);
     for (ref::AxisLimits& limits : machine.axis) {
-        limits.min = -ref::kUnlimited;
-        limits.max = ref::kUnlimited;
+        limits.min = -ref::kUnlimitedTravel;
+        limits.max = ref::kUnlimitedTravel;
     }
     WordSource words(options, machine);
     machine_.begin(words.settings(), watchdog_samples_);

@@ -129,7 +129,7 @@ void JobStream::look_at_input() {
         first_.push_back(move);
         seen.add(move);
     }
-    if (more) seen.fastest = 1e9;
+    if (more) seen.fastest = ref::kUnlimitedSpeed;
     use(seen);
 }
 

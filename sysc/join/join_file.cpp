@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using ref::Vec3;
 
-constexpr double kUnit = 1e-6;     // greatest deviation of a unit vector in a file
-constexpr double kSharpest = 1e6;  // 1/mm
+constexpr double kUnitVectorError = 1e-6;   // greatest deviation of a unit vector in a file
+constexpr double kSharpestCurvature = 1e6;  // 1/mm
 
 double number(const Json& json, const char* key, double low, double high) {
     const double value = sysc::number(json, key);
@@ -55,10 +55,10 @@ ref::Joint joint(const Json& json, const char* key) {
     const Json& value = member(json, key);
     ref::Joint found;
     found.position = vector(member(value, "position", key), "position", ref::kFarthest);
-    found.tangent = vector(member(value, "tangent", key), "tangent", 1 + kUnit);
-    found.curvature = vector(member(value, "curvature", key), "curvature", kSharpest);
+    found.tangent = vector(member(value, "tangent", key), "tangent", 1 + kUnitVectorError);
+    found.curvature = vector(member(value, "curvature", key), "curvature", kSharpestCurvature);
     found.feed = number(member(value, "feed", key), "feed", 1e-6, 1e8);
-    if (std::abs(found.tangent.norm() - 1) > kUnit) {
+    if (std::abs(found.tangent.norm() - 1) > kUnitVectorError) {
         throw JsonFlaw{key, fmt::format("'{}': the tangent has not the length 1", key)};
     }
     return found;

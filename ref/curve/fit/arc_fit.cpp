@@ -7,13 +7,13 @@
 #include <optional>
 
 #include "ref/curve/arc_length.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr double kFewestPoints = 8;
 constexpr double kMostPoints = 1000;  // points at which a biarc is compared with the cubic
-constexpr double kTooFar = 1e300;
 
 /// Bounds of a cubic's derivatives, from its control points.
 struct Derivatives {
@@ -73,7 +73,7 @@ class Fitter {
         if (bounds.least_speed > 0) {
             const std::optional<Biarc> arcs =
                 biarc(start, tangent(cubic_, u0), end, tangent(cubic_, u1));
-            const double error = arcs ? distance(*arcs, bounds, s0, length) : kTooFar;
+            const double error = arcs ? distance(*arcs, bounds, s0, length) : kUnlimited;
             if (error <= tolerance_) {
                 if ((*arcs)[0].angle == 0 && (*arcs)[1].angle == 0) {
                     fit_.arcs.push_back(straight(start, end));
@@ -84,7 +84,7 @@ class Fitter {
             }
             if (length > tolerance_) return error;
         } else if (length > tolerance_) {
-            return kTooFar;
+            return kUnlimited;
         }
         if (start != end) fit_.arcs.push_back(straight(start, end));
         return length / 2;
@@ -98,7 +98,7 @@ class Fitter {
             of_arcs * of_arcs * bend;
         // The number of points at which the error between them is an eighth of the tolerance.
         const double n = std::max(kFewestPoints, std::ceil(std::sqrt(second / tolerance_)));
-        if (!(n <= kMostPoints)) return kTooFar;
+        if (!(n <= kMostPoints)) return kUnlimited;
         const double between = second / (8 * n * n);
         double worst = 0;
         for (double i = 1; i < n; ++i) {

@@ -29,7 +29,7 @@ TangentArc tangent_arc(const Vec3& start, const Vec3& tangent, const Vec3& end) 
     const Vec3 across = chord - tangent * along;
     const double height = across.norm();
     // The tangent leaves the chord by half the angle, so the arc rises by a quarter of `height`.
-    if (height < 4 * kFlat && along > 0) return straight(start, end);
+    if (height < 4 * kFlatRise && along > 0) return straight(start, end);
     TangentArc arc;
     arc.start = start;
     arc.end = end;

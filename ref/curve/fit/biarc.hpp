@@ -33,7 +33,7 @@ struct TangentArc {
     Vec3 at(double s) const;
 };
 
-constexpr double kFlat = 1e-9;  // mm: an arc that rises less above its chord is a line
+constexpr double kFlatRise = 1e-9;  // mm: an arc that rises less above its chord is a line
 
 TangentArc straight(const Vec3& start, const Vec3& end);
 

@@ -4,6 +4,8 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 
+#include "ref/numeric/unlimited.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kInside = 0.9999;
 double slower(const std::vector<PathInterval>& path, const SpeedSpline& spline, std::size_t k,
               double share) {
     const PathMotion start = spline.motion(k);
-    double slower = 1e9;
+    double slower = kUnlimited;
     each_limit_at(
         path, spline, k,
         [&](double x, double v) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kJump = 0.3;   // share of jerk * JointTime: change of acceleration between phases
 constexpr double kKept = 1.04;  // share of a limit's share, before words are rounded
 constexpr double kSpeedKept = 1.001;
-constexpr double kStill = 1e-9;  // mm/s, rounding of a rest
+constexpr double kRestSpeed = 1e-9;  // mm/s, rounding of a rest
 
 /// Least speed, mm/s; s(t) never goes back.
 double least_speed(const Phase& phase) {
@@ -71,7 +71,7 @@ class Merger {
         if (std::abs(phase.a - run_[first].a) > jump(first) || std::abs(off) > jump(end)) {
             return false;
         }
-        if (least_speed(phase) < -kStill) return false;
+        if (least_speed(phase) < -kRestSpeed) return false;
         const RunLoads loads = path_.loads(phase, first, end, {kKept, kSpeedKept});
         return loads.load <= kKept && loads.speed <= kSpeedKept;
     }

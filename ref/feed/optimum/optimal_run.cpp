@@ -8,6 +8,7 @@
 #include "ref/feed/optimum/merged_phases.hpp"
 #include "ref/feed/optimum/time_optimum.hpp"
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
@@ -27,7 +28,7 @@ constexpr double kInside = 0.999;    // share of a limit
 constexpr double kKept = 1.02;       // ratio to a limit's share
 constexpr double kTolerated = 1.05;  // the same after some rounds
 constexpr double kMore = 0.02;       // additional easing of limits from round to round
-constexpr RunLoads kAll{1e300, 1e300};
+constexpr RunLoads kAll{kUnlimited, kUnlimited};
 constexpr int kRounds = 3;
 constexpr int kMostRounds = 8;
 // Intervals eased on both sides of where words take too much, and those solved again.

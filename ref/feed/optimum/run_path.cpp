@@ -5,17 +5,19 @@
 #include <cmath>
 
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
 
-constexpr double kInside = 1e-6;  // share of an interval: distance of both sides of a joint from it
-constexpr int kParts = 4;         // parts of an interval
-constexpr double kSame = 0.05;    // share of r', r'', r''': constant enough within an interval
-constexpr double kAny = 1e300;    // no limit
+constexpr double kInset = 1e-6;  // share of an interval: distance of both sides of a joint from it
+constexpr int kParts = 4;        // parts of an interval
+constexpr double kSameShare = 0.05;  // share of r', r'', r''': constant enough within an interval
 
 bool differ(const PlaceLimit& a, const PlaceLimit& b) {
-    const auto apart = [](double x, double y) { return std::abs(x - y) > kSame * std::max(x, y); };
+    const auto apart = [](double x, double y) {
+        return std::abs(x - y) > kSameShare * std::max(x, y);
+    };
     return apart(a.d11, b.d11) || apart(a.d22, b.d22) || apart(a.d33, b.d33);
 }
 
@@ -57,14 +59,14 @@ void RunPath::look_at(std::size_t k) {
     first_look_.push_back(looks_.size());
     const long double from = knots_[k].s;
     const long double length = knots_[k + 1].s - from;
-    const long double inside = length * kInside;
+    const long double inside = length * kInset;
     std::size_t move = move_at(from + inside);
     for (int part = 0; part <= kParts; ++part) {
         const double time = static_cast<double>(part) / kParts;
         double x = time;
         if (starts(k)) x = time * time * time;
         if (ends(k)) x = 1 - (1 - time) * (1 - time) * (1 - time);
-        const long double s = from + std::clamp(x, kInside, 1 - kInside) * length;
+        const long double s = from + std::clamp(x, kInset, 1 - kInset) * length;
         for (; move + 1 < moves_.size() && begin_[move + 1] <= s; ++move) {
             add(begin_[move + 1] - inside, -1, move);
             add(begin_[move + 1] + inside, -1, move + 1);
@@ -77,7 +79,7 @@ void RunPath::add(long double s, int part, std::size_t move) {
     const RunMove& on = moves_[move];
     const PathShape& shape = geometry_.moves[on.planned].shape;
     const PathPlace at = places_.at(on.planned, static_cast<double>(s - begin_[move]));
-    Look look{s, part, move, on.velocity, kAny, limits_.size()};
+    Look look{s, part, move, on.velocity, kUnlimitedChange, limits_.size()};
     if (on.slow_axes) {
         look.velocity =
             std::min(look.velocity, kVelocityShare * highest_speed(at.d1, shape, machine_));
@@ -125,7 +127,7 @@ PathInterval RunPath::interval(std::size_t k) const {
     PathInterval interval;
     interval.length = static_cast<double>(to - from);
     const std::size_t last = looks_[end - 1].move;
-    double velocity = kAny;
+    double velocity = kUnlimited;
     for (std::size_t move = looks_[first].move; move <= last; ++move) {
         velocity = std::min(velocity, moves_[move].velocity);
         if (move < last) velocity = std::min(velocity, moves_[move].end_velocity);
@@ -143,7 +145,7 @@ PathInterval RunPath::interval(std::size_t k) const {
     interval.start_velocity = least(0, 0);
     interval.velocity = least(kParts / 2, kParts / 2);
     interval.end_velocity = least(kParts, kParts);
-    const bool joins = begin_[last + 1] < to + interval.length * kInside;
+    const bool joins = begin_[last + 1] < to + interval.length * kInset;
     if (joins && last + 1 < moves_.size()) {
         interval.end_velocity = std::min(interval.end_velocity, moves_[last].end_velocity);
     }

@@ -15,7 +15,7 @@ constexpr double kWithin = 1e-6;  // share of a stretch: at its ends a curve may
 
 bool near_standstill(const PlannedMove& move, double s, double quantum) {
     const double left = static_cast<double>(move.length) * quantum - s;
-    return (move.stop_before && s < kTip) || (move.stop_after && left < kTip);
+    return (move.stop_before && s < kTipLength) || (move.stop_after && left < kTipLength);
 }
 
 void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,

@@ -10,16 +10,18 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kCell = 0.4e-3;  // s, or longer where
+constexpr double kCellTime = 0.4e-3;  // s, or longer where
 constexpr double kCellTurn =
     0.03;                          // rad is what a curve turns at most: its derivatives go linearly
 constexpr double kWithin = 1e-6;   // share of a stretch: at its very ends a curve may stand still
-constexpr double kNoLimit = 1e15;  // limit of acceleration and jerk
-constexpr double kSame = 1e-6;     // share of a speed, of a limit
+constexpr double kNoLimit = 1e15;  // of acceleration and jerk; its square is a number
+constexpr double kSameShare = 1e-6;  // share of a speed, of a limit
 
 bool same(const PlaceLimits& a, const PlaceLimits& b) {
     const auto equal = [](const PlaceLimit& x, const PlaceLimit& y) {
-        const auto near = [](double p, double q) { return std::abs(p - q) <= kSame * std::abs(p); };
+        const auto near = [](double p, double q) {
+            return std::abs(p - q) <= kSameShare * std::abs(p);
+        };
         return near(x.d11, y.d11) && near(x.d12, y.d12) && near(x.d13, y.d13) &&
                near(x.d22, y.d22) && near(x.d23, y.d23) && near(x.d33, y.d33) &&
                near(x.acceleration, y.acceleration) && near(x.jerk, y.jerk);
@@ -45,7 +47,7 @@ void ProfileCourse::add(const PieceStretch& stretch) {
     const double bend = std::max(shape.curvature, std::sqrt(shape.swerve));
     const double turn = (place_of(stretch, stretch.to) - stretch.s) * quantum_ * bend;
     const int parts =
-        std::max(1, static_cast<int>(std::ceil(std::min(seconds / kCell, turn / kCellTurn))));
+        std::max(1, static_cast<int>(std::ceil(std::min(seconds / kCellTime, turn / kCellTurn))));
     PlaceLimits begin = limits(stretch, 0);
     for (int i = 0; i < parts; ++i) {
         const auto at = [&](int part) {
@@ -98,7 +100,7 @@ bool ProfileCourse::even(double from, double to) const {
             return false;
         }
         for (const double tick : {cell.from, (cell.from + cell.to) / 2, cell.to}) {
-            if (std::abs(motion(cell, tick).v - speed) > kSame * speed) return false;
+            if (std::abs(motion(cell, tick).v - speed) > kSameShare * speed) return false;
         }
         end = cell.to;
     }

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "ref/numeric/unlimited.hpp"
 #include "ref/segment/core_budget.hpp"
 
 namespace curvecore::ref {
 namespace {
-
-constexpr double kUnlimited = 1e9;  // mm/s
 
 /// The starts of all steps along the path.
 class Changes {
@@ -50,7 +49,7 @@ class Changes {
 class MoveSpeeds {
   public:
     explicit MoveSpeeds(const std::vector<PlannedMove>& moves)
-        : moves_(moves), speeds_(moves.size(), kUnlimited) {}
+        : moves_(moves), speeds_(moves.size(), kUnlimitedSpeed) {}
 
     void limit(std::uint64_t from, std::uint64_t to, double speed) {
         while (start_ + moves_[first_].length <= from) start_ += moves_[first_++].length;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ref/feed/ramps/zone_ramps.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 
@@ -55,7 +56,7 @@ class Zones {
 
     /// Returns the least acceleration and jerk and the highest speed of [first, last].
     Zone weakest(std::size_t first, std::size_t last) const {
-        Zone all{0, 0, 1e300, 1e300};
+        Zone all{0, 0, kUnlimitedChange, kUnlimitedChange};
         each(first, last, [&](std::size_t node) { all = weaker(all, weakest_[node]); });
         return all;
     }

@@ -23,6 +23,8 @@ struct Load {
     double j = 0;
 };
 
+/// Bounds of a hold, the derivatives of time's rate r. They begin finite, so steep that only a
+/// program that hardly moves keeps them.
 struct Slopes {
     double slope = 1e9;   // r', 1/s
     double change = 1e9;  // r'', 1/s^2

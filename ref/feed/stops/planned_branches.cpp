@@ -7,25 +7,26 @@
 #include "ref/feed/stops/queue_cover.hpp"
 #include "ref/feed/stops/stop_branch.hpp"
 #include "ref/format/path_words.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 // Distances between branches: some tenth of a stop from full speed; or this little path, while the
 // stop, a short one then, does not get long by it.
-constexpr double kDistance = 30e-3;     // s
-constexpr double kSlowDistance = 0.15;  // s
-constexpr double kPath = 0.5;           // mm
-constexpr std::uint64_t kParts = 2;     // parts of it that pieces leave at least
-constexpr double kOfWords = 0.95;       // share of the words that a queue carries: branches differ
+constexpr double kApartTime = 30e-3;     // s
+constexpr double kSlowApartTime = 0.15;  // s
+constexpr double kApartPath = 0.5;       // mm
+constexpr std::uint64_t kParts = 2;      // parts of it that pieces leave at least
+constexpr double kWordShare = 0.95;      // share of the words that a queue carries: branches differ
 
 Reach branch_distance(const PieceGrid& grid) {
     const auto ticks = [&](double time) {
         return std::max<std::uint64_t>(kStopLead + 1,
                                        static_cast<std::uint64_t>(std::floor(time / grid.tick)));
     };
-    return {ticks(kDistance), ticks(kSlowDistance),
-            static_cast<std::uint64_t>(kPath / grid.quantum)};
+    return {ticks(kApartTime), ticks(kSlowApartTime),
+            static_cast<std::uint64_t>(kApartPath / grid.quantum)};
 }
 
 /// Ticks of the profile that pass during a stop.
@@ -50,7 +51,7 @@ class BranchPlanner {
         : course_(program, machine, geometry, plan, kStopShare),
           reach_(static_cast<double>(stop_reach(machine, plan.tick_s))),
           distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})),
-          words_per_tick_(kOfWords * covered_words(options, plan)) {
+          words_per_tick_(kWordShare * covered_words(options, plan)) {
         std::uint64_t start = 0;
         std::uint64_t s = 0;
         for (const ProfilePiece& piece : plan.pieces) {
@@ -68,7 +69,7 @@ class BranchPlanner {
         find_until(course_.cells().back().from - reach_);
     }
     std::vector<PlannedBranch> finish() {
-        find_until(1e300);
+        find_until(kUnlimited);
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const std::uint64_t next =
                 i + 1 < branches_.size() ? due_[branches_[i + 1].piece] : end_;

@@ -7,19 +7,20 @@
 
 #include "ref/format/path_words.hpp"
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 namespace {
 
 constexpr std::int64_t kOne = std::int64_t{1} << 32;  // rate 1
-constexpr double kUnit = 0x1p-32;
-constexpr double kSteps = 24;       // least number of steps in a stop
-constexpr double kShortest = 2e-3;  // s, shortest step in it
-constexpr int kPlaces = 4;          // places of a step where limits are checked
-constexpr int kRounds = 8;          // rounds of the search for such a step
-constexpr int kFine = 64;           // parts of the room: resolution of a change
-constexpr int kLoose = 1000;        // parts of it that the end may leave unused
-constexpr double kMost = 0.9;       // share of the possible rest that is tried next
+constexpr double kRateUnit = 0x1p-32;
+constexpr double kLeastSteps = 24;          // least number of steps in a stop
+constexpr double kShortestStepTime = 2e-3;  // s, shortest step in it
+constexpr int kPlaces = 4;                  // places of a step where limits are checked
+constexpr int kRounds = 8;                  // rounds of the search for such a step
+constexpr int kFine = 64;                   // parts of the room: resolution of a change
+constexpr int kLoose = 1000;                // parts of it that the end may leave unused
+constexpr double kTriedShare = 0.9;         // share of the possible rest that is tried next
 constexpr std::uint32_t kMostTicks = (1u << kStepTicksBits) - 1;  // longest step, ticks
 
 /// A rate and its slope, 2^-32, at a tick of the profile.
@@ -50,8 +51,8 @@ bool cut_square(double a, double b, double c, Change change, Room& room) {
 
 /// Time of the quickest stop along the path, s, by the limits of its first place alone.
 double least_time(const PieceMotion& m, const PlaceLimits& limits) {
-    double acceleration = 1e300;
-    double jerk = 1e300;
+    double acceleration = kUnlimitedChange;
+    double jerk = kUnlimitedChange;
     for (const PlaceLimit& limit : limits) {
         const double rate = std::sqrt(limit.d11);
         if (rate == 0) continue;
@@ -111,11 +112,11 @@ class StopLaw {
 
     /// Longest step, ticks, a power of two.
     std::int64_t longest_step() const {
-        double time = kShortest;
+        double time = kShortestStepTime;
         if (!cells_.empty()) {
             const CourseCell& cell = cells_[at_.cell];
             const PieceMotion m = course_.motion(cell, std::clamp(at_.tick, cell.from, cell.to));
-            time = std::max(time, least_time(m, cell.begin) / kSteps);
+            time = std::max(time, least_time(m, cell.begin) / kLeastSteps);
         }
         std::int64_t ticks = 1;
         while (static_cast<double>(2 * ticks) * tick_s_ <= time && 2 * ticks <= kMostTicks) {
@@ -127,7 +128,8 @@ class StopLaw {
     Scaled after(Scaled at, std::int64_t change, std::int64_t n) const {
         const std::int64_t pairs = n * (n + 1) / 2;
         const std::int64_t triples = pairs * (n + 2) / 3;
-        at.tick += static_cast<double>(at.rate * n + at.slope * pairs + change * triples) * kUnit;
+        at.tick +=
+            static_cast<double>(at.rate * n + at.slope * pairs + change * triples) * kRateUnit;
         at.rate += at.slope * n + change * pairs;
         at.slope += change * n;
         while (at.cell + 1 < cells_.size() && cells_[at.cell + 1].from <= at.tick) ++at.cell;
@@ -143,15 +145,15 @@ class StopLaw {
         if (at.tick < cell.from || at.tick >= cell.to) return true;
         const PieceMotion m = course_.motion(cell, at.tick);
         if (m.v <= 0) return true;
-        const double r = static_cast<double>(at.rate) * kUnit;
-        const double p = static_cast<double>(at.slope) * kUnit / tick_s_;
+        const double r = static_cast<double>(at.rate) * kRateUnit;
+        const double p = static_cast<double>(at.slope) * kRateUnit / tick_s_;
         const double v = r * m.v;
         const double q = v * v;
         const double x = v * q;
         const double even = r * r * m.a;  // alpha without a slope
         const double y = v * (even + p * m.v);
         const double own = r * (r * r * m.j + 3 * p * m.a);  // u without a change
-        const double per_speed = tick_s_ / (m.v * kUnit);
+        const double per_speed = tick_s_ / (m.v * kRateUnit);
         const double per_jerk = per_speed * tick_s_;
         const double per_tick = n > 0 ? 1 / static_cast<double>(n) : 0;
         const auto from_alpha = [&](double alpha) {
@@ -290,7 +292,8 @@ class StopLaw {
         };
         if (room_left <= reach(left_) && try_change(bad)) return good;
         while (static_cast<double>(good - bad) > fine && reach(left_) > loose) {
-            const double more = std::min(kMost * reach(left_), static_cast<double>(good - bad) / 2);
+            const double more =
+                std::min(kTriedShare * reach(left_), static_cast<double>(good - bad) / 2);
             try_change(good - static_cast<std::int64_t>(std::ceil(more)));
         }
         return good;
@@ -318,12 +321,12 @@ StopSteps stop_steps(const ProfileCourse& course, std::uint64_t tick) {
 }
 
 std::uint64_t stop_reach(const Machine& machine, double tick_s) {
-    constexpr double kTimes = 4;  // times that of the slowest axis
+    constexpr double kTimesSlowest = 4;  // times that of the slowest axis
     double time = machine.velocity / machine.acceleration + machine.acceleration / machine.jerk;
     for (const AxisLimits& axis : machine.axis) {
         time = std::max(time, axis.velocity / axis.acceleration + axis.acceleration / axis.jerk);
     }
-    return static_cast<std::uint64_t>(std::ceil(kTimes * time / tick_s));
+    return static_cast<std::uint64_t>(std::ceil(kTimesSlowest * time / tick_s));
 }
 
 }  // namespace curvecore::ref

@@ -9,13 +9,12 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr double kRest = 1e-9;  // mm/s
+constexpr double kRestSpeed = 1e-9;  // mm/s
 // Share of an acceleration and of kStraight A T at which the jumps of all joints of a window are
 // negligible.
 constexpr double kSameShare = 1e-6;
 constexpr std::size_t kMany = 1 << 14;  // knots of a part: 3 MB
 constexpr double kReaches = 20;         // reaches of a part at least: two of them are in two parts
-constexpr double kNever = 1e300;        // s
 
 double position(const Phase& phase, double t) { return static_cast<double>(phase.place(t)); }
 
@@ -46,7 +45,7 @@ VelocityCourse::VelocityCourse(const std::vector<Segment>& segments, double unit
 }
 
 AxisVector VelocityCourse::velocity(std::size_t segment, double s, double v) {
-    if (v < kRest) return {};  // a spline may stand still there, without a direction
+    if (v < kRestSpeed) return {};  // a spline may stand still there, without a direction
     const Segment& at = segments_[segment];
     const Vec3 xyz = v * curve_.on(at).direction(std::max(0.0, s));
     AxisVector velocity{xyz.x(), xyz.y(), xyz.z()};
@@ -109,8 +108,9 @@ std::size_t VelocityCourse::look_at(std::size_t first, double reach) {
     std::size_t done = first;
     bool goes_on = false;
     for (; piece != pieces_.end(); ++piece) {
-        const double near_since = next < all_joints_.size() ? all_joints_[next].t - reach : kNever;
-        const double near_until = next > 0 ? all_joints_[next - 1].t + reach : -kNever;
+        const double near_since =
+            next < all_joints_.size() ? all_joints_[next].t - reach : kUnlimited;
+        const double near_until = next > 0 ? all_joints_[next - 1].t + reach : -kUnlimited;
         const bool near = piece->t <= near_until || piece->end() >= near_since;
         if (near) {
             if (!goes_on) knots_.push_back(knot(*piece, 0));

@@ -7,6 +7,7 @@
 
 #include "ref/feed/ramps/zone_ramps.hpp"
 #include "ref/limits/path_shape.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/plan/curve_follower.hpp"
 
 namespace curvecore::ref {
@@ -78,9 +79,9 @@ class VelocityCourse {
     const std::vector<Segment>& segments_;
     double unit_mm_;
     std::size_t axes_;
-    double resolution_;         // s
-    double precision_ = 1e300;  // mm/s
-    double least_acceleration_ = 1e300;
+    double resolution_;              // s
+    double precision_ = kUnlimited;  // mm/s
+    double least_acceleration_ = kUnlimited;
     CurveFollower curve_;
     double time_ = 0;
     std::vector<Piece> pieces_;

@@ -13,8 +13,8 @@ constexpr double kLarge = 0.02;           // share of A T
 constexpr int kPairs = 24;                // joints
 constexpr double kExponent = 0.6;  // power of the ratio that lowers speed: jumps go with v, bends
                                    // with v^3
-constexpr double kLeast = 0.5;     // share of the speed: it is lowered by no more at once
-constexpr double kSame = 1e-9;     // s
+constexpr double kLeastSpeedShare = 0.5;  // share of the speed: it is lowered by no more at once
+constexpr double kSameTime = 1e-9;        // s
 
 double square(const AxisVector& v, int axis) {
     if (axis >= 0) return v[static_cast<std::size_t>(axis)] * v[static_cast<std::size_t>(axis)];
@@ -142,8 +142,8 @@ void WindowRule::keep(double from, double to, double ratio) {
     const auto& knots = course_.knots();
     const auto& joints = course_.joints();
     const auto earlier = [&](std::size_t joint, double t) { return knots[joint].t < t; };
-    const auto first = std::lower_bound(joints.begin(), joints.end(), from - kSame, earlier);
-    const auto end = std::lower_bound(first, joints.end(), to + kSame, earlier);
+    const auto first = std::lower_bound(joints.begin(), joints.end(), from - kSameTime, earlier);
+    const auto end = std::lower_bound(first, joints.end(), to + kSameTime, earlier);
     if (first == end) return;
     // Speeds change little from joint to joint: a few of many suffice.
     double v = knots[*(end - 1)].v;
@@ -151,7 +151,7 @@ void WindowRule::keep(double from, double to, double ratio) {
     for (auto joint = first; end - joint > stride; joint += stride) {
         v = std::max(v, knots[*joint].v);
     }
-    const double factor = std::max(kLeast, 0.99 * std::pow(ratio, -kExponent));
+    const double factor = std::max(kLeastSpeedShare, 0.99 * std::pow(ratio, -kExponent));
     broken_.push_back({static_cast<std::size_t>(first - joints.begin()),
                        static_cast<std::size_t>(end - joints.begin() - 1), v * factor});
 }
@@ -164,9 +164,9 @@ void WindowRule::look_at_length(double w) {
     std::size_t next = 0;  // joint
     for (const Knot& knot : knots) {
         const double t = knot.t;
-        while (next < joints.size() && knots[joints[next]].t < t - 2 * w - kSame) ++next;
+        while (next < joints.size() && knots[joints[next]].t < t - 2 * w - kSameTime) ++next;
         if (next == joints.size()) return;
-        if (knots[joints[next]].t > t + 2 * w + kSame) continue;
+        if (knots[joints[next]].t > t + 2 * w + kSameTime) continue;
         const AxisVector a = course_.at(t - 2 * w, place[0]);
         const AxisVector b = course_.at(t - w, place[1]);
         const AxisVector d = course_.at(t + w, place[2]);

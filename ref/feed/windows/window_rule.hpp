@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ref/feed/windows/velocity_course.hpp"
+#include "ref/numeric/unlimited.hpp"
 
 namespace curvecore::ref {
 
@@ -98,7 +99,7 @@ class WindowRule {
     double longest_;  // s
     double fine_ = 0;
     std::vector<Limit> limits_;
-    Limit weakest_{1e300, 1e300, -1};
+    Limit weakest_{kUnlimited, kUnlimited, -1};
     std::vector<Broken> broken_;
 };
 

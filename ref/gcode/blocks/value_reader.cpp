@@ -7,13 +7,14 @@
 #include <charconv>
 #include <cmath>
 
+#include "ref/numeric/angles.hpp"
+
 namespace curvecore::ref {
 namespace {
 
 constexpr double kEqual = 1e-6;    // tolerance of EQ NE GE LE
 constexpr int kMostFigures = 100;  // no number this short leaves a double's range
 constexpr int kDeepest = 100;      // nested brackets and signs
-constexpr double kDegree = M_PI / 180;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
@@ -56,17 +57,17 @@ struct Function {
 
 constexpr Function kFunctions[] = {
     {"ABS", [](double x) { return std::abs(x); }},
-    {"ACOS", [](double x) { return std::acos(x) / kDegree; }},
-    {"ASIN", [](double x) { return std::asin(x) / kDegree; }},
-    {"COS", [](double x) { return std::cos(x * kDegree); }},
+    {"ACOS", [](double x) { return std::acos(x) / kRadiansPerDegree; }},
+    {"ASIN", [](double x) { return std::asin(x) / kRadiansPerDegree; }},
+    {"COS", [](double x) { return std::cos(x * kRadiansPerDegree); }},
     {"EXP", [](double x) { return std::exp(x); }},
     {"FIX", [](double x) { return std::floor(x); }},
     {"FUP", [](double x) { return std::ceil(x); }},
     {"LN", [](double x) { return std::log(x); }},
     {"ROUND", [](double x) { return std::trunc(x + std::copysign(0.5, x)); }},
-    {"SIN", [](double x) { return std::sin(x * kDegree); }},
+    {"SIN", [](double x) { return std::sin(x * kRadiansPerDegree); }},
     {"SQRT", [](double x) { return std::sqrt(x); }},
-    {"TAN", [](double x) { return std::tan(x * kDegree); }},
+    {"TAN", [](double x) { return std::tan(x * kRadiansPerDegree); }},
 };
 
 }  // namespace
@@ -190,7 +191,7 @@ double ValueReader::function(const std::string& what) {
     const double argument = bracketed(name);
     if (name == "ATAN") {
         if (!take("/") || peek() != '[') refuse("ATAN wants two values, as in ATAN[y]/[x]");
-        return std::atan2(argument, bracketed(name)) / kDegree;
+        return std::atan2(argument, bracketed(name)) / kRadiansPerDegree;
     }
     const double value = found->apply(argument);
     if (!std::isfinite(value)) refuse(fmt::format("{}[{:.10g}] has no value", name, argument));

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/numeric/angles.hpp"
+
 namespace curvecore::ref {
 namespace {
 
 using Kind = CycleStep::Kind;
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr int kMostPasses = 2000;
 
 /// The words of G76, mm: X and Z of its drive line's start and end; depths along X are from the
@@ -58,7 +59,7 @@ Thread read_thread(Block& block, const Coordinates& coordinates, const Place& pl
     const int tapers = whole_number('L', word(block, 'L', 0), 0, 3, place);
     thread.entry_taper = (tapers & 1) != 0;
     thread.exit_taper = (tapers & 2) != 0;
-    thread.compound_slope = std::tan(word(block, 'Q', 0) * kDegree);
+    thread.compound_slope = std::tan(word(block, 'Q', 0) * kRadiansPerDegree);
     thread.taper = std::max(0.0, word(block, 'E', 0)) * unit;
     return thread;
 }

@@ -6,13 +6,9 @@
 #include <cmath>
 
 #include "ref/gcode/interpreter/interpreter.hpp"
+#include "ref/numeric/angles.hpp"
 
 namespace curvecore::ref {
-namespace {
-
-constexpr double kDegree = M_PI / 180;
-
-}  // namespace
 
 void Interpreter::resolve_polar(Block& block, const Codes& codes, const Place& place) const {
     if (!block.polar_radius && !block.polar_angle) return;
@@ -32,10 +28,10 @@ void Interpreter::resolve_polar(Block& block, const Codes& codes, const Place& p
     double angle = std::atan2(y, x);
     if (relative) {
         radius += block.polar_radius.value_or(0);
-        angle += block.polar_angle.value_or(0) * kDegree;
+        angle += block.polar_angle.value_or(0) * kRadiansPerDegree;
     } else {
         radius = block.polar_radius.value_or(radius);
-        if (block.polar_angle) angle = *block.polar_angle * kDegree;
+        if (block.polar_angle) angle = *block.polar_angle * kRadiansPerDegree;
     }
     block.give('X', radius * std::cos(angle) - (relative ? x : 0));
     block.give('Y', radius * std::sin(angle) - (relative ? y : 0));

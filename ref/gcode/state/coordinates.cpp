@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/numeric/angles.hpp"
+
 namespace curvecore::ref {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 void check_range(char letter, double value, const Place& place) {
     if (std::abs(value) > kFarthest) {
@@ -21,8 +21,8 @@ void check_range(char letter, double value, const Place& place) {
 /// Turns a point about Z; an angle of 0 leaves it exactly as it is.
 Point turn(Point point, double degrees) {
     if (degrees == 0) return point;
-    const double c = std::cos(degrees * kDegree);
-    const double s = std::sin(degrees * kDegree);
+    const double c = std::cos(degrees * kRadiansPerDegree);
+    const double s = std::sin(degrees * kRadiansPerDegree);
     const double x = point[0];
     point[0] = c * x - s * point[1];
     point[1] = s * x + c * point[1];

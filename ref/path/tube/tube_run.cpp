@@ -10,12 +10,12 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kRefinements = 24;
-constexpr std::size_t kMostKnots = 50;  // times the first number
-constexpr double kUneven = 4;           // ratio of neighbouring spans
-constexpr double kStrongTurn = 0.3;     // rad: spans are cut at sharper turns
-constexpr double kFull = 0.97;          // share of the tolerance
-constexpr double kChange = 0.35;        // share of the jerk limit: jump of r''' v^3 at a knot
-constexpr double kLongest = 12e-3;      // s, a span where r''' hardly changes
+constexpr std::size_t kMostKnots = 50;      // times the first number
+constexpr double kUneven = 4;               // ratio of neighbouring spans
+constexpr double kStrongTurn = 0.3;         // rad: spans are cut at sharper turns
+constexpr double kFull = 0.97;              // share of the tolerance
+constexpr double kChange = 0.35;            // share of the jerk limit: jump of r''' v^3 at a knot
+constexpr double kLongestSpanTime = 12e-3;  // s, a span where r''' hardly changes
 // Newton's stages: first with the speeds of the programmed path, then with those of the curve.
 constexpr TubeSpline::Stages kRough{0, 2};
 constexpr TubeSpline::Stages kFine{1, 3};
@@ -109,7 +109,7 @@ std::vector<Site> change_sites(const CubicSpline& spline, const std::vector<doub
         const double v = std::min(speeds[before], speeds[after]);
         const double jump = v * v * v * pace.jerk.load(thirds[after] - thirds[before]);
         const double apart = (spline.width(before) + spline.width(after)) / 2;
-        sites.push_back({spline.knot(i), 0, v, kLongest * v});
+        sites.push_back({spline.knot(i), 0, v, kLongestSpanTime * v});
         if (jump > 0) sites[i].width = std::min(sites[i].width, kChange / jump * apart);
     }
     even_widths(sites);

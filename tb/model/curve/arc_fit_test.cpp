@@ -85,8 +85,8 @@ TEST_P(ArcFits, KeepTheToleranceWithOneTangentAtEveryJoint) {
         Vec3 along = ref::tangent(cubic, 0);
         for (const TangentArc& arc : fit.arcs) {
             EXPECT_EQ(arc.start, at);
-            // A line in place of an all but straight arc turns by 4 kFlat over its length.
-            const double turn = 1e-11 + 8 * ref::kFlat / arc.length();
+            // A line in place of an all but straight arc turns by 4 kFlatRise over its length.
+            const double turn = 1e-11 + 8 * ref::kFlatRise / arc.length();
             if (arc.length() > tolerance) {
                 EXPECT_LE((arc.tangent - along).norm(), turn);
             }

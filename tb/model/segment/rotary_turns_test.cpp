@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "ref/numeric/angles.hpp"
+
 namespace curvecore::ref {
 namespace {
 
@@ -33,9 +35,9 @@ TEST(RotaryTurns, FewestPiecesThatAnyBeginningLeavesRoomFor) {
         const double from = far(random);
         const double to = n % 2 == 0 ? far(random) : from + far(random) * 1e-2;
         const double pieces = t.pieces(from, to);
-        ASSERT_LT(kTurn + std::abs(to - from) / pieces, kRange);
+        ASSERT_LT(kTurnDegrees + std::abs(to - from) / pieces, kRange);
         if (pieces > 1) {
-            ASSERT_GE(kTurn + std::abs(to - from) / (pieces - 1), kRange);
+            ASSERT_GE(kTurnDegrees + std::abs(to - from) / (pieces - 1), kRange);
         }
     }
     EXPECT_EQ(t.pieces(5, 5), 1);
@@ -66,7 +68,8 @@ TEST(RotaryTurns, ASplinesTurnsAreOneSegments) {
         t.move.kind = Move::Kind::kLine;
         EXPECT_EQ(t.turns.beyond_words(t.move, 3), "");
         t.move.kind = Move::Kind::kCubic;
-        EXPECT_EQ(t.turns.beyond_words(t.move, 3).empty(), std::abs(travel) < kRange - kTurn);
+        EXPECT_EQ(t.turns.beyond_words(t.move, 3).empty(),
+                  std::abs(travel) < kRange - kTurnDegrees);
     }
     t.options.format.position_bits = 29;
     t.move.kind = Move::Kind::kLine;
