@@ -16,6 +16,12 @@ namespace curvecore::ref {
 namespace {
 
 constexpr int kCoverRounds = 12;
+// Share of an optimum: where a queue is short for more, all of it is slowed.
+constexpr double kMost = 0.5;
+constexpr double kMostSlower = 2;       // times the time, at most
+constexpr double kSlowerExact = 0.004;  // share to which that is found
+// Share of pieces: as few that were cut for branches are not worth a plan without.
+constexpr double kCutPieces = 0.1;
 constexpr double kCutFrom = 0.6;  // share of the planned time; what lies behind is planned again
 // Share of the rules' speeds where an optimum joins them at a cut: it begins and ends within its
 // limits.
@@ -73,15 +79,73 @@ std::size_t best_cut(const WindowMotion& motion, std::size_t open, const Machine
 
 bool is_slowed(const Slowed& move) { return move.speed < Slowed().speed || move.ramp > 0; }
 
+/// Returns the line of a planned move.
+int line_of(const FeedTask& task, std::size_t planned) {
+    return task.program.moves[task.geometry.moves[planned].move].line;
+}
+
+/// Returns true if a profile is longer for its stop branches, or for pieces that are cut for them.
+bool costs_of_branches(const FeedTask& task, const Plan& plan) {
+    if (!task.options.has_branches() || !plan.branches.empty()) return !plan.branches.empty();
+    const Reach longest = longest_piece({task.machine, plan.unit_mm, plan.tick_s});
+    const auto cut = std::count_if(
+        plan.pieces.begin(), plan.pieces.end(),
+        [&](const ProfilePiece& piece) { return 2 * std::uint64_t{piece.ticks} > longest.ticks; });
+    return static_cast<double>(cut) > kCutPieces * static_cast<double>(plan.pieces.size());
+}
+
+/// Fills in what follows from a motion: pieces, bounds of holds, feeds and branches. Returns what
+/// the queues do not cover.
+Uncovered lay(const FeedTask& task, const WindowMotion& motion, Plan& plan) {
+    plan.pieces.clear();
+    motion.append(0, task.geometry.moves.size(), plan.pieces);
+    motion.append_last_dwell(plan.pieces);
+    plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
+    if (task.whole) set_hold_bounds(task.machine, task.options, task.geometry, plan);
+    set_segment_feeds(task.program, task.options, plan.pieces, task.geometry.segments);
+    plan.branches.clear();
+    const Uncovered without = uncovered(task.geometry, task.options, plan);
+    if (without.any() || !task.whole || !task.options.has_branches()) return without;
+    set_branches(task.program, task.machine, task.geometry, task.options, plan);
+    return uncovered(task.geometry, task.options, plan);
+}
+
+/// Goes through all of a motion more slowly, no more than the queues need: stops are then shorter,
+/// too. Returns none if that takes more than kMostSlower times the time, or than `most` seconds.
+std::optional<WindowProfile> slow_all(const FeedTask& task, const FeedWindow& window,
+                                      std::size_t cut, double most, const Plan& fastest) {
+    std::optional<WindowProfile> best;
+    double low = 1;
+    for (double high = kMostSlower, factor = high; factor - low > kSlowerExact * low || !best;
+         factor = (low + high) / 2) {
+        WindowProfile slower{window.slower_motion(factor), fastest, cut,
+                             task.geometry.moves.size()};
+        if (!lay(task, slower.motion, slower.plan).any()) {
+            slower.plan.slowed_moves = task.geometry.moves.size();
+            slower.plan.slowed_line = line_of(task, 0);
+            best.emplace(std::move(slower));
+            high = factor;
+        } else if (!best) {
+            break;
+        } else {
+            low = factor;
+        }
+    }
+    if (best && best->plan.duration_s > most) best.reset();
+    const Plan& last = best ? best->plan : fastest;
+    set_segment_feeds(task.program, task.options, last.pieces, task.geometry.segments);
+    return best;
+}
+
 /// Makes a profile from the motion of a window: slower motion stops sooner, so that the queues last
 /// longer, and a few rounds suffice. Returns none if the given motion cannot be continued, or if it
 /// takes longer than `most` seconds.
-/// @param slowed for each planned move, set to what it is slowed to
+/// @param branches set if those made the profile too long for its queue
 std::optional<WindowProfile> cover_motion(const FeedTask& task, std::size_t cut, double most,
-                                          std::vector<Slowed>& slowed) {
+                                          bool& branches) {
     const std::size_t count = task.geometry.moves.size();
     const std::size_t given = given_moves(task.given);
-    slowed.assign(count, {});
+    std::vector<Slowed> slowed(count);
     Plan plan = task.frame;
     for (int round = 0;; ++round) {
         FeedWindow window(task, slowed, cut);
@@ -99,27 +163,20 @@ std::optional<WindowProfile> cover_motion(const FeedTask& task, std::size_t cut,
             const std::size_t enough = enough_moves(task, found);
             if (enough < count) return WindowProfile{std::move(found), {}, cut, enough};
         }
-        plan.pieces.clear();
-        found.append(0, count, plan.pieces);
-        found.append_last_dwell(plan.pieces);
-        plan.duration_s = ticks_of(plan.pieces) * plan.tick_s;
+        const Uncovered missing = lay(task, found, plan);
         if (plan.duration_s > most) return {};
-        if (task.whole) set_hold_bounds(task.machine, task.options, task.geometry, plan);
-        set_segment_feeds(task.program, task.options, plan.pieces, task.geometry.segments);
-        plan.branches.clear();
-        const auto slow = [&] {
-            return slow_to_cover(task.geometry, task.options, plan, given, round, slowed);
-        };
-        std::size_t more = slow();
-        if (more == 0 && task.whole && task.options.has_branches()) {
-            set_branches(task.program, task.machine, task.geometry, task.options, plan);
-            more = slow();
+        if (!missing.any()) return WindowProfile{std::move(found), std::move(plan), cut, count};
+        branches = branches || (missing.pieces > 0 && costs_of_branches(task, plan));
+        const bool all = std::max(missing.segments, missing.pieces) > kMost;
+        if (all && task.whole && task.options.effort == Effort::kOptimum) {
+            if (auto slower = slow_all(task, window, cut, most, plan)) return slower;
         }
+        const std::size_t more =
+            slow_to_cover(task.geometry, task.options, plan, given, round, slowed);
         if (more == 0) return WindowProfile{std::move(found), std::move(plan), cut, count};
         plan.slowed_moves = std::max(plan.slowed_moves, more);
         const auto first = std::find_if(slowed.begin(), slowed.end(), is_slowed) - slowed.begin();
-        const PlannedMove& at = task.geometry.moves[static_cast<std::size_t>(first)];
-        plan.slowed_line = task.program.moves[at.move].line;
+        plan.slowed_line = line_of(task, static_cast<std::size_t>(first));
         if (round == kCoverRounds) {
             throw InputError(task.program.file, 0,
                              "the moves are so short that what fits into the core's queues does "
@@ -136,8 +193,8 @@ std::optional<WindowProfile> profile_window(FeedTask task) {
     if (!task.whole && effort == Effort::kOptimum) task.pace = kPace;
     if (effort == Effort::kRules) task.least = count;
     task.options.effort = Effort::kRules;
-    std::vector<Slowed> slowed;
-    std::optional<WindowProfile> best = cover_motion(task, 0, kUnlimited, slowed);
+    bool branches = false;
+    std::optional<WindowProfile> best = cover_motion(task, 0, kUnlimited, branches);
     if (effort == Effort::kRules || !best || best->enough < count) return best;
     task.least = count;
     // More pieces need more queue, and so do stop branches: where that costs time, the optimum does
@@ -149,13 +206,13 @@ std::optional<WindowProfile> profile_window(FeedTask task) {
     }
     const auto improve = [&](double worth) {
         try {
-            auto optimum = cover_motion(task, cut, worth * best->plan.duration_s, slowed);
+            auto optimum = cover_motion(task, cut, worth * best->plan.duration_s, branches);
             if (optimum) best = std::move(optimum);
         } catch (const InputError&) {  // the motion by rules stays
         }
     };
     improve(1);
-    if (task.options.has_branches() && std::any_of(slowed.begin(), slowed.end(), is_slowed)) {
+    if (branches) {
         task.options.holds = Holds::kBounds;
         improve(kWithoutBranches);
     }

@@ -142,6 +142,14 @@ void FeedWindow::lower(Stretch& stretch, Cap cap, Cap end) const {
     }
 }
 
+WindowMotion FeedWindow::slower_motion(double factor) const {
+    std::vector<Stretch> stretches = stretches_;
+    for (Stretch& stretch : stretches) {
+        for (Phase& phase : stretch.phases) phase = phase.slower(factor);
+    }
+    return {std::move(stretches), task_.geometry, solver_.grid(), solver_.last_dwell()};
+}
+
 WindowMotion FeedWindow::motion() const {
     return {stretches_, task_.geometry, solver_.grid(), solver_.last_dwell()};
 }

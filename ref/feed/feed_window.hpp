@@ -20,6 +20,8 @@ class FeedWindow {
     bool cut_before(std::size_t cut);
 
     WindowMotion motion() const;
+    /// Returns the same motion at 1 / `factor` of its speed.
+    WindowMotion slower_motion(double factor) const;
 
   private:
     bool solve(Stretch& stretch);

@@ -18,6 +18,11 @@ struct Phase {
     long double place(double t) const { return s + ((j / 6 * t + a / 2) * t + v) * t; }
     double speed(double t) const { return (j / 2 * t + a) * t + v; }
     double acceleration(double t) const { return a + j * t; }
+    /// The same phase in `factor` times its duration.
+    Phase slower(double factor) const {
+        const double square = factor * factor;
+        return {duration * factor, s, v / factor, a / square, j / (square * factor)};
+    }
 };
 
 constexpr double kAtRest = 1e-6;  // mm/s, below this a rest that was rounded

@@ -28,6 +28,24 @@ struct Ends {
     }
 };
 
+Ends ends_of_segments(const Geometry& geometry, const PlanOptions& options) {
+    Ends ends;
+    const auto words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
+    for (const Segment& segment : geometry.segments) ends.add(segment.length, segment.ticks, words);
+    return ends;
+}
+
+Ends ends_of_pieces(const Plan& plan) {
+    Ends ends;
+    auto branch = plan.branches.begin();
+    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
+        std::size_t words = kProfileBusWords;
+        if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
+        ends.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
+    }
+    return ends;
+}
+
 std::uint64_t needed_ticks(const Plan& plan) {
     const auto late = static_cast<std::uint64_t>(std::ceil(kHostLate / plan.tick_s));
     return plan.stop_ticks + kOnTheWay + late;
@@ -36,7 +54,7 @@ std::uint64_t needed_ticks(const Plan& plan) {
 /// Number of a queue's words that count: the host refills the rest in time.
 std::size_t room(int queue) { return static_cast<std::size_t>(queue) * 3 / 4; }
 
-/// Calls slow(path from, path to, quanta, ticks) for every run of frames in a row on the path that
+/// Calls slow(first, end), places in `ends`, for every run of frames in a row on the path that
 /// fits into three quarters of a queue of `queue` words and lasts fewer ticks than `needed`.
 template <class Slow>
 void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow) {
@@ -47,7 +65,7 @@ void each_short_run(const Ends& ends, int queue, std::uint64_t needed, Slow slow
         }
         if (end + 1 == ends.words.size()) return;
         const std::uint64_t ticks = ends.ticks[end] - ends.ticks[i];
-        if (ticks < needed) slow(ends.path[i], ends.path[end], ticks);
+        if (ticks < needed) slow(i, end);
     }
 }
 
@@ -58,20 +76,24 @@ double covered_words(const PlanOptions& options, const Plan& plan) {
            static_cast<double>(needed_ticks(plan));
 }
 
+Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const Plan& plan) {
+    const auto share = [needed = needed_ticks(plan)](const Ends& ends, int queue) {
+        std::uint64_t known = 0;  // ticks up to which it is counted
+        std::uint64_t missing = 0;
+        each_short_run(ends, queue, needed, [&](std::size_t first, std::size_t end) {
+            missing += ends.ticks[end] - std::max(known, ends.ticks[first]);
+            known = ends.ticks[end];
+        });
+        return static_cast<double>(missing) / static_cast<double>(ends.ticks.back());
+    };
+    return {share(ends_of_segments(geometry, options), options.segment_queue_words),
+            share(ends_of_pieces(plan), options.profile_queue_words)};
+}
+
 std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, const Plan& plan,
                           std::size_t given, int round, std::vector<Slowed>& moves) {
-    Ends segments;
-    const auto segment_words = static_cast<std::size_t>(segment_bus_words(options.aux_axes));
-    for (const Segment& segment : geometry.segments) {
-        segments.add(segment.length, segment.ticks, segment_words);
-    }
-    Ends pieces;
-    auto branch = plan.branches.begin();
-    for (std::size_t i = 0; i < plan.pieces.size(); ++i) {
-        std::size_t words = kProfileBusWords;
-        if (branch != plan.branches.end() && branch->piece == i) words += branch_words(*branch++);
-        pieces.add(plan.pieces[i].ds, plan.pieces[i].ticks, words);
-    }
+    const Ends segments = ends_of_segments(geometry, options);
+    const Ends pieces = ends_of_pieces(plan);
     std::vector<std::uint64_t> ends;  // quanta, ends of planned moves
     std::uint64_t path = 0;
     for (const PlannedMove& move : geometry.moves) ends.push_back(path += move.length);
@@ -100,11 +122,16 @@ std::size_t slow_to_cover(const Geometry& geometry, const PlanOptions& options, 
             return std::exchange(move.ramp, std::max(ramp, move.ramp)) < ramp;
         });
     };
-    each_short_run(segments, options.segment_queue_words, needed, lower);
+    const auto each = [needed](const Ends& run, int queue, auto slow) {
+        each_short_run(run, queue, needed, [&](std::size_t first, std::size_t end) {
+            slow(run.path[first], run.path[end], run.ticks[end] - run.ticks[first]);
+        });
+    };
+    each(segments, options.segment_queue_words, lower);
     if (round % 2 == 0) {
-        each_short_run(pieces, options.profile_queue_words, needed, lower);
+        each(pieces, options.profile_queue_words, lower);
     } else {
-        each_short_run(pieces, options.profile_queue_words, needed, lengthen);
+        each(pieces, options.profile_queue_words, lengthen);
     }
     return static_cast<std::size_t>(std::count(slowed.begin(), slowed.end(), true));
 }

@@ -13,6 +13,15 @@ namespace curvecore::ref {
 /// Lateness of a host, s: it finds a queue less than full, and the core has not held.
 constexpr double kHostLate = 10e-3;
 
+/// Shares of a plan's time in which three quarters of a queue do not outlast a stop and kHostLate.
+struct Uncovered {
+    double segments = 0;
+    double pieces = 0;  // with their branches
+
+    bool any() const { return segments > 0 || pieces > 0; }
+};
+Uncovered uncovered(const Geometry& geometry, const PlanOptions& options, const Plan& plan);
+
 /// Slows the planned moves except the first `given` if three quarters of a queue (the host refills
 /// the rest) do not last for a stop of the plan and kHostLate, so that they do.
 ///
