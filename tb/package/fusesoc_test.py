@@ -47,7 +47,7 @@ class FuseSoC(unittest.TestCase):
 
     def test_vivado(self):
         self.ask("run", "--target=synth", "--setup", NAME, "--Build", "1", "--Order", "5")
-        script = self.made("synth-vivado/*_[0-9]*.tcl")
+        script = self.made("synth-vivado/*[0-9].tcl")
         self.assertIn("set_property part xc7a35ticsg324-1L", script)
         self.assertIn("Build=1 Order=5 ", script)
         read = [line.split("/", 2)[2].rstrip("}") for line in script.split("\n")
