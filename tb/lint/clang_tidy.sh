@@ -21,8 +21,21 @@ def changed():
     status = git("status", "--porcelain", "--untracked-files=all")
     return None if log is None or status is None else {*log, *(line[3:] for line in status)}
 
-entries = json.loads((build / "compile_commands.json").read_text())
+def single(entry):
+    """Entries of the files of a unit that joins several, or the entry itself."""
+    if "/Unity/" not in entry["file"]:
+        return [entry]
+    text = pathlib.Path(entry["file"]).read_text()
+    return [entry | {"file": file, "command": entry["command"].replace(entry["file"], file)}
+            for file in re.findall(r'^#include "(.*)"$', text, re.M)]
+
+entries = [one for entry in json.loads((build / "compile_commands.json").read_text())
+           for one in single(entry)]
 first = {e["file"]: e for e in reversed(entries) if e["file"].startswith(f"{folder}/")}
+unknown = {str(file) for file in folder.rglob("*.cpp")  # but LinuxCNC's module
+           if file.parent.name != "linuxcnc"} - set(first)
+if unknown:
+    sys.exit("nothing compiles " + ", ".join(sorted(unknown)))
 paths = None if os.environ.get("CURVECORE_TIDY") == "all" else changed()
 if paths is not None:
     top = pathlib.Path((git("rev-parse", "--show-toplevel") or [folder])[0])
