@@ -79,11 +79,11 @@ TEST(JoinFile, WhatIsWrongIsSaidWithItsLine) {
               "join.json:21: error: column 15: is no JSON here; curvecore join writes such files");
     EXPECT_EQ(refusal(with("\"quintic\"", "\"septic\"")),
               "join.json:41: error: 'fit' must be one of cubic, moments, c2, quintic");
-    EXPECT_EQ(refusal(with("\"points\"", "\"dots\"")),
-              "join.json:54: error: 'dots': a move has curvecore_join, a, b, start, end, fit, speed, "
-              "gcode, t, points, result");
-    EXPECT_EQ(refusal(with("\"points\"", "\"result\"")),
-              "join.json:1: error: 'points' is missing");
+    EXPECT_EQ(
+        refusal(with("\"points\"", "\"dots\"")),
+        "join.json:54: error: 'dots': a move has curvecore_join, a, b, start, end, fit, speed, "
+        "gcode, t, points, result");
+    EXPECT_EQ(refusal(with("\"points\"", "\"result\"")), "join.json:1: error: 'points' is missing");
     JoinFile same = sample();
     same.move.points[1] = same.move.points[0];
     EXPECT_EQ(refusal(same.text()),
