@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of errors, rates and coverage: campaigns, benches, the demo."""
 
-import json
 import pathlib
-import re
 
-from result_table import BUILD, ROOT, cells, load, table
+from result_table import cells, load, table
 
 
 COLUMNS = {
@@ -75,22 +73,6 @@ def equality():
         f"RTL against kernel in {data['configurations']} configurations of both builds, with"
         f" random stalls: {data['samples']:,} samples, {data['differ']} words differ."
     )
-
-
-def campaign_parts():
-    """Returns a row for each part of the campaign, in the order of its help."""
-    parts = re.findall(r"^#   ([a-z]+) +([a-z0-9N].*)", (ROOT / "scripts/campaign.sh").read_text(),
-                       re.M)
-    found = {part: json.loads(file.read_text()) for part, _ in parts
-             if (file := BUILD / f"campaign/{part}.json").exists()}
-    if not found:
-        return None
-    rows = []
-    for part, what in parts:
-        one = found.get(part, {"results": ["not run"], "seconds": 0, "tree": ""})
-        minutes = f"{one['seconds'] / 60:.0f}" if one["tree"] else ""
-        rows.append((part, what, "; ".join(one["results"]), minutes, one["tree"]))
-    return table(("part", "what", "result", "minutes", "tree"), rows)
 
 
 def demo():

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The long form of what the tests do in short, in parts. A part that ended well on this tree is not
-# run again, so a campaign that was stopped goes on. Four hours or so; the page of results is
-# scripts/results/campaign.md, the logs are in build/campaign.
+# run again, so a campaign that was stopped goes on. Four hours or so; build/campaign has each
+# part's log and, once it held, its results.
 #
 #   scripts/campaign.sh [--samples N] [PART ...]    all parts, or these; N: 1000000000 when left out
 #   scripts/campaign.sh --list                      says which parts there are, and which are done
@@ -72,7 +72,7 @@ build() {
   cmake --build --preset release -j "$(nproc)" --target "$@"
 }
 
-# What a part prints with `result` stands in the page.
+# What a part says with `result` is its outcome.
 result() { echo "$*" >>"$out/$part.results"; }
 
 tests() {
