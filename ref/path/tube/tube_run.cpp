@@ -86,6 +86,7 @@ std::vector<double> speeds_of(const CubicSpline& spline, const Pace& pace) {
     }
     pace.sweep(places);
     std::vector<double> smooth;
+    smooth.reserve(places.size());
     for (const PacePlace& place : places) smooth.push_back(place.speed);
     for (std::size_t i = 1; i + 1 < places.size(); ++i) {
         smooth[i] = (places[i - 1].speed + 2 * places[i].speed + places[i + 1].speed) / 4;
