@@ -16,6 +16,7 @@
 #include "ref/series/spline_tables.hpp"
 #include "sysc/curves/built_in_curves.hpp"
 #include "tb/bench/others/interpolators.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace {
 
@@ -43,8 +44,7 @@ ref::PlanOptions plan_options() {
     using C = hls::DefaultSplineConfiguration;
     ref::PlanOptions options;
     options.unit_mm = kUnit;
-    options.format = {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-                      C::kMode == hls::SamplerMode::kPolynomial};
+    options.format = tb::parameters_of<C>();
     return options;
 }
 

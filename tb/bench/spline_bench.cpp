@@ -8,6 +8,7 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/quantise.hpp"
 #include "ref/segment/spline_segment.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace {
 
@@ -20,8 +21,7 @@ std::vector<hls::SegmentWords<C>> pieces() {
     const ref::Cubic cubic =
         ref::from_bezier({ref::Vec3(0, 0, 0), ref::Vec3(30, 0, 5) * mm, ref::Vec3(0, 30, 5) * mm,
                           ref::Vec3(30, 30, 0) * mm});
-    const ref::CoreParameters format{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-                                     C::kMode == hls::SamplerMode::kPolynomial};
+    const ref::CoreParameters format = tb::parameters_of<C>();
     std::vector<hls::SegmentWords<C>> words;
     for (const ref::Segment& segment : ref::split_spline(cubic, format, 0.1)) {
         words.push_back(hls::to_words<C>(segment));

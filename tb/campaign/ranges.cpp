@@ -12,6 +12,7 @@
 #include "ref/segment/spline_segment.hpp"
 #include "tb/support/judge/checked_drawing.hpp"
 #include "tb/support/segments/extreme_cubics.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace {
 
@@ -34,12 +35,7 @@ struct Seen {
 
 template <class C>
 Seen draw_cubics(int cubics, tb::Extreme extreme) {
-    const ref::CoreParameters format{C::kOrder,
-                                     C::kCoefBits,
-                                     C::kPositionBits,
-                                     C::kGuardBits,
-                                     C::kMode == SamplerMode::kPolynomial,
-                                     C::kParameterGuard};
+    const ref::CoreParameters format = tb::parameters_of<C>();
     const double hair = std::ldexp(1.0, 6 - C::kCoefBits);
     tb::ExtremeCubics random(7 + C::kOrder, 1.0 / 1024, hair);
     Seen seen;

@@ -18,6 +18,7 @@
 #include "ref/curve/arc_length.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/curves/spline_families.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace {
 
@@ -49,8 +50,7 @@ double distance(const ref::Cubic& cubic, double u, const ref::Vec3& point) {
 
 template <class C>
 void draw(const ref::Cubic& cubic, int samples, sysc::SplineMaker& random, Seen& seen) {
-    const ref::CoreParameters format{C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-                                     C::kMode == hls::SamplerMode::kPolynomial};
+    const ref::CoreParameters format = tb::parameters_of<C>();
     const std::vector<ref::Segment> segments = ref::split_spline(cubic, format, 0.1);
     const ref::ArcLength truth(cubic);
     const std::int64_t length =

@@ -9,6 +9,7 @@
 #include "ref/plan/curve_follower.hpp"
 #include "ref/program/program_reader.hpp"
 #include "sysc/words/path_cursor.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 #include "tb/support/segments/random_splines.hpp"
 
 namespace curvecore::tb {
@@ -19,7 +20,7 @@ using C = hls::DefaultSplineConfiguration;
 
 ref::PlanOptions options() {
     ref::PlanOptions options;
-    options.format = {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits, true};
+    options.format = parameters_of<C>();
     return options;
 }
 

@@ -7,25 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "tb/support/segments/mixed_segments.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
 namespace {
 
 using hls::SamplerMode;
-
-template <class C>
-CoreParameters setting_of() {
-    CoreParameters setting{C::kOrder,
-                           C::kCoefBits,
-                           C::kPositionBits,
-                           C::kGuardBits,
-                           C::kMode == SamplerMode::kPolynomial,
-                           C::kParameterGuard};
-    setting.anchor = C::kAnchor ? 1 : 0;
-    setting.aux_axes = C::kAuxAxes;
-    return setting;
-}
 
 template <class C>
 using BusWords = std::array<std::uint64_t, ref::segment_bus_words(C::kAuxAxes)>;
@@ -46,11 +34,11 @@ hls::SegmentWords<C> typed(const RunSegment& segment, const RunTimeFormat& forma
 
 template <class C>
 void draws_the_same_samples() {
-    MixedSegments random(setting_of<C>(), 5);
+    MixedSegments random(parameters_of<C>(), 5);
     std::vector<hls::SegmentWords<C>> words;
     std::vector<RunSegment> segments;
     ValueRanges ranges(C::kCoefBits);
-    const RunTimeFormat format(setting_of<C>(), C::kAxes, &ranges);
+    const RunTimeFormat format(parameters_of<C>(), C::kAxes, &ranges);
     std::int64_t length = 0;
     while (words.size() < 400) {
         segments.push_back(random.next());
@@ -93,10 +81,10 @@ void draws_the_same_samples() {
 /// Pieces of a plan: the same words from the same real numbers.
 template <class C>
 void loads_the_same_words() {
-    const RunTimeFormat format(setting_of<C>(), C::kAxes);
+    const RunTimeFormat format(parameters_of<C>(), C::kAxes);
     SplineMaker maker(2);
     std::vector<ref::Segment> segments =
-        ref::split_spline(maker.next({"", SplineShape::kRandom, 20e3}), setting_of<C>(), 400);
+        ref::split_spline(maker.next({"", SplineShape::kRandom, 20e3}), parameters_of<C>(), 400);
     ref::Segment arc;
     ref::ArcPiece& piece = arc.arc();
     arc.length = 1000 * 65536 + 3;

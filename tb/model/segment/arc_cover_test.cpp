@@ -163,7 +163,8 @@ TEST(ArcCover, ThePlannerRefusesNoneAndKeepsItsRates) {
 }
 
 TEST(ArcCover, RefusesALimitBelowTheRoundings) {
-    const ref::CoreParameters format{6, 36, 32, 4, false};
+    ref::CoreParameters format;
+    format.guard_bits = 4;
     EXPECT_EQ(ref::arc_cover(format, 1e6, 1e6, 0.05).longest, 0);
     EXPECT_GT(ref::arc_cover(format, 1e6, 1e6, 0.1).longest, 0);
 }

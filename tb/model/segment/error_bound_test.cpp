@@ -13,17 +13,12 @@
 #include "ref/plan/segment_curve.hpp"
 #include "tb/support/programs/long_form.hpp"
 #include "tb/support/programs/program_builder.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using hls::SamplerMode;
-
-template <class C>
-ref::CoreParameters format_of() {
-    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial};
-}
 
 /// Worst error of the kernel in a segment, before the final rounding, over random samples of every
 /// step; in units.
@@ -86,7 +81,7 @@ Worst measure(int kind, int programs, Sizes sizes, double limit, Spoil spoil) {
         return ref::Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).normalized();
     };
     ref::PlanOptions options;
-    options.format = format_of<C>();
+    options.format = parameters_of<C>();
     options.error_limit = limit;
     Worst worst;
     for (int i = 0; i < programs; ++i) {

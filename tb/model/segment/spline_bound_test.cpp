@@ -13,23 +13,13 @@
 #include "ref/plan/segment_curve.hpp"
 #include "ref/segment/spline_segment.hpp"
 #include "sysc/curves/spline_families.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace curvecore::tb {
 using namespace sysc;
 namespace {
 
 using hls::SamplerMode;
-
-template <class C>
-ref::CoreParameters format_of() {
-    return {C::kOrder,
-            C::kCoefBits,
-            C::kPositionBits,
-            C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial,
-            0,
-            C::kParameterGuard};
-}
 
 /// Worst error per axis in a segment, before the final rounding, in units.
 template <class C>
@@ -73,7 +63,7 @@ Worst measure(const SplineFamily& family, int curves, double limit, Spoil spoil)
     Worst worst;
     for (int n = 0; n < curves; ++n) {
         const ref::Cubic cubic = random.next(family);
-        for (const ref::Segment& segment : ref::split_spline(cubic, format_of<C>(), limit)) {
+        for (const ref::Segment& segment : ref::split_spline(cubic, parameters_of<C>(), limit)) {
             if (segment.kind() == ref::CurveKind::kArc) continue;
             hls::SegmentWords<C> words = hls::to_words<C>(segment);
             spoil(words);
@@ -131,7 +121,7 @@ TEST(SplineBound, CoversAndIsTightWithAFineParameter) {
 TEST(SplineBound, AFineParameterNeedsFewerSegments) {
     std::size_t segments[2] = {0, 0};
     for (const int guard : {0, 4}) {
-        ref::CoreParameters format = format_of<Core<4, 32, 10, kPolynomial>>();
+        ref::CoreParameters format = parameters_of<Core<4, 32, 10, kPolynomial>>();
         format.parameter_guard = guard;
         for (const SplineFamily& family : spline_families()) {
             SplineMaker random(5);

@@ -7,17 +7,12 @@
 #include "ref/segment/spline_segment.hpp"
 #include "tb/support/judge/checked_drawing.hpp"
 #include "tb/support/segments/extreme_cubics.hpp"
+#include "tb/support/segments/parameters_of.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 using hls::SamplerMode;
-
-template <class C>
-ref::CoreParameters format_of() {
-    return {C::kOrder, C::kCoefBits, C::kPositionBits, C::kGuardBits,
-            C::kMode == SamplerMode::kPolynomial};
-}
 
 TEST(CheckedWord, HoldsItsRangeAndThrowsBeyond) {
     EXPECT_EQ(hls::to_int(hls::Word<4>(7)), 7);
@@ -39,11 +34,12 @@ ref::Cubic slow_at_a_joint() {
 
 TEST(SplineRanges, HandsOnAPhiBelowTwo) {
     using C = hls::DefaultSplineConfiguration;
-    for (const ref::Segment& segment : ref::split_spline(slow_at_a_joint(), format_of<C>(), 0.1)) {
+    for (const ref::Segment& segment :
+         ref::split_spline(slow_at_a_joint(), parameters_of<C>(), 0.1)) {
         EXPECT_NO_THROW(draw_checked<C>(segment));
     }
     // Most step lengths of the whole put that minimum at the end of a step.
-    ref::Segment whole = ref::spline_segment(slow_at_a_joint(), format_of<C>());
+    ref::Segment whole = ref::spline_segment(slow_at_a_joint(), parameters_of<C>());
     whole.step_exponent = whole.spline().lambda - 5;
     EXPECT_THROW(draw_checked<C>(whole), std::range_error);
 }
@@ -54,7 +50,7 @@ void expect_in_range(Extreme extreme, int cubics, double limit, double size) {
     int drawn = 0;
     for (int n = 0; n < cubics; ++n) {
         const ref::Cubic cubic = random.next(extreme, size * random.uniform(0.3, 1));
-        for (const ref::Segment& segment : ref::split_spline(cubic, format_of<C>(), limit)) {
+        for (const ref::Segment& segment : ref::split_spline(cubic, parameters_of<C>(), limit)) {
             if (segment.kind() != ref::CurveKind::kSpline) continue;
             ++drawn;
             EXPECT_NO_THROW(draw_checked<C>(segment)) << "cubic " << n << " of " << C::kOrder;
