@@ -21,6 +21,8 @@ struct QuietBoard {
     /// Pulses in a clock: the foreground is due; what BR with the flag waits for.
     bool due(std::uint64_t) { return false; }
     bool tick(std::uint64_t) { return true; }
+    /// The foreground was still running when it was due, in a clock; what it does then is late.
+    void late(std::uint64_t) {}
     /// Condition 3..15 in a clock.
     bool condition(int, std::uint64_t) { return false; }
     /// Limb of a port that is taken in a clock; it was asked for two clocks before.
@@ -112,6 +114,7 @@ class Engine {
     void watch(Board& board, std::uint64_t until) {
         for (; seen_ < until; ++seen_) {
             if (!board.due(seen_)) continue;
+            if (foreground_) board.late(seen_);
             late_ = late_ || foreground_;
             foreground_ = true;
         }

@@ -2,6 +2,7 @@ anchor/anchor_pkg.sv
 bus/registers_pkg.sv
 bus/system_pkg.sv
 curvecore_pkg.sv
+engine/engine_pkg.sv
 line/slip_pkg.sv
 multiplier/digits_pkg.sv
 network/spline_pkg.sv
@@ -52,6 +53,16 @@ control/taylor_sequencer.sv
 control/word_digits.sv
 curve_interpolator.sv
 curve_interpolator_serial.sv
+engine/column_sum.sv
+engine/engine_branch.sv
+engine/engine_decoder.sv
+engine/engine_memory.sv
+engine/engine_operands.sv
+engine/engine_program.sv
+engine/engine_result.sv
+engine/engine_sequencer.sv
+engine/engine_terms.sv
+engine/motion_engine.sv
 hyperbola_interpolator.sv
 line/frame_buffer.sv
 line/frame_port.sv
@@ -70,6 +81,7 @@ multiplier/dsp_ecp5.sv
 multiplier/dsp_up5k.sv
 multiplier/folded_multiplier.sv
 multiplier/half_product.sv
+multiplier/limb_product.sv
 multiplier/multiplier.sv
 multiplier/multiplier_ecp5.sv
 multiplier/multiplier_portable.sv

@@ -31,6 +31,19 @@ illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
 illegal_parameter_test(multiplier Shift=36 "Shift must be in .0, 35.")
 illegal_parameter_test(multiplier Form=3 "Form must be 0, 1 or 2")
 
+# The engine: bits of program places, of words, form.
+rows(sizes 11,8,0 7,9,1 MORE 15,12,2)
+foreach(size ${sizes})
+  read_row(${size} places words form)
+  core_test(motion_engine p${places}_w${words}_${form_${form}} TOP motion_engine
+            PARAMS PlaceBits=${places} WordBits=${words} Form=${form}
+            SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/arithmetic/motion_engine.vlt
+                    ${primitives_${form}})
+endforeach()
+illegal_parameter_test(motion_engine PlaceBits=16 "PlaceBits must be in .1, 15.")
+illegal_parameter_test(motion_engine WordBits=7 "WordBits must be in .8, 12.")
+illegal_parameter_test(motion_engine Form=3 "Form must be 0, 1 or 2")
+
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
   core_test(folded_datapath splines_${splines} TOP folded_datapath

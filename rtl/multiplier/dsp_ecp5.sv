@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // One ECP5 DSP multiplier, 18 x 18 bits, with its input, pipeline and output registers: the product
-// follows its operands three clocks later.  The signs travel with the operands.
+// follows its operands three clocks later, two without the pipeline register.  The signs travel
+// with the operands.
 `default_nettype none
-module dsp_ecp5 (
+module dsp_ecp5 #(
+    parameter PipelineClock = "CLK0"  // "NONE": no pipeline register
+) (
     input  wire logic        clk_i,
     input  wire logic        en_i,
     input  wire logic        a_signed_i,
@@ -15,7 +18,7 @@ module dsp_ecp5 (
   MULT18X18D #(
       .REG_INPUTA_CLK  ("CLK0"),
       .REG_INPUTB_CLK  ("CLK0"),
-      .REG_PIPELINE_CLK("CLK0"),
+      .REG_PIPELINE_CLK(PipelineClock),
       .REG_OUTPUT_CLK  ("CLK0")
   ) u_dsp (
       .CLK0(clk_i),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Behaviour of the ECP5 DSP multiplier as `dsp_ecp5` uses it: input, pipeline and output
+// Behaviour of the ECP5 DSP multiplier as `dsp_ecp5` uses it: input, output and perhaps pipeline
 // registers on CLK0 with CE0 and the synchronous RST0, no cascade.  After Lattice's "ECP5 and
 // ECP5-5G sysDSP Usage Guide" (FPGA-TN-02205); the signs travel with the operands.
 `default_nettype none
@@ -100,6 +100,8 @@ module MULT18X18D #(
   wire [37:0] a_wide = {{19{a_q[18]}}, a_q};
   wire [37:0] b_wide = {{19{b_q[18]}}, b_q};
 
+  wire [37:0] direct = a_wide * b_wide;
+
   always @(posedge CLK0) begin
     if (RST0) begin
       a_q <= 19'd0;
@@ -109,8 +111,8 @@ module MULT18X18D #(
     end else if (CE0) begin
       a_q <= {SIGNEDA & a[17], a};
       b_q <= {SIGNEDB & b[17], b};
-      pipeline_q <= a_wide * b_wide;
-      output_q <= pipeline_q[35:0];
+      pipeline_q <= direct;
+      output_q <= REG_PIPELINE_CLK == "CLK0" ? pipeline_q[35:0] : direct[35:0];
     end
   end
 
@@ -123,7 +125,7 @@ module MULT18X18D #(
 
   initial begin
     if (REG_INPUTA_CLK != "CLK0" || REG_INPUTB_CLK != "CLK0") $fatal(1, "input registers unused");
-    if (REG_PIPELINE_CLK != "CLK0") $fatal(1, "pipeline register unused");
+    if (REG_PIPELINE_CLK != "CLK0" && REG_PIPELINE_CLK != "NONE") $fatal(1, "no such clock");
     if (REG_OUTPUT_CLK != "CLK0") $fatal(1, "output register unused");
     if (SOURCEA || SOURCEB) $fatal(1, "cascades are not modelled");
   end
