@@ -188,7 +188,6 @@ foreach(size ${sizes})
 endforeach()
 core_test(sine_cosine_interpolator flat TOP sine_cosine_interpolator PARAMS Order=6 CoefBits=36
           FLAT)
-illegal_parameter_test(sine_cosine_interpolator Order=13 "Order must be in .2, 12.")
 
 # The hyperbola: order, word length, anchor, form.
 rows(sizes 2,18,1,0 12,33,1,1 6,36,0,0
@@ -201,27 +200,13 @@ foreach(size ${sizes})
 endforeach()
 core_test(hyperbola_interpolator flat TOP hyperbola_interpolator
           PARAMS Order=6 CoefBits=36 Anchor=1 MultiplierForm=0 FLAT)
-illegal_parameter_test(hyperbola_interpolator Order=1 "Order must be in .2, 12.")
-illegal_parameter_test(hyperbola_interpolator CoefBits=37 "CoefBits must be in .18, 36.")
-illegal_parameter_test(hyperbola_interpolator Anchor=2 "Anchor must be 0 or 1")
-illegal_parameter_test(hyperbola_interpolator MultiplierForm=3 "MultiplierForm must be in .0, 2.")
 illegal_parameter_test(square_integrator Gain=2 "Gain must be 1 or 3")
 
 foreach(core spherical_interpolator spline_interpolator curve_interpolator
-             curve_interpolator_serial)
-  illegal_parameter_test(${core} Order=1 "Order must be in .2, 12.")
-  illegal_parameter_test(${core} CoefBits=37 "CoefBits must be in .18, 36.")
-  illegal_parameter_test(${core} PositionBits=33 "PositionBits must be in .16, 32.")
-  illegal_parameter_test(${core} GuardBits=1 "GuardBits must be in .2, 12.")
-  illegal_parameter_test(${core} AuxAxes=7 "AuxAxes must be in .0, 6.")
-  illegal_parameter_test(${core} Mode=2 "Mode must be 0 or 1")
-  illegal_parameter_test(${core} SampleInterval=3 "SampleInterval must be 1, 2, 4 or 8")
-  illegal_parameter_test(${core} MultiplierForm=3 "MultiplierForm must be in .0, 2.")
+             curve_interpolator_serial motion_interpolator sine_cosine_interpolator
+             hyperbola_interpolator)
+  illegal_core_parameters(${core})
 endforeach()
-
-illegal_parameter_test(spline_interpolator Anchor=2 "Anchor must be 0 or 1")
-illegal_parameter_test(spline_interpolator ParameterGuard=9 "ParameterGuard must be in .0, 8.")
-
 illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
 
 # The path side: queue depth, interval between ticks.
@@ -291,12 +276,8 @@ illegal_parameter_test(step_generator PeriodLog2=21 "PeriodLog2 must be in .6, 2
 illegal_parameter_test(step_generator TimeBits=3 "TimeBits must be in .4, 16.")
 illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 7. . 4 clocks must fit")
 
-illegal_parameter_test(curve_interpolator_serial Splines=2 "Splines must be 0 or 1")
 illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
-illegal_parameter_test(motion_interpolator Build=1,Anchor=0 "Build 1 works with Anchor 1 only")
-illegal_parameter_test(motion_interpolator Build=1,ParameterGuard=1
-                       "Build 1 works with ParameterGuard 0 only")
 
 # The registers: axes, bits of scale and of times.
 rows(sizes 3,44,12 1,33,4 MORE 9,56,16)
