@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Orders to which the rows of a table are needed: from what is drawn and carried back to what makes
+// it.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "ref/curves/curve_table.hpp"
+
+namespace curvecore::ref {
+
+/// Highest order of each row of a series that is needed for one of Order; rows that are not needed
+/// are not there. `polynomial`: the mode of the sampler.
+std::map<std::string, int> order_demand(const CurveTable& table, int order, bool polynomial);
+
+/// Returns the row that a row stands for, with the orders that it is lower by.
+RowOperand same_row(const CurveTable& table, RowOperand operand);
+
+/// Returns whether two rows meet as in a Stieltjes integrator or as factors, over all orders.
+bool meet_as_series(const CurveTable& table, const TableTerm& term);
+
+}  // namespace curvecore::ref

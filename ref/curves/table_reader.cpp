@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ref/curves/table_reader.hpp"
+
+#include <sstream>
+
+#include "ref/curves/line_reader.hpp"
+#include "ref/text/text_file.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+const std::set<std::string> kSections{"load", "anchor", "order", "next", "sample"};
+const std::set<std::string> kFields{"theta", "tangent", "normal", "advance"};
+
+class Reader {
+  public:
+    explicit Reader(CurveTable& table) : table_(table) { row("tau").fraction = -1; }
+
+    void line(const std::string& text, const Place& place) {
+        std::istringstream words(text);
+        std::string key;
+        words >> key;
+        if (kSections.count(key) != 0 && text == key) {
+            section_ = key;
+            return;
+        }
+        if (text.find(':') != std::string::npos && !section_.empty()) {
+            add_line(read_table_line(text, place), place);
+            return;
+        }
+        std::vector<std::string> items;
+        for (std::string item; words >> item;) {
+            items.push_back(item);
+        }
+        directive(key, items, place);
+    }
+
+    void end(const Place& place) {
+        if (table_.name.empty()) {
+            place.refuse("no line `curve NAME`");
+        }
+        if (table_.output.empty() || table_.rows.count(table_.output) == 0) {
+            place.refuse("no line `output NAME` of a row that a line makes");
+        }
+        for (const auto& [name, row] : table_.rows) {
+            if ((row.word || (row.start && !row.value)) && !on_bus(name)) {
+                place.refuse(name + " comes from no word of the bus");
+            }
+        }
+    }
+
+  private:
+    CurveRow& row(const std::string& name) { return table_.rows[name]; }
+
+    void directive(const std::string& key, const std::vector<std::string>& items,
+                   const Place& place) {
+        const auto pairs = [&](std::size_t each) {
+            if (items.empty() || items.size() % each != 0) {
+                place.refuse(key + ": expected " + std::to_string(each) + " items each");
+            }
+        };
+        if (key == "curve") {
+            pairs(1);
+            table_.name = items[0];
+            for (std::size_t n = 1; n < items.size(); ++n) {
+                table_.title += (n > 1 ? " " : "") + items[n];
+            }
+        } else if (key == "word" || key == "start") {
+            pairs(2);
+            for (std::size_t n = 0; n < items.size(); n += 2) {
+                declare(items[n], whole(items[n + 1], place), key == "start", place);
+            }
+        } else if (key == "const") {
+            if (items.size() != 3) {
+                place.refuse("const: expected a name, a fraction and a value");
+            }
+            CurveRow& constant = row(items[0]);
+            if (!constant.start) {
+                constant.fraction = whole(items[1], place);
+            }
+            constant.value = real(items[2], place);
+        } else if (key == "bus") {
+            pairs(2);
+            for (std::size_t n = 0; n < items.size(); n += 2) {
+                if (kFields.count(items[n]) == 0) {
+                    place.refuse("the bus has no field " + items[n]);
+                }
+                known(items[n + 1], place);
+                table_.bus[items[n]] = items[n + 1];
+            }
+        } else if (key == "output") {
+            pairs(1);
+            table_.output = items[0];
+        } else if (key == "polished") {
+            pairs(1);
+            for (const std::string& name : items) {
+                known(name, place).polished = true;
+            }
+        } else if (key == "alias") {
+            pairs(2);
+            const RowOperand rate = read_row_operand(items[0], place);
+            const RowOperand other = read_row_operand(items[1], place);
+            CurveRow& made = row(rate.row);
+            made = known(other.row, place);
+            made.word = made.start = false;
+            made.value.reset();
+            made.series = true;
+            made.of_axis = other.of_axis;
+            made.same_as = other;
+        } else {
+            place.refuse("'" + key + "' begins no line of a table" +
+                         (section_.empty() ? " before its first section" : ""));
+        }
+    }
+
+    void declare(std::string name, int fraction, bool start, const Place& place) {
+        const bool three = name.size() > 3 && name.substr(name.size() - 3) == "[3]";
+        if (three) {
+            name.resize(name.size() - 3);
+        }
+        if (table_.rows.count(name) != 0) {
+            place.refuse(name + " is there twice");
+        }
+        CurveRow& made = row(name);
+        made.fraction = fraction;
+        made.of_axis = three;
+        made.word = !start;
+        made.start = made.series = start;
+        made.line = place.line;
+    }
+
+    CurveRow& known(const std::string& name, const Place& place) {
+        const auto found = table_.rows.find(name);
+        if (found == table_.rows.end()) {
+            place.refuse("no line before makes " + name);
+        }
+        return found->second;
+    }
+
+    void reads(const RowOperand& read, const TableLine& line, const Place& place) {
+        const CurveRow& of = known(read.row, place);
+        if (of.of_axis != read.of_axis) {
+            place.refuse(read.row + (of.of_axis ? " is a row of each axis: " + read.row + "[k]"
+                                                : " is no row of an axis"));
+        }
+        if (read.of_axis && !line.of_axis && !line.adds_axes) {
+            place.refuse(line.row + " is no row of an axis, " + read.row + "[k] is");
+        }
+        if ((read.primes != 0 || read.order) && !of.series) {
+            place.refuse(read.row + " has no orders");
+        }
+    }
+
+    void add_line(TableLine line, const Place& place) {
+        for (const TableTerm& term : line.terms) {
+            if (term.meeting == TableTerm::Meeting::kConstant) {
+                continue;
+            }
+            TableLine sum = line;
+            sum.adds_axes |= term.all_axes;
+            reads(term.a, sum, place);
+            if (!term.b.row.empty()) {
+                reads(term.b, sum, place);
+            }
+            if (term.meeting == TableTerm::Meeting::kOverOrder && section_ != "order") {
+                place.refuse("/i has a meaning in `order` alone");
+            }
+        }
+        if (line.function != TableLine::Function::kTerms) {
+            reads(line.series, line, place);
+            if (!known(line.series.row, place).series) {
+                place.refuse(line.series.row + " is no series");
+            }
+            if (!line.variable.empty()) {
+                known(line.variable, place);
+            }
+        }
+        if (line.down != 0 && (line.terms.size() != 1 || !line.terms[0].b.row.empty())) {
+            place.refuse(">> s takes one row");
+        }
+        const bool first = table_.rows.count(line.row) == 0;
+        CurveRow& made = row(line.row);
+        if (first) {
+            made.fraction = line.fraction;
+            made.of_axis = line.of_axis;
+            made.line = place.line;
+        }
+        if (made.word || made.same_as || (made.value && !made.start)) {
+            place.refuse(line.row + " is fixed: no line makes it");
+        }
+        if (made.fraction != line.fraction) {
+            place.refuse(line.row + " has a fraction of " + std::to_string(made.fraction) +
+                         " already");
+        }
+        if (made.of_axis != line.of_axis) {
+            place.refuse(line.row +
+                         (made.of_axis ? " is a row of each axis" : " is no row of an axis"));
+        }
+        made.series |= section_ == "order" || line.order.has_value();
+        table_.sections[section_].push_back(std::move(line));
+    }
+
+    bool on_bus(const std::string& name) const {
+        for (const auto& [field, of] : table_.bus) {
+            if (of == name) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static int whole(const std::string& text, const Place& place) {
+        try {
+            std::size_t used = 0;
+            const int value = std::stoi(text, &used);
+            if (used == text.size() && value >= -16 && value <= 16) {
+                return value;
+            }
+        } catch (const std::logic_error&) {
+        }
+        place.refuse("'" + text + "' is no fraction: -16 .. 16 from CoefBits");
+    }
+    static double real(const std::string& text, const Place& place) {
+        try {
+            std::size_t used = 0;
+            const double value = std::stod(text, &used);
+            if (used == text.size()) {
+                return value;
+            }
+        } catch (const std::logic_error&) {
+        }
+        place.refuse("'" + text + "' is no number");
+    }
+
+    CurveTable& table_;
+    std::string section_;
+};
+
+}  // namespace
+
+CurveTable read_curve_text(const std::string& file, const std::string& text) {
+    CurveTable table;
+    table.file = file;
+    Reader reader(table);
+    std::istringstream stream(text);
+    TextLines lines(stream);
+    while (const auto next = lines.next()) {
+        std::string line(next->substr(0, next->find('#')));
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first == std::string::npos) {
+            continue;
+        }
+        line = line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+        for (char& c : line) {
+            c = c == '\t' ? ' ' : c;
+        }
+        reader.line(line, {table.file, lines.number()});
+    }
+    reader.end({table.file, lines.number()});
+    return table;
+}
+
+CurveTable read_curve_table(const std::string& file) {
+    return read_curve_text(file, read_text_file(file));
+}
+
+}  // namespace curvecore::ref

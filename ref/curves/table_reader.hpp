@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// A file of a curve's table: ref/curves/curve_table.hpp says what its lines mean.
+//
+//     curve NAME title         word NAME[3] FRACTION ..      start NAME[3] FRACTION ..
+//     const NAME FRACTION VALUE          output NAME         polished NAME ..
+//     alias Dq phi'            a rate that is another row, an order lower
+//     bus FIELD NAME ..        where the words come from: theta tangent normal advance
+#pragma once
+
+#include <string>
+
+#include "ref/curves/curve_table.hpp"
+
+namespace curvecore::ref {
+
+/// @throws InputError with file, line and reason
+CurveTable read_curve_table(const std::string& file);
+
+/// Reads a table from text; `file` names it in errors.
+CurveTable read_curve_text(const std::string& file, const std::string& text);
+
+}  // namespace curvecore::ref

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rtl/engine/assembler/assembly.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace curvecore::assembler {
+
+using engine::Instruction;
+using engine::Op;
+
+namespace {
+
+constexpr int kSharedWords = 128;  // without a page
+constexpr int kFirstPage = kSharedWords / engine::kPageWords;
+
+/// Page of an axis: those of X first, so that few words need few pages.
+int page_of(int axis, int place) {
+    return kFirstPage + axis + (place >= engine::kPageWords ? kAxes : 0);
+}
+
+}  // namespace
+
+Assembly::Assembly(const StoreSize& size) : size_(size) {}
+
+void Assembly::refuse(const std::string& reason) const {
+    throw AssemblyError(source_.file + (source_.line > 0 ? fmt::format(":{}", source_.line) : "") +
+                        ": error: " + reason);
+}
+
+Field Assembly::named(const std::string& name, int words) {
+    const auto found = names_.find(name);
+    if (found != names_.end()) {
+        return found->second;
+    }
+    shared_words_ += shared_words_ % words;
+    const Field field{shared_words_, name};
+    data_[shared_words_] = {name, 0, words};
+    shared_words_ += words;
+    return names_[name] = field;
+}
+
+Field Assembly::word(const std::string& name) { return named(name, 1); }
+Field Assembly::wide(const std::string& name) { return named(name, 2); }
+
+Field Assembly::constant(std::int64_t value) {
+    if (value == 0) {
+        return zero();
+    }
+    if (value < -(std::int64_t{1} << 45) || value >= std::int64_t{1} << 45) {
+        refuse(fmt::format("the constant {} needs more than three limbs", value));
+    }
+    const Field field = word(fmt::format("{}", value));
+    data_[field.code].value = value;
+    return field;
+}
+
+Field Assembly::axis_word(const std::string& name) {
+    const auto found = names_.find(name);
+    if (found != names_.end()) {
+        return found->second;
+    }
+    const int place = axis_words_;
+    ++axis_words_;
+    data_[engine::kPageWords * page_of(0, place) + place % engine::kPageWords] = {name, 0, 1};
+    const int base = place < engine::kPageWords ? engine::kX : engine::kY;
+    return names_[name] = {base + place % engine::kPageWords, name};
+}
+
+Field Assembly::auxiliary_word(const std::string& name) {
+    const auto found = names_.find(name);
+    if (found != names_.end()) {
+        return found->second;
+    }
+    const int place = auxiliary_words_++;
+    data_[engine::kPageWords * auxiliary_page() + place] = {name, 0, 1};
+    return names_[name] = {engine::kX + place, name};
+}
+
+int Assembly::auxiliary_page() const { return kFirstPage + kAxes * size_.axis_pages; }
+
+Field Assembly::power(int n) const {
+    if (n < 0 || n > 59) {
+        refuse(fmt::format("2^{} is no power of an instruction: 0 .. 59", n));
+    }
+    return {engine::power(n), fmt::format("2^{}", n)};
+}
+
+void Assembly::label(const std::string& name) {
+    if (!labels_.emplace(name, placed_.size()).second) {
+        refuse("the label " + name + " is there twice");
+    }
+}
+
+void Assembly::put(Op op, const Field& f2, const Field& f0, const Field& f1, bool flag, int limbs) {
+    Instruction i;
+    i.op = op;
+    i.limbs = limbs;
+    i.flag = flag;
+    i.f0 = f0.code;
+    i.f1 = f1.code;
+    i.f2 = f2.code;
+    if (engine::overlaps(i)) {
+        refuse(fmt::format("hazard: {} is read while it is written", f2.name));
+    }
+    placed_.push_back({i, f0.name, f1.name, f2.name, "", source_});
+}
+
+void Assembly::jump(const std::string& to, int f0, bool flag) {
+    put(Op::kBr, {}, {f0, ""}, {}, flag, 1);
+    placed_.back().target = to;
+}
+
+void Assembly::branch(const std::string& to, int condition) { jump(to, condition); }
+
+void Assembly::call(const std::string& subroutine) {
+    jump(subroutine, engine::kCall | engine::kNot);
+}
+
+void Assembly::give_back() { put(Op::kBr, {}, {engine::kReturn | engine::kNot, ""}, {}, false, 1); }
+
+void Assembly::wait(const std::string& next) { jump(next, engine::kNot, true); }
+
+void Assembly::end(const std::string& next) { jump(next, engine::kEnd | engine::kNot); }
+
+void Assembly::set_page(int port, int page) {
+    put(Op::kOut, {}, constant(page), {port, port == engine::kPortX ? "X" : "Y"}, false, 1);
+}
+
+void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page()); }
+
+void Assembly::call_for_axes(const std::string& subroutine) {
+    for (int axis = 0; axis < kAxes; ++axis) {
+        for (int page = 0; page < size_.axis_pages; ++page) {
+            set_page(page == 0 ? engine::kPortX : engine::kPortY,
+                     page_of(axis, page * engine::kPageWords));
+        }
+        call(subroutine);
+    }
+}
+
+void Assembly::loop() { open_loops_.push_back(placed_.size()); }
+
+void Assembly::repeat(int bound, int condition) {
+    if (open_loops_.empty()) {
+        refuse("the end of a loop that was not opened");
+    }
+    if (bound < 1) {
+        refuse(fmt::format("a loop without a bound: {}", bound));
+    }
+    const std::string name = fmt::format("loop {}", open_loops_.back());
+    labels_.emplace(name, open_loops_.back());
+    loops_.push_back({open_loops_.back(), placed_.size(), bound});
+    jump(name, condition);
+    open_loops_.pop_back();
+}
+
+void Assembly::finish() {
+    for (Placed& placed : placed_) {
+        if (placed.target.empty()) {
+            continue;
+        }
+        source_ = placed.source;
+        const auto found = labels_.find(placed.target);
+        if (found == labels_.end()) {
+            refuse("no label " + placed.target);
+        }
+        placed.instruction.f1 = static_cast<int>(found->second >> 8);
+        placed.instruction.f2 = static_cast<int>(found->second & 0xff);
+    }
+    source_ = {};
+    if (!open_loops_.empty()) {
+        refuse("a loop has no end");
+    }
+    const auto fits = [&](int words, int most, const char* of) {
+        if (words > most) {
+            refuse(fmt::format("the programs need {} words {}, there are {}", words, of, most));
+        }
+    };
+    if (static_cast<int>(placed_.size()) > size_.program) {
+        refuse(fmt::format("the programs need {} instructions, the store has {}", placed_.size(),
+                           size_.program));
+    }
+    fits(shared_words_ - engine::kConstantWords, kSharedWords - engine::kConstantWords,
+         "that all axes share");
+    fits(axis_words_, size_.axis_pages * engine::kPageWords, "of each axis");
+    fits(auxiliary_words_, engine::kPageWords, "of auxiliary axes");
+    if (data_words() > size_.data) {
+        refuse(fmt::format("the data need {} words, the store has {}", data_words(), size_.data));
+    }
+}
+
+int Assembly::place(const std::string& name, int axis) const {
+    for (const auto& [place, datum] : data_) {
+        if (datum.name == name) {
+            const bool of_axis =
+                place >= kSharedWords && place < engine::kPageWords * auxiliary_page();
+            return place + (of_axis ? axis * engine::kPageWords : 0);
+        }
+    }
+    refuse("no word " + name);
+}
+
+int Assembly::data_words() const {
+    const int last = auxiliary_words_ > 0 ? auxiliary_page()
+                     : axis_words_ > 0    ? page_of(kAxes - 1, axis_words_ - 1)
+                                          : kFirstPage - 1;
+    return (last + 1) * engine::kPageWords;
+}
+
+std::vector<std::uint32_t> Assembly::program() const {
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(size_.program));
+    std::transform(placed_.begin(), placed_.end(), words.begin(),
+                   [](const Placed& placed) { return encode(placed.instruction); });
+    return words;
+}
+
+std::vector<std::int16_t> Assembly::memory() const {
+    std::vector<std::int16_t> limbs(static_cast<std::size_t>(size_.data) *
+                                    std::size_t{engine::kWordLimbs});
+    for (int place = 0; place <= engine::kZero; ++place) {
+        limbs[static_cast<std::size_t>(place)] = engine::constant_limb(place);
+    }
+    for (const auto& [place, datum] : data_) {
+        for (int n = 0; n < 3; ++n) {
+            const std::int64_t above = datum.value >> (engine::kLimbBits * n);
+            limbs[static_cast<std::size_t>(engine::kWordLimbs * place + n)] =
+                static_cast<std::int16_t>(n < 2 ? above & 0x7fff : above);
+        }
+    }
+    return limbs;
+}
+
+}  // namespace curvecore::assembler

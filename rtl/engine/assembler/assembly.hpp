@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// The assembler of the engine's programs (hls/instruction.hpp): named words, labels, loops with a
+// bound, calls for each axis. What cannot be assembled throws AssemblyError.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hls/instruction.hpp"
+
+namespace curvecore::assembler {
+
+/// Error whose what() is "FILE:LINE: error: reason" of the line of source at hand.
+using AssemblyError = std::runtime_error;
+
+/// A field of an instruction as it is coded, and as the source names it.
+struct Field {
+    int code = 0;
+    std::string name;
+};
+
+/// A line of source that instructions come from.
+struct Source {
+    std::string file;
+    int line = 0;
+    std::string text;
+};
+
+/// An instruction where it stands in the program.
+struct Placed {
+    engine::Instruction instruction;
+    std::string f0, f1, f2;  // names
+    std::string target;      // label of a branch
+    Source source;
+};
+
+/// A loop: its first instruction, its branch back, and how often that is taken at most.
+struct Loop {
+    std::size_t first;
+    std::size_t back;
+    int bound;
+};
+
+/// Sizes of a store, in words.
+struct StoreSize {
+    int program = 2048;
+    int data = 256;
+    int axis_pages = 1;  // pages of each of X Y Z: 1 or 2
+};
+
+/// A named word of data: where its first limb stands, in words, and its value at first.
+struct Datum {
+    std::string name;
+    std::int64_t value = 0;
+    int words = 1;
+};
+
+constexpr int kAxes = 3;  // axes that have pages: X Y Z
+
+class Assembly {
+  public:
+    explicit Assembly(const StoreSize& size = StoreSize());
+
+    // Data. A name has one word; constants of one value share it.
+    Field word(const std::string& name);
+    /// A word of each of X Y Z, read in what call_for_axes() calls.
+    Field axis_word(const std::string& name);
+    /// A word of the auxiliary axes together, read behind open_auxiliary().
+    Field auxiliary_word(const std::string& name);
+    Field constant(std::int64_t value);
+    /// A wide word, six limbs.
+    Field wide(const std::string& name);
+    static Field zero() { return {engine::kZero / engine::kWordLimbs, "0"}; }
+    /// 2^n as F1.
+    Field power(int n) const;
+
+    // Program. What follows comes from a line of source.
+    void from(const Source& source) { source_ = source; }
+    void label(const std::string& name);
+    void put(engine::Op op, const Field& f2, const Field& f0, const Field& f1, bool flag = false,
+             int limbs = 3);
+    void add(const Field& to, const Field& a, const Field& b) { put(engine::Op::kAdd, to, a, b); }
+    void copy(const Field& to, const Field& from) { put(engine::Op::kMull, to, from, power(0)); }
+    void branch(const std::string& to, int condition = engine::kNot | engine::kNever);
+    void call_for_axes(const std::string& subroutine);
+    /// Makes page X that of the auxiliary axes.
+    void open_auxiliary();
+    void call(const std::string& subroutine);
+    void give_back();
+    /// Waits for the tick, then goes on at a label.
+    void wait(const std::string& next);
+    /// Ends the foreground; it begins again at a label.
+    void end(const std::string& next);
+    /// Opens a loop; its end branches back if the condition holds, `bound` times at most.
+    void loop();
+    void repeat(int bound, int condition);
+
+    /// Gives branches their targets. @throws AssemblyError
+    void finish();
+
+    const std::vector<Placed>& placed() const { return placed_; }
+    const std::vector<Loop>& loops() const { return loops_; }
+    const std::map<std::string, std::size_t>& labels() const { return labels_; }
+    const std::map<int, Datum>& data() const { return data_; }  // by place, X's for axes
+    const StoreSize& size() const { return size_; }
+    /// Place of a word in the data memory, of an axis' word that of axis 0, 1, 2.
+    int place(const std::string& name, int axis = 0) const;
+    int data_words() const;
+    std::vector<std::uint32_t> program() const;
+    /// Limbs of the data memory, constants in it.
+    std::vector<std::int16_t> memory() const;
+
+    [[noreturn]] void refuse(const std::string& reason) const;
+
+  private:
+    Field named(const std::string& name, int words);
+    void set_page(int port, int page);
+    int auxiliary_page() const;
+    void jump(const std::string& to, int f0, bool flag = false);
+
+    StoreSize size_;
+    std::map<std::string, Field> names_;
+    std::map<int, Datum> data_;
+    std::vector<Placed> placed_;
+    std::map<std::string, std::size_t> labels_;
+    std::vector<std::size_t> open_loops_;
+    std::vector<Loop> loops_;
+    Source source_;
+    int shared_words_ = engine::kConstantWords;
+    int axis_words_ = 0;
+    int auxiliary_words_ = 0;
+};
+
+}  // namespace curvecore::assembler

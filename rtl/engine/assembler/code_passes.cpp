@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rtl/engine/assembler/code_passes.hpp"
+
+#include <algorithm>
+
+namespace curvecore::assembler {
+
+using engine::Op;
+
+namespace {
+
+/// Counts of steps that read and write each value, over all parts.
+struct Counts {
+    explicit Counts(CurveCode& code) : reads(code.values.size()), writes(code.values.size()) {
+        for (const Part* part : code.parts()) {
+            for (const Block& block : part->blocks) {
+                for (const Step& step : block.steps) {
+                    count(step);
+                }
+            }
+        }
+    }
+    void count(const Step& step) {
+        ++writes[static_cast<std::size_t>(step.to)];
+        for (const Use& use : {step.a, step.b}) {
+            if (use.is_value()) {
+                ++reads[static_cast<std::size_t>(use.value)];
+            }
+        }
+    }
+    std::vector<int> reads;
+    std::vector<int> writes;
+};
+
+class Fusion {
+  public:
+    explicit Fusion(CurveCode& code) : code_(code) {}
+
+    /// Fuses steps n and n + 1 of a block, if that can be.
+    bool fuse(Block& block, std::size_t n) {
+        std::vector<Step>& steps = block.steps;
+        const Step product = steps[n];
+        const Step sum = steps[n + 1];
+        const Counts counts(code_);
+        const auto once = [&](const std::vector<int>& of, int value) {
+            return of[static_cast<std::size_t>(value)] == 1;
+        };
+        const bool first = sum.a.value == product.to;
+        if (product.op != Op::kMulr || product.flag || sum.op != Op::kAdd ||
+            first == (sum.b.value == product.to) || !once(counts.reads, product.to) ||
+            !once(counts.writes, product.to) || !once(counts.writes, sum.to)) {
+            return false;
+        }
+        const Use added = first ? sum.b : sum.a;
+        for (const bool left : {true, false}) {
+            const Use factor = left ? product.a : product.b;
+            const Use other = left ? product.b : product.a;
+            if (factor.is_value() && factor.value != other.value && factor.value != added.value &&
+                gives_way(block, n, factor.value, sum.to)) {
+                for (std::size_t m = 0; m < n; ++m) {
+                    rename(steps[m], factor.value, sum.to);
+                }
+                steps[n] = {Op::kMadr, sum.to, added, other, false, sum.source};
+                steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(n) + 1);
+                return true;
+            }
+        }
+        return false;
+    }
+
+  private:
+    /// Returns whether a factor is written and read in this block up to step n alone, and `to`
+    /// could stand in its word.
+    bool gives_way(const Block& block, std::size_t n, int factor, int to) {
+        const Value& value = code_.values[static_cast<std::size_t>(factor)];
+        if (value.constant || !value.word.empty() || value.wide ||
+            value.of_axis != code_.values[static_cast<std::size_t>(to)].of_axis) {
+            return false;
+        }
+        std::size_t first = n;
+        for (std::size_t m = n; m-- > 0;) {
+            first = block.steps[m].to == factor ? m : first;
+        }
+        const auto touches = [&](const Step& step) {
+            return step.to == factor || step.reads(factor);
+        };
+        for (const Part* part : code_.parts()) {
+            for (const Block& other : part->blocks) {
+                for (std::size_t m = 0; m < other.steps.size(); ++m) {
+                    const bool inside = &other == &block && m >= first && m <= n;
+                    if (!inside && touches(other.steps[m])) {
+                        return false;
+                    }
+                    if (inside && other.steps[m].reads(to)) {
+                        return false;
+                    }
+                }
+            }
+        }
+        return first < n && !block.steps[n + 1].reads(to) && !block.steps[first].reads(factor);
+    }
+
+    static void rename(Step& step, int from, int to) {
+        for (int* value : {&step.to, &step.a.value, &step.b.value}) {
+            *value = *value == from ? to : *value;
+        }
+    }
+
+    CurveCode& code_;
+};
+
+}  // namespace
+
+void drop_unread(CurveCode& code) {
+    for (bool dropped = true; dropped;) {
+        dropped = false;
+        const Counts counts(code);
+        for (Part* part : code.parts()) {
+            for (Block& block : part->blocks) {
+                const auto unread = [&](const Step& step) {
+                    const auto to = static_cast<std::size_t>(step.to);
+                    return counts.reads[to] == 0 && code.values[to].word.empty();
+                };
+                const auto from = std::remove_if(block.steps.begin(), block.steps.end(), unread);
+                dropped |= from != block.steps.end();
+                block.steps.erase(from, block.steps.end());
+            }
+        }
+    }
+}
+
+void fuse_products(CurveCode& code) {
+    Fusion fusion(code);
+    for (Part* part : code.parts()) {
+        for (Block& block : part->blocks) {
+            for (std::size_t n = 0; n + 1 < block.steps.size(); ++n) {
+                fusion.fuse(block, n);
+            }
+        }
+    }
+}
+
+}  // namespace curvecore::assembler

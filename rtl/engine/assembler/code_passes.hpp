@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Steps made fewer, with the same words.
+#pragma once
+
+#include "rtl/engine/assembler/curve_code.hpp"
+
+namespace curvecore::assembler {
+
+/// Leaves out what nothing reads.
+void drop_unread(CurveCode& code);
+
+/// Makes one MADR of a product and the sum that alone reads it, where a factor is read no more: the
+/// factor then stands in the sum's word.
+void fuse_products(CurveCode& code);
+
+}  // namespace curvecore::assembler

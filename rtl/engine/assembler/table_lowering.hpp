@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// A curve's table (ref/curves/curve_table.hpp) as steps of the engine, for a core's parameters.
+//
+// A product is rounded at 2^45, so for a shift of s its factors are lifted by 2^(45 - s) together:
+// the copies that this takes are made where they are read most, those of a segment's words at its
+// load. Sums of products stand in a wide word and are shifted once. What is read of no step is made
+// at load, too: weights, and the angle's series of an arc.
+#pragma once
+
+#include "ref/curves/curve_table.hpp"
+#include "ref/format/parameters.hpp"
+#include "rtl/engine/assembler/curve_code.hpp"
+
+namespace curvecore::assembler {
+
+/// Words that the steps take from their segment, besides those of the bus: made by scale_words().
+namespace scale_word {
+constexpr char kToTau[] = "2^(27-k)";
+constexpr char kToFine[] = "2^(fine+k)";
+constexpr char kPlaceToFine[] = "2^(fine+lambda)";
+constexpr char kDown[] = "2^(44-s)";
+constexpr char kDownTwice[] = "2^(44-2s)";
+}  // namespace scale_word
+
+/// Scale of a displacement to a fine position: lifted by 2^lift, times the word 2^(fine + k), over
+/// 2^45.
+struct FineScale {
+    int lift;
+    int fine;
+};
+FineScale fine_scale(const ref::CoreParameters& core);
+
+/// @throws AssemblyError with file, line and reason
+CurveCode lower(const ref::CurveTable& table, const ref::CoreParameters& core);
+
+}  // namespace curvecore::assembler

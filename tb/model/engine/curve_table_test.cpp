@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables of curves as text: what is refused, and how far rows are needed.
+#include <gtest/gtest.h>
+
+#include "ref/curves/order_demand.hpp"
+#include "ref/curves/table_reader.hpp"
+#include "ref/text/input_error.hpp"
+
+namespace curvecore::ref {
+namespace {
+
+constexpr char kHead[] =
+    "curve c\nword theta -1  a[3] -2\nstart n[3] -2\nbus theta theta  tangent a  normal n\n"
+    "output x\n";
+
+std::string refused(const std::string& lines) {
+    try {
+        read_curve_text("c.net", kHead + lines + "\norder\n  x[k] : -2 = n[k]'/i\n");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CurveTable, RefusalNamesFileLineAndReason) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"anchor\n  y : -2 = b*theta", "c.net:7: error: no line before makes b"},
+        {"anchor\n  y : -2 = a*theta", "c.net:7: error: a is a row of each axis: a[k]"},
+        {"anchor\n  y : -2 = a[k]*theta", "c.net:7: error: y is no row of an axis, a[k] is"},
+        {"anchor\n  y[k] : -2 = theta[k]", "c.net:7: error: theta is no row of an axis"},
+        {"anchor\n  y : -2 = theta +", "c.net:7: error: expected the name of a row, not the end"},
+        {"anchor\n  y = theta", "c.net:7: error: 'y' begins no line of a table"},
+        {"anchor\n  y : = theta", "c.net:7: error: expected a number, not '= theta'"},
+        {"anchor\n  y : -2 = 1/3 theta",
+         "c.net:7: error: a factor is a number over a power of two"},
+        {"anchor\n  y : -2 = theta theta", "c.net:7: error: expected + or -, not 'theta'"},
+        {"anchor\n  y : -2 = theta.1", "c.net:7: error: theta has no orders"},
+        {"anchor\n  y : -2 = theta/i", "c.net:7: error: /i has a meaning in `order` alone"},
+        {"anchor\n  y : -2 = sum(theta)", "c.net:7: error: theta is no series"},
+        {"anchor\n  y : -2 = sum(n[k])", "c.net:7: error: y is no row of an axis, n[k] is"},
+        {"anchor\n  theta : -1 = 1", "c.net:7: error: theta is fixed: no line makes it"},
+        {"anchor\n  y : -2 = theta\n  y : -1 = theta", "c.net:8: error: y has a fraction of -2"},
+        {"anchor\n  y : -2 = theta*theta >> s", "c.net:7: error: >> s takes one row"},
+        {"word theta -1", "c.net:6: error: theta is there twice"},
+        {"word b -99", "c.net:6: error: '-99' is no fraction: -16 .. 16 from CoefBits"},
+        {"word b -2", "error: b comes from no word of the bus"},
+        {"bus place theta", "c.net:6: error: the bus has no field place"},
+        {"words b -2", "c.net:6: error: 'words' begins no line of a table"}};
+    for (const auto& [lines, reason] : cases) {
+        EXPECT_NE(refused(lines).find(reason), std::string::npos) << lines << "\n"
+                                                                  << refused(lines);
+    }
+    EXPECT_EQ(refused("anchor\n  y : -2 = theta"), "");
+}
+
+TEST(CurveTable, RowsAreNeededAsFarAsTheKernelMakesThem) {
+    const CurveTable spline = read_curve_table(std::string(CURVES_DIR) + "/spline.net");
+    const auto polynomial = order_demand(spline, 6, true);
+    const std::pair<const char*, int> rows[] = {{"q", 6}, {"phi", 5}, {"DV", 5}, {"DP", 5},
+                                                {"V", 4}, {"W", 4},   {"Q", 4},  {"R", 3},
+                                                {"S", 3}, {"x", 0}};
+    for (const auto& [row, order] : rows) {
+        const auto found = polynomial.find(row);
+        EXPECT_EQ(found == polynomial.end() ? 0 : found->second, order) << row;
+    }
+    const auto series = order_demand(spline, 6, false);
+    EXPECT_EQ(series.at("x"), 6);
+    EXPECT_EQ(series.at("V"), 5);
+    EXPECT_EQ(series.at("phi"), 5);
+}
+
+}  // namespace
+}  // namespace curvecore::ref
