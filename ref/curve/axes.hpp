@@ -8,6 +8,7 @@
 namespace curvecore::ref {
 
 constexpr std::string_view kAxisLetters = "XYZABCUVW";
+constexpr std::string_view kAxisNames = "xyzabcuvw";  // of columns, members and parameters
 constexpr int kMachineAxes = 9;
 using AxisVector = std::array<double, kMachineAxes>;
 

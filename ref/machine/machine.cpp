@@ -14,7 +14,6 @@
 namespace curvecore::ref {
 namespace {
 
-constexpr std::string_view kLetters = "XYZABCUVW";
 constexpr double kJerkTime = 0.05;  // s in which the acceleration is reached if no jerk is given
 constexpr double kSmallestLimit = 1e-6;
 constexpr double kLargestLimit = 1e12;
@@ -71,9 +70,9 @@ class MachineReader {
     std::string joint_letters() const {
         std::optional<IniEntry> entry = ini_.find("TRAJ", "COORDINATES");
         std::string letters;
-        for (const char c : entry ? entry->value : std::string(kLetters)) {
+        for (const char c : entry ? entry->value : std::string(kAxisLetters)) {
             const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-            if (kLetters.find(letter) != std::string_view::npos) {
+            if (kAxisLetters.find(letter) != std::string_view::npos) {
                 letters += letter;
             } else if (letter != ' ' && letter != '\t') {
                 throw InputError(
@@ -87,12 +86,12 @@ class MachineReader {
     /// Returns every section that limits the axis: its own, by letter or by number, and its
     /// joints'.
     std::vector<std::string> sections_of(int axis, const std::string& joints) const {
-        std::vector<std::string> sections = {fmt::format("AXIS_{}", kLetters[axis]),
+        std::vector<std::string> sections = {fmt::format("AXIS_{}", kAxisLetters[axis]),
                                              fmt::format("AXIS_{}", axis)};
         const std::optional<IniEntry> kinematics = ini_.find("KINS", "KINEMATICS");
         if (!kinematics || kinematics->value.rfind("trivkins", 0) == 0) {
             for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-                if (joints[joint] == kLetters[axis]) {
+                if (joints[joint] == kAxisLetters[axis]) {
                     sections.push_back(fmt::format("JOINT_{}", joint));
                 }
             }
@@ -112,9 +111,9 @@ class MachineReader {
             if (!sections.empty()) {
                 read_axis(axis, sections);
                 any_axis_ = true;
-                axes += kLetters[axis];
+                axes += kAxisLetters[axis];
             } else if (axis < 3) {
-                note(fmt::format("{}: the built-in machine's limits", kLetters[axis]));
+                note(fmt::format("{}: the built-in machine's limits", kAxisLetters[axis]));
             }
         }
         return axes;
@@ -136,7 +135,7 @@ class MachineReader {
         const auto take = [&](const char* name, double& field, double otherwise) {
             const std::optional<double> value = tightest(name);
             if (!value) {
-                note(fmt::format("{} {}: {:g}", kLetters[axis], name, otherwise));
+                note(fmt::format("{} {}: {:g}", kAxisLetters[axis], name, otherwise));
             }
             field = value.value_or(otherwise);
         };
@@ -163,7 +162,7 @@ class MachineReader {
                 throw InputError(
                     ini_.file(), ini_.find(section, name)->line,
                     fmt::format("{} has no travel: MIN_LIMIT {:g} mm, MAX_LIMIT {:g} mm",
-                                kLetters[axis], limits.min, limits.max));
+                                kAxisLetters[axis], limits.min, limits.max));
             }
         }
         limits.rotary = axis >= 3 && axis < 6 && limits.min == -kUnlimitedTravel &&
@@ -188,7 +187,8 @@ class MachineReader {
         const auto together = [&](double AxisLimits::*limit) {
             double sum = 0;
             for (int axis = 0; axis < 3; ++axis) {
-                const bool counts = axes.empty() || axes.find(kLetters[axis]) != std::string::npos;
+                const bool counts =
+                    axes.empty() || axes.find(kAxisLetters[axis]) != std::string::npos;
                 sum = std::hypot(sum, counts ? machine_.axis[axis].*limit : 0);
             }
             return sum > 0 ? sum : machine_.axis[0].*limit;

@@ -18,7 +18,7 @@ Json figures_json(const ErrorFigures& figures) {
 Json position_json(const PositionFigures& figures, int axes) {
     Json json;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis) {
-        json[std::string(1, kAxisNames[axis])] = figures_json(figures.axis[axis]);
+        json[std::string(1, ref::kAxisNames[axis])] = figures_json(figures.axis[axis]);
     }
     json["along"] = figures_json(figures.along);
     json["across"] = figures_json(figures.across);

@@ -4,13 +4,10 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "sysc/compare/compare_options.hpp"
 
 namespace curvecore::sysc {
-
-constexpr std::string_view kAxisNames = "xyzabcuvw";  // of columns and members
 
 struct CompareReport {
     const CompareOptions& options;

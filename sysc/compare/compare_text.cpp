@@ -114,7 +114,7 @@ std::string CompareReport::csv() const {
         text += fmt::format(",{0}_worst,{0}_rms,{0}_p999", name);
     };
     for (const std::string kind : {"output", "unrounded"}) {
-        for (int axis = 0; axis < axes(); ++axis) columns(kind + "_" + kAxisNames[axis]);
+        for (int axis = 0; axis < axes(); ++axis) columns(kind + "_" + ref::kAxisNames[axis]);
         columns(kind + "_along");
         columns(kind + "_across");
     }

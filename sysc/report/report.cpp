@@ -145,8 +145,11 @@ double worst(const std::array<AxisError, N>& errors) {
 }  // namespace
 
 std::vector<std::string> axis_names(const Job& job) {
-    const std::vector<std::string> all{"x", "y", "z", "a", "b", "c", "u", "v", "w"};
-    return {all.begin(), all.begin() + 3 + job.plan.aux_axes};
+    std::vector<std::string> names;
+    for (const char name : ref::kAxisNames.substr(0, 3 + std::size_t(job.plan.aux_axes))) {
+        names.emplace_back(1, name);
+    }
+    return names;
 }
 
 std::string unit_text(const Job& job) {

@@ -35,9 +35,9 @@ SamplesWriter::SamplesWriter(const std::string& file, const Job& job, std::uint6
         comment_safe(std::filesystem::path(job.options.file).filename().string()),
         ref::parameters_text(job.options.core), stride_, job.options.sample_period_s,
         job.plan.unit_mm);
-    for (int axis = 0; axis < job.plan.aux_axes; ++axis) {
+    for (const char name : ref::kAxisNames.substr(3, std::size_t(job.plan.aux_axes))) {
         buffer_ += ',';
-        buffer_ += "abcuvw"[axis];
+        buffer_ += name;
     }
     buffer_ += '\n';
 }

@@ -11,7 +11,6 @@ namespace {
 constexpr int kProgrammedX = 5420;  // .. 5428
 constexpr int kMachineX = 5021;     // .. 5029
 constexpr int kToolInSpindle = 5400;
-constexpr std::string_view kNames = "xyzabcuvw";
 
 }  // namespace
 
@@ -19,7 +18,7 @@ void Interpreter::give_values() {
     for (int axis = 0; axis < kMachineAxes; ++axis) {
         const auto programmed = [this, axis] { return coordinates_.programmed(axis); };
         const auto on_machine = [this, axis] { return coordinates_.on_machine(axis); };
-        const std::string letter(1, kNames[axis]);
+        const std::string letter(1, kAxisNames[axis]);
         parameters_.compute(kProgrammedX + axis, programmed);
         parameters_.compute("_" + letter, programmed);
         parameters_.compute(kMachineX + axis, on_machine);
