@@ -34,14 +34,19 @@ find_package(Threads REQUIRED)
 target_link_libraries(verilator_runtime PUBLIC ZLIB::ZLIB Threads::Threads)
 
 # Headers that every model reads first, half of its compilation: compiled once, with the options of
-# Verilator's makefile. GCC reads the text where other macros are set (traces, SystemC).
+# Verilator's makefile, for models without traces and SystemC: those set other macros.
 set(verilated_headers ${PROJECT_BINARY_DIR}/verilated/verilated.hpp CACHE INTERNAL "")
 file(CONFIGURE OUTPUT ${verilated_headers} CONTENT "#include <verilated.h>\n")
+set(any_time "")
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(any_time -Xclang -fno-pch-timestamp)
+endif()
 add_custom_command(
   OUTPUT ${verilated_headers}.gch
   COMMAND ${CMAKE_CXX_COMPILER} -x c++-header -I${verilator_include}
           -DVM_COVERAGE=$<BOOL:${CURVECORE_COVERAGE}> -DVM_SC=0 -DVM_TRACE=0 -DVM_TRACE_FST=0
           -DVM_TRACE_VCD=0 -faligned-new -fcf-protection=none -std=c++17 -w -O1
+          ${any_time}
           -o ${verilated_headers}.gch ${verilated_headers}
   DEPENDS ${verilated_headers} ${verilator_include}/verilated.h
   VERBATIM)
@@ -75,11 +80,14 @@ function(verilated_model target)
       list(APPEND sources ${top_file})
     endif()
   endif()
+  set(headers "-include ${verilated_headers}")
   if(ARG_SC)
     list(APPEND flags --sc)
+    set(headers "")
   endif()
   if(ARG_TRACE)
     list(APPEND flags --trace-fst)
+    set(headers "")
   endif()
   if(CURVECORE_COVERAGE)
     list(APPEND flags --coverage-line)
@@ -89,7 +97,7 @@ function(verilated_model target)
     BYPRODUCTS ${dir}/${ARG_PREFIX}.h
     COMMAND ${CMAKE_COMMAND} -E env "CXX=${CMAKE_CXX_COMPILER}"
             "CCACHE=${CMAKE_CXX_COMPILER_LAUNCHER}" "VERILATOR=${VERILATOR}"
-            "CFLAGS=-include ${verilated_headers}"
+            "CFLAGS=${headers}"
             ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
             ${sources}
     DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${verilated_headers}.gch ${flat}

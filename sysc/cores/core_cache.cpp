@@ -99,8 +99,8 @@ void check_tools() {
         if (fs::path(tool).is_absolute() ? access(tool, X_OK) == 0 : in_path(tool)) continue;
         throw UsageError(
             fmt::format("this core is not built in, and {} is missing to make it: install "
-                        "verilator, make and g++, or run with --on kernel",
-                        name));
+                        "verilator, make and {}, or run with --on kernel",
+                        name, fs::path(CURVECORE_CXX).filename().string()));
     }
     const std::string version = output_of("verilator --version");
     if (version.find(CURVECORE_VERILATOR_VERSION) == std::string::npos) {

@@ -119,6 +119,3 @@ std::unique_ptr<Board> make_system_board(const Job& job, std::unique_ptr<Board> 
 }
 
 }  // namespace curvecore::sysc
-
-/// Required by SystemC's library; the program has its own main().
-int sc_main(int /*argc*/, char** /*argv*/) { return 0; }

@@ -105,7 +105,8 @@ TEST_P(BrokenFile, CutOffIsRefusedWithItsLine) {
 TEST_P(BrokenFile, AValueOfAnotherTypeIsRefusedWithItsLine) {
     const Json whole = Json::parse(GetParam().text());
     const Json flat = whole.flatten();
-    for (const auto& [pointer, value] : flat.items()) {
+    for (const auto& item : flat.items()) {
+        const std::string& pointer = item.key();
         const auto read = [&](const std::string& key) {
             return pointer.find("/" + key) == std::string::npos;
         };

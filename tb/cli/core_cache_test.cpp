@@ -93,7 +93,7 @@ TEST_F(MadeCore, WithoutVerilatorSaysWhatToInstall) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err,
               "curvecore: error: this core is not built in, and verilator is missing to make it: "
-              "install verilator, make and g++, or run with --on kernel\n");
+              "install verilator, make and " COMPILER ", or run with --on kernel\n");
     EXPECT_FALSE(shell_.exists("out"));
 }
 

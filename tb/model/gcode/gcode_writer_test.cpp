@@ -96,8 +96,8 @@ TEST(GcodeWriter, SplineWithAuxiliaryAxesIsRefused) {
 }
 
 IdleMove swing(JoinFit fit, bool in_space) {
-    const Joint start{Vec3(1, 2, 3), Vec3(1, 0, 0), Vec3(0, 0.02, 0), 30};
-    const Joint end{Vec3(15, -9, in_space ? 8 : 3), Vec3(0, -1, 0), Vec3(0.01, 0, 0), 60};
+    const Joint start{{Vec3(1, 2, 3), Vec3(1, 0, 0), Vec3(0, 0.02, 0)}, 30};
+    const Joint end{{Vec3(15, -9, in_space ? 8 : 3), Vec3(0, -1, 0), Vec3(0.01, 0, 0)}, 60};
     return default_idle_move(start, end, fit, 3);
 }
 

@@ -94,8 +94,8 @@ Vec3 random_vector() { return Vec3::Random(); }
 /// A move whose ends have curvature, in space.
 IdleMove twisted(JoinFit fit, int points) {
     IdleMove move;
-    move.start = {Vec3(1, 2, 3), Vec3(1, 2, 2) / 3, Vec3(0.02, -0.01, 0), 30};
-    move.end = {Vec3(20, -5, 8), Vec3(2, 2, -1) / 3, Vec3(0.01, 0, 0.02), 60};
+    move.start = {{Vec3(1, 2, 3), Vec3(1, 2, 2) / 3, Vec3(0.02, -0.01, 0)}, 30};
+    move.end = {{Vec3(20, -5, 8), Vec3(2, 2, -1) / 3, Vec3(0.01, 0, 0.02)}, 60};
     return default_idle_move(move.start, move.end, fit, points);
 }
 
@@ -146,8 +146,8 @@ TEST(IdleMove, TooFewPointsForCurvatureAreSaid) {
 
 TEST(IdleMove, DefaultIsItsOwnLengthAndStraightWhereItCanBe) {
     const IdleMove line =
-        default_idle_move({Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3::Zero(), 1},
-                          {Vec3(1, 8, 0), Vec3(0, 1, 0), Vec3::Zero(), 1}, JoinFit::kQuintic, 3);
+        default_idle_move({{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3::Zero()}, 1},
+                          {{Vec3(1, 8, 0), Vec3(0, 1, 0), Vec3::Zero()}, 1}, JoinFit::kQuintic, 3);
     EXPECT_NEAR(line.t.back(), 8, 1e-9);
     EXPECT_LE((line.points[1] - Vec3(1, 4, 0)).norm(), 1e-9);
     IdleMove guide = u_turn(JoinFit::kQuintic, 5, 0);

@@ -15,7 +15,7 @@ namespace curvecore::ref {
 namespace {
 
 Joint at(const Vec3& position, const Vec3& tangent) {
-    return {position, tangent, Vec3::Zero(), 25};
+    return {{position, tangent, Vec3::Zero()}, 25};
 }
 
 /// A move 5 mm aside over l: tangents of 1 and ends without curvature.
@@ -61,8 +61,8 @@ TEST(IdleQuintic, FourDerivativesGoOnAtEveryPoint) {
     const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
     for (int n = 0; n < 200; ++n) {
         IdleMove move;
-        move.start = {vector(), vector().normalized(), vector(), 20};
-        move.end = {10 * vector(), vector().normalized(), vector(), 20};
+        move.start = {{vector(), vector().normalized(), vector()}, 20};
+        move.end = {{10 * vector(), vector().normalized(), vector()}, 20};
         move.t = {0};
         for (int i = 0; i < 1 + n % 6; ++i) {
             move.points.push_back(5 * vector());
@@ -145,7 +145,7 @@ TEST(IdleQuintic, JumpsOfRoundingAreZero) {
         EXPECT_EQ(jump.across, 0);
     }
     move.start.curvature.z() += 2e-9;  // a jump, though a small one
-    const Joint working{Vec3::Zero(), move.start.tangent, Vec3(0.02, -0.01, 0), 25};
+    const Joint working{{Vec3::Zero(), move.start.tangent, Vec3(0.02, -0.01, 0)}, 25};
     EXPECT_GT(jump(working, PathTable(move.pieces()).at(0.), 0).curvature, 1e-9);
 }
 

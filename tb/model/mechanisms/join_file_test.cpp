@@ -23,8 +23,8 @@ JoinFile sample(ref::JoinFit fit = ref::JoinFit::kQuintic) {
     file.a = "a.ngc";
     file.b = "b.ngc";
     file.move =
-        ref::default_idle_move({Vec3(0, 0, 5), Vec3(1, 0, 0), Vec3(0, 0.1, 0), 25},
-                               {Vec3(3, 7, 2), Vec3(0, 0.6, 0.8), Vec3::Zero(), 40}, fit, 3);
+        ref::default_idle_move({{Vec3(0, 0, 5), Vec3(1, 0, 0), Vec3(0, 0.1, 0)}, 25},
+                               {{Vec3(3, 7, 2), Vec3(0, 0.6, 0.8), Vec3::Zero()}, 40}, fit, 3);
     file.law = ref::SpeedLaw::kEven;
     file.gcode = {ref::GcodeForm::kStep, 0.25};
     return file;

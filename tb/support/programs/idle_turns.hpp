@@ -15,8 +15,8 @@ constexpr double kSlowFeed = 25;  // mm/s: 1.5 m/min
 /// A turn between antiparallel lines at a step-over w; k: length of the end tangents.
 inline ref::IdleMove u_turn(ref::JoinFit fit, double w, double k) {
     ref::IdleMove move;
-    move.start = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlowFeed};
-    move.end = {Vec3(0, w, 0), Vec3(-1, 0, 0), Vec3::Zero(), kSlowFeed};
+    move.start = {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3::Zero()}, kSlowFeed};
+    move.end = {{Vec3(0, w, 0), Vec3(-1, 0, 0), Vec3::Zero()}, kSlowFeed};
     move.fit = fit;
     move.t = {0, k};
     return move;
@@ -25,7 +25,7 @@ inline ref::IdleMove u_turn(ref::JoinFit fit, double w, double k) {
 /// A move from y = 0 to w over x = 0 .. l, x being the parameter.
 inline ref::IdleMove lane_change(ref::JoinFit fit, double w, double l, int points) {
     ref::IdleMove move = u_turn(fit, w, l);
-    move.end = {Vec3(l, w, 0), Vec3(1, 0, 0), Vec3::Zero(), kSlowFeed};
+    move.end = {{Vec3(l, w, 0), Vec3(1, 0, 0), Vec3::Zero()}, kSlowFeed};
     move.t = {0};
     for (int i = 1; i <= points; ++i) {
         move.t.push_back(l * i / (points + 1));

@@ -71,7 +71,9 @@ inline std::string print(int lines) {
         x = to_x;
         y = to_y;
     };
-    for (int layer = 0; count < lines; ++layer) {
+    int layer = -1;
+    while (count < lines) {
+        ++layer;
         add(fmt::format(";LAYER:{}", layer));
         add(fmt::format("G0 F6000 Z{:.1f}", 0.2 + 0.2 * layer));
         if (layer % 10 == 0) add(fmt::format("M106 S{}", layer % 256));
