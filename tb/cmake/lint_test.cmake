@@ -68,6 +68,8 @@ function(add_lint_tests)
   lint_test(rooms ${PROJECT_SOURCE_DIR}/tb/lint/rooms.py)
   lint_test(readmes ${PROJECT_SOURCE_DIR}/tb/lint/readmes.py)
   lint_test(test_names ${PROJECT_SOURCE_DIR}/tb/lint/test_names.sh ${PROJECT_BINARY_DIR})
+  lint_test(long_tests ${PROJECT_SOURCE_DIR}/tb/lint/long_tests.sh ${PROJECT_BINARY_DIR}
+            ${PROJECT_SOURCE_DIR}/tb/long/tests.txt)
   lint_test(language ${PROJECT_SOURCE_DIR}/tb/lint/language.py)
   lint_test(results ${PROJECT_SOURCE_DIR}/scripts/results.py --check)
   lint_test(files ${PROJECT_SOURCE_DIR}/tb/lint/files.py ${PROJECT_SOURCE_DIR})

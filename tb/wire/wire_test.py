@@ -29,7 +29,7 @@ from wire_parts import (CONTROL, CURVECORE, ENABLED, SEQUENCE, STATE, STEPS_PER_
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RADIUS = 20
 # 20 mm along X, a quarter turn around (20, 20), 20 mm along Y.
-PART = f"G21 G90 G61\nG1 X20 F2400\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
+PART = f"G21 G90 G61\nG1 X20 F4800\nG3 X40 Y20 I0 J{RADIUS}\nG1 Y40\nM2\n"
 END = (40, 40, 0)
 WATCHDOG, ACTIVE, STANDING = 1 << 1, 1 << 18, 1 << 19
 
@@ -164,9 +164,9 @@ class WireTest(unittest.TestCase):
                             2 / STEPS_PER_MM)
 
     def test_killed_host_leaves_a_machine_that_stands_on_the_path(self):
-        # A quarter of the speed, 10 mm/s: the watchdog's 500 ms are 5 mm of the 59 that are left.
+        # An eighth of the speed, 10 mm/s: the watchdog's 500 ms are 5 mm of the 59 that are left.
         board = self.board("--fast")
-        host, _ = self.stream_to_gate(board, 12, "--override", "25")
+        host, _ = self.stream_to_gate(board, 12, "--override", "12")
         host.kill()
         host.communicate()
         # A monitor that never rests; ACTIVE ends where the program does.

@@ -28,7 +28,7 @@ constexpr bool kSerial = false;
 using Scaler = Vtime_scaler_serial;
 constexpr bool kSerial = true;
 #endif
-const int kFewer = kSerial ? cases(24, 8) : 1;  // divides the number of ticks: each takes longer
+const int kFewer = kSerial ? cases(48, 8) : cases(4, 1);  // divides the number of ticks
 
 struct Bounds {
     int64_t acceleration;
