@@ -135,9 +135,8 @@ class Engine {
             thread.place = (i.f0 & kReturn) != 0 ? thread.link : (i.f1 << 8 | i.f2) & place_mask_;
             if ((i.f0 & kCall) != 0) thread.link = back;
             if ((i.f0 & kEnd) != 0 && in_foreground()) {
-                watch(board, now_);
-                foreground_ = board.due(now_);
-                seen_ = now_ + 1;
+                watch(board, now_ + 1);
+                foreground_ = false;
             }
         }
         now_ += 3;

@@ -47,9 +47,9 @@
 // is written in s + 4 and read from s + 5 on. OUT's limb is at the board in s + 2. IN asks in s + 1
 // and takes the answer in s + 3. BR looks at conditions and tick in s. The next instruction has its
 // first term when the clocks of the table are over: what one writes, the next one reads, flags,
-// pages and links too. It is of the foreground if due came 3 clocks before or earlier. Reset: the
-// first term is in clock 4, of the background at place 0; the foreground begins at place 1; flags,
-// pages and links are 0.
+// pages and links too. It is of the foreground if due came 3 clocks before or earlier; due is late
+// in the clock of the end of the run before, or earlier. Reset: the first term is in clock 4, of
+// the background at place 0; the foreground begins at place 1; flags, pages and links are 0.
 //
 // Hazard: in MULL, MAC and SHR of a factor that is no power, limbs of F2 are written while operands
 // are read. overlaps() tells which must not share a word; Engine::hazard() sees pages that do.

@@ -4,10 +4,10 @@
 //
 //   clock      0         1              2        3
 //   run_i      BR, no stall_o
-//   pc         after it  where it goes
-//   place_o              to be read
-//   fetch_i                             of it
-//   run_i                                        of it
+//   place_o              where it goes
+//   ends_o               the foreground
+//   fetch_i                             there
+//   run_i                                        there
 `default_nettype none
 module engine_branch #(
     parameter int PlaceBits = 11  // [1, 15]
@@ -43,19 +43,23 @@ module engine_branch #(
   assign {ends, returns, calls, negates, number} = fields_i[23:16];
 
   logic [15:0] conditions;
-  logic holds, goes;
+  logic holds;
+  logic goes_q;
   assign conditions = {board_i, zero_i, negative_i, 1'b0};
   assign holds = conditions[number] != negates;
   assign stall_o = branch_i && waits_i && !tick_i;
-  assign goes = run_i && branch_i && !stall_o && holds;
-  assign ends_o = goes && ends && thread_i;
+  assign ends_o = goes_q && ends && thread_i;
+  always_ff @(posedge clk_i) goes_q <= rst_ni && run_i && branch_i && !stall_o && holds;
 
+  // A place is read while it is taken.
   logic [PlaceBits-1:0] pc_q[2];
   logic [PlaceBits-1:0] link_q[2];
   logic [15:0] target;
-  assign target  = fields_i[15:0];
-  assign place_o = pc_q[next_thread_i];
-  assign link_o  = link_q[thread_i];
+  logic [PlaceBits-1:0] goal;
+  assign target = fields_i[15:0];
+  assign link_o = link_q[thread_i];
+  assign goal = returns ? link_o : target[PlaceBits-1:0];
+  assign place_o = goes_q && next_thread_i == thread_i ? goal : pc_q[next_thread_i];
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       pc_q[0]   <= '0;
@@ -64,9 +68,9 @@ module engine_branch #(
       link_q[1] <= '0;
     end else begin
       if (fetch_i) pc_q[ahead_thread_i] <= pc_q[ahead_thread_i] + PlaceBits'(1);
-      if (goes) pc_q[thread_i] <= returns ? link_o : target[PlaceBits-1:0];
+      if (goes_q) pc_q[thread_i] <= goal;
       if (link_i) link_q[thread_i] <= link_place_i;
-      if (goes && calls) link_q[thread_i] <= pc_q[thread_i];
+      if (goes_q && calls) link_q[thread_i] <= pc_q[thread_i];
     end
   end
 

@@ -2,13 +2,13 @@
 // Places of a term's factors and of a result's limb in memory, 4 word + limb: a word by its
 // number, or by its place in page X or Y of the program that runs. Constants stand in words 0 to 4.
 //
-//   term           | first factor         | second factor
-//   product        | F0 (MADR: F2), limb i| F1, limb j; of a power 2^r if j is its limb, else 0
-//   ADD, SUB first | F0                   | 1
-//   second         | 1, -1                | as of a product
-//   added          | F0 (MAC: F2)         | 1
-//   empty          | any                  | 0
-//   OUT            | F0                   | any
+//   term              | first factor          | second factor
+//   product           | F0 (MADR: F2), limb i | F1, limb j; of a power 2^r if j is its limb, else 0
+//   added             | F0 (MAC: F2)          | 1
+//   product, ADD, SUB | F0                    | 1
+//   added, ADD, SUB   | 1, -1                 | F1, as of a product
+//   empty             | any                   | 0
+//   OUT               | F0                    | any
 //
 // Pages are taken from OUT's last limb, a clock behind its term (hls/instruction.hpp).
 `default_nettype none
@@ -31,20 +31,18 @@ module engine_operands #(
     input  wire logic                sum_i,
     input  wire logic                minus_i,
     input  wire logic                power_i,
-    input  wire logic                high_i,
     input  wire logic                gathers_i,
-    input  wire logic                adds_i,
-    input  wire logic [         2:0] column_i,
+    input  wire logic                adds_up_i,
     input  wire logic [         2:0] i_i,
     input  wire logic [         1:0] j_i,
-    input  wire logic                second_i,
+    input  wire logic [         2:0] limb_i,     // the result's
     input  wire logic                added_i,
     input  wire logic                empty_i,
     output logic      [WordBits+1:0] first_o,
     output logic      [WordBits+1:0] second_o,
 
-    // Limb of the result
-    input  wire logic [         2:0] limb_i,
+    // Limb that is written
+    input  wire logic [         2:0] written_i,
     output logic      [WordBits+1:0] result_o,
     output logic                     constant_o  // words that are not written
 );
@@ -83,35 +81,31 @@ module engine_operands #(
   assign {f0, f1, f2} = fields_i;
 
   // First factor
-  logic is_product;
   logic from_f2;
   logic [2:0] first_limb;
   logic [WordBits-1:0] first_word;
-  assign is_product = product_i && !added_i;
-  assign from_f2 = added_i ? gathers_i : adds_i;
-  assign first_limb = is_product ? i_i : high_i ? column_i - 3'd3 : column_i;
+  assign from_f2 = added_i ? gathers_i : adds_up_i;
+  assign first_limb = product_i && !added_i ? i_i : limb_i;
   assign first_word = word(from_f2 ? f2 : f0, x, y);
   always_comb begin
     first_o = {first_word[WordBits-1:1], first_word[0] | first_limb[2], first_limb[1:0]};
-    if (second_i) first_o = minus_i ? MinusOne : One;
+    if (sum_i && added_i) first_o = minus_i ? MinusOne : One;
   end
 
   // Second factor
-  logic is_one;
   logic [WordBits-1:0] second_word;
-  assign is_one = added_i || (sum_i && !second_i);
   assign second_word = word(f1, x, y);
   always_comb begin
     second_o = {second_word, j_i};
     if (power_i) second_o = j_i == f1[5:4] ? {{(WordBits - 2) {1'b0}}, f1[3:0]} : Zero;
     if (empty_i) second_o = Zero;
-    if (is_one) second_o = One;
+    if (sum_i != added_i) second_o = One;
   end
 
   // Result
   logic [WordBits-1:0] result_word;
   assign result_word = word(f2, x, y);
-  assign result_o = {result_word[WordBits-1:1], result_word[0] | limb_i[2], limb_i[1:0]};
+  assign result_o = {result_word[WordBits-1:1], result_word[0] | written_i[2], written_i[1:0]};
   assign constant_o = result_word[WordBits-1:3] == '0;
 
 endmodule

@@ -23,8 +23,8 @@ module engine_result (
     input wire logic       result_i,
     input wire logic       product_i,
     input wire logic       in_i,
-    input wire logic       high_i,
-    input wire logic [2:0] column_i,
+    input wire logic [2:0] limb_i,
+    input wire logic       kept_i,        // the column is of the result
     input wire logic       ends_i,        // a column
     input wire logic       last_column_i,
 
@@ -40,10 +40,8 @@ module engine_result (
     output logic        zero_o
 );
 
-  logic [2:0] limb;
   logic kept;
-  assign limb = high_i ? column_i - 3'd3 : column_i;
-  assign kept = run_i && result_i && ends_i && (!high_i || column_i >= 3'd3);
+  assign kept = run_i && result_i && ends_i && kept_i;
 
   logic [3:0] write_q;
   logic [3:0] last_q;
@@ -51,7 +49,7 @@ module engine_result (
   always_ff @(posedge clk_i) begin
     write_q <= rst_ni ? {write_q[2:0], kept} : '0;
     last_q <= {last_q[2:0], last_column_i};
-    limb_q[0] <= limb;
+    limb_q[0] <= limb_i;
     for (int n = 1; n < 4; n = n + 1) limb_q[n] <= limb_q[n-1];
   end
   assign ask_o   = write_q[0] && in_i;

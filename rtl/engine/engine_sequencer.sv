@@ -25,7 +25,8 @@ module engine_sequencer (
     output logic      fetch_o,
     output logic      run_o,          // a term
     output logic      thread_o,       // its program
-    output logic      ahead_thread_o  // program of the next fetch
+    output logic      next_thread_o,  // program to be read
+    output logic      ahead_thread_o  // program of the next fetch, read a clock before
 );
 
   // Clocks to the next fetch, one hot
@@ -37,6 +38,7 @@ module engine_sequencer (
     if (run_o && last_i) left = branch_i ? 4'b0010 : out_i ? 4'b0001 : 4'b1000;
   end
 
+  assign next_thread_o = busy_o && !ends_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       left_q         <= 4'b1000;
@@ -47,15 +49,15 @@ module engine_sequencer (
       late_o         <= 1'b0;
     end else begin
       left_q         <= left;
-      ahead_thread_o <= busy_o;
+      ahead_thread_o <= next_thread_o;
       if (fetch_o) begin
         run_o    <= 1'b1;
         thread_o <= ahead_thread_o;
       end else if (last_i) begin
         run_o <= 1'b0;
       end
-      busy_o <= due_i || (busy_o && !ends_i);
-      if (due_i && busy_o && !ends_i) late_o <= 1'b1;
+      busy_o <= due_i || next_thread_o;
+      if (due_i && next_thread_o) late_o <= 1'b1;
     end
   end
 

@@ -41,12 +41,12 @@ module motion_engine #(
   localparam int LimbPlaceBits = WordBits + 2;
 
   // Sequence
-  logic fetch, run, thread, ahead_thread;
+  logic fetch, run, thread, next_thread, ahead_thread;
   logic last, ends;
-  logic branch, goes, is_in, is_out, result, sum, minus, product, power, high, round, wide;
-  logic gathers, adds;
+  logic branch, goes, is_in, is_out, result, sum, minus, product, power, single, round, wide;
+  logic gathers, adds, adds_up, high;
   logic [1:0] most_j;
-  logic [2:0] last_column_number;
+  logic [2:0] last_limb;
   logic stall;
   engine_sequencer u_sequencer (
       .clk_i,
@@ -55,12 +55,13 @@ module motion_engine #(
       .ends_i        (ends),
       .busy_o,
       .late_o,
-      .last_i        (last && !stall),
+      .last_i        ((last || branch) && !stall),
       .branch_i      (branch),
       .out_i         (is_out),
       .fetch_o       (fetch),
       .run_o         (run),
       .thread_o      (thread),
+      .next_thread_o (next_thread),
       .ahead_thread_o(ahead_thread)
   );
 
@@ -82,24 +83,26 @@ module motion_engine #(
   );
   engine_decoder u_decoder (
       .clk_i,
-      .fetch_i      (fetch),
-      .ahead_i      (ahead),
-      .branch_o     (branch),
-      .goes_o       (goes),
-      .in_o         (is_in),
-      .out_o        (is_out),
-      .result_o     (result),
-      .sum_o        (sum),
-      .minus_o      (minus),
-      .product_o    (product),
-      .power_o      (power),
-      .high_o       (high),
-      .round_o      (round),
-      .wide_o       (wide),
-      .gathers_o    (gathers),
-      .adds_o       (adds),
-      .most_j_o     (most_j),
-      .last_column_o(last_column_number)
+      .fetch_i    (fetch),
+      .ahead_i    (ahead),
+      .high_o     (high),
+      .last_limb_o(last_limb),
+      .branch_o   (branch),
+      .goes_o     (goes),
+      .in_o       (is_in),
+      .out_o      (is_out),
+      .result_o   (result),
+      .sum_o      (sum),
+      .minus_o    (minus),
+      .product_o  (product),
+      .power_o    (power),
+      .single_o   (single),
+      .round_o    (round),
+      .wide_o     (wide),
+      .gathers_o  (gathers),
+      .adds_o     (adds),
+      .adds_up_o  (adds_up),
+      .most_j_o   (most_j)
   );
 
   // What OUT puts out, a clock behind its term
@@ -119,7 +122,7 @@ module motion_engine #(
   ) u_branch (
       .clk_i,
       .rst_ni,
-      .next_thread_i (busy_o),
+      .next_thread_i (next_thread),
       .place_o       (place),
       .fetch_i       (fetch),
       .ahead_thread_i(ahead_thread),
@@ -140,36 +143,36 @@ module motion_engine #(
   );
 
   // Terms
-  logic [2:0] column, i;
+  logic [2:0] i, limb;
   logic [1:0] j;
-  logic second, added, empty, begins, ends_column, last_column;
+  logic added, empty, afresh, begins, ends_column, kept, last_column;
   engine_terms u_terms (
       .clk_i,
       .start_i      (fetch),
+      .high_i       (high),
+      .last_limb_i  (last_limb),
       .run_i        (run && !stall),
-      .product_i    (product),
-      .sum_i        (sum),
-      .power_i      (power),
+      .single_i     (single),
       .wide_i       (wide),
-      .gathers_i    (gathers),
       .adds_i       (adds),
+      .adds_up_i    (adds_up),
       .most_j_i     (most_j),
-      .last_column_i(last_column_number),
-      .column_o     (column),
       .i_o          (i),
       .j_o          (j),
-      .second_o     (second),
       .added_o      (added),
       .empty_o      (empty),
+      .afresh_o     (afresh),
       .begins_o     (begins),
       .ends_o       (ends_column),
+      .kept_o       (kept),
+      .limb_o       (limb),
       .last_column_o(last_column),
       .last_o       (last)
   );
 
   // Operands
   logic [LimbPlaceBits-1:0] first_place, second_place, result_place;
-  logic [2:0] result_limb;
+  logic [2:0] written_limb;
   logic constant;
   engine_operands #(
       .WordBits(WordBits)
@@ -185,18 +188,16 @@ module motion_engine #(
       .sum_i     (sum),
       .minus_i   (minus),
       .power_i   (power),
-      .high_i    (high),
       .gathers_i (gathers),
-      .adds_i    (adds),
-      .column_i  (column),
+      .adds_up_i (adds_up),
       .i_i       (i),
       .j_i       (j),
-      .second_i  (second),
+      .limb_i    (limb),
       .added_i   (added),
       .empty_i   (empty),
       .first_o   (first_place),
       .second_o  (second_place),
-      .limb_i    (result_limb),
+      .written_i (written_limb),
       .result_o  (result_place),
       .constant_o(constant)
   );
@@ -234,8 +235,8 @@ module motion_engine #(
   column_sum u_sum (
       .clk_i,
       .begins_i (run && begins),
-      .afresh_i (run && begins && column == 3'd0),
-      .round_i  (run && begins && column == 3'd3 && round),
+      .afresh_i (run && afresh),
+      .round_i  (run && begins && kept && limb == 3'd0 && round),
       .product_i(limb_product),
       .sum_o    (column_total)
   );
@@ -249,15 +250,15 @@ module motion_engine #(
       .result_i     (result),
       .product_i    (product),
       .in_i         (is_in),
-      .high_i       (high),
-      .column_i     (column),
+      .limb_i       (limb),
+      .kept_i       (kept),
       .ends_i       (ends_column),
       .last_column_i(last_column),
       .sum_i        (column_total),
       .answer_i     (answer),
       .ask_o        (in_valid_o),
       .write_o      (write),
-      .limb_o       (result_limb),
+      .limb_o       (written_limb),
       .asked_o      (asked_limb),
       .data_o       (data),
       .negative_o   (negative),
@@ -271,7 +272,7 @@ module motion_engine #(
   always_ff @(posedge clk_i) begin
     out_q       <= rst_ni && run && is_out;
     out_last_q  <= last_column;
-    out_limb_q  <= column[1:0];
+    out_limb_q  <= limb[1:0];
     out_valid_o <= rst_ni && out_q;
     out_port_o  <= out_port;
     out_limb_o  <= out_limb_q;

@@ -33,12 +33,16 @@ module limb_product #(
     );
     assign product_o = $signed(product[31:0]);
   end else if (Form == 2) begin : g_up5k
+    logic [15:0] a;
+    logic [15:0] b;
     logic [31:0] product;
+    assign a = $unsigned(a_i);
+    assign b = $unsigned(b_i);
     dsp_up5k u_dsp (
         .clk_i,
         .en_i(1'b1),
-        .a_i($unsigned(a_i)),
-        .b_i($unsigned(b_i)),
+        .a_i(a),
+        .b_i(b),
         .product_o(product)
     );
     assign product_o = $signed(product);

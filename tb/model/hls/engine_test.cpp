@@ -230,7 +230,7 @@ TEST(Engine, ForegroundBeginsThreeClocksBehindDueAtAnInstructionsEnd) {
     }
 }
 
-TEST(Engine, ForegroundIsLateIfDueComesBeforeItsEndAndNotInThatClock) {
+TEST(Engine, ForegroundIsLateIfDueComesUntilTheClockOfItsEnd) {
     for (std::uint64_t again = 11; again < 40; ++again) {
         // Due in clock 10: begins in 13, waits for the tick in 20, ends in 23.
         Engine engine =
@@ -240,9 +240,9 @@ TEST(Engine, ForegroundIsLateIfDueComesBeforeItsEndAndNotInThatClock) {
         board.dues = {10, again};
         board.ticks = {20, 60};
         while (engine.clock() < 50) engine.step(board);
-        EXPECT_EQ(engine.late(), again < 23) << again;
-        // What was late is not run again; what was due at the end or later, waits for its tick.
-        EXPECT_EQ(engine.in_foreground(), again >= 23) << again;
+        EXPECT_EQ(engine.late(), again <= 23) << again;
+        // What was late is not run again; what was due behind the end, waits for its tick.
+        EXPECT_EQ(engine.in_foreground(), again > 23) << again;
     }
 }
 
