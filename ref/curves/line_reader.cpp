@@ -184,7 +184,7 @@ void terms(Scanner& scan, TableLine& line) {
 
 RowOperand read_row_operand(const std::string& text, const Place& place) {
     Scanner scan(text, place);
-    const RowOperand row = operand(scan);
+    RowOperand row = operand(scan);
     if (!scan.at_end()) {
         scan.refuse("expected a row");
     }

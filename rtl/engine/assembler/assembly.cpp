@@ -35,7 +35,7 @@ Field Assembly::named(const std::string& name, int words) {
         return found->second;
     }
     shared_words_ += shared_words_ % words;
-    const Field field{shared_words_, name};
+    Field field{shared_words_, name};
     data_[shared_words_] = {name, 0, words};
     shared_words_ += words;
     return names_[name] = field;
@@ -51,7 +51,7 @@ Field Assembly::constant(std::int64_t value) {
     if (value < -(std::int64_t{1} << 45) || value >= std::int64_t{1} << 45) {
         refuse(fmt::format("the constant {} needs more than three limbs", value));
     }
-    const Field field = word(fmt::format("{}", value));
+    Field field = word(fmt::format("{}", value));
     data_[field.code].value = value;
     return field;
 }
@@ -225,7 +225,8 @@ std::vector<std::int16_t> Assembly::memory() const {
     for (const auto& [place, datum] : data_) {
         for (int n = 0; n < 3; ++n) {
             const std::int64_t above = datum.value >> (engine::kLimbBits * n);
-            limbs[static_cast<std::size_t>(engine::kWordLimbs * place + n)] =
+            limbs[std::size_t{engine::kWordLimbs} * static_cast<std::size_t>(place) +
+                  static_cast<std::size_t>(n)] =
                 static_cast<std::int16_t>(n < 2 ? above & 0x7fff : above);
         }
     }

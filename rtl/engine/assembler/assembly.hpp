@@ -108,6 +108,8 @@ class Assembly {
     const std::map<std::string, std::size_t>& labels() const { return labels_; }
     const std::map<int, Datum>& data() const { return data_; }  // by place, X's for axes
     const StoreSize& size() const { return size_; }
+    /// Returns the field of a word by its name.
+    const Field& field(const std::string& name) const { return names_.at(name); }
     /// Place of a word in the data memory, of an axis' word that of axis 0, 1, 2.
     int place(const std::string& name, int axis = 0) const;
     int data_words() const;

@@ -19,11 +19,7 @@ using engine::Op;
 class Writer {
   public:
     Writer(CurveCode& code, Assembly& assembly)
-        : code_(code), places_(place_words(code)), assembly_(assembly) {
-        for (std::size_t value = 0; value < places_.size(); ++value) {
-            field(static_cast<int>(value));
-        }
-    }
+        : code_(code), places_(place_words(code)), assembly_(assembly) {}
 
     /// Writes a part, which goes on to a label; subroutines of its axes come behind it.
     void write(const Part& part, const std::string& next) {

@@ -115,13 +115,14 @@ void LineLowering::addends(const TableLine& line, const TableTerm& term, int i,
     if (term.meeting == Meeting::kConstant) {
         const double value = std::ldexp(static_cast<double>(term.number), -term.halvings);
         if (value != 0) {
-            all.push_back({constant(value, line.fraction), -1, 1, 0, false});
+            all.push_back({constant(value, line.fraction), -1, 1, 0, false, 0});
         }
     } else if (term.meeting == Meeting::kAlone) {
         add(meet(line, term, entry(term.a, i), -1));
     } else if (term.meeting == Meeting::kOverOrder) {
         Addend one = meet(line, term, entry(term.a, i), -1);
         if (i > 1) {
+            one.over = i;
             one.number *= hls::reciprocal(i, core_.coef_bits - 1);
             one.shift += core_.coef_bits - 1;
         }
@@ -197,7 +198,8 @@ int LineLowering::lower(const TableLine& line, int i) {
 int LineLowering::single(const Addend& one, bool of_axis, int to) {
     if (one.b < 0) {
         writer_.put(of_axis, Op::kMulr, to, {one.a},
-                    writer_.multiplier(one.number, kProductShift - one.shift));
+                    writer_.multiplier(one.number, kProductShift - one.shift,
+                                       one.over > 0 ? fmt::format("1/{}", one.over) : ""));
     } else if (one.number == 1) {
         product(to, one.a, one.b, one.shift, of_axis);
     } else if (writer_.fixed(one.b)) {
@@ -270,8 +272,9 @@ int LineLowering::exactly(const Addend& one) {
     return writer_.lifted(one.a, static_cast<int>(std::abs(one.number)), -one.shift);
 }
 
-void LineLowering::total(int to, bool of_axis, std::vector<Addend> exact, int rounded) {
+void LineLowering::total(int to, bool of_axis, const std::vector<Addend>& exact, int rounded) {
     std::vector<std::pair<int, bool>> items;  // value and minus
+    items.reserve(exact.size() + 2);
     for (const Addend& one : exact) {
         items.emplace_back(exactly(one), one.number < 0);
     }
@@ -321,7 +324,7 @@ int LineLowering::sum(const TableLine& line, bool of_axis, int to) {
     const RowOperand row = same_row(table_, line.series);
     const auto top = demand_.find(row.row);
     for (int i = 1; top != demand_.end() && i <= top->second; ++i) {
-        all.push_back({entry(row, i), -1, 1, fraction(row) - line.fraction, false});
+        all.push_back({entry(row, i), -1, 1, fraction(row) - line.fraction, false, 0});
     }
     for (const Addend& one : all) {
         if (!one.exact()) {

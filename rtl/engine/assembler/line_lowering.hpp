@@ -37,6 +37,7 @@ class LineLowering {
         std::int64_t number = 1;
         int shift = 0;
         bool all_axes = false;
+        int over = 0;  // of 1/i, i
 
         bool exact() const { return b < 0 && shift <= 0; }
     };
@@ -49,7 +50,7 @@ class LineLowering {
     Addend meet(const ref::TableLine& line, const ref::TableTerm& term, int a, int b) const;
     int single(const Addend& one, bool of_axis, int to);
     int chain(const std::vector<Addend>& all, bool of_axis, int to);
-    void total(int to, bool of_axis, std::vector<Addend> exact, int rounded);
+    void total(int to, bool of_axis, const std::vector<Addend>& exact, int rounded);
     int exactly(const Addend& one);
     void scaled_down(const ref::TableLine& line, int to);
     int polynomial(const ref::TableLine& line, bool of_axis, int to);

@@ -38,9 +38,11 @@ int StepWriter::auxiliary(const std::string& name) {
     return made;
 }
 
-int StepWriter::constant(std::int64_t number) {
+int StepWriter::constant(std::int64_t number, const std::string& shown) {
     const int made = value(fmt::format("{}", number), false);
-    code_.values[static_cast<std::size_t>(made)].constant = number;
+    Value& of = code_.values[static_cast<std::size_t>(made)];
+    of.constant = number;
+    of.name = shown.empty() ? of.name : shown;
     return made;
 }
 
@@ -96,7 +98,7 @@ void StepWriter::each(Op op, int to, Use a, Use b, bool flag) {
     }
 }
 
-Use StepWriter::multiplier(std::int64_t number, int lift) {
+Use StepWriter::multiplier(std::int64_t number, int lift, const std::string& shown) {
     if (number == 1 && lift >= 0 && lift <= 59) {
         return {-1, lift};
     }
@@ -107,7 +109,7 @@ Use StepWriter::multiplier(std::int64_t number, int lift) {
     if (lift < 0 || lift > kProductBits || (number < 0 ? -number : number) > most >> lift) {
         refuse(fmt::format("{} 2^{} is no word of three limbs", number, lift));
     }
-    return {constant(number * (std::int64_t{1} << lift)), 0};
+    return {constant(number * (std::int64_t{1} << lift), shown), 0};
 }
 
 int StepWriter::lift_cost(int value, int lift) const {

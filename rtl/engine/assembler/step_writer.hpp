@@ -21,7 +21,8 @@ class StepWriter {
     /// Returns the value of a name; a new one is as said.
     int value(const std::string& name, bool of_axis, const std::string& word = "");
     int auxiliary(const std::string& name);
-    int constant(std::int64_t number);
+    /// Returns a constant, which the listing shows by a name.
+    int constant(std::int64_t number, const std::string& shown = "");
     int temporary(bool of_axis);
     int wide(const std::string& name);
     /// Values that no step but those of load change: their copies are made at load.
@@ -40,7 +41,7 @@ class StepWriter {
     }
 
     /// number 2^lift as F1. @throws AssemblyError if it is no word
-    Use multiplier(std::int64_t number, int lift);
+    Use multiplier(std::int64_t number, int lift, const std::string& shown = "");
     /// Returns number * value * 2^lift, from an own step unless it is there.
     int lifted(int value, int number, int lift);
     /// Steps that lifted() would cost; those of load cost a word only.

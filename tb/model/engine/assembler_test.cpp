@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "rtl/engine/assembler/assembly.hpp"
+#include "rtl/engine/assembler/listing.hpp"
+#include "rtl/engine/assembler/worst_case.hpp"
 #include "tb/model/engine/microcode_machine.hpp"
 
 namespace curvecore::assembler {
@@ -69,6 +71,69 @@ TEST(Assembler, AFullStoreNamesTheWordsNeeded) {
     EXPECT_EQ(refused(words(33, true), {2048, 256, 2}),
               ": error: the data need 320 words, the store has 256");
     EXPECT_EQ(refused(words(33, true), {2048, 512, 2}), "");
+}
+
+TEST(Assembler, TheWorstCaseIsWhatTheTwinTakes) {
+    for (const bool spline : {false, true}) {
+        tb::CurveCase of;
+        of.spline = spline;
+        const tb::CurveMicrocode code = tb::curve_microcode(of);
+        tb::MicrocodeMachine machine(code.assembly);
+        tb::CurveComparison comparison(of, code, machine);
+        std::mt19937_64 random(3);
+        for (int n = 0; n < 20; ++n) comparison.segment(random, 2, 1);
+        const std::string name = spline ? "spline" : "arc";
+        const auto clocks = [&](const char* program) {
+            return worst_case(code.assembly, name + program, {"idle"});
+        };
+        EXPECT_EQ(comparison.most_clocks(1), clocks(" step"));
+        EXPECT_EQ(comparison.most_clocks(2), clocks(" sample"));
+        machine.set("k", 27);
+        if (spline) machine.set("s", 27);
+        EXPECT_EQ(machine.run(0), clocks(" load"));
+        const int step = clocks(" step");
+        EXPECT_NO_THROW(keep_period(code.assembly, name + " step", {"idle"}, step));
+        try {
+            keep_period(code.assembly, name + " step", {"idle"}, step - 1);
+            ADD_FAILURE() << "a period too short is kept";
+        } catch (const AssemblyError& error) {
+            EXPECT_EQ(error.what(), name + " step: error: takes " + std::to_string(step) +
+                                        " clocks, the period has " + std::to_string(step - 1));
+        }
+    }
+}
+
+TEST(Assembler, AWayRoundWithoutABoundIsRefused) {
+    Assembly assembly;
+    assembly.from({"p.net", 3, "line"});
+    assembly.label("here");
+    assembly.copy(assembly.word("a"), assembly.word("b"));
+    assembly.branch("here", engine::kNegative);
+    assembly.give_back();
+    assembly.finish();
+    try {
+        worst_case(assembly, "here");
+        ADD_FAILURE() << "it has no end";
+    } catch (const AssemblyError& error) {
+        EXPECT_STREQ(error.what(), "p.net:3: error: a loop without a bound");
+    }
+}
+
+TEST(Assembler, TheListingHasEveryInstructionBesideItsLine) {
+    const tb::CurveMicrocode code = tb::curve_microcode({});
+    const std::string text = listing(
+        code.assembly, {{"arc load", "idle"}, {"arc step", "idle"}, {"arc sample", "idle"}});
+    for (const char* row :
+         {"arc step: at most 1233 clocks\n",
+          "N[k].4 = w.4<<10 * T[k].3 >> 45              | arc.net:16: N[k] : -2 = w@T[k]'",
+          "w.3 = theta * 1/3 >> 45 ",
+          " 16  fine[k] = origin[k] + (fine[k] * 2^(fine+k) >> 45) | "}) {
+        EXPECT_NE(text.find(row), std::string::npos) << row;
+    }
+    EXPECT_EQ(program_hex(code.assembly).size(), std::size_t{9 * 2048});
+    EXPECT_EQ(data_hex(code.assembly).size(), std::size_t{5 * 4 * 256});
+    EXPECT_EQ(data_hex(code.assembly).substr(0, 25), "0001\n0002\n0004\n0008\n0010\n");
+    if (std::getenv("LISTING") != nullptr) std::printf("%s", text.c_str());
 }
 
 TEST(Assembler, ASplineOfOrder12NeedsTheLargeStore) {
