@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <deque>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "tb/support/bench/bench_format.hpp"
 #include "tb/support/bench/curve_ports.hpp"
 #include "tb/support/bench/sample_campaign.hpp"
+#include "tb/support/programs/long_form.hpp"
 #include "tb/support/segments/legal_segments.hpp"
 
 namespace curvecore::tb {
@@ -168,7 +170,7 @@ class CurveCoreBench : public testing::Test, protected BenchFormat {
     void equals_kernel_with_random_stalls() {
         Shapes shapes(core_, 11);
         const auto more = [&] { add(shapes.next()); };
-        const int rounds = portable() ? Rounds : 8;
+        const int rounds = portable() ? cases(std::min(4, Rounds), Rounds) : 8;
         for (int round = 0; round < rounds; ++round) {
             const int part = round % 4;  // 0: full speed
             const auto chance = [&] {
