@@ -52,11 +52,16 @@ while [ $# -gt 0 ]; do
 done
 
 # The last commit of what is tried; changes that are in no commit are nobody's tree.
-tree=$(git log -1 --format=%h -- ref hls rtl sysc tb)
-[ -z "$(git status --porcelain -- ref hls rtl sysc tb)" ] || tree=$tree-changed
+tried=(ref hls rtl sysc tb ":(exclude)*.md")
+tree=$(git log -1 --format=%h -- "${tried[@]}")
+[ -z "$(git status --porcelain -- "${tried[@]}")" ] || tree=$tree-changed
 out=build/campaign
 mkdir -p $out build/figures
-is_done() { [[ $tree != *-changed ]] && grep -qs "\"tree\": \"$tree\"" "$out/$1.json"; }
+asked() { [ "$1" != equality ] || echo "$samples samples"; }
+is_done() {
+  [[ $tree != *-changed ]] &&
+    grep -qs "\"tree\": \"$tree\", \"asked\": \"$(asked "$1")\"" "$out/$1.json"
+}
 if $list; then
   for part in "${known[@]}"; do
     echo "$part$(is_done "$part" && echo ": done on $tree")"
@@ -67,19 +72,27 @@ scripts/setup.sh
 PATH=$PWD/.venv/bin:$PATH
 tb=build/release/tb
 
+configure() { cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON; }
+
 build() {
-  cmake --preset release -DCURVECORE_FULL_CAMPAIGN=ON
+  configure
   cmake --build --preset release -j "$(nproc)" --target "$@"
 }
 
+# Targets whose whole name an extended regular expression matches.
+targets() { cmake --build --preset release --target help | sed -nE "s/^($1): phony/\1/p"; }
+
 # What a part says with `result` is its outcome.
 result() { echo "$*" >>"$out/$part.results"; }
+
+# What ctest says at its end.
+none_failed() { sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' "$1"; }
 
 tests() {
   build all label_long
   CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
   CURVECORE_LONG=1 ctest --preset release -L "^(unit|long)$" | tee $out/tests.run
-  result "$(sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' $out/tests.run)"
+  result "$(none_failed $out/tests.run)"
 }
 
 models() {
@@ -90,12 +103,12 @@ models() {
 }
 
 equality() {
-  build all
   # Every configuration of every core but those of DSP primitives, whose models are slow. The more
   # clocks a sample takes, the fewer samples.
-  mapfile -t benches < <(find $tb -maxdepth 1 -type f -executable \
-    -regex '.*/\(spherical\|spline\|curve\)_interpolator_.*' ! -name '*_ecp5*' ! -name '*_up5k*' |
-    sort)
+  configure
+  mapfile -t benches < <(targets "(spherical|spline|curve)_interpolator_[a-z0-9_]+" |
+    grep -vE "_ecp5|_up5k")
+  build "${benches[@]}"
   share() {
     case $1 in
       *serial*) echo 1 ;;
@@ -112,9 +125,12 @@ equality() {
   for bench in "${benches[@]}"; do
     echo "$bench" $(((samples * $(share "$bench") + shares - 1) / shares))
   done | xargs -P "$(nproc)" -L 1 sh -c \
-    'log=build/campaign/equality/$(basename $0).log
-     CURVECORE_SAMPLES=$1 $0 --gtest_filter=*.EqualsKernelOverManySamples >$log 2>&1 ||
-       echo "FAILED: $0"
+    'log=build/campaign/equality/$0.log
+     CURVECORE_SAMPLES=$1 build/release/tb/$0 --gtest_filter=*.EqualsKernelOverManySamples \
+       >$log 2>&1 || {
+       echo "FAILED: $log"
+       exit 1
+     }
      grep -H "words differ" $log'
   # Not within `result`: there its exit status would be lost.
   sum=$(
@@ -138,15 +154,23 @@ PYTHON
 }
 
 steps() {
-  build all
-  for bench in $tb/step_pins_*; do
-    CURVECORE_STEPS=20000000 "$bench" | grep -H --label="$(basename "$bench")" "steps," |
-      tee -a $out/$part.results
+  configure
+  mapfile -t benches < <(targets "step_pins_[a-z0-9_]+")
+  build "${benches[@]}" motion_steps_serial motion_system_serial motion_system_flat
+  rm -f $out/steps.run
+  for bench in "${benches[@]}"; do
+    CURVECORE_STEPS=20000000 $tb/$bench | tee -a $out/steps.run
   done
-  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | grep "steps$"
+  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | tee -a $out/steps.run
   for form in serial flat; do
-    CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" | grep "clocks$"
+    CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" |
+      tee -a $out/steps.run
   done
+  result "$(awk '/ steps, .* turns,/ {steps += $1; ++number}
+    END {print steps " steps of " number " generators, every one in the first clock allowed"}' \
+    $out/steps.run)"
+  result "$(grep "steps$" $out/steps.run) from words to pins"
+  result "$(grep "clocks$" $out/steps.run | sort -u) on the system and on its flat file"
 }
 
 buses() {
@@ -158,9 +182,12 @@ curves() {
   build accuracy_campaign splines_campaign ranges_campaign drift_campaign
   $tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
   $tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
-  $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json
-  $tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json
+  $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json | tee $out/curves.run
+  $tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json |
+    tee -a $out/curves.run
   result "every error within its bound"
+  result "$(grep -E "^[0-9]+ cubics" $out/curves.run)"
+  result "drift of $(grep -E "^(arcs|splines):" $out/curves.run)"
 }
 
 limits() {
@@ -171,14 +198,14 @@ limits() {
 
 sanitizers() {
   for label in model unit cli; do
-    CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$label"
+    CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$label" | tee $out/sanitizers.run
+    result "$label: $(none_failed $out/sanitizers.run)"
   done
-  result "no report"
 }
 
 coverage() {
   scripts/coverage.sh | tee $out/coverage.run
-  result "$(tail -1 $out/coverage.run)"
+  result "$(sed -n 's/^all folders: //p' $out/coverage.run)"
 }
 
 pages() {
@@ -186,6 +213,7 @@ pages() {
   result "every page is what this tree gives"
 }
 
+TIMEFORMAT="%U %S"  # seconds of CPU
 failed=()
 for part in "${parts[@]:-${known[@]}}"; do
   if is_done "$part"; then
@@ -194,14 +222,15 @@ for part in "${parts[@]:-${known[@]}}"; do
   fi
   echo "$part: begun at $(date +%H:%M), its log is $out/$part.log"
   rm -f "$out/$part.json" "$out/$part.results"
-  begin=$SECONDS
   "$part" >"$out/$part.log" 2>&1 &  # a shell of its own, which ends at the first error
-  if wait $!; then
+  if { time wait $!; } 2>"$out/$part.cpu"; then
     python3 -c 'import json, pathlib, sys
-file = pathlib.Path(sys.argv[1])
+stamp, tree, asked = sys.argv[1:]
+file = pathlib.Path(stamp)
 text = file.with_suffix(".results").read_text().strip().split("\n")
-file.write_text(json.dumps({"tree": sys.argv[2], "seconds": int(sys.argv[3]), "results": text}))
-print(*text, sep="\n")' "$out/$part.json" "$tree" $((SECONDS - begin))
+cpu = sum(map(float, file.with_suffix(".cpu").read_text().split()))
+file.write_text(json.dumps({"tree": tree, "asked": asked, "cpu_seconds": cpu, "results": text}))
+print(*text, sep="\n")' "$out/$part.json" "$tree" "$(asked "$part")"
   else
     failed+=("$part")
     echo "$part: failed:"

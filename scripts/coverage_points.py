@@ -75,6 +75,10 @@ def main():
     (ROOT / "build/coverage/uncovered.txt").write_text(text)
     for row in table:
         print(row)
+    total = sum(rows.values(), collections.Counter())
+    shares = [f"{total[kind + '_run'] / total[kind]:.1%} of {total[kind]} {name}"
+              for kind, name in (("line", "lines"), ("branch", "branches"))]
+    print(f"all folders: {', '.join(shares)}")
 
 
 main()
