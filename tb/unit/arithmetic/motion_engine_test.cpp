@@ -7,6 +7,7 @@
 
 #include <deque>
 #include <random>
+#include <set>
 
 #include "Vmotion_engine.h"
 #include "Vmotion_engine___024root.h"
@@ -54,11 +55,14 @@ std::ostream& operator<<(std::ostream& out, const Event& event) {
 /// The inputs of a clock, of the seed of a program, and what the twin does.
 struct NoisyBoard : engine::QuietBoard {
     std::uint64_t seed = 0;
-    std::uint64_t period = 1;  // mean clocks from due to due
+    std::uint64_t period = 1;      // mean clocks from due to due
+    std::set<std::uint64_t> dues;  // in place of random ones
     std::deque<Event> events;
     std::uint64_t late_clock = ~std::uint64_t{0};
 
-    bool due(std::uint64_t clock) { return noise(seed, clock) % period == 0; }
+    bool due(std::uint64_t clock) {
+        return dues.empty() ? noise(seed, clock) % period == 0 : dues.count(clock) > 0;
+    }
     bool tick(std::uint64_t clock) { return noise(seed + 1, clock) % 8 == 0; }
     std::uint64_t conditions(std::uint64_t clock) { return noise(seed + 2, clock) & 0x1fff; }
     std::int16_t answer(std::uint64_t clock) {
@@ -116,12 +120,13 @@ class MotionEngine : public testing::Test {
   protected:
     MotionEngine() { dut_.limit_cycles(~std::uint64_t{0}); }
 
-    /// Loads a random program and random words into both.
-    void load(std::uint64_t seed) {
+    /// Loads a program, or a random one, and random words into both.
+    void load(std::uint64_t seed, const std::vector<std::uint32_t>& lines = {}) {
         dut_.reset(1);  // first: an instruction under way may still write
         std::mt19937_64 random(seed);
         program_.resize(kProgram);
         for (std::uint32_t& word : program_) word = random_instruction(random);
+        std::copy(lines.begin(), lines.end(), program_.begin());
         memory_ = random_limbs(random);
         for (int n = 0; n < kProgram; ++n) {
             dut_->rootp->motion_engine__DOT__u_program__DOT__memory[n] =
@@ -229,6 +234,28 @@ TEST_F(MotionEngine, IsItsTwinOnEveryClock) {
     EXPECT_LT(foreground_, programs * instructions / 10 * 9);
     EXPECT_GT(lates_, programs / 10);
     EXPECT_LT(lates_, programs);
+}
+
+TEST_F(MotionEngine, IsLateIfDueComesUntilTheClockOfTheForegroundsEnd) {
+    // The background turns on the spot; the foreground waits for a tick and ends.
+    constexpr int kAlways = engine::kNot | engine::kNever;
+    const auto branch = [](int f0, int place, bool wait) {
+        engine::Instruction i;
+        i.flag = wait;
+        i.f0 = f0;
+        i.f2 = place;
+        return engine::encode(i);
+    };
+    for (std::uint64_t again = 11; again < 40; ++again) {
+        for (std::uint64_t seed = 1; seed < 20; ++seed) {
+            load(seed, {branch(kAlways, 0, false), branch(engine::kNever, 0, true),
+                        branch(kAlways | engine::kEnd, 1, false)});
+            board_.dues = {10, again};
+            ASSERT_NO_FATAL_FAILURE(run(20)) << seed << " " << again;
+        }
+    }
+    EXPECT_GT(lates_, 100);
+    EXPECT_LT(lates_, 450);
 }
 
 }  // namespace
