@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of errors, rates and coverage: campaigns, benches, the demo."""
 
+import json
 import pathlib
+import re
 
-from result_table import cells, load, table
+from result_table import BUILD, RESULTS, ROOT, cells, load, table
 
 
 COLUMNS = {
@@ -73,6 +75,27 @@ def equality():
         f"RTL against kernel in {data['configurations']} configurations of both builds, with"
         f" random stalls: {data['samples']:,} samples, {data['differ']} words differ."
     )
+
+
+def campaign_parts():
+    """Rows, one for each part in the order of its help; what was not run since stays as it was."""
+    head = ["part", "what held", "CPU minutes", "tree"]
+    kept = {}
+    if (RESULTS / "campaign.md").exists():
+        kept = {row[0]: row for row in cells("campaign")[1]}
+    rows = []
+    for part in re.findall(r"^#   ([a-z]+) +[a-z0-9N]", (ROOT / "scripts/campaign.sh").read_text(),
+                           re.M):
+        stamp = BUILD / f"campaign/{part}.json"
+        if stamp.exists():
+            one = json.loads(stamp.read_text())
+            minutes = f"{one['cpu_seconds'] / 60:.1f}"
+            held = re.sub(r"\b\d{5,}\b", lambda number: f"{int(number[0]):,}",
+                          "; ".join(one["results"]))
+            rows.append((part, held, minutes, one["tree"]))
+        else:
+            rows.append(kept.get(part, (part, "not run", "", "")))
+    return table(head, rows)
 
 
 def demo():

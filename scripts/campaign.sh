@@ -10,9 +10,11 @@
 #   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
 #   models     tests of models with all their random cases, 10^4 cubics at slow clocks
 #   equality   N samples of the RTL against the kernel, in every configuration
-#   steps      10^8 steps under the monitors of the pins; the demo part from words to pins
+#   steps      10^8 steps under the monitors of the pins
+#   program    the demo part from words to pins: core, system, its flat file
 #   buses      20,000 accesses and more on every bus
-#   curves     errors of arcs and splines, ranges of words, drift over 10^7 segments
+#   curves     errors of arcs and splines
+#   ranges     ranges of words, drift over 10^7 segments
 #   limits     pairs of machines that differ in one limit
 #   sanitizers tests of models, units and commands with the sanitizers, 10^5 mutations
 #   coverage   lines and branches that tests run
@@ -26,7 +28,7 @@ list=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      sed -n '3,20s/^# \{0,1\}//p' "$0"
+      sed -n '3,22s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     --list) list=true ;;
@@ -156,21 +158,25 @@ PYTHON
 steps() {
   configure
   mapfile -t benches < <(targets "step_pins_[a-z0-9_]+")
-  build "${benches[@]}" motion_steps_serial motion_system_serial motion_system_flat
+  build "${benches[@]}"
   rm -f $out/steps.run
   for bench in "${benches[@]}"; do
     CURVECORE_STEPS=20000000 $tb/$bench | tee -a $out/steps.run
   done
-  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | tee -a $out/steps.run
-  for form in serial flat; do
-    CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" |
-      tee -a $out/steps.run
-  done
   result "$(awk '/ steps, .* turns,/ {steps += $1; ++number}
     END {print steps " steps of " number " generators, every one in the first clock allowed"}' \
     $out/steps.run)"
-  result "$(grep "steps$" $out/steps.run) from words to pins"
-  result "$(grep "clocks$" $out/steps.run | sort -u) on the system and on its flat file"
+}
+
+program() {
+  build motion_steps_serial motion_system_serial motion_system_flat
+  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | tee $out/program.run
+  for form in serial flat; do
+    CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" |
+      tee -a $out/program.run
+  done
+  result "$(grep "steps$" $out/program.run) from words to pins"
+  result "$(grep "clocks$" $out/program.run | sort -u) on the system and on its flat file"
 }
 
 buses() {
@@ -179,15 +185,19 @@ buses() {
 }
 
 curves() {
-  build accuracy_campaign splines_campaign ranges_campaign drift_campaign
+  build accuracy_campaign splines_campaign
   $tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
   $tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
-  $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json | tee $out/curves.run
+  result "5000 moves of each family of arcs, 2000 of each of splines: errors within their bounds"
+}
+
+ranges() {
+  build ranges_campaign drift_campaign
+  $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json | tee $out/ranges.run
   $tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json |
-    tee -a $out/curves.run
-  result "every error within its bound"
-  result "$(grep -E "^[0-9]+ cubics" $out/curves.run)"
-  result "drift of $(grep -E "^(arcs|splines):" $out/curves.run)"
+    tee -a $out/ranges.run
+  result "$(grep -E "^[0-9]+ cubics" $out/ranges.run)"
+  result "drift of $(grep -E "^(arcs|splines):" $out/ranges.run)"
 }
 
 limits() {
@@ -237,7 +247,7 @@ print(*text, sep="\n")' "$out/$part.json" "$tree" "$(asked "$part")"
     tail -5 "$out/$part.log"
   fi
 done
-scripts/results.py accuracy splines equality
+scripts/results.py accuracy splines equality campaign
 [ ${#failed[@]} = 0 ] || {
   echo "campaign: failed: ${failed[*]}" >&2
   exit 1

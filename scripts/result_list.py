@@ -3,7 +3,8 @@
 
 import functools
 
-from accuracy_tables import accuracy, coverage, demo, equality, splines, system_rates, throughput
+from accuracy_tables import (accuracy, campaign_parts, coverage, demo, equality, splines,
+                             system_rates, throughput)
 from choose_tables import choose, choose_impossible, parameter_guard
 from claim_tables import (bench_table, claims, drawn, minimal_orders, oracle, others,
                           paper_table)
@@ -36,6 +37,10 @@ TABLES = {
         "the final rounding, except in the first column. \"Path between samples\" is the error "
         "of the distance between two samples, beyond one millionth of it."),
     "equality": Table("RTL and kernel are equal", equality, CAMPAIGN),
+    "campaign": Table(
+        "The campaign, part by part", campaign_parts, CAMPAIGN,
+        "The last run of each part that held, with as many samples as its row says, and the tree "
+        "that it tried. `scripts/campaign.sh --help` says what a part is."),
     "coverage": Table(
         "Coverage", coverage, "scripts/coverage.sh",
         "Lines and branches that the tests of models, units and commands run; branches that only "
