@@ -47,15 +47,16 @@ std::string action(const Placed& placed) {
             return fmt::format("{} = {} - {}", placed.f2, placed.f0, placed.f1);
         case Op::kMull:
             return fmt::format("{} = {} * {}", placed.f2, placed.f0, placed.f1);
-        case Op::kMulr:
         case Op::kShr:
+            return fmt::format(i.flag ? "{} = floor(wide {})" : "{} = wide {}", placed.f2, product);
+        case Op::kMulr:
             return fmt::format(i.flag ? "{} = floor({})" : "{} = {}", placed.f2, product);
         case Op::kMadr:
             return fmt::format(
                 i.flag ? "{0} = {1} + floor({0} * {2} >> 45)" : "{0} = {1} + ({0} * {2} >> 45)",
                 placed.f2, placed.f0, placed.f1);
         case Op::kMac:
-            return fmt::format("{} {} {} * {}", placed.f2, i.flag ? "=" : "+=", placed.f0,
+            return fmt::format("{} {} wide {} * {}", placed.f2, i.flag ? "=" : "+=", placed.f0,
                                placed.f1);
         case Op::kIn:
             return fmt::format("{} = port {}", placed.f2, placed.f0);

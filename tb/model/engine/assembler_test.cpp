@@ -6,6 +6,7 @@
 
 #include "rtl/engine/assembler/assembly.hpp"
 #include "rtl/engine/assembler/listing.hpp"
+#include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
 #include "tb/model/engine/microcode_machine.hpp"
 
@@ -46,6 +47,55 @@ TEST(Assembler, RefusalNamesLineAndReason) {
               }),
               "p.net:3: error: a loop without a bound: 0");
     EXPECT_EQ(refused([](Assembly& a) { a.loop(); }), ": error: a loop has no end");
+}
+
+TEST(Assembler, ASourceIsRefusedWithItsLine) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"a = b + d", "no word d"},
+        {"e = a + b", "no word e"},
+        {"a = b", "expected '*'"},
+        {"a = b / c", "expected '*', not '/'"},
+        {"a = b * c >> 44", "expected the end of the line, not '>>'"},
+        {"a = b + (c * 2^1 >> 45)", "in d = c + (d * b >> 45) both d are one word"},
+        {"a = b * 2^60", "2^60 is no power of an instruction: 0 .. 59"},
+        {"a = b * a", "hazard: a is read while it is written"},
+        {"a += wide b * c", "a is no wide word"},
+        {"a = b + c, 5 limbs", "an instruction has 1 .. 4 limbs"},
+        {"a = b + 99999999999999", "the constant 99999999999999 needs more than three limbs"},
+        {"go to nowhere", "no label nowhere"},
+        {"if port 2 go to x", "conditions of ports are 3 .. 15"},
+        {"if a go to x", "expected 'port', not 'a'"},
+        {"repeat 5 times", "the end of a loop that was not opened"},
+        {"word 5", "'5' is no name"}};
+    for (const auto& [line, reason] : cases) {
+        Assembly assembly;
+        std::string message;
+        try {
+            assemble_text("p.asm", std::string("word a b c\nx:\n") + line + "\n", assembly);
+            assembly.finish();
+        } catch (const AssemblyError& error) {
+            message = error.what();
+        }
+        EXPECT_EQ(message, std::string("p.asm:3: error: ") + reason) << line;
+    }
+}
+
+TEST(Assembler, AListingIsASourceAgain) {
+    const char* const text =
+        "word a b c\nwide w\nx:\na = b + c\na = b - c, 4 limbs\na = b * 2^10\na = b * c >> 45\n"
+        "a = floor(b * -1 >> 45)\na = b + (a * c >> 45)\nw = wide a * b\nw += wide b * c\n"
+        "a = wide w * 2^20 >> 45\na = port 5\nport 6 = a, 2 limbs\nif not negative go to x\n"
+        "if port 4 go to x\ncall x\nreturn\nwait for the tick, go to x\nend, then x\n";
+    Assembly assembly;
+    assemble_text("p.asm", text, assembly);
+    assembly.finish();
+    const std::string shown = listing(assembly, {});
+    for (const Placed& placed : assembly.placed()) {
+        const std::string line = placed.source.text.substr(0, placed.source.text.find(','));
+        const std::size_t found = shown.find(line);
+        ASSERT_NE(found, std::string::npos) << line;
+        EXPECT_LT(found, shown.find("| p.asm:" + std::to_string(placed.source.line) + ":")) << line;
+    }
 }
 
 TEST(Assembler, AFullStoreNamesTheWordsNeeded) {

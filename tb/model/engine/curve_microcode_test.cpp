@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tb/model/engine/microcode_machine.hpp"
+#include "tb/model/engine/microcode_mutants.hpp"
 #include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb {
@@ -72,85 +73,25 @@ TEST(CurveMicrocode, EqualsTheKernelsInEveryConfiguration) {
     EXPECT_GT(words, 100000);
 }
 
-/// Bits of an instruction whose change is another instruction. A fourth limb is read by nothing,
-/// and by hls/instruction.hpp bit 6 of a page's word is not looked at; 0 times anything is 0; of
-/// branches that are always taken the place alone, and what gives back.
-std::uint32_t meaning(const engine::Instruction& i) {
-    constexpr std::uint32_t kF0 = 0xff0000;
-    constexpr std::uint32_t kF1 = 0xff00;
-    constexpr std::uint32_t kF2 = 0xff;
-    constexpr std::uint32_t kFlag = 0x01000000;
-    constexpr std::uint32_t kFewerLimbs = 0x08000000;
-    constexpr std::uint32_t kPageBit = 0x40;
-    const bool always = (i.f0 & (engine::kNot | 15)) == (engine::kNot | engine::kNever);
-    if ((i.f0 & engine::kReturn) != 0 && engine::is_branch(i.op)) return 0x500000;
-    if (engine::is_branch(i.op)) return (always ? 0x500000 : 0x5f0000) | 0x1ff;
-    if (i.op == engine::Op::kOut) return kF0 | 0x100;
-    std::uint32_t bits = kF2 & ~(i.f2 >= engine::kX ? kPageBit : 0);
-    if (!(engine::is_product(i.op) && i.f0 == engine::kZero / engine::kWordLimbs)) {
-        bits |= (kF0 & ~(i.f0 >= engine::kX ? kPageBit << 16 : 0)) | kF1;
-        bits |= engine::is_high(i.op) ? kFlag : 0;
-    }
-    return bits | (i.op == engine::Op::kMac ? kFlag : i.limbs == 3 ? kFewerLimbs : 0);
-}
-
-/// Changes of one instruction: it is deleted, or one such bit is another.
-std::vector<std::uint32_t> mutants(const engine::Instruction& i) {
-    std::vector<std::uint32_t> words{encode(engine::Instruction())};
-    for (int bit = 0; bit < 32; ++bit) {
-        if ((meaning(i) >> bit & 1) != 0) words.push_back(encode(i) ^ std::uint32_t{1} << bit);
-    }
-    return words;
-}
-
-struct Share {
-    int mutants = 0;
-    int seen = 0;
-    std::string deleted;  // and not seen
-};
-
-bool is_seen(const CurveCase& of, const CurveMicrocode& code, std::vector<std::uint32_t> program) {
-    MicrocodeMachine machine(code.assembly, std::move(program));
-    CurveComparison comparison(of, code, machine);
-    std::mt19937_64 random(1);
-    try {
-        for (int segment = 0; segment < 8; ++segment) {
-            if (comparison.segment(random, 3, 3) > 0) return true;
-        }
-    } catch (const std::runtime_error&) {
-        return true;  // it does not end
-    }
-    return false;
-}
-
-/// Runs every deletion in a curve's microcode, and every `each`th of the other mutants.
-Share seen_mutants(const CurveCase& of, std::size_t each) {
-    const CurveMicrocode code = curve_microcode(of);
-    const std::vector<assembler::Placed>& placed = code.assembly.placed();
-    Share share;
-    std::size_t count = 0;
-    for (std::size_t n = code.assembly.labels().at("dispatched"); n < placed.size(); ++n) {
-        const std::vector<std::uint32_t> words = mutants(placed[n].instruction);
-        for (std::size_t mutant = 0; mutant < words.size(); ++mutant) {
-            if (mutant > 0 && count++ % each != 0) continue;
-            std::vector<std::uint32_t> program = code.assembly.program();
-            program[n] = words[mutant];
-            const bool seen = is_seen(of, code, program);
-            ++share.mutants;
-            share.seen += seen ? 1 : 0;
-            if (!seen && mutant == 0) share.deleted += placed[n].source.text + "\n";
-        }
-    }
-    return share;
-}
-
 TEST(CurveMicrocode, AChangedInstructionIsSeen) {
     for (const bool spline : {false, true}) {
         for (const int mode : {0, 1}) {
             CurveCase of;
             of.spline = spline;
             of.core.mode = mode;
-            const Share share = seen_mutants(of, static_cast<std::size_t>(cases(29, 1)));
+            const CurveMicrocode code = curve_microcode(of);
+            const MutantShare share =
+                seen_mutants(code.assembly, static_cast<std::size_t>(cases(29, 1)),
+                             [&](const std::vector<std::uint32_t>& program) {
+                                 MicrocodeMachine machine(code.assembly, program);
+                                 CurveComparison comparison(of, code, machine);
+                                 std::mt19937_64 random(1);
+                                 int differ = 0;
+                                 for (int n = 0; n < 8 && differ == 0; ++n) {
+                                     differ = comparison.segment(random, 3, 3);
+                                 }
+                                 return differ > 0;
+                             });
             EXPECT_EQ(share.deleted, "") << text(of);
             EXPECT_GE(share.seen, 0.99 * share.mutants) << text(of) << ": of " << share.mutants;
         }

@@ -24,14 +24,15 @@ class MicrocodeMachine {
   public:
     static constexpr int kFirstRequest = engine::kBoard;
 
-    /// Writes what begins the programs of these labels; they end at `idle`.
+    /// Writes what begins the programs of these labels; they end at `idle`, or give back.
     static void dispatch(assembler::Assembly& assembly, const std::vector<std::string>& labels) {
         assembly.from({"dispatch", 0, ""});
         assembly.branch("idle");
         assembly.branch("idle");  // the foreground
         assembly.label("idle");
+        assembly.open_auxiliary();  // a page that no program finds open
         for (std::size_t n = 0; n < labels.size(); ++n) {
-            assembly.branch(labels[n], kFirstRequest + static_cast<int>(n));
+            assembly.branch(labels[n], engine::kCall | (kFirstRequest + static_cast<int>(n)));
         }
         assembly.branch("idle");
         assembly.label("dispatched");
@@ -39,7 +40,6 @@ class MicrocodeMachine {
 
     MicrocodeMachine(const assembler::Assembly& assembly, std::vector<std::uint32_t> program)
         : assembly_(assembly),
-          idle_(static_cast<int>(assembly.labels().at("idle"))),
           dispatched_(static_cast<int>(assembly.labels().at("dispatched"))),
           engine_(std::move(program), assembly.memory()) {}
     explicit MicrocodeMachine(const assembler::Assembly& assembly)
@@ -51,7 +51,7 @@ class MicrocodeMachine {
         while (engine_.place(false) < dispatched_) engine_.step(board_);
         board_.request = -1;
         const std::uint64_t begin = engine_.clock();
-        while (engine_.place(false) != idle_) {
+        while (engine_.place(false) >= dispatched_) {
             engine_.step(board_);
             if (engine_.clock() - begin > kMostClocks) throw std::runtime_error("no end");
         }
@@ -84,7 +84,6 @@ class MicrocodeMachine {
     }
 
     const assembler::Assembly& assembly_;
-    int idle_;
     int dispatched_;
     engine::Engine engine_;
     Board board_;

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rtl/engine/assembler/source.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "ref/text/text_file.hpp"
+
+namespace curvecore::assembler {
+namespace {
+
+using engine::Op;
+
+/// Words of a line, and its signs one by one.
+std::vector<std::string> tokens(const std::string& line) {
+    const auto named = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+    };
+    std::vector<std::string> all;
+    for (std::size_t n = 0; n < line.size();) {
+        std::size_t last = n + 1;
+        if (named(line[n])) {
+            while (last < line.size() && named(line[last])) {
+                ++last;
+            }
+        } else if (line.compare(n, 2, ">>") == 0 || line.compare(n, 2, "+=") == 0) {
+            last = n + 2;
+        }
+        if (line[n] != ' ' && line[n] != '\t') {
+            all.push_back(line.substr(n, last - n));
+        }
+        n = last;
+    }
+    return all;
+}
+
+class SourceReader {
+  public:
+    SourceReader(std::string file, Assembly& assembly) : file_(std::move(file)), a_(assembly) {}
+
+    void line(const std::string& text, int number) {
+        a_.from({file_, number, text});
+        tokens_ = tokens(text);
+        at_ = 0;
+        limbs_ = 3;
+        if (tokens_.size() >= 3 && tokens_[tokens_.size() - 3] == "," &&
+            tokens_.back().substr(0, 4) == "limb") {
+            limbs_ = static_cast<int>(number_of(tokens_[tokens_.size() - 2]));
+            if (limbs_ < 1 || limbs_ > 4) {
+                a_.refuse("an instruction has 1 .. 4 limbs");
+            }
+            tokens_.resize(tokens_.size() - 3);
+        }
+        statement();
+        if (at_ != tokens_.size()) {
+            a_.refuse("expected the end of the line, not '" + tokens_[at_] + "'");
+        }
+    }
+
+  private:
+    bool take(const std::string& token) {
+        const bool is = at_ < tokens_.size() && tokens_[at_] == token;
+        at_ += is ? 1 : 0;
+        return is;
+    }
+    bool take(std::initializer_list<const char*> row) {
+        std::size_t n = at_;
+        for (const char* token : row) {
+            if (n == tokens_.size() || tokens_[n++] != token) {
+                return false;
+            }
+        }
+        at_ = n;
+        return true;
+    }
+    void expect(std::initializer_list<const char*> row) {
+        for (const char* token : row) {
+            if (!take(token)) {
+                a_.refuse(fmt::format("expected '{}'{}", token,
+                                      at_ < tokens_.size() ? ", not '" + tokens_[at_] + "'" : ""));
+            }
+        }
+    }
+    std::string next(const char* what) {
+        if (at_ == tokens_.size()) {
+            a_.refuse(fmt::format("expected {}, not the end of the line", what));
+        }
+        return tokens_[at_++];
+    }
+    std::int64_t number_of(const std::string& text) const {
+        if (text.empty() || text.size() > 15 ||
+            text.find_first_not_of("0123456789") != std::string::npos) {
+            a_.refuse("'" + text + "' is no number");
+        }
+        return std::stoll(text);
+    }
+    int number(const char* what) { return static_cast<int>(number_of(next(what))); }
+
+    void statement() {
+        if (tokens_.size() == 2 && tokens_[1] == ":") {
+            a_.label(tokens_[0]);
+            at_ = 2;
+        } else if (take("word") || take("wide")) {
+            const bool wide = tokens_[0] == "wide";
+            while (at_ < tokens_.size()) {
+                declare(next("a name"), wide);
+            }
+        } else if (take("data")) {
+            const std::string name = next("a name");
+            expect({"="});
+            constants_[name] = number_of(next("a number"));
+        } else if (take("loop")) {
+            a_.loop();
+        } else if (take("repeat")) {
+            a_.repeat(number("a number"), engine::kNot | engine::kNever);
+            expect({"times"});
+        } else if (take("test")) {
+            sum(Assembly::zero());
+        } else if (take("port")) {
+            const int port = number("a port");
+            expect({"="});
+            a_.put(Op::kOut, {}, word(), {port, fmt::format("{}", port)}, false, limbs_);
+        } else if (!branch()) {
+            const Field to = declared(next("an instruction"));
+            take("+=") ? wide_sum(to, false) : assignment(to);
+        }
+    }
+
+    bool branch() {
+        if (take("return")) {
+            a_.give_back();
+        } else if (take({"wait", "for", "the", "tick", ",", "go", "to"})) {
+            a_.wait(next("a label"));
+        } else if (take({"end", ",", "then"})) {
+            a_.end(next("a label"));
+        } else if (take("if")) {
+            const int is_not = take("not") ? engine::kNot : 0;
+            const int code = take("negative") ? int{engine::kNegative}
+                             : take("zero")   ? int{engine::kIsZero}
+                                              : port_condition();
+            expect({"go", "to"});
+            a_.branch(next("a label"), is_not | code);
+        } else if (take({"go", "to"})) {
+            a_.branch(next("a label"));
+        } else if (take("call")) {
+            a_.call(next("a label"));
+        } else {
+            return false;
+        }
+        return true;
+    }
+    int port_condition() {
+        expect({"port"});
+        const int code = number("a condition");
+        if (code < engine::kBoard || code > 15) {
+            a_.refuse("conditions of ports are 3 .. 15");
+        }
+        return code;
+    }
+
+    void assignment(const Field& to) {
+        expect({"="});
+        if (take("port")) {
+            const int port = number("a port");
+            a_.put(Op::kIn, to, {port, fmt::format("{}", port)}, {}, false, limbs_);
+        } else if (take("wide")) {
+            wide_sum(to, true);
+        } else if (take({"floor", "("})) {
+            const Field a = word();
+            expect({"*"});
+            const Field b = second();
+            expect({">>", "45", ")"});
+            a_.put(Op::kMulr, to, a, b, true, limbs_);
+        } else {
+            sum(to);
+        }
+    }
+
+    /// Reads a + b, a - b, a * b, a * b >> 45 or c + (d * b >> 45).
+    void sum(const Field& to) {
+        const Field a = word();
+        if (take({"+", "("})) {
+            const Field d = word();
+            expect({"*"});
+            const Field b = second();
+            expect({">>", "45", ")"});
+            if (d.code != to.code) {
+                a_.refuse("in d = c + (d * b >> 45) both d are one word");
+            }
+            a_.put(Op::kMadr, to, a, b, false, limbs_);
+        } else if (take("+")) {
+            a_.put(Op::kAdd, to, a, word(), false, limbs_);
+        } else if (take("-")) {
+            a_.put(Op::kSub, to, a, word(), false, limbs_);
+        } else {
+            expect({"*"});
+            const Field b = second();
+            const bool high = take({">>", "45"});
+            a_.put(high ? Op::kMulr : Op::kMull, to, a, b, false, limbs_);
+        }
+    }
+
+    /// Reads a * b of a wide word, or of one that is shifted, behind `wide`.
+    void wide_sum(const Field& to, bool first) {
+        if (!first) {
+            expect({"wide"});
+        }
+        const Field a = word();
+        expect({"*"});
+        const Field b = second();
+        const bool shifted = first && take({">>", "45"});
+        if (wide_.count(shifted ? a.name : to.name) == 0) {
+            a_.refuse((shifted ? a.name : to.name) + " is no wide word");
+        }
+        a_.put(shifted ? Op::kShr : Op::kMac, to, a, b, !shifted && first, limbs_);
+    }
+
+    void declare(const std::string& name, bool wide) {
+        if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
+            a_.refuse("'" + name + "' is no name");
+        }
+        wide ? a_.wide(name) : a_.word(name);
+        words_.insert(name);
+        if (wide) {
+            wide_.insert(name);
+        }
+    }
+    Field declared(const std::string& name) const {
+        if (words_.count(name) == 0) {
+            a_.refuse("no word " + name);
+        }
+        return a_.field(name);
+    }
+    Field word() {
+        const std::string name = next("a word");
+        const auto constant = constants_.find(name);
+        if (constant != constants_.end()) {
+            Field field = a_.constant(constant->second);
+            field.name = name;
+            return field;
+        }
+        if (std::isdigit(static_cast<unsigned char>(name[0])) != 0) {
+            return a_.constant(number_of(name));
+        }
+        return declared(name);
+    }
+    Field second() {
+        if (take({"2", "^"})) {
+            return a_.power(number("an exponent"));
+        }
+        if (take({"-", "1"})) {
+            return {engine::minus_power(0), "-1"};
+        }
+        return word();
+    }
+
+    std::string file_;
+    Assembly& a_;
+    std::set<std::string> words_;
+    std::set<std::string> wide_;
+    std::map<std::string, std::int64_t> constants_;
+    std::vector<std::string> tokens_;
+    std::size_t at_ = 0;
+    int limbs_ = 3;
+};
+
+}  // namespace
+
+void assemble_text(const std::string& file, const std::string& text, Assembly& assembly) {
+    SourceReader reader(file, assembly);
+    std::istringstream stream(text);
+    ref::TextLines lines(stream);
+    while (const auto next = lines.next()) {
+        std::string line(next->substr(0, next->find('#')));
+        const std::size_t first = line.find_first_not_of(" \t");
+        if (first != std::string::npos) {
+            reader.line(line.substr(first, line.find_last_not_of(" \t") + 1 - first),
+                        lines.number());
+        }
+    }
+}
+
+void assemble_source(const std::string& file, Assembly& assembly) {
+    assemble_text(file, ref::read_text_file(file), assembly);
+}
+
+}  // namespace curvecore::assembler

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs as text, an instruction a line, as the listing shows them (listing.hpp):
+//
+//     word NAME ..     wide NAME ..     data NAME = NUMBER      words, of six limbs, constants
+//     NAME:                                                     a label
+//     d = a + b        d = a - b        d = a * b               of three limbs, or `, 1 limb` ..
+//     d = a * b >> 45                   d = floor(a * b >> 45)  rounded to nearest, or down
+//     d = c + (d * b >> 45)             the same on top of c
+//     w = wide a * b   w += wide a * b  a sum of products in a wide word
+//     d = wide w * b >> 45              what it is, shifted and rounded
+//     test a - b                        sets negative and zero alone
+//     d = port 5       port 6 = a
+//     go to L          if negative go to L          if not port 3 call L          return
+//     wait for the tick, go to L        end, then L
+//     loop  ..  repeat 19 times         its body, at most so often again; a branch leads out
+//
+// a, b, c and d are words, or 0, or a number; b may be 2^n or -1.
+#pragma once
+
+#include <string>
+
+#include "rtl/engine/assembler/assembly.hpp"
+
+namespace curvecore::assembler {
+
+/// Adds a file's programs. @throws AssemblyError or ref::InputError with file, line and reason
+void assemble_source(const std::string& file, Assembly& assembly);
+
+/// Adds programs from text; `file` names it in errors.
+void assemble_text(const std::string& file, const std::string& text, Assembly& assembly);
+
+}  // namespace curvecore::assembler

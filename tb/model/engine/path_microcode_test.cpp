@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The path's microcode, rtl/engine/programs/path.asm, makes the increments of hls::PathKernel: at
+// any rate, held, starved of pieces; an instruction deleted or a field changed is seen.
+#include <gtest/gtest.h>
+
+#include "hls/path_kernel.hpp"
+#include "rtl/engine/assembler/source.hpp"
+#include "rtl/engine/assembler/worst_case.hpp"
+#include "tb/model/engine/microcode_machine.hpp"
+#include "tb/model/engine/microcode_mutants.hpp"
+#include "tb/support/programs/long_form.hpp"
+#include "tb/support/segments/random_pieces.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+constexpr int kPiece = 0;
+constexpr int kTick = 1;
+
+assembler::Assembly path_microcode() {
+    assembler::Assembly assembly;
+    MicrocodeMachine::dispatch(assembly, {"piece", "tick"});
+    assemble_source(std::string(RTL_DIR) + "/engine/programs/path.asm", assembly);
+    assembly.finish();
+    return assembly;
+}
+
+/// Random pieces, some of them with words that lead back, or beyond the end.
+std::vector<hls::ProfileWords> rough_pieces(std::uint32_t seed, int count, int most_ticks) {
+    std::mt19937_64 random(seed);
+    std::vector<hls::ProfileWords> pieces = random_pieces(seed, count, most_ticks);
+    for (hls::ProfileWords& piece : pieces) {
+        if (random() % 2 == 0) continue;
+        piece.ds = piece.ds >> random() % 3;
+        for (hls::Word<hls::kProfileBits>& c : piece.c) {
+            c = static_cast<std::int64_t>(random() % (std::uint64_t{1} << 34)) -
+                (std::int64_t{1} << 33);
+        }
+    }
+    return pieces;
+}
+
+/// The kernel and the twin, tick by tick.
+class PathComparison {
+  public:
+    PathComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
+        : machine_(machine), bound_(worst_case(assembly, "tick")) {}
+
+    /// Drives a random program with both; returns the number of words that differ.
+    int program(std::uint32_t seed, int pieces, int most_ticks) {
+        std::mt19937_64 random(seed);
+        const std::vector<hls::ProfileWords> words = rough_pieces(seed, pieces, most_ticks);
+        std::size_t told = 0;
+        std::size_t taken = 0;
+        int differ = 0;
+        for (int tick = 0; tick < 40 || (taken < words.size() && tick < 4000); ++tick) {
+            if (told == taken && told < words.size() && random() % 4 != 0) tell(words[told++]);
+            const auto rate = static_cast<std::int32_t>(random() % 3 == 0   ? 65536
+                                                        : random() % 9 == 0 ? 0
+                                                                            : random() % 65537);
+            const bool held = random() % 8 == 0;
+            const std::int64_t increment = kernel_.tick(
+                rate,
+                [&](hls::ProfileWords& piece) {
+                    if (told == taken) return false;
+                    piece = words[taken++];
+                    return true;
+                },
+                held);
+            machine_.set("rate", rate);
+            machine_.set("held", held ? 1 : 0);
+            most_clocks_ = std::max(most_clocks_, machine_.run(kTick));
+            differ += machine_.get("increment") != increment ? 1 : 0;
+            differ += machine_.get("active") != (kernel_.active() ? 1 : 0) ? 1 : 0;
+            differ += (machine_.get("idle") == hls::kIdleTicks) != kernel_.idle() ? 1 : 0;
+            differ += machine_.get("next") != (told != taken ? 1 : 0) ? 1 : 0;
+            differ += most_clocks_ > bound_ ? 1 : 0;
+            words_ += 4;
+            if (differ > 0) return differ;
+        }
+        return differ;
+    }
+
+    std::int64_t words() const { return words_; }
+    int most_clocks() const { return most_clocks_; }
+
+  private:
+    void tell(const hls::ProfileWords& piece) {
+        machine_.set("ticks", piece.ticks);
+        machine_.set("m", piece.time_exponent);
+        machine_.set("e", piece.exponent);
+        machine_.set("new_ds", piece.ds);
+        machine_.set("new_final", piece.final ? 1 : 0);
+        machine_.set("new_c1", piece.c[0]);
+        machine_.set("new_c2", piece.c[1]);
+        machine_.set("new_c3", piece.c[2]);
+        machine_.run(kPiece);
+    }
+
+    MicrocodeMachine& machine_;
+    hls::PathKernel kernel_;
+    std::int64_t words_ = 0;
+    int bound_;
+    int most_clocks_ = 0;
+};
+
+TEST(PathMicrocode, EqualsTheKernelAtAnyRate) {
+    const assembler::Assembly assembly = path_microcode();
+    MicrocodeMachine machine(assembly);
+    machine.set("idle", hls::kIdleTicks);
+    PathComparison comparison(assembly, machine);
+    int differ = 0;
+    for (int n = 1; n <= cases(40, 1000); ++n) {
+        differ += comparison.program(static_cast<std::uint32_t>(n), 12, n % 2 == 0 ? 3 : 100);
+    }
+    EXPECT_EQ(differ, 0);
+    EXPECT_GT(comparison.words(), 40000);
+    EXPECT_FALSE(machine.hazard());
+    // The longest way of all goes back and beyond the end in one tick: no piece does.
+    EXPECT_GE(comparison.most_clocks(), worst_case(assembly, "tick") - 40);
+}
+
+TEST(PathMicrocode, AChangedInstructionIsSeen) {
+    const assembler::Assembly assembly = path_microcode();
+    const MutantShare share =
+        seen_mutants(assembly, static_cast<std::size_t>(cases(11, 1)),
+                     [&](const std::vector<std::uint32_t>& program) {
+                         MicrocodeMachine machine(assembly, program);
+                         machine.set("idle", hls::kIdleTicks);
+                         PathComparison comparison(assembly, machine);
+                         for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+                             if (comparison.program(seed, 8, seed % 2 == 0 ? 3 : 60) > 0)
+                                 return true;
+                         }
+                         return false;
+                     });
+    EXPECT_EQ(share.deleted, "");
+    // The rest changes no word: another 0 is added, what is tested for 0 alone is scaled, flags are
+    // put into a word that nothing reads, the last return runs around an empty store.
+    EXPECT_GE(share.seen, 0.9 * share.mutants) << "of " << share.mutants;
+}
+
+}  // namespace
+}  // namespace curvecore::tb
