@@ -221,7 +221,7 @@ class MotionEngine : public testing::Test {
 };
 
 TEST_F(MotionEngine, IsItsTwinOnEveryClock) {
-    const int programs = cases(50, 5'000);
+    const int programs = cases(50, 50'000);
     const int instructions = 2'000;
     for (int n = 0; n < programs; ++n) {
         load(static_cast<std::uint64_t>(n) + 1);
