@@ -14,7 +14,7 @@
 #include "hls/curve_kernel.hpp"
 #include "hls/engine.hpp"
 #include "ref/curves/table_reader.hpp"
-#include "rtl/engine/assembler/curve_assembler.hpp"
+#include "rtl/engine/compiler/curve_assembler.hpp"
 #include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::tb {

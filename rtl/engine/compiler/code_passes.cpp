@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rtl/engine/assembler/code_passes.hpp"
+#include "rtl/engine/compiler/code_passes.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "rtl/engine/assembler/curve_code.hpp"
+#include "rtl/engine/compiler/curve_code.hpp"
 
 namespace curvecore::assembler {
 

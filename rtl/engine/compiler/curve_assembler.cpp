@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rtl/engine/assembler/curve_assembler.hpp"
+#include "rtl/engine/compiler/curve_assembler.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "hls/configuration.hpp"
-#include "rtl/engine/assembler/code_passes.hpp"
-#include "rtl/engine/assembler/table_lowering.hpp"
-#include "rtl/engine/assembler/word_places.hpp"
+#include "rtl/engine/compiler/code_passes.hpp"
+#include "rtl/engine/compiler/table_lowering.hpp"
+#include "rtl/engine/compiler/word_places.hpp"
 
 namespace curvecore::assembler {
 namespace {

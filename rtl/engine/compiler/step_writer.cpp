@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rtl/engine/assembler/step_writer.hpp"
+#include "rtl/engine/compiler/step_writer.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Steps made fewer, with the same words.
 #pragma once
 
-#include "rtl/engine/assembler/curve_code.hpp"
+#include "rtl/engine/compiler/curve_code.hpp"
 
 namespace curvecore::assembler {
 

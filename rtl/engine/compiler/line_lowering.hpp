@@ -8,7 +8,7 @@
 
 #include "ref/curves/curve_table.hpp"
 #include "ref/format/parameters.hpp"
-#include "rtl/engine/assembler/step_writer.hpp"
+#include "rtl/engine/compiler/step_writer.hpp"
 
 namespace curvecore::assembler {
 

@@ -9,7 +9,7 @@
 
 #include "ref/curves/curve_table.hpp"
 #include "ref/format/parameters.hpp"
-#include "rtl/engine/assembler/curve_code.hpp"
+#include "rtl/engine/compiler/curve_code.hpp"
 
 namespace curvecore::assembler {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rtl/engine/assembler/line_lowering.hpp"
+#include "rtl/engine/compiler/line_lowering.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "hls/fixed_word.hpp"
 #include "ref/curves/order_demand.hpp"
-#include "rtl/engine/assembler/table_lowering.hpp"
+#include "rtl/engine/compiler/table_lowering.hpp"
 
 namespace curvecore::assembler {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rtl/engine/assembler/word_places.hpp"
+#include "rtl/engine/compiler/word_places.hpp"
 
 #include <fmt/format.h>
 
