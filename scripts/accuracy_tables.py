@@ -90,7 +90,7 @@ def campaign_parts():
         if stamp.exists():
             one = json.loads(stamp.read_text())
             minutes = f"{one['cpu_seconds'] / 60:.1f}"
-            held = re.sub(r"\b\d{5,}\b", lambda number: f"{int(number[0]):,}",
+            held = re.sub(r"(?<![.\d])\d{4,}\b", lambda number: f"{int(number[0]):,}",
                           "; ".join(one["results"]))
             rows.append((part, held, minutes, one["tree"]))
         else:
