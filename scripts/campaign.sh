@@ -84,8 +84,8 @@ build() {
 # Targets whose whole name an extended regular expression matches.
 targets() { cmake --build --preset release --target help | sed -nE "s/^($1): phony/\1/p"; }
 
-# What a part says with `result` is its outcome.
-result() { echo "$*" >>"$out/$part.results"; }
+# What a part pipes into `result` is its outcome; a part that found nothing to say has failed.
+result() { grep . >>"$out/$part.results"; }
 
 # What ctest says at its end.
 none_failed() { sed -nE 's/.* 0 tests failed out of ([0-9]+)/\1 tests, none failed/p' "$1"; }
@@ -94,14 +94,14 @@ tests() {
   build all label_long
   CURVECORE_TIDY=all ctest --preset release -R "^lint\\..*\\.tidy$"
   CURVECORE_LONG=1 ctest --preset release -L "^(unit|long)$" | tee $out/tests.run
-  result "$(none_failed $out/tests.run)"
+  none_failed $out/tests.run | result
 }
 
 models() {
   build model_tests
   CURVECORE_LONG=1 $tb/model_tests | tee $out/models.run
   CURVECORE_CUBICS=10000 $tb/model_tests --gtest_filter="SlowClock.*" | tee -a $out/models.run
-  result "$(sed -nE 's/^\[  PASSED  \] ([0-9]+) tests?\./\1 tests passed/p;T;q' $out/models.run)"
+  sed -nE 's/^\[  PASSED  \] ([0-9]+) tests?\./\1 tests passed/p;T;q' $out/models.run | result
 }
 
 equality() {
@@ -134,7 +134,6 @@ equality() {
        exit 1
      }
      grep -H "words differ" $log'
-  # Not within `result`: there its exit status would be lost.
   sum=$(
     python3 - <<'PYTHON'
 import glob
@@ -152,7 +151,7 @@ print(f"{samples:,} samples in {len(found)} configurations, {differ} words diffe
 sys.exit(not all(found) or differ > 0)
 PYTHON
   )
-  result "$sum"
+  echo "$sum" | result
 }
 
 steps() {
@@ -163,32 +162,33 @@ steps() {
   for bench in "${benches[@]}"; do
     CURVECORE_STEPS=20000000 $tb/$bench | tee -a $out/steps.run
   done
-  result "$(awk '/ steps, .* turns,/ {steps += $1; ++number}
-    END {print steps " steps of " number " generators, every one in the first clock allowed"}' \
-    $out/steps.run)"
+  awk '/ steps, .* turns,/ {steps += $1; ++number}
+    END {if (number) print steps " steps of " number " generators, every one in the first clock " \
+      "allowed"}' $out/steps.run | result
 }
 
 program() {
   build motion_steps_serial motion_system_serial motion_system_flat
   CURVECORE_PART=demo.ngc $tb/motion_steps_serial | tee $out/program.run
+  grep "steps$" $out/program.run | sed "s/$/ from words to pins/" | result
   for form in serial flat; do
     CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" |
-      tee -a $out/program.run
+      tee $out/program.run
+    grep "clocks$" $out/program.run | sort -u | sed "s/$/ on the system, $form/" | result
   done
-  result "$(grep "steps$" $out/program.run) from words to pins"
-  result "$(grep "clocks$" $out/program.run | sort -u) on the system and on its flat file"
 }
 
 buses() {
   scripts/buses.sh
-  result "every access as described"
+  echo "every access as described" | result
 }
 
 curves() {
   build accuracy_campaign splines_campaign
   $tb/campaign/accuracy_campaign --curves 5000 -o build/figures/accuracy.json
   $tb/campaign/splines_campaign --curves 2000 -o build/figures/splines.json
-  result "5000 moves of each family of arcs, 2000 of each of splines: errors within their bounds"
+  echo "5000 moves of each family of arcs, 2000 of each of splines: errors within their bounds" |
+    result
 }
 
 ranges() {
@@ -196,31 +196,31 @@ ranges() {
   $tb/campaign/ranges_campaign --cubics 1000 -o build/figures/ranges.json | tee $out/ranges.run
   $tb/campaign/drift_campaign --segments 10000000 -o build/figures/drift.json |
     tee -a $out/ranges.run
-  result "$(grep -E "^[0-9]+ cubics" $out/ranges.run)"
-  result "drift of $(grep -E "^(arcs|splines):" $out/ranges.run)"
+  grep -E "^[0-9]+ cubics" $out/ranges.run | result
+  grep -E "^(arcs|splines):" $out/ranges.run | sed "s/^/drift of /" | result
 }
 
 limits() {
   build limits_campaign
   $tb/campaign/limits_campaign --pairs 500 -o build/figures/limits.json | tee $out/limits.run
-  result "$(tail -1 $out/limits.run)"
+  tail -1 $out/limits.run | result
 }
 
 sanitizers() {
   for label in model unit cli; do
     CURVECORE_MUTATIONS=100000 scripts/test.sh --preset asan -L "$label" | tee $out/sanitizers.run
-    result "$label: $(none_failed $out/sanitizers.run)"
+    none_failed $out/sanitizers.run | sed "s/^/$label: /" | result
   done
 }
 
 coverage() {
   scripts/coverage.sh | tee $out/coverage.run
-  result "$(sed -n 's/^all folders: //p' $out/coverage.run)"
+  sed -n 's/^all folders: //p' $out/coverage.run | result
 }
 
 pages() {
   scripts/pages.sh
-  result "every page is what this tree gives"
+  echo "every page is what this tree gives" | result
 }
 
 TIMEFORMAT="%U %S"  # seconds of CPU
