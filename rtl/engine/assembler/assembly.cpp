@@ -34,11 +34,16 @@ Field Assembly::named(const std::string& name, int words) {
     if (found != names_.end()) {
         return found->second;
     }
-    shared_words_ += shared_words_ % words;
-    Field field{shared_words_, name};
-    data_[shared_words_] = {name, 0, words};
-    shared_words_ += words;
-    return names_[name] = field;
+    const int place = shared_words_ + shared_words_ % words;
+    if (place + words > kSharedWords) {
+        const int further = further_words_ + further_words_ % words;
+        further_words_ = further + words;
+        data_[engine::kPageWords * further_page() + further] = {name, 0, words};
+        return names_[name] = {engine::kY + further, name};
+    }
+    shared_words_ = place + words;
+    data_[place] = {name, 0, words};
+    return names_[name] = {place, name};
 }
 
 Field Assembly::word(const std::string& name) { return named(name, 1); }
@@ -52,8 +57,22 @@ Field Assembly::constant(std::int64_t value) {
         refuse(fmt::format("the constant {} needs more than three limbs", value));
     }
     Field field = word(fmt::format("{}", value));
-    data_[field.code].value = value;
+    const int place = field.code < kSharedWords
+                          ? field.code
+                          : engine::kPageWords * further_page() + field.code - engine::kY;
+    data_[place].value = value;
     return field;
+}
+
+void Assembly::define(const std::string& name, std::int64_t value) {
+    if (definitions_.emplace(name, value).first->second != value) {
+        refuse(name + " is there twice, with another number");
+    }
+}
+
+std::optional<std::int64_t> Assembly::defined(const std::string& name) const {
+    const auto found = definitions_.find(name);
+    return found == definitions_.end() ? std::nullopt : std::optional(found->second);
 }
 
 Field Assembly::axis_word(const std::string& name) {
@@ -79,6 +98,7 @@ Field Assembly::auxiliary_word(const std::string& name) {
 }
 
 int Assembly::auxiliary_page() const { return kFirstPage + kAxes * size_.axis_pages; }
+int Assembly::further_page() const { return size_.data / engine::kPageWords - 1; }
 
 Field Assembly::power(int n) const {
     if (n < 0 || n > 59) {
@@ -118,7 +138,9 @@ void Assembly::call(const std::string& subroutine) {
     jump(subroutine, engine::kCall | engine::kNot);
 }
 
-void Assembly::give_back() { put(Op::kBr, {}, {engine::kReturn | engine::kNot, ""}, {}, false, 1); }
+void Assembly::give_back(int condition) {
+    put(Op::kBr, {}, {engine::kReturn | condition, ""}, {}, false, 1);
+}
 
 void Assembly::wait(const std::string& next) { jump(next, engine::kNot, true); }
 
@@ -129,6 +151,7 @@ void Assembly::set_page(int port, int page) {
 }
 
 void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page()); }
+void Assembly::open_further() { set_page(engine::kPortY, further_page()); }
 
 void Assembly::call_for_axes(const std::string& subroutine) {
     for (int axis = 0; axis < kAxes; ++axis) {
@@ -137,6 +160,9 @@ void Assembly::call_for_axes(const std::string& subroutine) {
                      page_of(axis, page * engine::kPageWords));
         }
         call(subroutine);
+    }
+    if (size_.axis_pages > 1) {
+        open_further();
     }
 }
 
@@ -182,12 +208,12 @@ void Assembly::finish() {
         refuse(fmt::format("the programs need {} instructions, the store has {}", placed_.size(),
                            size_.program));
     }
-    fits(shared_words_ - engine::kConstantWords, kSharedWords - engine::kConstantWords,
-         "that all axes share");
+    fits(further_words_, engine::kPageWords, "beyond those without a page");
     fits(axis_words_, size_.axis_pages * engine::kPageWords, "of each axis");
     fits(auxiliary_words_, engine::kPageWords, "of auxiliary axes");
-    if (data_words() > size_.data) {
-        refuse(fmt::format("the data need {} words, the store has {}", data_words(), size_.data));
+    const int words = data_words() + (further_words_ > 0 ? engine::kPageWords : 0);
+    if (words > size_.data) {
+        refuse(fmt::format("the data need {} words, the store has {}", words, size_.data));
     }
 }
 

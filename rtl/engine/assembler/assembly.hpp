@@ -72,12 +72,17 @@ class Assembly {
     Field axis_word(const std::string& name);
     /// A word of the auxiliary axes together, read behind open_auxiliary().
     Field auxiliary_word(const std::string& name);
+    /// The n-th of the words that live in one call of one program alone: all programs share them.
+    Field scratch(int n) { return word("scratch " + std::to_string(n)); }
     Field constant(std::int64_t value);
     /// A wide word, six limbs.
     Field wide(const std::string& name);
     static Field zero() { return {engine::kZero / engine::kWordLimbs, "0"}; }
     /// 2^n as F1.
     Field power(int n) const;
+    /// Gives a number a name, for all sources.
+    void define(const std::string& name, std::int64_t value);
+    std::optional<std::int64_t> defined(const std::string& name) const;
 
     // Program. What follows comes from a line of source.
     void from(const Source& source) { source_ = source; }
@@ -90,8 +95,10 @@ class Assembly {
     void call_for_axes(const std::string& subroutine);
     /// Makes page X that of the auxiliary axes.
     void open_auxiliary();
+    /// Makes page Y that of the words for which those without a page did not suffice; it stays.
+    void open_further();
     void call(const std::string& subroutine);
-    void give_back();
+    void give_back(int condition = engine::kNot | engine::kNever);
     /// Waits for the tick, then goes on at a label.
     void wait(const std::string& next);
     /// Ends the foreground; it begins again at a label.
@@ -123,6 +130,7 @@ class Assembly {
     Field named(const std::string& name, int words);
     void set_page(int port, int page);
     int auxiliary_page() const;
+    int further_page() const;
     void jump(const std::string& to, int f0, bool flag = false);
 
     StoreSize size_;
@@ -136,6 +144,8 @@ class Assembly {
     int shared_words_ = engine::kConstantWords;
     int axis_words_ = 0;
     int auxiliary_words_ = 0;
+    int further_words_ = 0;
+    std::map<std::string, std::int64_t> definitions_;
 };
 
 }  // namespace curvecore::assembler

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <map>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -98,21 +99,28 @@ class SourceReader {
         }
         return std::stoll(text);
     }
-    int number(const char* what) { return static_cast<int>(number_of(next(what))); }
+    /// Reads a number, or a name that stands for one.
+    std::int64_t value(const char* what) {
+        const bool minus = take("-");
+        const std::string text = next(what);
+        const auto defined = a_.defined(text);
+        const std::int64_t number = defined ? *defined : number_of(text);
+        return minus ? -number : number;
+    }
+    int number(const char* what) { return static_cast<int>(value(what)); }
 
     void statement() {
         if (tokens_.size() == 2 && tokens_[1] == ":") {
             a_.label(tokens_[0]);
             at_ = 2;
-        } else if (take("word") || take("wide")) {
-            const bool wide = tokens_[0] == "wide";
+        } else if (take("word") || take("wide") || take("local") || take("axis")) {
             while (at_ < tokens_.size()) {
-                declare(next("a name"), wide);
+                declare(next("a name"), tokens_[0]);
             }
         } else if (take("data")) {
             const std::string name = next("a name");
             expect({"="});
-            constants_[name] = number_of(next("a number"));
+            a_.define(name, value("a number"));
         } else if (take("loop")) {
             a_.loop();
         } else if (take("repeat")) {
@@ -121,9 +129,9 @@ class SourceReader {
         } else if (take("test")) {
             sum(Assembly::zero());
         } else if (take("port")) {
-            const int port = number("a port");
+            const Field to = port();
             expect({"="});
-            a_.put(Op::kOut, {}, word(), {port, fmt::format("{}", port)}, false, limbs_);
+            a_.put(Op::kOut, {}, word(), to, false, limbs_);
         } else if (!branch()) {
             const Field to = declared(next("an instruction"));
             take("+=") ? wide_sum(to, false) : assignment(to);
@@ -142,10 +150,19 @@ class SourceReader {
             const int code = take("negative") ? int{engine::kNegative}
                              : take("zero")   ? int{engine::kIsZero}
                                               : port_condition();
-            expect({"go", "to"});
-            a_.branch(next("a label"), is_not | code);
+            if (take("return")) {
+                a_.give_back(is_not | code);
+            } else {
+                const int call = take("call") ? int{engine::kCall} : 0;
+                if (call == 0) {
+                    expect({"go", "to"});
+                }
+                a_.branch(next("a label"), call | is_not | code);
+            }
         } else if (take({"go", "to"})) {
             a_.branch(next("a label"));
+        } else if (take({"for", "each", "axis", "call"})) {
+            a_.call_for_axes(next("a label"));
         } else if (take("call")) {
             a_.call(next("a label"));
         } else {
@@ -165,8 +182,7 @@ class SourceReader {
     void assignment(const Field& to) {
         expect({"="});
         if (take("port")) {
-            const int port = number("a port");
-            a_.put(Op::kIn, to, {port, fmt::format("{}", port)}, {}, false, limbs_);
+            a_.put(Op::kIn, to, port(), {}, false, limbs_);
         } else if (take("wide")) {
             wide_sum(to, true);
         } else if (take({"floor", "("})) {
@@ -180,10 +196,12 @@ class SourceReader {
         }
     }
 
-    /// Reads a + b, a - b, a * b, a * b >> 45 or c + (d * b >> 45).
+    /// Reads a, a + b, a - b, a * b, a * b >> 45 or c + (d * b >> 45).
     void sum(const Field& to) {
         const Field a = word();
-        if (take({"+", "("})) {
+        if (at_ == tokens_.size()) {
+            a_.put(Op::kMull, to, a, a_.power(0), false, limbs_);
+        } else if (take({"+", "("})) {
             const Field d = word();
             expect({"*"});
             const Field b = second();
@@ -219,27 +237,36 @@ class SourceReader {
         a_.put(shifted ? Op::kShr : Op::kMac, to, a, b, !shifted && first, limbs_);
     }
 
-    void declare(const std::string& name, bool wide) {
+    Field port() {
+        const std::string name = at_ < tokens_.size() ? tokens_[at_] : "";
+        return {number("a port"), name};
+    }
+
+    void declare(const std::string& name, const std::string& kind) {
         if (std::isalpha(static_cast<unsigned char>(name[0])) == 0) {
             a_.refuse("'" + name + "' is no name");
         }
-        wide ? a_.wide(name) : a_.word(name);
-        words_.insert(name);
-        if (wide) {
+        Field field = kind == "wide"    ? a_.wide(name)
+                      : kind == "axis"  ? a_.axis_word(name)
+                      : kind == "local" ? a_.scratch(locals_++)
+                                        : a_.word(name);
+        field.name = name;
+        words_[name] = field;
+        if (kind == "wide") {
             wide_.insert(name);
         }
     }
     Field declared(const std::string& name) const {
-        if (words_.count(name) == 0) {
+        const auto found = words_.find(name);
+        if (found == words_.end()) {
             a_.refuse("no word " + name);
         }
-        return a_.field(name);
+        return found->second;
     }
     Field word() {
         const std::string name = next("a word");
-        const auto constant = constants_.find(name);
-        if (constant != constants_.end()) {
-            Field field = a_.constant(constant->second);
+        if (const auto number = a_.defined(name)) {
+            Field field = a_.constant(*number);
             field.name = name;
             return field;
         }
@@ -260,9 +287,9 @@ class SourceReader {
 
     std::string file_;
     Assembly& a_;
-    std::set<std::string> words_;
+    std::map<std::string, Field> words_;
     std::set<std::string> wide_;
-    std::map<std::string, std::int64_t> constants_;
+    int locals_ = 0;
     std::vector<std::string> tokens_;
     std::size_t at_ = 0;
     int limbs_ = 3;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Programs as text, an instruction a line, as the listing shows them (listing.hpp):
 //
-//     word NAME ..     wide NAME ..     data NAME = NUMBER      words, of six limbs, constants
+//     word NAME ..     wide NAME ..     axis NAME ..            words, of six limbs, of each axis
+//     local NAME ..                     data NAME = NUMBER      constants, known to all sources
 //     NAME:                                                     a label
+//     d = a                                                     a copy
 //     d = a + b        d = a - b        d = a * b               of three limbs, or `, 1 limb` ..
 //     d = a * b >> 45                   d = floor(a * b >> 45)  rounded to nearest, or down
 //     d = c + (d * b >> 45)             the same on top of c
@@ -11,10 +13,13 @@
 //     test a - b                        sets negative and zero alone
 //     d = port 5       port 6 = a
 //     go to L          if negative go to L          if not port 3 call L          return
-//     wait for the tick, go to L        end, then L
+//     wait for the tick, go to L        end, then L             for each axis call L
 //     loop  ..  repeat 19 times         its body, at most so often again; a branch leads out
 //
-// a, b, c and d are words, or 0, or a number; b may be 2^n or -1.
+// a, b, c and d are words, or 0, or a number; b may be 2^n or -1. A port is a number, too, or a
+// constant's name. Locals live in one call of one of their source's programs: those of all sources
+// share their words. A program that calls another keeps its link: `back = port 2` .. `port 2 =
+// back`.
 #pragma once
 
 #include <string>

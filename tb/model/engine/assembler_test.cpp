@@ -53,7 +53,7 @@ TEST(Assembler, ASourceIsRefusedWithItsLine) {
     const std::pair<const char*, const char*> cases[] = {
         {"a = b + d", "no word d"},
         {"e = a + b", "no word e"},
-        {"a = b", "expected '*'"},
+        {"a = b c", "expected '*', not 'c'"},
         {"a = b / c", "expected '*', not '/'"},
         {"a = b * c >> 44", "expected the end of the line, not '>>'"},
         {"a = b + (c * 2^1 >> 45)", "in d = c + (d * b >> 45) both d are one word"},
@@ -85,7 +85,8 @@ TEST(Assembler, AListingIsASourceAgain) {
         "word a b c\nwide w\nx:\na = b + c\na = b - c, 4 limbs\na = b * 2^10\na = b * c >> 45\n"
         "a = floor(b * -1 >> 45)\na = b + (a * c >> 45)\nw = wide a * b\nw += wide b * c\n"
         "a = wide w * 2^20 >> 45\na = port 5\nport 6 = a, 2 limbs\nif not negative go to x\n"
-        "if port 4 go to x\ncall x\nreturn\nwait for the tick, go to x\nend, then x\n";
+        "if port 4 go to x\nif zero call x\nif not zero return\ncall x\nreturn\n"
+        "wait for the tick, go to x\nend, then x\n";
     Assembly assembly;
     assemble_text("p.asm", text, assembly);
     assembly.finish();
@@ -113,14 +114,56 @@ TEST(Assembler, AFullStoreNamesTheWordsNeeded) {
             }
         };
     };
-    EXPECT_EQ(refused(words(121, false)),
-              ": error: the programs need 121 words that all axes share, there are 120");
-    EXPECT_EQ(refused(words(120, false)), "");
+    EXPECT_EQ(refused(words(153, false)),
+              ": error: the programs need 33 words beyond those without a page, there are 32");
+    EXPECT_EQ(refused(words(152, false)), "");
     EXPECT_EQ(refused(words(33, true)),
               ": error: the programs need 33 words of each axis, there are 32");
     EXPECT_EQ(refused(words(33, true), {2048, 256, 2}),
               ": error: the data need 320 words, the store has 256");
     EXPECT_EQ(refused(words(33, true), {2048, 512, 2}), "");
+}
+
+TEST(Assembler, WordsBeyondThoseWithoutAPageStandInPageY) {
+    Assembly assembly;
+    for (int n = 0; n < 121; ++n) assembly.word("w" + std::to_string(n));
+    EXPECT_EQ(assembly.field("w119").code, 127);
+    EXPECT_EQ(assembly.field("w120").code, int{engine::kY});
+    EXPECT_EQ(assembly.place("w120"), 7 * engine::kPageWords);
+    const Field wide = assembly.wide("w");
+    EXPECT_EQ(wide.code, engine::kY + 2);
+    const Field constant = assembly.constant(-7);
+    EXPECT_EQ(assembly.data().at(7 * engine::kPageWords + 4).value, -7);
+    EXPECT_EQ(constant.code, engine::kY + 4);
+    assembly.auxiliary_word("x");
+    EXPECT_THROW(assembly.finish(), AssemblyError);  // they would stand in the same page
+}
+
+TEST(Assembler, LocalsOfAllSourcesShareTheirWords) {
+    Assembly assembly;
+    assemble_text("p.asm", "word kept\nlocal a b\na = kept\nb = a\n", assembly);
+    assemble_text("q.asm", "word kept\nlocal c\nc = kept\n", assembly);
+    assembly.finish();
+    const auto& placed = assembly.placed();
+    EXPECT_EQ(placed[0].instruction.f2, placed[2].instruction.f2);
+    EXPECT_NE(placed[0].instruction.f2, placed[1].instruction.f2);
+    EXPECT_EQ(placed[0].instruction.f0, placed[2].instruction.f0);
+    EXPECT_THROW(assemble_text("q.asm", "word kept\nkept = a\n", assembly), AssemblyError);
+}
+
+TEST(Assembler, ANumberHasOneName) {
+    Assembly assembly;
+    assemble_text("p.asm", "word a\ndata memory = 3\ndata less = - 5\nport memory = a\na = less\n",
+                  assembly);
+    EXPECT_EQ(assembly.placed()[0].instruction.f1, 3);
+    EXPECT_EQ(assembly.data().at(assembly.placed()[1].instruction.f0).value, -5);
+    EXPECT_NO_THROW(assemble_text("q.asm", "data memory = 3\n", assembly));
+    try {
+        assemble_text("q.asm", "data memory = 4\n", assembly);
+        ADD_FAILURE() << "two numbers";
+    } catch (const AssemblyError& error) {
+        EXPECT_STREQ(error.what(), "q.asm:1: error: memory is there twice, with another number");
+    }
 }
 
 TEST(Assembler, TheWorstCaseIsWhatTheTwinTakes) {

@@ -31,6 +31,7 @@ class MicrocodeMachine {
         assembly.branch("idle");  // the foreground
         assembly.label("idle");
         assembly.open_auxiliary();  // a page that no program finds open
+        assembly.open_further();
         for (std::size_t n = 0; n < labels.size(); ++n) {
             assembly.branch(labels[n], engine::kCall | (kFirstRequest + static_cast<int>(n)));
         }
