@@ -64,6 +64,16 @@ Field Assembly::constant(std::int64_t value) {
     return field;
 }
 
+void Assembly::start(const Field& field, std::int64_t value, int limbs) {
+    starts_.push_back({field, value, limbs});
+}
+
+void Assembly::put_starts() {
+    for (const Start& start : starts_) {
+        put(Op::kMull, start.field, constant(start.value), power(0), false, start.limbs);
+    }
+}
+
 void Assembly::define(const std::string& name, std::int64_t value) {
     if (definitions_.emplace(name, value).first->second != value) {
         refuse(name + " is there twice, with another number");

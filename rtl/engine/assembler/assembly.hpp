@@ -80,6 +80,10 @@ class Assembly {
     static Field zero() { return {engine::kZero / engine::kWordLimbs, "0"}; }
     /// 2^n as F1.
     Field power(int n) const;
+    /// Gives a word, or that of each axis, its value at reset.
+    void start(const Field& field, std::int64_t value, int limbs = 3);
+    /// Writes all these values: a reset leaves the data as they are.
+    void put_starts();
     /// Gives a number a name, for all sources.
     void define(const std::string& name, std::int64_t value);
     std::optional<std::int64_t> defined(const std::string& name) const;
@@ -145,6 +149,12 @@ class Assembly {
     int axis_words_ = 0;
     int auxiliary_words_ = 0;
     int further_words_ = 0;
+    struct Start {
+        Field field;
+        std::int64_t value;
+        int limbs;
+    };
+    std::vector<Start> starts_;
     std::map<std::string, std::int64_t> definitions_;
 };
 

@@ -114,6 +114,11 @@ class SourceReader {
             a_.label(tokens_[0]);
             at_ = 2;
         } else if (take("word") || take("wide") || take("local") || take("axis")) {
+            const std::string name = next("a name");
+            declare(name, tokens_[0]);
+            if (tokens_[0] == "word" && take("=")) {
+                a_.start(declared(name), value("a number"), limbs_);
+            }
             while (at_ < tokens_.size()) {
                 declare(next("a name"), tokens_[0]);
             }

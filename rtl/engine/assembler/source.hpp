@@ -2,7 +2,8 @@
 // Programs as text, an instruction a line, as the listing shows them (listing.hpp):
 //
 //     word NAME ..     wide NAME ..     axis NAME ..            words, of six limbs, of each axis
-//     local NAME ..                     data NAME = NUMBER      constants, known to all sources
+//     local NAME ..                     word NAME = NUMBER      with its value at reset
+//     data NAME = NUMBER                                        a constant, known to all sources
 //     NAME:                                                     a label
 //     d = a                                                     a copy
 //     d = a + b        d = a - b        d = a * b               of three limbs, or `, 1 limb` ..

@@ -151,6 +151,35 @@ TEST(Assembler, LocalsOfAllSourcesShareTheirWords) {
     EXPECT_THROW(assemble_text("q.asm", "word kept\nkept = a\n", assembly), AssemblyError);
 }
 
+TEST(Assembler, AWordHasItsValueAtReset) {
+    Assembly assembly;
+    assembly.from({"begin", 0, ""});
+    assembly.branch("begin");
+    assembly.branch("begin");
+    assemble_text("p.asm", "word idle = 16\nword path = - 3, 4 limbs\nbegin:\n", assembly);
+    assembly.put_starts();
+    assembly.label("end");
+    assembly.branch("end");
+    assembly.finish();
+    std::vector<std::int16_t> memory = assembly.memory();
+    const auto limb = [&](const char* word, int n) {
+        return std::size_t{engine::kWordLimbs} * static_cast<std::size_t>(assembly.place(word)) +
+               static_cast<std::size_t>(n);
+    };
+    for (const char* word : {"idle", "path"}) {
+        for (int n = 0; n < engine::kWordLimbs; ++n) memory[limb(word, n)] = 77;
+    }
+    engine::Engine engine(assembly.program(), memory);
+    engine::QuietBoard board;
+    for (int n = 0; n < 9; ++n) engine.step(board);
+    const auto& after = engine.memory();
+    EXPECT_EQ(after[limb("idle", 0)], 16);
+    EXPECT_EQ(after[limb("idle", 2)], 0);
+    EXPECT_EQ(after[limb("idle", 3)], 77);  // of three limbs
+    EXPECT_EQ(after[limb("path", 0)], 0x7ffd);
+    EXPECT_EQ(after[limb("path", 3)], -1);
+}
+
 TEST(Assembler, ANumberHasOneName) {
     Assembly assembly;
     assemble_text("p.asm", "word a\ndata memory = 3\ndata less = - 5\nport memory = a\na = less\n",

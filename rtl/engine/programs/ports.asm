@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# Ports and conditions of the board around the motion's programs: rtl/engine/engine_interpolator.sv.
+
+# Conditions
+data request = 3           # a sample is asked for, and there is room for one
+data segment_waits = 4     # a word waits at a stream
+data piece_waits = 5
+data check_holds = 6       # of the selected stream's word
+data killed = 7            # as of the request taken
+data held_now = 8
+
+# IN and OUT
+data link = 2              # of the program at hand
+data memory = 3            # the limb at the address, which goes on by one each limb
+
+# IN
+data word_in = 4           # the selected stream's word: bits 14:0, 29:15, 45:30, 47:46
+data check_in = 5          # the check after it, from the one that `check` was told
+data override_in = 8       # settings: rtl/motion_interpolator.sv
+data acceleration_in = 9
+data slope_in = 10
+data stop_ticks_in = 11
+data samples_per_tick_in = 12
+data digest_in = 13
+
+# OUT
+data address = 4           # of the memory, 2 limbs
+data take = 5              # takes the selected stream's word
+data check = 6
+data select = 7            # stream: 0 segments, 1 profile; + 2: bits 43:36 are left out of the check
+data take_request = 8
+data leaves = 9            # words leave a queue: their number, + 256 of the profile's
+data report = 12           # faults and underrun that stay up, a bit each; those that are 0 stay
+data underrun_bit = 256
+data now_active = 13       # a program is under way
+data now_standing = 14     # the machine stands until a target above 0
+data path_active = 15      # of the increment behind it
+data sample = 16           # fine position of an axis, 3 limbs: 16 + axis
+data sample_whole = 25
+data path_low = 26         # 3 limbs of the path, then 2 more
+data path_high = 27
+data path_increment = 28   # 4 limbs
+data path_rate = 29        # 2 limbs: with the last one all of the path is there
+data empties = 30          # segments without length, so far
