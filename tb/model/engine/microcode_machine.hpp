@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <stdexcept>
@@ -18,6 +19,40 @@
 #include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::tb {
+
+/// The board around the engine, as far as a test makes it: the memory behind it, and what else there
+/// is at its ports (rtl/engine/programs/ports.asm).
+struct MicrocodePorts {
+    std::vector<std::int16_t> memory;
+    std::uint32_t address = 0;
+    std::function<std::int16_t(int port, int limb)> give;
+    std::function<void(int port, int limb, std::int16_t value)> take;
+    std::function<bool(int code)> condition;
+
+    std::int16_t in(int port, int limb) {
+        if (port == kMemory) return limb_there();
+        return give ? give(port, limb) : std::int16_t{0};
+    }
+    void out(int port, int limb, std::int16_t value) {
+        const auto bits = static_cast<std::uint32_t>(value & 0x7fff);
+        if (port == kMemory) {
+            limb_there() = value;
+        } else if (port == kAddress) {
+            address = limb == 0 ? bits : address | bits << engine::kLimbBits;
+        } else if (take) {
+            take(port, limb, value);
+        }
+    }
+
+  private:
+    static constexpr int kMemory = 3;
+    static constexpr int kAddress = 4;
+
+    std::int16_t& limb_there() {
+        if (address >= memory.size()) throw std::runtime_error("no such place in the memory");
+        return memory[address++];
+    }
+};
 
 /// Programs of an assembly, begun by the background when a board's condition asks for them.
 class MicrocodeMachine {
@@ -71,12 +106,22 @@ class MicrocodeMachine {
     }
     bool hazard() const { return engine_.hazard(); }
 
+    /// The board that the programs find.
+    MicrocodePorts& ports() { return board_.ports; }
+
   private:
     static constexpr std::uint64_t kMostClocks = 200000;
 
     struct Board : engine::QuietBoard {
         int request = -1;
-        bool condition(int code, std::uint64_t) const { return code == request; }
+        MicrocodePorts ports;
+        bool condition(int code, std::uint64_t) const {
+            return request >= 0 ? code == request : ports.condition && ports.condition(code);
+        }
+        std::int16_t in(int port, int limb, std::uint64_t) { return ports.in(port, limb); }
+        void out(int port, int limb, std::int16_t value, std::uint64_t) {
+            ports.out(port, limb, value);
+        }
     };
 
     std::int16_t* at(const std::string& word, int axis) {
