@@ -20,8 +20,8 @@
 
 namespace curvecore::tb {
 
-/// The board around the engine, as far as a test makes it: the memory behind it, and what else there
-/// is at its ports (rtl/engine/programs/ports.asm).
+/// The board around the engine, as far as a test makes it: the memory behind it, and what else is
+/// at its ports (rtl/engine/programs/ports.asm).
 struct MicrocodePorts {
     std::vector<std::int16_t> memory;
     std::uint32_t address = 0;
