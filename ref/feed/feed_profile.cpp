@@ -104,7 +104,11 @@ Uncovered lay(const FeedTask& task, const WindowMotion& motion, Plan& plan) {
     if (task.whole) set_hold_bounds(task.machine, task.options, task.geometry, plan);
     set_segment_feeds(task.program, task.options, plan.pieces, task.geometry.segments);
     plan.branches.clear();
-    const Uncovered without = uncovered(task.geometry, task.options, plan);
+    Uncovered without = uncovered(task.geometry, task.options, plan);
+    if (without.any() && task.whole && task.options.effort == Effort::kOptimum) {
+        set_close_hold_bounds(task.program, task.machine, task.options, task.geometry, plan);
+        without = uncovered(task.geometry, task.options, plan);
+    }
     if (without.any() || !task.whole || !task.options.has_branches()) return without;
     set_branches(task.program, task.machine, task.geometry, task.options, plan);
     return uncovered(task.geometry, task.options, plan);

@@ -79,7 +79,9 @@ Program letters() {
     for (int i = 0; i < 24; ++i) {
         const ref::Vec3 along = tb::end_tangent(builder.program().moves.back());
         const ref::Vec3 side(-along[1], along[0], 0);
-        builder.tangent_arc(along, i % 3 == 0 ? -side : side, uniform(0.3, 2), uniform(0.5, 3), 40);
+        const double radius = uniform(0.3, 2);
+        const double sweep = uniform(0.5, 3);
+        builder.tangent_arc(along, i % 3 == 0 ? -side : side, radius, sweep, 40);
         const ref::Vec3 out = tb::end_tangent(builder.program().moves.back());
         if (i % 2 == 0) builder.line(builder.at() + uniform(0.2, 2) * out, 40);
     }

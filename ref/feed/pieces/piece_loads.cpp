@@ -18,27 +18,33 @@ bool near_standstill(const PlannedMove& move, double s, double quantum) {
     return (move.stop_before && s < kTipLength) || (move.stop_after && left < kTipLength);
 }
 
-void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
-                const PieceGrid& grid, const Machine& machine, PathPlaces& places,
-                LimitRatios& worst) {
+void each_place(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
+                const PieceGrid& grid, PathPlaces& places,
+                const std::function<void(const PathPlace&, const PieceMotion&)>& visit) {
     for (int i = 0; i <= kParts; ++i) {
         const double part = std::clamp(static_cast<double>(i) / kParts, kWithin, 1 - kWithin);
         const double t = stretch.from + (stretch.to - stretch.from) * part;
         const double s = place_of(stretch, t) * grid.quantum;
         if (near_standstill(*stretch.move, s, grid.quantum)) continue;
-        const PathPlace at = places.at(planned, s);
-        const PieceMotion m = motion(stretch, part, plan);
-        const double fastest = highest_speed(at.d1, stretch.move->shape, machine);
-        worst.velocity = std::max(worst.velocity, m.v / fastest);
-        if (stretch.overhang) continue;
-        for (const PlaceLimit& limit : place_limits(at, stretch.move->shape, machine)) {
-            worst.acceleration =
-                std::max(worst.acceleration, acceleration_of(limit, m.v, m.a) / limit.acceleration);
-            worst.jerk = std::max(worst.jerk, jerk_of(limit, m.v, m.a, m.j) / limit.jerk);
-        }
+        visit(places.at(planned, s), motion(stretch, part, plan));
     }
-    worst.velocity =
-        std::max(worst.velocity, top_of(stretch, plan) / path_speed(stretch.move->shape, machine));
+}
+
+void keep_loads(const PieceStretch& stretch, std::size_t planned, const Plan& plan,
+                const PieceGrid& grid, const Machine& machine, PathPlaces& places,
+                LimitRatios& worst) {
+    const PathShape& shape = stretch.move->shape;
+    each_place(
+        stretch, planned, plan, grid, places, [&](const PathPlace& at, const PieceMotion& m) {
+            worst.velocity = std::max(worst.velocity, m.v / highest_speed(at.d1, shape, machine));
+            if (stretch.overhang) return;
+            for (const PlaceLimit& limit : place_limits(at, shape, machine)) {
+                worst.acceleration = std::max(
+                    worst.acceleration, acceleration_of(limit, m.v, m.a) / limit.acceleration);
+                worst.jerk = std::max(worst.jerk, jerk_of(limit, m.v, m.a, m.j) / limit.jerk);
+            }
+        });
+    worst.velocity = std::max(worst.velocity, top_of(stretch, plan) / path_speed(shape, machine));
 }
 
 }  // namespace curvecore::ref

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/feed/pieces/piece_walk.hpp"
+#include "ref/feed/pieces/piece_loads.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/limits/limits.hpp"
 #include "ref/text/input_error.hpp"
@@ -89,6 +89,28 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
         const Load load{v, std::min(a, (1 + kAccelerationShare) / 2 * limits.acceleration),
                         std::min(std::abs(from.j), (1 + kJerkShare) / 2 * limits.jerk)};
         of.keep(load, limits.acceleration, limits.jerk);
+    });
+    of.set(options, plan);
+}
+
+void set_close_hold_bounds(const Program& program, const Machine& machine,
+                           const PlanOptions& options, const Geometry& geometry, Plan& plan) {
+    Slopes of;
+    const PieceGrid grid(machine, options.unit_mm, options.tick_s());
+    PathPlaces places(program, geometry, options.unit_mm);
+    walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
+        each_place(stretch, stretch.move_index, plan, grid, places,
+                   [&](const PathPlace& at, const PieceMotion& m) {
+                       for (const PlaceLimit& on : place_limits(at, stretch.move->shape, machine)) {
+                           // Rounded words may take a little more than their share.
+                           const Load load{
+                               std::sqrt(on.d11) * std::max(0.0, m.v),
+                               std::min(acceleration_of(on, m.v, m.a),
+                                        kAccelerationShare * on.acceleration),
+                               std::min(jerk_of(on, m.v, m.a, m.j), kJerkShare * on.jerk)};
+                           of.keep(load, on.acceleration, on.jerk);
+                       }
+                   });
     });
     of.set(options, plan);
 }

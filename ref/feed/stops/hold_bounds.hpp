@@ -19,6 +19,11 @@ namespace curvecore::ref {
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan);
 
+/// Sets bounds of the same inequalities, by what pieces take of path and axes at places along them
+/// instead of what they may: a stop is quicker, and it takes longer to find.
+void set_close_hold_bounds(const Program& program, const Machine& machine,
+                           const PlanOptions& options, const Geometry& geometry, Plan& plan);
+
 /// Sets the same bounds for everything that may be asked of the machine with speeds up to
 /// `fastest`, mm/s, by the axes that plan.aux_axes counts, before any of it is planned.
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
