@@ -143,7 +143,7 @@ module step_tracker (
       next_known_q   <= 1'b0;
       stride_valid_q <= 1'b0;
     end else begin
-      stride_valid_q <= next_valid_i && !next_known_q && !stride_valid_q && !move;
+      stride_valid_q <= next_valid_i && !next_known_q && !stride_valid_q;  // move: next_known_q
       if (move) begin
         step_o       <= step_o + 3'd1;
         reach_q      <= next_reach_q;
