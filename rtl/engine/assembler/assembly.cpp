@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kSharedWords = 128;  // without a page
 constexpr int kFirstPage = kSharedWords / engine::kPageWords;
+constexpr int kPageConstants = engine::kConstantWords - kAxes;  // words that nothing writes
+constexpr int kMinusOneWord = engine::kMinusOne / engine::kWordLimbs;
 
 /// Page of an axis: those of X first, so that few words need few pages.
 int page_of(int axis, int place) {
@@ -22,7 +24,14 @@ int page_of(int axis, int place) {
 
 }  // namespace
 
-Assembly::Assembly(const StoreSize& size) : size_(size) {}
+Assembly::Assembly(const StoreSize& size) : size_(size) {
+    for (int axis = 0; axis < kAxes; ++axis) {
+        const int page = page_of(axis, 0);
+        const std::string name = fmt::format("{}", page);
+        names_[name] = {kPageConstants + axis, name};
+        data_[kPageConstants + axis] = {name, page, 1};
+    }
+}
 
 void Assembly::refuse(const std::string& reason) const {
     throw AssemblyError(source_.file + (source_.line > 0 ? fmt::format(":{}", source_.line) : "") +
@@ -70,7 +79,10 @@ void Assembly::start(const Field& field, std::int64_t value, int limbs) {
 
 void Assembly::put_starts() {
     for (const Start& start : starts_) {
-        put(Op::kMull, start.field, constant(start.value), power(0), false, start.limbs);
+        from({"", 0, fmt::format("{} = {}", start.field.name, start.value)});
+        const bool wide = start.limbs > engine::kWordLimbs;
+        put(wide ? Op::kMac : Op::kMull, start.field, constant(start.value), power(0), wide,
+            wide ? 3 : start.limbs);
     }
 }
 
@@ -157,7 +169,9 @@ void Assembly::wait(const std::string& next) { jump(next, engine::kNot, true); }
 void Assembly::end(const std::string& next) { jump(next, engine::kEnd | engine::kNot); }
 
 void Assembly::set_page(int port, int page) {
-    put(Op::kOut, {}, constant(page), {port, port == engine::kPortX ? "X" : "Y"}, false, 1);
+    const bool last = page == size_.data / engine::kPageWords - 1;  // so is -1, a fourth limb
+    put(Op::kOut, {}, last ? Field{kMinusOneWord, fmt::format("{}", page)} : constant(page),
+        {port, port == engine::kPortX ? "X" : "Y"}, false, last ? engine::kWordLimbs : 1);
 }
 
 void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page()); }

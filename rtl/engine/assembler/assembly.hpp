@@ -80,7 +80,7 @@ class Assembly {
     static Field zero() { return {engine::kZero / engine::kWordLimbs, "0"}; }
     /// 2^n as F1.
     Field power(int n) const;
-    /// Gives a word, or that of each axis, its value at reset.
+    /// Gives a word, or that of each axis, its value at reset; a wide one has 6 limbs.
     void start(const Field& field, std::int64_t value, int limbs = 3);
     /// Writes all these values: a reset leaves the data as they are.
     void put_starts();

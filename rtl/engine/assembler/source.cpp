@@ -28,6 +28,7 @@ std::vector<std::string> tokens(const std::string& line) {
             while (last < line.size() && named(line[last])) {
                 ++last;
             }
+            last += line.compare(last, 3, "[k]") == 0 ? 3 : 0;
         } else if (line.compare(n, 2, ">>") == 0 || line.compare(n, 2, "+=") == 0) {
             last = n + 2;
         }
@@ -116,8 +117,9 @@ class SourceReader {
         } else if (take("word") || take("wide") || take("local") || take("axis")) {
             const std::string name = next("a name");
             declare(name, tokens_[0]);
-            if (tokens_[0] == "word" && take("=")) {
-                a_.start(declared(name), value("a number"), limbs_);
+            const bool wide = tokens_[0] == "wide";
+            if (wide ? take({"=", "0"}) : tokens_[0] == "word" && take("=")) {
+                a_.start(declared(name), wide ? 0 : value("a number"), wide ? 6 : limbs_);
             }
             while (at_ < tokens_.size()) {
                 declare(next("a name"), tokens_[0]);
@@ -191,11 +193,12 @@ class SourceReader {
         } else if (take("wide")) {
             wide_sum(to, true);
         } else if (take({"floor", "("})) {
-            const Field a = word();
+            const bool wide = take("wide");
+            const Field a = wide ? wide_word(next("a wide word")) : word();
             expect({"*"});
             const Field b = second();
             expect({">>", "45", ")"});
-            a_.put(Op::kMulr, to, a, b, true, limbs_);
+            a_.put(wide ? Op::kShr : Op::kMulr, to, a, b, true, limbs_);
         } else {
             sum(to);
         }
@@ -216,9 +219,9 @@ class SourceReader {
             }
             a_.put(Op::kMadr, to, a, b, false, limbs_);
         } else if (take("+")) {
-            a_.put(Op::kAdd, to, a, word(), false, limbs_);
+            a_.put(Op::kAdd, to, a, addend(), false, limbs_);
         } else if (take("-")) {
-            a_.put(Op::kSub, to, a, word(), false, limbs_);
+            a_.put(Op::kSub, to, a, addend(), false, limbs_);
         } else {
             expect({"*"});
             const Field b = second();
@@ -236,10 +239,15 @@ class SourceReader {
         expect({"*"});
         const Field b = second();
         const bool shifted = first && take({">>", "45"});
-        if (wide_.count(shifted ? a.name : to.name) == 0) {
-            a_.refuse((shifted ? a.name : to.name) + " is no wide word");
-        }
+        wide_word(shifted ? a.name : to.name);
         a_.put(shifted ? Op::kShr : Op::kMac, to, a, b, !shifted && first, limbs_);
+    }
+
+    Field wide_word(const std::string& name) const {
+        if (wide_.count(name) == 0) {
+            a_.refuse(name + " is no wide word");
+        }
+        return declared(name);
     }
 
     Field port() {
@@ -279,6 +287,23 @@ class SourceReader {
             return a_.constant(number_of(name));
         }
         return declared(name);
+    }
+    /// Reads a word, or a power of two that needs none.
+    Field addend() {
+        const std::string name = at_ < tokens_.size() ? tokens_[at_] : "";
+        const bool raised = at_ + 1 < tokens_.size() && tokens_[at_ + 1] == "^";
+        const bool digits = name.find_first_not_of("0123456789") == std::string::npos;
+        const std::int64_t number =
+            a_.defined(name).value_or(digits && !name.empty() && !raised ? number_of(name) : 0);
+        int exponent = 0;
+        while (exponent < 45 && number >> exponent > 1) {
+            ++exponent;
+        }
+        if (number != std::int64_t{1} << exponent) {
+            return second();
+        }
+        ++at_;
+        return {a_.power(exponent).code, name};
     }
     Field second() {
         if (take({"2", "^"})) {

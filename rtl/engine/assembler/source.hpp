@@ -2,7 +2,7 @@
 // Programs as text, an instruction a line, as the listing shows them (listing.hpp):
 //
 //     word NAME ..     wide NAME ..     axis NAME ..            words, of six limbs, of each axis
-//     local NAME ..                     word NAME = NUMBER      with its value at reset
+//     local NAME ..       word NAME = NUMBER   wide NAME = 0    with its value at reset
 //     data NAME = NUMBER                                        a constant, known to all sources
 //     NAME:                                                     a label
 //     d = a                                                     a copy
@@ -10,14 +10,15 @@
 //     d = a * b >> 45                   d = floor(a * b >> 45)  rounded to nearest, or down
 //     d = c + (d * b >> 45)             the same on top of c
 //     w = wide a * b   w += wide a * b  a sum of products in a wide word
-//     d = wide w * b >> 45              what it is, shifted and rounded
+//     d = wide w * b >> 45              what it is, shifted and rounded; or floor(wide ..)
 //     test a - b                        sets negative and zero alone
 //     d = port 5       port 6 = a
 //     go to L          if negative go to L          if not port 3 call L          return
 //     wait for the tick, go to L        end, then L             for each axis call L
 //     loop  ..  repeat 19 times         its body, at most so often again; a branch leads out
 //
-// a, b, c and d are words, or 0, or a number; b may be 2^n or -1. A port is a number, too, or a
+// a, b, c and d are words, or 0, or a number; b may be 2^n or -1. A word of each axis has a name
+// like x or x[k]. A port is a number, too, or a
 // constant's name. Locals live in one call of one of their source's programs: those of all sources
 // share their words. A program that calls another keeps its link: `back = port 2` .. `port 2 =
 // back`.

@@ -15,11 +15,64 @@ namespace {
 
 using engine::Op;
 
+constexpr const char* kScaleWords[] = {"place_scale", "step_scale"};
+constexpr int kScaleSlots = 2;
+
+/// Returns whether a curve reads the words above: to others they are slots.
+bool reads_scales(const CurveCode& code) {
+    const auto reads = [&](const Step& step) {
+        return std::any_of(std::begin(kScaleWords), std::end(kScaleWords), [&](const char* word) {
+            const auto is = [&](const Use& use) {
+                return use.is_value() &&
+                       code.values[static_cast<std::size_t>(use.value)].word == word;
+            };
+            return is(step.a) || is(step.b);
+        });
+    };
+    for (const Part* part : {&code.load, &code.next, &code.open, &code.sample}) {
+        for (const Block& block : part->blocks) {
+            if (std::any_of(block.steps.begin(), block.steps.end(), reads)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Words of the slots of all curves: one segment is under way at a time. What is not kept stands in
+/// words that other programs use, too; a sample's fine positions in a slot that is free then.
+class SlotNames {
+  public:
+    explicit SlotNames(const std::vector<WordPlaces>& curves) {
+        SlotCount of_axis;
+        for (const WordPlaces& curve : curves) {
+            kept_ = std::max(kept_, curve.shared.kept);
+            of_axis.all = std::max(of_axis.all, curve.of_axis.all);
+            of_axis.of_sample =
+                std::max({of_axis.of_sample, curve.of_axis.kept, curve.of_axis.of_sample});
+        }
+        fine_ = std::max(of_axis.all - 1, of_axis.of_sample);
+    }
+
+    Field shared(int slot, Assembly& assembly) const {
+        return slot >= kept_        ? assembly.scratch(slot - kept_)
+               : slot < kScaleSlots ? assembly.word(kScaleWords[slot])
+                                    : assembly.word(fmt::format("curve {}", slot));
+    }
+    Field of_axis(int slot, Assembly& assembly) const {
+        return assembly.axis_word(slot == fine_ ? "fine[k]" : fmt::format("curve {}[k]", slot));
+    }
+
+  private:
+    int kept_ = 0;
+    int fine_ = 0;
+};
+
 /// Instructions of a curve's steps.
 class Writer {
   public:
-    Writer(CurveCode& code, Assembly& assembly)
-        : code_(code), places_(place_words(code)), assembly_(assembly) {}
+    Writer(CurveCode& code, const WordPlaces& places, const SlotNames& names, Assembly& assembly)
+        : code_(code), places_(places.words), names_(names), assembly_(assembly) {}
 
     /// Writes a part, which goes on to a label; subroutines of its axes come behind it.
     void write(const Part& part, const std::string& next) {
@@ -61,11 +114,11 @@ class Writer {
         }
     }
 
-    std::map<std::string, std::string> words() const {
-        std::map<std::string, std::string> words;
+    CurveWords words() {
+        CurveWords words;
         for (std::size_t value = 0; value < places_.size(); ++value) {
-            if (!places_[value].word.empty()) {
-                words[code_.values[value].name] = places_[value].word;
+            if (!places_[value].word.empty() || places_[value].slot >= 0) {
+                words[code_.values[value].name] = word(places_[value]).name;
             }
         }
         return words;
@@ -98,130 +151,74 @@ class Writer {
     Field field(int value) {
         const Value& of = code_.values[static_cast<std::size_t>(value)];
         const WordPlace& place = places_[static_cast<std::size_t>(value)];
-        if (place.word.empty() && !of.constant && !of.wide) {
-            return {};
-        }
-        Field made = of.constant       ? assembly_.constant(*of.constant)
-                     : of.wide         ? assembly_.wide(of.name)
-                     : place.auxiliary ? assembly_.auxiliary_word(place.word)
-                     : place.of_axis   ? assembly_.axis_word(place.word)
-                                       : assembly_.word(place.word);
+        Field made = of.constant ? assembly_.constant(*of.constant)
+                     : of.wide   ? assembly_.wide(of.name)
+                                 : word(place);
         made.name = of.name;
         return made;
     }
 
+    Field word(const WordPlace& place) {
+        if (place.slot >= 0) {
+            return place.of_axis ? names_.of_axis(place.slot, assembly_)
+                                 : names_.shared(place.slot, assembly_);
+        }
+        return place.auxiliary ? assembly_.auxiliary_word(place.word)
+               : place.of_axis ? assembly_.axis_word(place.word)
+                               : assembly_.word(place.word);
+    }
+
     CurveCode& code_;
-    std::vector<WordPlace> places_;
+    const std::vector<WordPlace>& places_;
+    const SlotNames& names_;
     Assembly& assembly_;
-};
-
-bool reads(CurveCode& code, const char* word) {
-    for (const Part* part : code.parts()) {
-        for (const Block& block : part->blocks) {
-            for (const Step& step : block.steps) {
-                for (const Use& use : {step.a, step.b}) {
-                    if (use.is_value() &&
-                        code.values[static_cast<std::size_t>(use.value)].name == word) {
-                        return true;
-                    }
-                }
-            }
-        }
-    }
-    return false;
-}
-
-/// Powers of two of k and s, a step for each of them: at most 27 of both together.
-class ScaleWords {
-  public:
-    ScaleWords(Assembly& assembly, CurveCode& code) : assembly_(assembly), code_(code) {}
-
-    void make(const FineScale& scale) {
-        const Field to_tau = assembly_.word(scale_word::kToTau);
-        const Field to_fine = assembly_.word(scale_word::kToFine);
-        start(to_tau, hls::kMaxStepExponent, "2^(27-k), halved k times");
-        start(to_fine, scale.fine, "2^(fine+k), doubled k times");
-        times("k", [&] {
-            halve(to_tau, 1);
-            assembly_.add(to_fine, to_fine, to_fine);
-        });
-        const bool down = reads(code_, scale_word::kDown) || reads(code_, scale_word::kDownTwice);
-        const bool place = reads(code_, scale_word::kPlaceToFine);
-        if (!down && !place) {
-            return;
-        }
-        const Field once = assembly_.word(scale_word::kDown);
-        const Field twice = assembly_.word(scale_word::kDownTwice);
-        const Field lambda = assembly_.word(scale_word::kPlaceToFine);
-        start(once, 44, "2^(44-s), halved s times");
-        start(twice, 44, "2^(44-2s), quartered s times");
-        from("2^(fine+lambda), doubled s times");
-        assembly_.copy(lambda, to_fine);
-        times("s", [&] {
-            halve(once, 1);
-            halve(twice, 2);
-            assembly_.add(lambda, lambda, lambda);
-        });
-    }
-
-  private:
-    void from(const std::string& text) { assembly_.from({"", 0, text}); }
-
-    void start(const Field& word, int exponent, const std::string& text) {
-        constexpr int kMostOfProduct = 43;
-        from(text);
-        assembly_.put(Op::kMull, word, assembly_.constant(1),
-                      assembly_.power(std::min(exponent, kMostOfProduct)));
-        if (exponent > kMostOfProduct) {
-            assembly_.add(word, word, word);
-        }
-    }
-
-    void halve(const Field& word, int times) {
-        assembly_.put(Op::kMulr, word, word, assembly_.power(45 - times), true);
-    }
-
-    /// Writes a body for as many times as a word says.
-    template <class Body>
-    void times(const std::string& name, Body&& body) {
-        const Field count = assembly_.word("count");
-        const std::string past = code_.name + " past " + name;
-        from("count = " + name);
-        assembly_.copy(count, assembly_.word(name));
-        assembly_.loop();
-        from("once less");
-        assembly_.put(Op::kSub, count, count, assembly_.constant(1), false, 1);
-        assembly_.branch(past, engine::kNegative);
-        body();
-        from("and again");
-        assembly_.repeat(hls::kMaxStepExponent, engine::kNot | engine::kNever);
-        assembly_.label(past);
-    }
-
-    Assembly& assembly_;
-    CurveCode& code_;
 };
 
 }  // namespace
 
-std::map<std::string, std::string> assemble_curve(const ref::CurveTable& table,
-                                                  const ref::CoreParameters& core,
-                                                  Assembly& assembly, const std::string& after_step,
-                                                  const std::string& after_sample) {
-    CurveCode code = lower(table, core);
-    drop_unread(code);
-    fuse_products(code);
-    Writer writer(code, assembly);
-    assembly.label(table.name + " load");
-    ScaleWords(assembly, code).make(fine_scale(core));
-    writer.write(code.load, table.name + " open");
-    assembly.label(table.name + " step");
-    writer.write_ahead(code.next, table.name + " open");
-    assembly.label(table.name + " open");
-    writer.write(code.open, after_step);
-    assembly.label(table.name + " sample");
-    writer.write(code.sample, after_sample);
-    return writer.words();
+std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tables,
+                                        const ref::CoreParameters& core, Assembly& assembly,
+                                        const std::string& after_step,
+                                        const std::string& after_sample) {
+    std::vector<CurveCode> codes;
+    for (const ref::CurveTable& table : tables) {
+        codes.push_back(lower(table, core));
+        drop_unread(codes.back());
+        fuse_products(codes.back());
+    }
+    std::vector<WordPlaces> places;
+    places.reserve(codes.size());
+    for (CurveCode& code : codes) {
+        places.push_back(place_words(code, reads_scales(code) ? kScaleSlots : 0));
+    }
+    const SlotNames names(places);
+    std::vector<CurveWords> words;
+    for (std::size_t kind = codes.size(); kind-- > 0;) {
+        const std::string& name = codes[kind].name;
+        Writer writer(codes[kind], places[kind], names, assembly);
+        const auto begin = [&](const char* what) {
+            if (kind == 0) {
+                assembly.label(what);
+                for (std::size_t other = 1; other < codes.size(); ++other) {
+                    assembly.from({"", 0, "test kind: " + codes[other].name});
+                    assembly.put(Op::kAdd, Assembly::zero(), assembly.word("kind"),
+                                 Assembly::zero(), false, 1);
+                    assembly.branch(codes[other].name + "_" + what, engine::kNegative);
+                }
+            }
+            assembly.label(name + "_" + what);
+        };
+        begin("load");
+        writer.write(codes[kind].load, name + "_open");
+        begin("step");
+        writer.write_ahead(codes[kind].next, name + "_open");
+        assembly.label(name + "_open");
+        writer.write(codes[kind].open, after_step);
+        begin("sample");
+        writer.write(codes[kind].sample, after_sample);
+        words.insert(words.begin(), writer.words());
+    }
+    return words;
 }
 
 }  // namespace curvecore::assembler

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// A curve's table as programs of the engine: `NAME load` opens a segment, `NAME step` goes on to
-// the next step, `NAME sample` draws one.
+// Tables of curves as programs of the engine: `load` opens a segment, `step` goes on to the next
+// step, `sample` draws one; of a curve alone NAME_load, NAME_step, NAME_sample.
 //
-// A segment's words are there before: theta, tangent[k], normal[k], advance[k], start[k] by the
-// names of hls/words.hpp, of auxiliary axes advance[3] and start[3] on; and `k`, `s`, whose powers
-// of two load makes. A sample reads `sigma` and writes fine[k], fine[3] ..
+// A segment's words are there before: `kind`, 0 of the first curve, negative of the second; theta,
+// tangent[k], normal[k], advance[k], start[k] by the names of hls/words.hpp, of auxiliary axes
+// advance[3] and start[3] on; and its scales, of load on: tau_scale = 2^(27-k), fine_scale =
+// 2^(fine+k), place_scale = 2^(fine+lambda), step_scale = 2^(44-s), s = lambda - k. A sample reads
+// `sigma` and writes fine[k], fine[3] .., which a step and a load destroy.
 #pragma once
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "ref/curves/curve_table.hpp"
 #include "ref/format/parameters.hpp"
@@ -16,12 +19,14 @@
 
 namespace curvecore::assembler {
 
-/// Adds the programs; behind load and step they go on at `after_step`, behind a sample at
-/// `after_sample`. Returns the word of each value that is kept, by its name.
-/// @throws AssemblyError
-std::map<std::string, std::string> assemble_curve(const ref::CurveTable& table,
-                                                  const ref::CoreParameters& core,
-                                                  Assembly& assembly, const std::string& after_step,
-                                                  const std::string& after_sample);
+/// The word of each value of a curve, by the value's name.
+using CurveWords = std::map<std::string, std::string>;
+
+/// Adds the programs of curves; behind load and step they go on at `after_step`, behind a sample at
+/// `after_sample`. They keep no link. @throws AssemblyError
+std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tables,
+                                        const ref::CoreParameters& core, Assembly& assembly,
+                                        const std::string& after_step,
+                                        const std::string& after_sample);
 
 }  // namespace curvecore::assembler

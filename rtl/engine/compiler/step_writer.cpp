@@ -51,7 +51,7 @@ int StepWriter::temporary(bool of_axis) {
 }
 
 int StepWriter::wide(const std::string& name) {
-    const int made = value(part_ == &code_.sample ? name + " of a sample" : name, false);
+    const int made = value(name, false);
     code_.values[static_cast<std::size_t>(made)].wide = true;
     return made;
 }

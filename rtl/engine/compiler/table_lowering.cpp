@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hls/configuration.hpp"
 #include "hls/fixed_word.hpp"
 #include "ref/curves/order_demand.hpp"
 #include "rtl/engine/compiler/line_lowering.hpp"
@@ -16,7 +17,7 @@ using ref::TableLine;
 using ref::TableTerm;
 
 FineScale fine_scale(const ref::CoreParameters& core) {
-    constexpr int kMostFine = 17;  // 2^(fine + 27) is a word
+    constexpr int kMostFine = hls::kPathFrac;  // a step's length is 2^(kPathFrac + k)
     const int fine = 47 + core.guard_bits - core.coef_bits;
     return fine > kMostFine ? FineScale{fine - kMostFine, kMostFine} : FineScale{0, fine};
 }
@@ -87,9 +88,13 @@ class Lowering {
                 writer_.fix(word);
             }
         }
-        for (const char* name : {scale_word::kToTau, scale_word::kToFine, scale_word::kPlaceToFine,
-                                 scale_word::kDown, scale_word::kDownTwice}) {
-            writer_.fix(writer_.value(name, false, name));
+        const std::pair<const char*, const char*> scales[] = {
+            {scale_word::kToTau, "tau_scale"},
+            {scale_word::kToFine, "fine_scale"},
+            {scale_word::kPlaceToFine, "place_scale"},
+            {scale_word::kDown, "step_scale"}};
+        for (const auto& [name, word] : scales) {
+            writer_.fix(writer_.value(name, false, word));
         }
         writer_.fix(writer_.value("start[k]", true, "start[k]"));
         writer_.value("origin[k]", true, "origin[k]");
@@ -104,6 +109,7 @@ class Lowering {
     /// Rows that are fixed in the segment, and what a segment begins with.
     void load() {
         writer_.begin(code_.load);
+        down_twice();
         writer_.from({table_.file, 0, "origins"});
         for (int axis = kAxesBeforeOthers; axis < core_.axes(); ++axis) {
             copy(auxiliary("origin", axis), auxiliary("start", axis));
@@ -124,6 +130,17 @@ class Lowering {
         }
         lines("anchor", true);
         orders(true);
+    }
+
+    /// (2^(44-s))^2 / 2^45, doubled.
+    void down_twice() {
+        writer_.from({table_.file, 0, scale_word::kDownTwice});
+        const int down = writer_.value(scale_word::kDown, false);
+        const int half = writer_.temporary(false);
+        const int twice = writer_.value(scale_word::kDownTwice, false);
+        writer_.share(Op::kMulr, half, {down}, {down}, true);
+        writer_.share(Op::kAdd, twice, {half}, {half});
+        writer_.fix(twice);
     }
 
     void next() {

@@ -13,12 +13,13 @@
 
 namespace curvecore::assembler {
 
-/// Words that the steps take from their segment, besides those of the bus: made by scale_words().
+/// Values that the steps take from their segment, besides those of the bus. All but the last are
+/// words by the names beside them.
 namespace scale_word {
-constexpr char kToTau[] = "2^(27-k)";
-constexpr char kToFine[] = "2^(fine+k)";
-constexpr char kPlaceToFine[] = "2^(fine+lambda)";
-constexpr char kDown[] = "2^(44-s)";
+constexpr char kToTau[] = "2^(27-k)";               // tau_scale
+constexpr char kToFine[] = "2^(fine+k)";            // fine_scale
+constexpr char kPlaceToFine[] = "2^(fine+lambda)";  // place_scale
+constexpr char kDown[] = "2^(44-s)";                // step_scale
 constexpr char kDownTwice[] = "2^(44-2s)";
 }  // namespace scale_word
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rtl/engine/compiler/word_places.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace curvecore::assembler {
@@ -19,13 +17,13 @@ struct Span {
 
 class Places {
   public:
-    explicit Places(CurveCode& code)
-        : code_(code),
-          places_(code.values.size()),
-          kept_(code.values.size()),
-          written_(code.values.size()) {}
+    Places(CurveCode& code, int first)
+        : code_(code), kept_(code.values.size()), written_(code.values.size()) {
+        places_.words.resize(code.values.size());
+        places_.shared.kept = first;
+    }
 
-    std::vector<WordPlace> made() {
+    WordPlaces made() {
         for (Part* part : code_.parts()) {
             spans_.push_back(spans(*part));
         }
@@ -38,18 +36,19 @@ class Places {
                 kept_[value] = true;
             } else if (!of.word.empty()) {
                 kept_[value] = true;
-                places_[value] = {of.word, of.of_axis, of.auxiliary};
+                places_.words[value] = {of.word, -1, of.of_axis, of.auxiliary};
             } else if (read_first(value)) {
                 kept_[value] = true;
-                int& next = of.of_axis ? axis_ : shared_;
-                places_[value] = {fmt::format(of.of_axis ? "axis {}[k]" : "shared {}", next++),
-                                  of.of_axis, false};
+                int& next = (of.of_axis ? places_.of_axis : places_.shared).kept;
+                places_.words[value] = {"", next++, of.of_axis, false};
             }
+        }
+        for (SlotCount* const count : {&places_.shared, &places_.of_axis}) {
+            count->all = count->of_sample = count->kept;
         }
         const auto parts = code_.parts();
         for (std::size_t part = 0; part < parts.size(); ++part) {
-            const bool sample = parts[part] == &code_.sample;
-            share(*parts[part], spans_[part], sample);
+            share(*parts[part], spans_[part]);
         }
         return std::move(places_);
     }
@@ -93,7 +92,7 @@ class Places {
     }
 
     /// Gives words to what one part alone uses.
-    void share(const Part& part, const std::vector<Span>& spans, bool sample) {
+    void share(const Part& part, const std::vector<Span>& spans) {
         std::vector<int> ends;  // of blocks
         for (const Block& block : part.blocks) {
             ends.push_back((ends.empty() ? 0 : ends.back()) + static_cast<int>(block.steps.size()));
@@ -136,23 +135,25 @@ class Places {
                 word = words.end() - 1;
             }
             *word = need.last;
-            places_[need.value] = {fmt::format(need.of_axis ? "axis {} {}[k]" : "{} {}",
-                                               sample ? "sample" : "step", word - words.begin()),
-                                   need.of_axis, false};
+            SlotCount& count = need.of_axis ? places_.of_axis : places_.shared;
+            const int slot = count.kept + static_cast<int>(word - words.begin());
+            count.all = std::max(count.all, slot + 1);
+            if (&part == &code_.sample) {
+                count.of_sample = std::max(count.of_sample, slot + 1);
+            }
+            places_.words[need.value] = {"", slot, need.of_axis, false};
         }
     }
 
     CurveCode& code_;
     std::vector<std::vector<Span>> spans_;  // by part and value
-    std::vector<WordPlace> places_;
+    WordPlaces places_;
     std::vector<bool> kept_;
     std::vector<bool> written_;
-    int shared_ = 0;
-    int axis_ = 0;
 };
 
 }  // namespace
 
-std::vector<WordPlace> place_words(CurveCode& code) { return Places(code).made(); }
+WordPlaces place_words(CurveCode& code, int first) { return Places(code, first).made(); }
 
 }  // namespace curvecore::assembler

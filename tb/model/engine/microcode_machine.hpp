@@ -16,6 +16,7 @@
 #include "hls/engine.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
+#include "rtl/engine/compiler/table_lowering.hpp"
 #include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::tb {
@@ -77,7 +78,7 @@ class MicrocodeMachine {
     MicrocodeMachine(const assembler::Assembly& assembly, std::vector<std::uint32_t> program)
         : assembly_(assembly),
           dispatched_(static_cast<int>(assembly.labels().at("dispatched"))),
-          engine_(std::move(program), assembly.memory()) {}
+          engine_(std::move(program), memory_of(assembly)) {}
     explicit MicrocodeMachine(const assembler::Assembly& assembly)
         : MicrocodeMachine(assembly, assembly.program()) {}
 
@@ -104,6 +105,15 @@ class MicrocodeMachine {
         const std::int16_t* limbs = at(word, axis);
         return limbs[0] + limbs[1] * (std::int64_t{1} << 15) + limbs[2] * (std::int64_t{1} << 30);
     }
+    /// Returns a wide word modulo 2^64.
+    std::uint64_t get_wide(const std::string& word) {
+        const std::int16_t* limbs = at(word, 0);
+        std::uint64_t sum = 0;
+        for (int limb = 5; limb-- > 0;) {
+            sum = (sum << engine::kLimbBits) + static_cast<std::uint64_t>(limbs[limb]);
+        }
+        return sum;
+    }
     bool hazard() const { return engine_.hazard(); }
 
     /// The board that the programs find.
@@ -123,6 +133,27 @@ class MicrocodeMachine {
             ports.out(port, limb, value);
         }
     };
+
+    /// The data at first; what stands in words that have no name is not 0.
+    static std::vector<std::int16_t> memory_of(const assembler::Assembly& assembly) {
+        constexpr std::int16_t kAnything = 0x2aaa;
+        std::vector<std::int16_t> memory = assembly.memory();
+        std::vector<bool> named(memory.size());
+        const auto name = [&](int place, int words) {
+            std::fill_n(named.begin() + std::ptrdiff_t{engine::kWordLimbs} * place,
+                        std::ptrdiff_t{engine::kWordLimbs} * words, true);
+        };
+        name(0, engine::kConstantWords);
+        for (const auto& [place, datum] : assembly.data()) {
+            for (int axis = 0; axis < assembler::kAxes; ++axis) {
+                name(assembly.place(datum.name, axis), datum.words);
+            }
+        }
+        for (std::size_t limb = 0; limb < memory.size(); ++limb) {
+            if (!named[limb]) memory[limb] = kAnything;
+        }
+        return memory;
+    }
 
     std::int16_t* at(const std::string& word, int axis) {
         return &engine_.memory()[static_cast<std::size_t>(engine::kWordLimbs *
@@ -152,8 +183,8 @@ inline CurveMicrocode curve_microcode(const CurveCase& of, const assembler::Stor
         ref::read_curve_table(std::string(CURVES_DIR) + (of.spline ? "/spline.net" : "/arc.net"));
     CurveMicrocode made{assembler::Assembly(size), {}};
     MicrocodeMachine::dispatch(
-        made.assembly, {table.name + " load", table.name + " step", table.name + " sample"});
-    made.words = assemble_curve(table, of.core, made.assembly, "idle", "idle");
+        made.assembly, {table.name + "_load", table.name + "_step", table.name + "_sample"});
+    made.words = assemble_curves({table}, of.core, made.assembly, "idle", "idle").front();
     made.assembly.finish();
     return made;
 }
@@ -286,8 +317,14 @@ class CurveComparison {
 
     void load(const sysc::RunSegment& words) {
         machine_.set("theta", words.theta);
-        machine_.set("k", words.step_exponent);
-        if (of_.spline) machine_.set("s", words.lambda - words.step_exponent);
+        const int fine = assembler::fine_scale(of_.core).fine;
+        machine_.set("tau_scale", std::int64_t{1} << (hls::kMaxStepExponent - words.step_exponent));
+        machine_.set("fine_scale", std::int64_t{1} << (fine + words.step_exponent));
+        if (of_.spline) {
+            machine_.set("place_scale", std::int64_t{1} << (fine + words.lambda));
+            machine_.set("step_scale",
+                         std::int64_t{1} << (44 - words.lambda + words.step_exponent));
+        }
         for (int axis = 0; axis < of_.core.axes(); ++axis) {
             const int page = axis < 3 ? axis : 0;
             machine_.set("start" + row(axis), words.start[axis], page);

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ inline std::uint32_t meaning(const engine::Instruction& i) {
     if ((i.f0 & engine::kReturn) != 0 && engine::is_branch(i.op)) return 0x500000;
     if (engine::is_branch(i.op)) return (always ? 0x500000 : 0x5f0000) | 0x1ff;
     if (i.op == engine::Op::kOut) return kF0 | 0x100;
+    if (i.op == engine::Op::kIn) return 0x1f0000 | (kF2 & ~(i.f2 >= engine::kX ? kPageBit : 0));
     std::uint32_t bits = kF2 & ~(i.f2 >= engine::kX              ? kPageBit
                                  : i.f2 < engine::kConstantWords ? 7
                                                                  : 0);
@@ -54,13 +56,19 @@ struct MutantShare {
 };
 
 /// Runs every deletion in microcode from a place on, and every `each`th of the other mutants;
-/// differs(program) says whether one is seen. What does not end is.
+/// differs(program) says whether one is seen. What does not end is. `meant` tells the sources whose
+/// instructions are changed.
 template <class Differs>
-MutantShare seen_mutants(const assembler::Assembly& assembly, std::size_t each, Differs&& differs) {
+MutantShare seen_mutants(
+    const assembler::Assembly& assembly, std::size_t each, Differs&& differs,
+    const std::function<bool(const std::string& file)>& meant = [](const std::string&) {
+        return true;
+    }) {
     const std::vector<assembler::Placed>& placed = assembly.placed();
     MutantShare share;
     std::size_t count = 0;
     for (std::size_t n = assembly.labels().at("dispatched"); n < placed.size(); ++n) {
+        if (!meant(placed[n].source.file)) continue;
         const std::vector<std::uint32_t> words = mutants(placed[n].instruction);
         for (std::size_t mutant = 0; mutant < words.size(); ++mutant) {
             if (mutant > 0 && count++ % each != 0) continue;

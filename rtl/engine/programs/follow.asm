@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+# A stream of segments, followed along the path: hls/interpolator_kernel.hpp.
+#
+#   follow   goes on by path_ds, which is 0 then, and draws fine[k], fine[3] .. there. Where the path
+#            leads into a segment that is not queued, `waits` is 1 and nothing is drawn: it is called
+#            again, until `waits` is 0.
+#
+# load, step and sample are those of the curves (rtl/engine/compiler/curve_assembler.hpp); load and
+# step go on at `measure`, sample at `drawn`, fetch_segment (segment.asm) at load.
+
+word path_ds
+word waits
+word sigma = 0, 4 limbs    # offset into the present step
+word rest = 0              # from the present step's start to the segment's end; 0: there is none
+word step_length = 0       # of the present step
+word fine_scale segments follow_link
+axis fine[k] end[k]
+
+follow:
+  follow_link = port link, 1 limb
+  waits = 0, 1 limb
+  sigma = sigma + path_ds, 4 limbs
+  path_ds = 0
+in_step:
+  test sigma - step_length, 4 limbs
+  if negative go to sample
+  if not zero go to beyond
+  test rest - step_length
+  if not zero go to beyond               # the end of the step, and not of the segment
+  test rest + 0
+  if not zero go to land
+beyond:
+  sigma = sigma - step_length, 4 limbs
+  rest = rest - step_length
+  if not zero go to step
+  step_length = 0
+open:
+  test segments + 0, 1 limb
+  if not zero go to fetch_segment
+  waits = 0 + 1, 1 limb
+drawn:
+  port link = follow_link, 1 limb
+  return
+
+measure:
+  step_length = fine_scale * 2^step_lift  # 2^(16+k)
+  test rest - step_length
+  if not negative go to in_step
+  step_length = rest
+  go to in_step
+
+land:
+  call land_auxiliary
+  for each axis call land_axis
+  go to drawn
+land_axis:
+  fine[k] = end[k]
+  return

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+# The next segment of the queue, hls/words.hpp, of which a whole one is there.
+#
+#   fetch_segment   its words become those of the segment under way; goes on at load, or at open if
+#                   it has no length
+#
+# Words in the queue have passed hls/word_entry.hpp: fields are sign-extended to 36 and 44 bits. The
+# queue holds whole frames from segment_begin to segment_end.
+
+word segments = 0          # whole ones in the queue, words in it, where the next one begins
+word segment_words = 0
+word segment_take = segment_begin
+word empty_segments = 0    # without length: consumed
+word rest kind theta tau_scale fine_scale place_scale step_scale
+axis start[k] end[k] tangent[k] normal[k] advance[k]
+local place lambda k
+
+fetch_segment:
+  segments = segments - 1, 1 limb
+  segment_words = segment_words - frame_words, 1 limb
+  place = segment_take
+  segment_take = segment_take + frame_entries, 2 limbs
+  test segment_take - segment_end, 2 limbs
+  if not zero go to at_hand
+  segment_take = segment_begin
+at_hand:
+  port address = place, 2 limbs
+  rest = port memory
+  rest = rest - 2^44                     # the tag's lower bits, 1
+  if zero go to empty
+  theta = port memory
+  kind = theta * 2^8                     # its sign is bit 36
+  kind = floor(kind * 2^1 >> 45), 1 limb
+  k = floor(theta * 2^7 >> 45), 1 limb   # the tag's lower bits, -2; last; k of 5 bits
+  k = k + 2^7, 1 limb
+  test k - 2^5, 1 limb
+  if negative go to not_last
+  k = k - 2^5, 1 limb
+not_last:
+  theta = theta * 2^9
+  theta = floor(theta * 2^36 >> 45)
+  for each axis call fetch_axis
+  call fetch_auxiliary
+  place = place + 2^4                    # lambda: bits 41:36 of X's normal, the sixth word
+  place = place - 1
+  port address = place, 2 limbs
+  lambda = port memory
+  lambda = lambda * 2^3
+  lambda = floor(lambda * 2^6 >> 45), 1 limb
+  lambda = lambda - k, 1 limb
+
+  tau_scale = 0 + 2^27                   # 2^(27-k), 2^(fine+k): by 2^4, then by 2
+  fine_scale = 0 + 2^fine_exponent
+  loop
+    k = k - 2^2, 1 limb
+    if negative go to by_two
+    tau_scale = floor(tau_scale * 2^41 >> 45)
+    fine_scale = fine_scale * 2^4
+  repeat 6 times
+by_two:
+  k = k + 2^2, 1 limb
+  loop
+    k = k - 1, 1 limb
+    if negative go to of_step
+    tau_scale = floor(tau_scale * 2^44 >> 45)
+    fine_scale = fine_scale + fine_scale
+  repeat 3 times
+of_step:
+  step_scale = 0 + 2^44                  # 2^(44-s), 2^(fine+lambda), s = lambda - k
+  place_scale = fine_scale
+  loop
+    lambda = lambda - 1, 1 limb
+    if negative go to load
+    step_scale = floor(step_scale * 2^44 >> 45)
+    place_scale = place_scale + place_scale
+  repeat 27 times
+
+fetch_axis:
+  start[k] = port memory
+  start[k] = start[k] * 2^1
+  start[k] = floor(start[k] * 2^44 >> 45)
+  end[k] = port memory
+  end[k] = end[k] * 2^1
+  end[k] = floor(end[k] * 2^44 >> 45)
+  tangent[k] = port memory
+  tangent[k] = tangent[k] * 2^9
+  tangent[k] = floor(tangent[k] * 2^36 >> 45)
+  normal[k] = port memory
+  normal[k] = normal[k] * 2^9
+  normal[k] = floor(normal[k] * 2^36 >> 45)
+  advance[k] = port memory
+  advance[k] = advance[k] * 2^9
+  advance[k] = floor(advance[k] * 2^36 >> 45)
+  return
+
+empty:
+  empty_segments = empty_segments + 1
+  go to open

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Configurations that microcode of curves is tested in: those of tb/configurations.csv.
+#pragma once
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tb/model/engine/microcode_machine.hpp"
+
+namespace curvecore::tb {
+
+/// The configurations of the table, as far as this build has them: anchored, without guard bits.
+inline std::vector<CurveCase> configurations() {
+    std::ifstream table(std::string(DATA_DIR) + "/../configurations.csv");
+    std::vector<CurveCase> cases;
+    std::set<std::string> seen;
+    std::string line;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+        CurveCase one;
+        one.core.order = std::stoi(cells[3]);
+        one.core.coef_bits = std::stoi(cells[4]);
+        one.core.position_bits = std::stoi(cells[5]);
+        one.core.guard_bits = std::stoi(cells[6]);
+        one.core.aux_axes = std::stoi(cells[7]);
+        one.core.mode = std::stoi(cells[9]);
+        for (const bool spline : {false, true}) {
+            one.spline = spline;
+            if (spline && cells[0].find("spherical") == 0) continue;
+            if (!spline && cells[0].find("spline") == 0) continue;
+            std::string key = spline ? "s" : "a";
+            for (std::size_t n = 3; n <= 9; ++n) key += n == 8 ? "" : "," + cells[n];
+            if (seen.insert(key).second) cases.push_back(one);
+        }
+    }
+    return cases;
+}
+
+inline std::string text(const CurveCase& of) {
+    std::ostringstream out;
+    out << (of.spline ? "spline" : "arc") << " Order " << of.core.order << " CoefBits "
+        << of.core.coef_bits << " PositionBits " << of.core.position_bits << " GuardBits "
+        << of.core.guard_bits << " AuxAxes " << of.core.aux_axes << " Mode " << of.core.mode;
+    return out.str();
+}
+
+/// The store of all configurations; that of Order 6 is 256 words of data, a page for an axis.
+constexpr assembler::StoreSize kLargeStore{4096, 512, 2};
+
+}  // namespace curvecore::tb
