@@ -198,7 +198,7 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
         Writer writer(codes[kind], places[kind], names, assembly);
         const auto begin = [&](const char* what) {
             if (kind == 0) {
-                assembly.label(what);
+                assembly.label(std::string("curve_") + what);
                 for (std::size_t other = 1; other < codes.size(); ++other) {
                     assembly.from({"", 0, "test kind: " + codes[other].name});
                     assembly.put(Op::kAdd, Assembly::zero(), assembly.word("kind"),

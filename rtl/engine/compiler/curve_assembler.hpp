@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of curves as programs of the engine: `load` opens a segment, `step` goes on to the next
-// step, `sample` draws one; of a curve alone NAME_load, NAME_step, NAME_sample.
+// Tables of curves as programs of the engine: `curve_load` opens a segment, `curve_step` goes on to
+// the next step, `curve_sample` draws one; of a curve alone NAME_load, NAME_step, NAME_sample.
 //
 // A segment's words are there before: `kind`, 0 of the first curve, negative of the second; theta,
 // tangent[k], normal[k], advance[k], start[k] by the names of hls/words.hpp, of auxiliary axes

@@ -15,7 +15,7 @@ namespace {
 using engine::Op;
 
 constexpr int kFirstAuxiliary = 3;
-constexpr int kEntries = 3;  // of the memory, for a word
+constexpr int kEntries = 3;  // of the memory, for a queued word
 
 /// Auxiliary axes of a segment: their words from the memory, and their ends as fine positions.
 class AuxiliaryAxes {
@@ -75,10 +75,16 @@ void assemble_follow(const std::string& programs, const std::vector<ref::CurveTa
     assembly.define("step_lift", hls::kPathFrac - fine);
     assembly.define("frame_words", words);
     assembly.define("frame_entries", kEntries * words);
+    if ((*assembly.defined("segment_end") - *assembly.defined("segment_begin")) %
+            (kEntries * words) !=
+        0) {
+        throw AssemblyError(
+            fmt::format("segment.asm: error: the queue holds whole segments, of {} words", words));
+    }
     assemble_source(programs + "/follow.asm", assembly);
     assemble_source(programs + "/segment.asm", assembly);
     AuxiliaryAxes(core, assembly).write();
-    assemble_curves(tables, core, assembly, "measure", "drawn");
+    assemble_curves(tables, core, assembly, "measure_step", "drawn");
 }
 
 }  // namespace curvecore::assembler

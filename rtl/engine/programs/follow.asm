@@ -5,13 +5,13 @@
 #            leads into a segment that is not queued, `waits` is 1 and nothing is drawn: it is called
 #            again, until `waits` is 0.
 #
-# load, step and sample are those of the curves (rtl/engine/compiler/curve_assembler.hpp); load and
-# step go on at `measure`, sample at `drawn`, fetch_segment (segment.asm) at load.
+# curve_load, curve_step and curve_sample (rtl/engine/compiler/curve_assembler.hpp) go on at
+# measure_step, the sample at drawn; fetch_segment (segment.asm) at curve_load.
 
 word path_ds
 word waits
 word sigma = 0, 4 limbs    # offset into the present step
-word rest = 0              # from the present step's start to the segment's end; 0: there is none
+word segment_rest = 0      # from the step's start to the segment's end; 0: there is none
 word step_length = 0       # of the present step
 word fine_scale segments follow_link
 axis fine[k] end[k]
@@ -23,18 +23,18 @@ follow:
   path_ds = 0
 in_step:
   test sigma - step_length, 4 limbs
-  if negative go to sample
-  if not zero go to beyond
-  test rest - step_length
-  if not zero go to beyond               # the end of the step, and not of the segment
-  test rest + 0
+  if negative go to curve_sample
+  if not zero go to leave_step
+  test segment_rest - step_length
+  if not zero go to leave_step           # the end of the step, and not of the segment
+  test segment_rest + 0
   if not zero go to land
-beyond:
+leave_step:
   sigma = sigma - step_length, 4 limbs
-  rest = rest - step_length
-  if not zero go to step
+  segment_rest = segment_rest - step_length
+  if not zero go to curve_step
   step_length = 0
-open:
+open_segment:
   test segments + 0, 1 limb
   if not zero go to fetch_segment
   waits = 0 + 1, 1 limb
@@ -42,11 +42,11 @@ drawn:
   port link = follow_link, 1 limb
   return
 
-measure:
-  step_length = fine_scale * 2^step_lift  # 2^(16+k)
-  test rest - step_length
+measure_step:
+  step_length = fine_scale * 2^step_lift   # 2^(16+k)
+  test segment_rest - step_length
   if not negative go to in_step
-  step_length = rest
+  step_length = segment_rest
   go to in_step
 
 land:

@@ -1,42 +1,42 @@
 # SPDX-License-Identifier: Apache-2.0
 # The next segment of the queue, hls/words.hpp, of which a whole one is there.
 #
-#   fetch_segment   its words become those of the segment under way; goes on at load, or at open if
-#                   it has no length
+#   fetch_segment   its words become those of the segment under way; goes on at curve_load, or at
+#                   open_segment if it has no length
 #
 # Words in the queue have passed hls/word_entry.hpp: fields are sign-extended to 36 and 44 bits. The
 # queue holds whole frames from segment_begin to segment_end.
 
-word segments = 0          # whole ones in the queue, words in it, where the next one begins
-word segment_words = 0
-word segment_take = segment_begin
-word empty_segments = 0    # without length: consumed
-word rest kind theta tau_scale fine_scale place_scale step_scale
+word segments segment_words             # whole ones in the queue, words in it: words.asm
+word segment_take = segment_begin, 2 limbs
+word empty_segments = 0                 # without length: consumed
+word segment_rest kind theta tau_scale fine_scale place_scale step_scale
 axis start[k] end[k] tangent[k] normal[k] advance[k]
 local place lambda k
 
 fetch_segment:
   segments = segments - 1, 1 limb
-  segment_words = segment_words - frame_words, 1 limb
+  segment_words = segment_words - frame_words, 2 limbs
+  port leaves = frame_words, 1 limb
   place = segment_take
   segment_take = segment_take + frame_entries, 2 limbs
   test segment_take - segment_end, 2 limbs
-  if not zero go to at_hand
+  if not zero go to segment_at_hand
   segment_take = segment_begin
-at_hand:
+segment_at_hand:
   port address = place, 2 limbs
-  rest = port memory
-  rest = rest - 2^44                     # the tag's lower bits, 1
-  if zero go to empty
+  segment_rest = port memory
+  segment_rest = segment_rest - 2^44     # the tag's lower bits, 1
+  if zero go to no_length
   theta = port memory
   kind = theta * 2^8                     # its sign is bit 36
   kind = floor(kind * 2^1 >> 45), 1 limb
   k = floor(theta * 2^7 >> 45), 1 limb   # the tag's lower bits, -2; last; k of 5 bits
   k = k + 2^7, 1 limb
   test k - 2^5, 1 limb
-  if negative go to not_last
+  if negative go to k_known
   k = k - 2^5, 1 limb
-not_last:
+k_known:
   theta = theta * 2^9
   theta = floor(theta * 2^36 >> 45)
   for each axis call fetch_axis
@@ -53,24 +53,24 @@ not_last:
   fine_scale = 0 + 2^fine_exponent
   loop
     k = k - 2^2, 1 limb
-    if negative go to by_two
+    if negative go to scale_by_two
     tau_scale = floor(tau_scale * 2^41 >> 45)
     fine_scale = fine_scale * 2^4
   repeat 6 times
-by_two:
+scale_by_two:
   k = k + 2^2, 1 limb
   loop
     k = k - 1, 1 limb
-    if negative go to of_step
+    if negative go to scale_step
     tau_scale = floor(tau_scale * 2^44 >> 45)
     fine_scale = fine_scale + fine_scale
   repeat 3 times
-of_step:
+scale_step:
   step_scale = 0 + 2^44                  # 2^(44-s), 2^(fine+lambda), s = lambda - k
   place_scale = fine_scale
   loop
     lambda = lambda - 1, 1 limb
-    if negative go to load
+    if negative go to curve_load
     step_scale = floor(step_scale * 2^44 >> 45)
     place_scale = place_scale + place_scale
   repeat 27 times
@@ -93,6 +93,7 @@ fetch_axis:
   advance[k] = floor(advance[k] * 2^36 >> 45)
   return
 
-empty:
+no_length:
   empty_segments = empty_segments + 1
-  go to open
+  port empties = empty_segments
+  go to open_segment

@@ -22,15 +22,17 @@ constexpr int kCallClocks = 16;  // of call_follow besides follow
 constexpr int kQueueBegin = 40000;
 constexpr int kQueueFrames = 3;
 constexpr int kEntries = 3;
+constexpr int kLeaves = 9;
+constexpr int kEmpties = 30;
 
 assembler::Assembly follow_microcode(const sysc::CoreParameters& core,
-                                     const assembler::StoreSize& size = {}) {
+                                     const assembler::StoreSize& size = {}, int less = 0) {
     assembler::Assembly assembly(size);
     MicrocodeMachine::dispatch(assembly, {"reset", "call_follow"});
     const std::string programs = std::string(RTL_DIR) + "/engine/programs";
     const int frame = kEntries * ref::segment_bus_words(core.aux_axes);
     assembly.define("segment_begin", kQueueBegin);
-    assembly.define("segment_end", kQueueBegin + kQueueFrames * frame);
+    assembly.define("segment_end", kQueueBegin + kQueueFrames * frame + less);
     assemble_source(programs + "/ports.asm", assembly);
     std::vector<ref::CurveTable> tables{
         ref::read_curve_table(std::string(CURVES_DIR) + "/arc.net")};
@@ -56,10 +58,10 @@ struct FollowClocks {
 };
 
 FollowClocks bounds_of(const assembler::Assembly& of) {
-    const int again = worst_case(of, "in_step", {"beyond", "sample", "land"});
-    return {worst_case(of, "follow", {"beyond"}),
-            worst_case(of, "beyond", {"in_step", "open"}) + again,
-            worst_case(of, "beyond", {"in_step", "step", "empty"}) + again};
+    const int again = worst_case(of, "in_step", {"leave_step", "curve_sample", "land"});
+    return {worst_case(of, "follow", {"leave_step"}),
+            worst_case(of, "leave_step", {"in_step", "open_segment"}) + again,
+            worst_case(of, "leave_step", {"in_step", "curve_step", "no_length"}) + again};
 }
 
 /// Samples of both, one after the other.
@@ -77,12 +79,19 @@ class FollowComparison {
           words_of_frame_(ref::segment_bus_words(core.aux_axes)) {
         machine_.ports().memory.assign(
             static_cast<std::size_t>(kQueueBegin + kQueueFrames * kEntries * words_of_frame_), -1);
-        for (const char* word : {"sigma", "rest", "step_length", "segments", "segment_words",
-                                 "segment_take", "empty_segments", "returned"}) {
+        for (const char* word : {"sigma", "segment_rest", "step_length", "segment_take",
+                                 "empty_segments", "returned"}) {
             machine_.set(word, 12345);
         }
         machine_.run(kReset);
+        machine_.set("segments", 0);
+        machine_.set("segment_words", 0);
+        machine_.ports().take = [this](int port, int limb, std::int16_t value) {
+            if (port == kLeaves) left_ += value;
+            if (port == kEmpties && limb == 0) told_empty_ = value;
+        };
     }
+    FollowComparison(const FollowComparison&) = delete;
 
     /// Returns the number of words that differ.
     int sample() {
@@ -110,7 +119,12 @@ class FollowComparison {
         }
         differ += machine_.get("empty_segments") == kernel_.empty_segments() ? 0 : 1;
         differ += machine_.get("segment_words") == queued() * words_of_frame_ ? 0 : 1;
-        words_ += core_.axes() + 4;
+        differ += told_empty_ == kernel_.empty_segments() ? 0 : 1;
+        differ +=
+            left_ + queued() * words_of_frame_ == static_cast<std::int64_t>(put_) * words_of_frame_
+                ? 0
+                : 1;
+        words_ += core_.axes() + 6;
         return differ;
     }
 
@@ -252,6 +266,8 @@ class FollowComparison {
     std::int64_t words_ = 0;
     std::int64_t landings_ = 0;
     std::int64_t calls_ = 0;
+    std::int64_t left_ = 0;  // words that have left the queue, as the board is told
+    std::int64_t told_empty_ = 0;
 };
 
 TEST(FollowMicrocode, EqualsTheKernelInEveryConfiguration) {
@@ -303,6 +319,16 @@ TEST(FollowMicrocode, KeepsItsBounds) {
         EXPECT_GE(most.step, bound.step - 60);
         EXPECT_LE(most.segment, bound.segment);
         EXPECT_GE(most.segment, bound.segment - 800);  // of k = 27 and s = 27 together
+    }
+}
+
+TEST(FollowMicrocode, AQueueOfPartsOfSegmentsIsRefused) {
+    try {
+        follow_microcode({}, {}, -kEntries);
+        ADD_FAILURE() << "it has room for two segments and 16 words";
+    } catch (const assembler::AssemblyError& error) {
+        EXPECT_STREQ(error.what(),
+                     "segment.asm: error: the queue holds whole segments, of 17 words");
     }
 }
 

@@ -105,15 +105,6 @@ class MicrocodeMachine {
         const std::int16_t* limbs = at(word, axis);
         return limbs[0] + limbs[1] * (std::int64_t{1} << 15) + limbs[2] * (std::int64_t{1} << 30);
     }
-    /// Returns a wide word modulo 2^64.
-    std::uint64_t get_wide(const std::string& word) {
-        const std::int16_t* limbs = at(word, 0);
-        std::uint64_t sum = 0;
-        for (int limb = 5; limb-- > 0;) {
-            sum = (sum << engine::kLimbBits) + static_cast<std::uint64_t>(limbs[limb]);
-        }
-        return sum;
-    }
     bool hazard() const { return engine_.hazard(); }
 
     /// The board that the programs find.
