@@ -1,88 +1,94 @@
 # SPDX-License-Identifier: Apache-2.0
 # The path of a program, tick by tick: hls/path_kernel.hpp. Lines: rtl/engine/assembler/source.hpp.
 #
-#   piece   the words of a piece (hls/words.hpp) become those of the next one
-#   tick    time goes on by `rate`, 0 .. 2^16; `increment` is what the path goes on by, quanta
+#   piece   ticks, m and e of the next piece (hls/words.hpp) become what the path needs; next_ds,
+#           next_final, 1 or 0, and next_c1 .. next_c3 are there already: pieces.asm
+#   tick    time goes on by `rate`, 0 .. 2^16, of which `target` is 0 if it is held; `increment` is
+#           what the path goes on by, quanta
+#
+# Where a piece begins, its branch passes: stops.asm.
 
-word rate held increment
-word ticks m e new_ds new_final new_c1 new_c2 new_c3
-word next_end next_ds next_final next_c1 next_c2 next_c3 next_tau next    # next: it is there
-word end ds final c1 c2 c3 to_tau active time walked path start tau d idle count
+word target rate increment
+word ticks m e
+word next_end next_ds next_final next_c1 next_c2 next_c3 next_tau
+word next = 0                              # it is there
+word queued_ticks = 0                      # of the pieces that have not begun,
+word finals = 0, 2 limbs                   # and how many of these are final
+word end ds final c1 c2 c3 to_tau time walked
+word active = 0
+word idle                                  # ticks without a piece, 16 at most: time_begins
 wide next_scale scale
+local path start tau d
 data idle_ticks = 16
 
 piece:
   next_end = ticks * 2^16
-  next_ds = new_ds * 2^0
-  next_final = new_final * 2^0
-  next_c1 = new_c1 * 2^0
-  next_c2 = new_c2 * 2^0
-  next_c3 = new_c3 * 2^0
-  next_tau = 1 * 2^28                       # 2^(28-m): tau = time 2^(19-m) has 35 fraction bits,
-  count = m * 2^0                           # and 2^9 more
-  loop
-    count = count - 1, 1 limb
+  next_tau = 1 * 2^28                      # 2^(28-m): tau = time 2^(19-m) has 35 fraction bits,
+  loop                                     # and 2^9 more
+    m = m - 1, 1 limb
     if negative go to tau_made
     next_tau = floor(next_tau * 2^44 >> 45)
   repeat 19 times
 tau_made:
-  next_scale = 1 * 2^11, 4 limbs            # 2^(11+e): d has 34 fraction bits
-  count = e * 2^0
+  next_scale = 1 * 2^11, 4 limbs           # 2^(11+e): d has 34 fraction bits
   loop
-    count = count - 1, 1 limb
+    e = e - 1, 1 limb
     if negative go to scale_made
     next_scale = next_scale + next_scale, 4 limbs
   repeat 46 times
 scale_made:
-  next = 1 * 2^0
+  next = 1
   return
 
 tick:
-  increment = 0 * 2^0
+  increment = 0
   test active + 0
   if zero go to resting
   time = time + rate
   test time - end
   if negative go to inside
   increment = ds - walked                   # the rest of the piece
-  walked = ds * 2^0
+  walked = ds
   test final + 0
   if not zero go to ended
   test next + 0
   if zero go to waiting
   start = time - end
-  go to begin
+  go to branch_passes
 waiting:
-  time = end * 2^0
+  time = end
   go to count_idle
 ended:
-  active = 0 * 2^0
+  active = 0
   go to count_idle
 resting:
-  test held + 0
-  if not zero go to count_idle
+  test target + 0
+  if zero go to count_idle
   test next + 0
   if zero go to count_idle
-  start = rate * 2^0
-begin:
-  end = next_end * 2^0
-  ds = next_ds * 2^0
-  final = next_final * 2^0
-  c1 = next_c1 * 2^0
-  c2 = next_c2 * 2^0
-  c3 = next_c3 * 2^0
-  to_tau = next_tau * 2^0
+  start = rate
+  go to branch_passes
+piece_begins:
+  queued_ticks = queued_ticks - ticks
+  finals = finals - next_final, 2 limbs
+  end = next_end
+  ds = next_ds
+  final = next_final
+  c1 = next_c1
+  c2 = next_c2
+  c3 = next_c3
+  to_tau = next_tau
   scale = next_scale + 0, 4 limbs
-  next = 0 * 2^0
-  active = 1 * 2^0
-  walked = 0 * 2^0
-  time = start * 2^0
+  next = 0
+  active = 1
+  walked = 0
+  time = start
   test time - end
   if not negative go to beyond
 inside:
   tau = time * to_tau
   tau = tau + tau
-  d = c3 * 2^0
+  d = c3
   d = c2 + (d * tau >> 45)
   d = c1 + (d * tau >> 45)
   d = d * tau >> 45
@@ -102,7 +108,7 @@ reached:
 count_idle:
   test active + 0
   if zero go to idles
-  idle = 0 * 2^0
+  idle = 0
   return
 idles:
   test idle - idle_ticks

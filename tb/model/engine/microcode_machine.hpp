@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hls/curve_kernel.hpp"
@@ -147,14 +148,17 @@ class MicrocodeMachine {
     }
 
     std::int16_t* at(const std::string& word, int axis) {
-        return &engine_.memory()[static_cast<std::size_t>(engine::kWordLimbs *
-                                                          assembly_.place(word, axis))];
+        const auto known = places_.try_emplace({word, axis}, 0);
+        if (known.second) known.first->second = assembly_.place(word, axis);
+        return &engine_
+                    .memory()[static_cast<std::size_t>(engine::kWordLimbs * known.first->second)];
     }
 
     const assembler::Assembly& assembly_;
     int dispatched_;
     engine::Engine engine_;
     Board board_;
+    std::map<std::pair<std::string, int>, int> places_;
 };
 
 /// A core of a configuration.

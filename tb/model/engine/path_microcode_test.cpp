@@ -20,6 +20,9 @@ constexpr int kTick = 1;
 assembler::Assembly path_microcode() {
     assembler::Assembly assembly;
     MicrocodeMachine::dispatch(assembly, {"piece", "tick"});
+    assemble_text("branches",
+                  "word passes = 0\nbranch_passes:\npasses = passes + 1\ngo to piece_begins\n",
+                  assembly);
     assemble_source(std::string(RTL_DIR) + "/engine/programs/path.asm", assembly);
     assembly.finish();
     return assembly;
@@ -52,6 +55,7 @@ class PathComparison {
         const std::vector<hls::ProfileWords> words = rough_pieces(seed, pieces, most_ticks);
         std::size_t told = 0;
         std::size_t taken = 0;
+        machine_.set("passes", 0);
         int differ = 0;
         for (int tick = 0; tick < 40 || (taken < words.size() && tick < 4000); ++tick) {
             if (told == taken && told < words.size() && random() % 4 != 0) tell(words[told++]);
@@ -68,14 +72,18 @@ class PathComparison {
                 },
                 held);
             machine_.set("rate", rate);
-            machine_.set("held", held ? 1 : 0);
+            machine_.set("target", held ? 0 : 1);
             most_clocks_ = std::max(most_clocks_, machine_.run(kTick));
             differ += machine_.get("increment") != increment ? 1 : 0;
             differ += machine_.get("active") != (kernel_.active() ? 1 : 0) ? 1 : 0;
             differ += (machine_.get("idle") == hls::kIdleTicks) != kernel_.idle() ? 1 : 0;
             differ += machine_.get("next") != (told != taken ? 1 : 0) ? 1 : 0;
+            const hls::ProfileWords* queued = told != taken ? &words[taken] : nullptr;
+            differ += machine_.get("queued_ticks") != (queued ? queued->ticks : 0) ? 1 : 0;
+            differ += machine_.get("finals") != (queued && queued->final ? 1 : 0) ? 1 : 0;
+            differ += machine_.get("passes") != static_cast<std::int64_t>(taken) ? 1 : 0;
             differ += most_clocks_ > bound_ ? 1 : 0;
-            words_ += 4;
+            words_ += 7;
             if (differ > 0) return differ;
         }
         return differ;
@@ -89,11 +97,13 @@ class PathComparison {
         machine_.set("ticks", piece.ticks);
         machine_.set("m", piece.time_exponent);
         machine_.set("e", piece.exponent);
-        machine_.set("new_ds", piece.ds);
-        machine_.set("new_final", piece.final ? 1 : 0);
-        machine_.set("new_c1", piece.c[0]);
-        machine_.set("new_c2", piece.c[1]);
-        machine_.set("new_c3", piece.c[2]);
+        machine_.set("next_ds", piece.ds);
+        machine_.set("next_final", piece.final ? 1 : 0);
+        machine_.set("next_c1", piece.c[0]);
+        machine_.set("next_c2", piece.c[1]);
+        machine_.set("next_c3", piece.c[2]);
+        machine_.set("queued_ticks", piece.ticks);
+        machine_.set("finals", piece.final ? 1 : 0);
         machine_.run(kPiece);
     }
 

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+# The rate of time, tick by tick: hls/time_scaler.hpp, with what is due of hls/stop_schedule.hpp
+# (stops.asm). Lines: rtl/engine/assembler/source.hpp.
+#
+#   rate_tick    time makes a tick towards `target`, 0 .. 2^16, at `rate`; `standing`: the machine
+#                stands until a target is not 0 (rtl/time/standstill.sv)
+#   time_begins  time begins, at reset and anew with other bounds, while nothing is under way
+#
+# A truth is 1 or 0. TimeScaler's fresh_ needs no word: nothing is under way then. It has arrived_
+# in the ticks that begin on their goal with a slope of 0.
+
+word target rate
+word standing = 1, 1 limb
+word hold_acceleration hold_slope          # the bounds: settings.asm
+
+# TimeScaler: the first tick lands, and so gives the other words their values.
+word asked
+word aimed                                 # target_
+word unsettled
+word at_one
+word wait
+word scaled                                # rate_; in a stop its 33 bits as a signed number
+word slope braking
+word way                                   # 1: rising_, or -1
+word settling
+word coarse                                # -1: below 7/8, 0: fine_
+word stopping
+word left                                  # twice the ticks
+word stop_slope
+word change step                           # step, negative: the branch's last
+
+# StopSchedule: stops.asm
+word near next_wait begins
+word reading read
+word active idle                           # path.asm
+
+local mode obeyed same low goal acceleration max_slope rest faster from
+data idle_ticks = 16
+data one = 65536                           # the rate 1 ..
+data one_scaled = 4294967296               # .. with 32 fraction bits
+data below_one = 65535
+data fine_rate = 57344
+data border = 3758096384                   # fine_rate with 32 fraction bits
+data bank_entries = 768                    # kStopSteps, of three entries
+data most_rest = 31                        # kStopLead - 1
+
+rate_tick:
+  mode = 1, 1 limb                         # 2: it lands, -1: a stop at the rate 1
+  test target - asked, 2 limbs
+  if zero go to as_asked
+  asked = target, 2 limbs
+  unsettled = 1, 1 limb
+as_asked:
+  test stopping + 0, 1 limb
+  if not zero go to count
+  test unsettled + 0, 1 limb
+  if zero go to count
+  test idle - idle_ticks, 1 limb
+  if not zero go to count
+  unsettled = 0, 1 limb
+  mode = 2, 1 limb
+
+count:                                     # ticks until a branch is due, at most
+  obeyed = target
+  test at_one + 0, 1 limb
+  if zero go to clip
+  test target + 0, 2 limbs
+  if not zero go to runs
+  test mode - 1, 1 limb
+  if not zero go to clip
+  mode = 1 * -1, 1 limb
+  test wait + 0, 2 limbs
+  if zero go to clip
+  obeyed = one                             # it waits for a branch
+  wait = wait - 1, 2 limbs
+  go to pass
+runs:
+  test target - one, 2 limbs
+  if not zero go to clip
+  wait = wait - 1, 2 limbs
+clip:
+  test wait - most_rest, 2 limbs
+  if not negative go to pass
+  wait = most_rest, 2 limbs
+
+pass:                                      # StopSchedule::due
+  test near + 0, 1 limb
+  if negative go to due
+  near = near - 1, 1 limb
+  if not zero go to due
+  wait = next_wait, 2 limbs
+  test begins + mode, 1 limb               # both
+  if not zero go to due
+  stopping = 1, 1 limb
+  at_one = 0, 1 limb
+due:
+  test stopping + 0, 1 limb
+  if zero go to aim
+
+  test left + 0, 1 limb                    # stop_on
+  if not zero go to stops
+  from = reading + read
+  port address = from, 2 limbs
+  step = port memory
+  step = step * 2^1                        # bit 43 is its sign
+  change = floor(step * 2^33 >> 45)
+  left = change * 2^12
+  left = step - left
+  change = change * 2^13
+  change = floor(change * 2^32 >> 45)
+  read = read + 3, 1 limb
+  test read - bank_entries, 1 limb
+  if not zero go to stops
+  read = 0, 1 limb
+stops:
+  left = left - 2, 1 limb
+  if not zero go to slows
+  test step + 0
+  if negative go to stopped
+slows:
+  stop_slope = stop_slope + change
+  scaled = scaled + stop_slope
+  scaled = scaled * 2^12
+  scaled = floor(scaled * 2^33 >> 45)
+  if not negative go to rated
+  rate = below_one, 2 limbs
+  go to stand
+stopped:
+  stopping = 0, 1 limb
+  stop_slope = 0
+  obeyed = 0
+  mode = 2, 1 limb
+
+aim:
+  same = obeyed - aimed, 2 limbs
+  aimed = obeyed, 2 limbs
+  low = obeyed - fine_rate
+  low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
+  test mode - 2, 1 limb
+  if not zero go to follow
+  at_one = 0, 1 limb                       # rest, land
+  settling = 0, 1 limb
+  slope = 0
+  braking = 0
+  coarse = low, 1 limb
+  scaled = obeyed * 2^16
+  go to rated
+
+follow:
+  test slope + 0
+  if not zero go to sides
+  test settling + 0, 1 limb
+  if not zero go to sides
+  test scaled - border
+  if not zero go to sides
+  coarse = low, 1 limb
+sides:
+  goal = obeyed * 2^16
+  test low - coarse, 1 limb
+  if zero go to bounds
+  goal = border
+bounds:
+  acceleration = hold_acceleration
+  max_slope = hold_slope
+  test coarse + 0, 1 limb
+  if negative go to distance
+  acceleration = floor(acceleration * 2^42 >> 45)
+  max_slope = floor(max_slope * 2^42 >> 45)
+distance:
+  at_one = 0, 1 limb
+  rest = goal - scaled
+  test slope + 0
+  if not zero go to moves
+  way = floor(rest * 2^0 >> 45)
+  way = way + way
+  way = way + 1
+  rest = rest * way
+  if not zero go to away
+  settling = 0, 1 limb                     # on its goal
+  test same + 0, 2 limbs
+  if not zero go to rated
+  test scaled - one_scaled
+  if negative go to rated
+  at_one = 1, 1 limb
+  go to rated
+away:
+  test settling + 0, 1 limb
+  if zero go to leaves
+  settling = 0, 1 limb
+  go to rated
+leaves:
+  test rest - acceleration
+  if not negative go to drives
+  settling = 1, 1 limb
+  scaled = goal
+  go to rated
+moves:
+  rest = rest * way
+drives:
+  rest = rest - braking
+  rest = rest - slope
+  if negative go to brakes
+  faster = slope + acceleration
+  test max_slope - faster
+  if negative go to keeps
+  test rest - faster
+  if negative go to keeps
+  braking = braking + slope
+  slope = faster
+  go to keeps
+brakes:
+  slope = slope - acceleration
+  braking = braking - slope
+keeps:
+  rest = slope * way
+  scaled = scaled + rest
+
+rated:
+  rate = floor(scaled * 2^29 >> 45), 2 limbs
+stand:
+  standing = 0, 1 limb
+  test target + 0, 2 limbs
+  if not zero return
+  test active + 0, 1 limb                  # no program is under way, and none can begin
+  if zero go to stands
+  test stopping + 0, 1 limb
+  if not zero return
+  test scaled + 0
+  if not zero return
+stands:
+  standing = 1, 1 limb
+  return
+
+time_begins:
+  unsettled = 1, 1 limb
+  stopping = 0, 1 limb
+  stop_slope = 0
+  left = 0, 1 limb
+  wait = most_rest, 2 limbs
+  idle = idle_ticks, 1 limb
+  return

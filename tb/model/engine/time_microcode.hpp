@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: Apache-2.0
+// The microcode of time (rate.asm, stops.asm, path.asm, pieces.asm) beside the kernels that it is
+// held to, as sysc/board/kernel_board.cpp composes them.
+#pragma once
+
+#include <deque>
+
+#include "hls/path_kernel.hpp"
+#include "hls/stop_schedule.hpp"
+#include "rtl/engine/assembler/source.hpp"
+#include "rtl/engine/assembler/worst_case.hpp"
+#include "tb/model/engine/microcode_machine.hpp"
+#include "tb/support/segments/random_pieces.hpp"
+
+namespace curvecore::tb {
+
+/// The board's memory, in entries of 16 bits.
+constexpr int kQueueWords = 320;
+constexpr int kProfileBegin = 30;
+constexpr int kProfileEnd = kProfileBegin + 3 * kQueueWords;
+constexpr int kStopBegin = kProfileEnd + 10;
+constexpr int kBankEntries = 3 * hls::kStopSteps;
+constexpr int kMemoryEntries = kStopBegin + 2 * kBankEntries;
+
+enum TimeProgram { kReset, kFetch, kRate, kTick, kTimeBegins };
+
+inline assembler::Assembly time_microcode() {
+    assembler::Assembly assembly;
+    assembly.define("profile_begin", kProfileBegin);
+    assembly.define("profile_end", kProfileEnd);
+    assembly.define("stop_begin", kStopBegin);
+    assembly.define("stop_middle", kStopBegin + kBankEntries);
+    MicrocodeMachine::dispatch(assembly,
+                               {"reset", "fetch_piece", "rate_tick", "tick", "time_begins"});
+    for (const char* file : {"ports", "path", "stops", "rate", "pieces"}) {
+        assemble_source(std::string(RTL_DIR) + "/engine/programs/" + file + ".asm", assembly);
+    }
+    assembly.label("reset");
+    assembly.put_starts();
+    assembly.give_back();
+    assembly.finish();
+    return assembly;
+}
+
+/// Writes the 46 bits of a queued word into the memory.
+inline void write_word(std::vector<std::int16_t>& memory, int place, std::uint64_t word) {
+    const auto at = static_cast<std::size_t>(place);
+    memory.at(at) = static_cast<std::int16_t>(word & 0x7fff);
+    memory.at(at + 1) = static_cast<std::int16_t>(word >> 15 & 0x7fff);
+    memory.at(at + 2) = static_cast<std::int16_t>(word >> 30 & 0xffff);
+}
+
+struct TimeBounds {
+    std::int64_t acceleration = 1 << 20;
+    std::int64_t slope = 1 << 26;
+};
+
+/// Any bounds that fit, of any size.
+inline TimeBounds any_bounds(std::mt19937_64& random, std::int64_t least = 8) {
+    const auto any = [&](int bits) {
+        return static_cast<std::int64_t>(random() >> (64 - bits) >> random() % bits);
+    };
+    TimeBounds bounds;
+    do {
+        bounds.acceleration = random() % 2 == 0 ? any(32) : (1 << 30) + any(30);
+        const int kind = static_cast<int>(random() % 3);
+        bounds.slope = kind == 0   ? any(33)
+                       : kind == 1 ? (1 + any(8)) * bounds.acceleration
+                                   : bounds.acceleration + any(4);
+    } while (bounds.acceleration < least ||
+             !hls::TimeScaler::fits(bounds.acceleration, bounds.slope));
+    return bounds;
+}
+
+inline std::int32_t any_target(std::mt19937_64& random) {
+    if (random() % 4 == 0) return ref::kFineRate - 2 + static_cast<std::int32_t>(random() % 5);
+    const std::uint64_t kind = random() % 4;
+    return kind == 0 ? 0 : kind < 3 ? 65536 : static_cast<std::int32_t>(random() % 65537);
+}
+
+/// Steps that need not match each other.
+inline hls::StopStep any_step(std::mt19937_64& random, bool last) {
+    hls::StopStep step;
+    step.ticks = static_cast<std::int32_t>(random() % 20 == 0  ? 1 + random() % 2047
+                                           : random() % 2 == 0 ? 1 + random() % 3
+                                                               : 1 + random() % 12);
+    step.change = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));
+    step.change >>= random() % 32;
+    if (random() % 4 == 0) {  // to 0 and not the last, for one
+        step.ticks = 1;
+        step.change = random() % 2 == 0 ? 0 : INT32_MIN;
+    }
+    step.last = last;
+    return step;
+}
+
+/// A comparison of the twin with the kernels.
+class TimeComparison {
+  public:
+    TimeComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
+        : machine_(machine) {
+        for (const char* name : {"reset", "fetch_piece", "rate_tick", "tick", "time_begins"}) {
+            bounds_.push_back(worst_case(assembly, name));
+        }
+        most_.resize(bounds_.size());
+        machine_.ports().memory.resize(kMemoryEntries);
+        machine_.ports().take = [this](int port, int, std::int16_t value) {
+            if (port == kLeaves) left_ += value - 256;
+        };
+        // A reset leaves the data as they are.
+        for (const auto& [place, datum] : assembly.data()) {
+            if (datum.value == 0) machine_.set(datum.name, 40 + place % 7);
+        }
+        run(kReset);
+        expect("standing", 1);
+        expect("near", -1);
+        expect("branch", 0);
+        expect("reading", kStopBegin);
+        expect("loading", kStopBegin + kBankEntries);
+        expect("piece_take", kProfileBegin);
+        machine_.set("pieces", 0);
+        machine_.set("profile_words", 0);
+    }
+
+    int differ() const { return differ_; }
+    std::int64_t words() const { return words_; }
+    std::int64_t ticks() const { return ticks_made_; }
+    std::int64_t stop_ticks() const { return stop_ticks_; }
+    const std::vector<int>& most() const { return most_; }
+    const std::vector<int>& bounds() const { return bounds_; }
+
+  protected:
+    static constexpr int kLeaves = 9;
+
+    void run(TimeProgram program) {
+        const auto n = static_cast<std::size_t>(program);
+        most_[n] = std::max(most_[n], machine_.run(program));
+        differ_ += most_[n] > bounds_[n] ? 1 : 0;
+    }
+    void same(std::int64_t a, std::int64_t b) {
+        ++words_;
+        differ_ += a != b ? 1 : 0;
+    }
+    void expect(const char* word, std::int64_t value) { same(machine_.get(word), value); }
+    /// Checks `standing` after a tick: between programs, and at a rate of 0 that stays, soon.
+    void standing(std::int32_t target, std::int32_t rate, bool active) {
+        ++ticks_made_;
+        stop_ticks_ += scaler_.stopping() ? 1 : 0;
+        const bool stands = machine_.get("standing") != 0;
+        if (target != 0 || !active) {
+            same(stands, target == 0);
+            stood_ = false;
+            zeros_ = 0;
+            return;
+        }
+        zeros_ = rate == 0 && !scaler_.stopping() ? zeros_ + 1 : 0;
+        same(stands && zeros_ == 0, 0);
+        same(stood_ && !stands, 0);
+        same(stands || zeros_ <= soon_, 1);
+        stood_ = stands;
+    }
+    void set_bounds(const TimeBounds& bounds) {
+        // Ticks from a rate below 2^-16 to rest.
+        soon_ = 400 + (1 << 16) / bounds.slope;
+        machine_.set("hold_acceleration", bounds.acceleration);
+        machine_.set("hold_slope", bounds.slope);
+        scaler_ = hls::TimeScaler(bounds.acceleration, bounds.slope);
+        run(kTimeBegins);
+    }
+
+    MicrocodeMachine& machine_;
+    hls::TimeScaler scaler_{1, 1};
+    int left_ = 0;  // words that left the queue
+    int differ_ = 0;
+
+  private:
+    std::vector<int> bounds_;
+    std::vector<int> most_;
+    bool stood_ = false;      // at rest, with a program under way
+    std::int64_t zeros_ = 0;  // ticks of the rate 0
+    std::int64_t soon_ = 0;
+    std::int64_t words_ = 0;
+    std::int64_t ticks_made_ = 0;
+    std::int64_t stop_ticks_ = 0;
+};
+
+/// The rate alone: any events, whether nothing is under way, and steps.
+class RateComparison : public TimeComparison {
+  public:
+    using TimeComparison::TimeComparison;
+
+    /// Makes ticks with targets, branches, and ticks before which nothing is under way, each in one
+    /// of a random number of ticks.
+    void ticks(std::mt19937_64& random, int count) {
+        set_bounds(any_bounds(random));
+        const auto now_and_then = [&] { return 1 + random() % (random() % 3 == 0 ? 200 : 12); };
+        const std::uint64_t target_every = now_and_then();
+        const std::uint64_t due_every = now_and_then();
+        const std::uint64_t idle_every = now_and_then();
+        const bool ends = random() % 2 == 0;  // of the targets' range alone
+        std::int32_t target = any_target(random);
+        std::uint64_t taken = random() % hls::kStopSteps;
+        const auto steps = [&](std::uint64_t index) {
+            std::mt19937_64 of_index(index + seed_);
+            return any_step(of_index, index % 5 == 4);
+        };
+        ++seed_;
+        bool fresh = true;
+        for (int n = 0; n < count && differ_ == 0; ++n) {
+            if (random() % target_every == 0) {
+                target = !ends ? any_target(random) : random() % 3 == 0 ? 0 : 65536;
+            }
+            const bool idle = fresh || random() % idle_every == 0;
+            fresh = fresh && target == 0;
+            hls::StopDue due;
+            if (random() % due_every == 0) {
+                due = hls::StopDue(1 + static_cast<std::int32_t>(random() % 60), random() % 2 == 0);
+            }
+            if (due.wait > 0) machine_.set("near", 1);
+            machine_.set("next_wait", due.wait);
+            machine_.set("begins", due.begins ? 1 : 0);
+            machine_.set("reading", kStopBegin);
+            machine_.set("read", 3 * static_cast<int>(taken % hls::kStopSteps));
+            write_word(machine_.ports().memory,
+                       kStopBegin + 3 * static_cast<int>(taken % hls::kStopSteps),
+                       hls::pack(steps(taken)));
+            machine_.set("idle", idle ? hls::kIdleTicks : static_cast<int>(random() % 16));
+            const bool active = random() % 4 != 0;
+            machine_.set("active", active ? 1 : 0);
+            machine_.set("target", target);
+            const std::int32_t rate =
+                scaler_.tick(target, idle, due, [&] { return steps(taken++); });
+            run(kRate);
+            expect("rate", rate);
+            standing(target, rate, active);
+            expect("near", due.wait > 0 ? 0 : -1);
+            same(scaler_.stopping() && machine_.get("at_one") != 0, 0);
+            expect("read", 3 * static_cast<int>(taken % hls::kStopSteps));
+        }
+    }
+
+  private:
+    std::uint64_t seed_ = 0;
+};
+
+/// Rate, branches, path and queue.
+class PathTimeComparison : public TimeComparison {
+  public:
+    using TimeComparison::TimeComparison;
+
+    /// Runs a program of random pieces and branches to its end; targets change in its first ticks.
+    void program(std::uint32_t seed, int pieces, int most_ticks, int ticks) {
+        std::mt19937_64 random(seed);
+        set_bounds(any_bounds(random, 1 << 22));
+        path_ = hls::PathKernel();  // nothing is under way
+        write(random, random_pieces(seed, pieces, most_ticks));
+        const auto every = static_cast<unsigned>(random() % 2 == 0 ? 20 : 200);
+        std::int32_t target = 65536;
+        std::size_t entered = 0;
+        for (int n = 0;
+             n < ticks + 20 || entered < words_of_.size() || pieces_ > 0 || path_.active(); ++n) {
+            if (random() % every == 0) {
+                target = random() % 3 == 0 ? any_target(random) : target == 0 ? 65536 : 0;
+            }
+            if (n >= ticks) target = 65536;
+            std::uint64_t more = random() % 3 == 0 ? random() % 40 : 0;
+            for (; more > 0 && entered < words_of_.size() && room(); --more) {
+                enter(words_of_[entered++]);
+            }
+            tick(target);
+            if (differ_ > 0) return;
+            if (n > 20000) throw std::runtime_error("no end");
+        }
+    }
+
+  private:
+    struct Queued {
+        std::uint64_t word;
+        std::int32_t whole;  // ticks of the piece that it completes, or 0
+        bool final;
+    };
+
+    void write(std::mt19937_64& random, const std::vector<hls::ProfileWords>& pieces) {
+        words_of_.clear();
+        for (const hls::ProfileWords& piece : pieces) {
+            if (random() % 3 != 0) {
+                const auto wait = static_cast<std::int32_t>(
+                    random() % 20 == 0 ? 1 + random() % ((1 << 20) - 1) : 1 + random() % 120);
+                words_of_.push_back({hls::pack_stop(wait), 0, false});
+                const std::uint64_t steps =
+                    random() % 40 == 0 || words_of_.empty() ? 257 + random() % 7 : 1 + random() % 9;
+                for (std::uint64_t n = 1; n <= steps; ++n) {
+                    words_of_.push_back({hls::pack(any_step(random, n == steps)), 0, false});
+                }
+            }
+            std::uint64_t words[hls::kProfileBusWords];
+            hls::pack(piece, static_cast<unsigned>(random() % 256), words);
+            for (int n = 0; n < hls::kProfileBusWords; ++n) {
+                if (n > 1) words[n] |= hls::put(hls::kCheckField, random() % 256);
+                words_of_.push_back(
+                    {words[n], n == hls::kProfileBusWords - 1 ? piece.ticks : 0, piece.final});
+            }
+        }
+    }
+
+    bool room() { return machine_.get("profile_words") < kQueueWords; }
+
+    void enter(const Queued& queued) {
+        ++entered_;
+        write_word(machine_.ports().memory, put_, queued.word);
+        put_ = put_ + 3 == kProfileEnd ? kProfileBegin : put_ + 3;
+        machine_.set("profile_words", machine_.get("profile_words") + 1);
+        queue_.push_back(queued.word);
+        if (queued.whole == 0) return;
+        machine_.set("pieces", machine_.get("pieces") + 1);
+        machine_.set("queued_ticks", machine_.get("queued_ticks") + queued.whole);
+        machine_.set("finals", machine_.get("finals") + (queued.final ? 1 : 0));
+        ticks_ += queued.whole;
+        finals_ += queued.final ? 1 : 0;
+        ++pieces_;
+    }
+
+    void tick(std::int32_t target) {
+        for (int n = 0; machine_.get("next") == 0 && machine_.get("pieces") > 0; ++n) {
+            run(kFetch);
+            if (n > kQueueWords) throw std::runtime_error("no end");
+        }
+        run(kFetch);  // to no effect
+        machine_.set("target", target);
+        run(kRate);
+        run(kTick);
+        const bool active = path_.active();
+        const std::int32_t rate =
+            scaler_.tick(target, path_.idle(), stops_.due(), [this] { return stops_.next_step(); });
+        const auto next = [&](hls::ProfileWords& words) {
+            if (pieces_ == 0) return false;
+            words = next_piece();
+            stops_.begin_piece(rate, !path_.active());
+            ticks_ -= words.ticks;
+            finals_ -= words.final ? 1 : 0;
+            --pieces_;
+            return true;
+        };
+        const std::int64_t increment = path_.tick(rate, next, target == 0);
+        expect("rate", rate);
+        expect("increment", increment);
+        expect("active", path_.active() ? 1 : 0);
+        same(path_.idle(), machine_.get("idle") == hls::kIdleTicks);
+        standing(target, rate, active);
+        expect("queued_ticks", ticks_);
+        expect("finals", finals_);
+        same(pieces_, machine_.get("pieces") + machine_.get("next"));
+        same(entered_, machine_.get("profile_words") + left_);
+    }
+
+    std::uint64_t pop() {
+        const std::uint64_t word = queue_.front();
+        queue_.pop_front();
+        return word;
+    }
+
+    hls::ProfileWords next_piece() {
+        for (;;) {
+            const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, queue_.front()));
+            if (tag == hls::Tag::kStop) {
+                stops_.load_wait(static_cast<std::int32_t>(hls::get(hls::kStopWaitField, pop())));
+            } else if (tag == hls::Tag::kStep) {
+                stops_.load_step(hls::unpack_step(pop()));
+            } else {
+                return hls::unpack_piece([this] { return pop(); });
+            }
+        }
+    }
+
+    hls::StopSchedule stops_;
+    hls::PathKernel path_;
+    std::deque<std::uint64_t> queue_;
+    std::vector<Queued> words_of_;
+    std::int64_t ticks_ = 0;  // of the queued pieces
+    std::int64_t finals_ = 0;
+    std::int64_t pieces_ = 0;
+    std::int64_t entered_ = 0;  // words
+    int put_ = kProfileBegin;
+};
+
+}  // namespace curvecore::tb
