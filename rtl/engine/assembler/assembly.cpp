@@ -43,14 +43,19 @@ Field Assembly::named(const std::string& name, int words) {
     if (found != names_.end()) {
         return found->second;
     }
-    const int place = shared_words_ + shared_words_ % words;
+    const int place = words == 1 && gap_ ? *gap_ : shared_words_ + shared_words_ % words;
     if (place + words > kSharedWords) {
         const int further = further_words_ + further_words_ % words;
         further_words_ = further + words;
         data_[engine::kPageWords * further_page() + further] = {name, 0, words};
         return names_[name] = {engine::kY + further, name};
     }
-    shared_words_ = place + words;
+    if (gap_ == place) {
+        gap_.reset();
+    } else {
+        gap_ = place > shared_words_ ? std::optional<int>(shared_words_) : gap_;
+        shared_words_ = place + words;
+    }
     data_[place] = {name, 0, words};
     return names_[name] = {place, name};
 }

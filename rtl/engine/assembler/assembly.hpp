@@ -146,6 +146,7 @@ class Assembly {
     std::vector<Loop> loops_;
     Source source_;
     int shared_words_ = engine::kConstantWords;
+    std::optional<int> gap_;  // in front of a wide word
     int axis_words_ = 0;
     int auxiliary_words_ = 0;
     int further_words_ = 0;

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -206,6 +207,9 @@ class SourceReader {
 
     /// Reads a, a + b, a - b, a * b, a * b >> 45 or c + (d * b >> 45).
     void sum(const Field& to) {
+        if (number_alone(to)) {
+            return;
+        }
         const Field a = word();
         if (at_ == tokens_.size()) {
             a_.put(Op::kMull, to, a, a_.power(0), false, limbs_);
@@ -290,20 +294,35 @@ class SourceReader {
     }
     /// Reads a word, or a power of two that needs none.
     Field addend() {
+        const auto exponent = power_of_two();
+        return exponent ? Field{a_.power(*exponent).code, tokens_[at_++]} : second();
+    }
+    /// n of the number 2^n that comes next, or of its name.
+    std::optional<int> power_of_two() const {
         const std::string name = at_ < tokens_.size() ? tokens_[at_] : "";
         const bool raised = at_ + 1 < tokens_.size() && tokens_[at_ + 1] == "^";
         const bool digits = name.find_first_not_of("0123456789") == std::string::npos;
         const std::int64_t number =
             a_.defined(name).value_or(digits && !name.empty() && !raised ? number_of(name) : 0);
-        int exponent = 0;
-        while (exponent < 45 && number >> exponent > 1) {
-            ++exponent;
+        for (int n = 0; n < 45; ++n) {
+            if (number == std::int64_t{1} << n) {
+                return n;
+            }
         }
-        if (number != std::int64_t{1} << exponent) {
-            return second();
+        return std::nullopt;
+    }
+    /// Reads the number 2^n, or this times 2^m: as an addend it needs no word.
+    bool number_alone(const Field& to) {
+        const std::size_t first = at_;
+        const auto exponent = power_of_two();
+        at_ += exponent ? 1 : 0;
+        const int lift = exponent && take({"*", "2", "^"}) ? number("an exponent") : 0;
+        if (!exponent || at_ != tokens_.size()) {
+            at_ = first;
+            return false;
         }
-        ++at_;
-        return {a_.power(exponent).code, name};
+        a_.put(Op::kAdd, to, Assembly::zero(), a_.power(*exponent + lift), false, limbs_);
+        return true;
     }
     Field second() {
         if (take({"2", "^"})) {

@@ -17,8 +17,9 @@
 //     wait for the tick, go to L        end, then L             for each axis call L
 //     loop  ..  repeat 19 times         its body, at most so often again; a branch leads out
 //
-// a, b, c and d are words, or 0, or a number; b may be 2^n or -1. A word of each axis has a name
-// like x or x[k]. A port is a number, too, or a
+// a, b, c and d are words, or 0, or a number; b may be 2^n or -1, and that of a sum 2^n. A number has
+// a word, but not one that is 2^n and stands for itself, or as b of a sum. A word of each axis has a
+// name like x or x[k]. A port is a number, too, or a
 // constant's name. Locals live in one call of one of their source's programs: those of all sources
 // share their words. A program that calls another keeps its link: `back = port 2` .. `port 2 =
 // back`.

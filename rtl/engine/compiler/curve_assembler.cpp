@@ -134,8 +134,29 @@ class Writer {
                 assembly_.open_auxiliary();
                 open = true;
             }
-            assembly_.put(step.op, field(step.to), field(step.a.value), second(step.b), step.flag);
+            Use a = step.a;
+            Use b = step.b;
+            const bool commutes = step.op == Op::kAdd || step.op == Op::kMull ||
+                                  step.op == Op::kMulr || step.op == Op::kMac;
+            if (commutes && b.is_value() && exponent(a) >= 0) {
+                std::swap(a, b);
+            }
+            const int power = exponent(b);
+            assembly_.put(step.op, field(step.to), field(a.value),
+                          power >= 0 ? assembly_.power(power) : second(b), step.flag);
         }
+    }
+
+    /// n of a constant 2^n, which needs no word as F1; else -1.
+    int exponent(const Use& use) const {
+        const auto constant = use.is_value()
+                                  ? code_.values[static_cast<std::size_t>(use.value)].constant
+                                  : std::nullopt;
+        int n = 0;
+        while (constant && *constant >> n > 1) {
+            ++n;
+        }
+        return constant && *constant == std::int64_t{1} << n ? n : -1;
     }
 
     bool auxiliary(int value) const { return places_[static_cast<std::size_t>(value)].auxiliary; }

@@ -170,6 +170,13 @@ int LineLowering::lower(const TableLine& line, int i) {
         same_[to] = exact[0].a;
         return exact[0].a;
     }
+    if (line.order && rounded.empty() && exact.size() <= 1) {
+        const int only = exact.empty() ? writer_.constant(0) : exact[0].a;
+        if (writer_.at(only).constant && (exact.empty() || exact[0].number == 1)) {
+            same_[to] = only;
+            return only;
+        }
+    }
     const bool of_axis = line.of_axis || line.adds_axes;
     if (line.adds_axes) {
         writer_.share_before(Op::kMull, to, {writer_.constant(0)}, {-1, 0});
@@ -202,7 +209,7 @@ int LineLowering::single(const Addend& one, bool of_axis, int to) {
                                        one.over > 0 ? fmt::format("1/{}", one.over) : ""));
     } else if (one.number == 1) {
         product(to, one.a, one.b, one.shift, of_axis);
-    } else if (writer_.fixed(one.b)) {
+    } else if (writer_.fixed(one.b) && !writer_.at(one.b).constant) {
         product(to, one.a, writer_.lifted(one.b, static_cast<int>(one.number), 0), one.shift,
                 of_axis);
     } else {

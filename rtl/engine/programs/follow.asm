@@ -37,7 +37,7 @@ leave_step:
 open_segment:
   test segments + 0, 1 limb
   if not zero go to fetch_segment
-  waits = 0 + 1, 1 limb
+  waits = 1, 1 limb
 drawn:
   port link = follow_link, 1 limb
   return

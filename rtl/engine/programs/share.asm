@@ -17,7 +17,7 @@ share:
   if not zero go to next_share
   n = port samples_per_tick_in, 1 limb
   whole = increment + 0, 4 limbs
-  shares = 0 + 1
+  shares = 1
   loop
     n = n - 1, 1 limb
     if negative go to tick_shared

@@ -184,7 +184,7 @@ TEST(Assembler, AWordHasItsValueAtReset) {
     for (int n = 0; n < 6; ++n) EXPECT_EQ(after[limb("sum", n)], 0) << n;
 }
 
-TEST(Assembler, AnAddendThatIsAPowerOfTwoNeedsNoWord) {
+TEST(Assembler, APowerOfTwoNeedsNoWord) {
     Assembly assembly;
     assemble_text("p.asm",
                   "word a\ndata page = 16\na = a + 1\na = a - page\na = a + 2^44\na = a + 3\n"
@@ -197,6 +197,13 @@ TEST(Assembler, AnAddendThatIsAPowerOfTwoNeedsNoWord) {
     EXPECT_EQ(assembly.data().at(placed[3].instruction.f1).value, 3);
     EXPECT_EQ(placed[4].instruction.f2, int{engine::kX});
     EXPECT_EQ(assembly.data().size(), 6U);  // with the pages of the axes
+    assemble_text("q.asm", "word b\nb = page\nb = 2 * 2^30, 4 limbs\nb = 3\n", assembly);
+    EXPECT_EQ(placed[5].instruction.op, engine::Op::kAdd);
+    EXPECT_EQ(placed[5].instruction.f1, engine::power(4));
+    EXPECT_EQ(placed[6].instruction.f1, engine::power(31));
+    EXPECT_EQ(placed[6].instruction.limbs, 4);
+    EXPECT_EQ(placed[7].instruction.op, engine::Op::kMull);
+    EXPECT_EQ(assembly.data().size(), 7U);
 }
 
 TEST(Assembler, ANumberHasOneName) {
