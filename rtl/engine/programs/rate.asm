@@ -137,7 +137,7 @@ aim:
   low = obeyed - fine_rate
   low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
   test mode - 2, 1 limb
-  if not zero go to follow
+  if not zero go to rate_follows
   at_one = 0, 1 limb                       # rest, land
   settling = 0, 1 limb
   slope = 0
@@ -146,7 +146,7 @@ aim:
   scaled = obeyed * 2^16
   go to rated
 
-follow:
+rate_follows:
   test slope + 0
   if not zero go to sides
   test settling + 0, 1 limb
