@@ -24,6 +24,7 @@ constexpr double kFirstGap = 0.5;
 constexpr double kNextGap = 0.15;
 constexpr double kBackGap = 0.0248;
 constexpr double kGap = 0.004;
+constexpr double kDip = 0.5;         // share of q at the start; 0.9 or more are usual
 constexpr double kInside = 0.999;    // share of a limit
 constexpr double kKept = 1.02;       // ratio to a limit's share
 constexpr double kTolerated = 1.05;  // the same after some rounds
@@ -59,9 +60,7 @@ class OptimalRun {
         for (std::size_t first = 1;;) {
             const bool whole = first + window + window / 2 >= end_;
             const std::size_t last = whole ? end_ : first + window;
-            optimum_.improve(first, last, kFirstGap, kFirstGap);
-            TimeOptimum::State roomy = optimum_.state(first, last);
-            optimum_.improve(first, last, kNextGap, kGap);
+            TimeOptimum::State roomy = improve(first, last);
             const std::size_t led = whole ? end_ : optimum_.led_by_end(first, last, kGap);
             if (led < first + window / 2 && window < kLongestWindow && !whole) {
                 window *= 2;
@@ -136,6 +135,29 @@ class OptimalRun {
         std::vector<KnotMotion> motions;
         for (const RunKnot& knot : knots_) motions.push_back({knot.v * knot.v, knot.a});
         return motions;
+    }
+
+    /// Solves a window and returns a motion in it that has room within the limits. Far from its
+    /// limits a motion may go down into a dip between two ramps, since the slower, the less jerk
+    /// they take; it does not come up again at full jerk, but a motion that stays near them does
+    /// not go there.
+    TimeOptimum::State improve(std::size_t first, std::size_t last) {
+        TimeOptimum::State begun = optimum_.state(first, last);
+        optimum_.improve(first, last, kFirstGap, kFirstGap);
+        TimeOptimum::State roomy = optimum_.state(first, last);
+        optimum_.improve(first, last, kNextGap, kGap);
+        if (!dips(begun)) return roomy;
+        optimum_.restore(begun);
+        optimum_.improve(first, last, kNextGap, kGap);
+        return begun;
+    }
+
+    bool dips(const TimeOptimum::State& begun) const {
+        for (std::size_t i = 0; i < begun.controls.size(); ++i) {
+            const double now = optimum_.spline().control(begun.first + i);
+            if (now < kDip * begun.controls[i]) return true;
+        }
+        return false;
     }
 
     /// Eases the limits of intervals in which the true path asks for more than they did, and solves

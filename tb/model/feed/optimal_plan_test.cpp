@@ -171,6 +171,24 @@ TEST(OptimalPlan, DipsWithinARoundedCorner) {
     }
 }
 
+/// A looser limit of the path lets the rounded corners be shorter. They are passed at the speed
+/// that X allows with either, and not in a dip to a twentieth of it.
+TEST(OptimalPlan, DipsInNoDullCorner) {
+    Machine machine = machine_of(42, 12460, 63009, {});
+    const std::array<std::array<double, 3>, 3> axes{
+        {{32, 6179, 33783}, {70, 11283, 301047}, {14, 18331, 105169}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        machine.axis[i].velocity = axes[i][0];
+        machine.axis[i].acceleration = axes[i][1];
+        machine.axis[i].jerk = axes[i][2];
+    }
+    const Cost tight = cost(dull_corners(), machine);
+    machine.jerk *= 16;
+    const Cost loose = cost(dull_corners(), machine);
+    EXPECT_LE(loose.seconds, tight.seconds);
+    EXPECT_LE(loose.seconds, 1.03 * 144 / 32);
+}
+
 /// Words of hundreds of corners are corrected one by one: none falls back to the rules as a whole.
 TEST(OptimalPlan, IsFasterThroughHundredsOfCorners) {
     const Machine machine;
