@@ -149,11 +149,9 @@ aim:
 rate_follows:
   test slope + 0
   if not zero go to sides
-  test settling + 0, 1 limb
-  if not zero go to sides
   test scaled - border
   if not zero go to sides
-  coarse = low, 1 limb
+  coarse = low, 1 limb                     # a rate that settles moves neither way
 sides:
   goal = obeyed * 2^16
   test low - coarse, 1 limb

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The microcode of time: the rate is that of hls::TimeScaler with any events, and rates, branches
-// and path together are those of the kernels, whatever is queued.
+// and path together are those of the kernels, whatever is queued; an instruction deleted or a field
+// changed is seen.
 #include <gtest/gtest.h>
 
+#include "tb/model/engine/microcode_mutants.hpp"
 #include "tb/model/engine/time_microcode.hpp"
 #include "tb/support/programs/long_form.hpp"
 
@@ -15,7 +17,7 @@ TEST(RateMicrocode, EqualsTheScalerWithAnyEvents) {
     RateComparison comparison(assembly, machine);
     std::mt19937_64 random(1);
     for (int n = 0; n < cases(300, 30000); ++n) {
-        comparison.ticks(random, n % 4 == 0 ? 700 : 100);
+        comparison.ticks(random, n % 4 == 0 ? 500 : n % 4 == 1 ? 3 : 100);
         ASSERT_EQ(comparison.differ(), 0) << n;
     }
     EXPECT_GT(comparison.stop_ticks(), 200);
@@ -38,6 +40,32 @@ TEST(RateMicrocode, EqualsTheKernelsOfTimeAndPath) {
     EXPECT_LE(comparison.bounds()[kFetch], 2200);
     // The longest way takes and ends a step, and follows a target too: no tick does.
     EXPECT_GE(comparison.most()[kRate], comparison.bounds()[kRate] - 220);
+}
+
+TEST(RateMicrocode, AChangedInstructionIsSeen) {
+    const assembler::Assembly assembly = time_microcode();
+    const MutantShare share = seen_mutants(
+        assembly, static_cast<std::size_t>(cases(53, 1)),
+        [&](const std::vector<std::uint32_t>& program) {
+            MicrocodeMachine rate_machine(assembly, program);
+            RateComparison rate(assembly, rate_machine);
+            std::mt19937_64 random(1);
+            for (int n = 0; n < 90 && rate.differ() == 0; ++n) {
+                rate.ticks(random, n % 3 == 0 ? 4 : n % 3 == 1 ? 300 : 80);
+            }
+            if (rate.differ() > 0) return true;
+            MicrocodeMachine path_machine(assembly, program);
+            PathTimeComparison path(assembly, path_machine);
+            for (std::uint32_t n = 1; n < 12 && path.differ() == 0; ++n) {
+                path.program(n, 5, n % 3 == 0 ? 3 : 100, 300);
+            }
+            return path.differ() > 0;
+        },
+        [](const std::string& file) { return file.find("path.asm") == std::string::npos; });
+    EXPECT_EQ(share.deleted, "");
+    // The rest changes no word: another 0 is added, another number than 1 is true, flags are put
+    // into a word that nothing reads, a jump ends where the same happens.
+    EXPECT_GE(share.seen, 0.97 * share.mutants) << "of " << share.mutants;
 }
 
 }  // namespace

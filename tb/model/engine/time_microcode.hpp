@@ -62,7 +62,7 @@ inline TimeBounds any_bounds(std::mt19937_64& random, std::int64_t least = 8) {
     };
     TimeBounds bounds;
     do {
-        bounds.acceleration = random() % 2 == 0 ? any(32) : (1 << 30) + any(30);
+        bounds.acceleration = random() % 3 == 0 ? any(32) : (1 << 30) + any(30);
         const int kind = static_cast<int>(random() % 3);
         bounds.slope = kind == 0   ? any(33)
                        : kind == 1 ? (1 + any(8)) * bounds.acceleration
@@ -74,6 +74,7 @@ inline TimeBounds any_bounds(std::mt19937_64& random, std::int64_t least = 8) {
 
 inline std::int32_t any_target(std::mt19937_64& random) {
     if (random() % 4 == 0) return ref::kFineRate - 2 + static_cast<std::int32_t>(random() % 5);
+    if (random() % 8 == 0) return 65532 + static_cast<std::int32_t>(random() % 5);
     const std::uint64_t kind = random() % 4;
     return kind == 0 ? 0 : kind < 3 ? 65536 : static_cast<std::int32_t>(random() % 65537);
 }
@@ -86,10 +87,6 @@ inline hls::StopStep any_step(std::mt19937_64& random, bool last) {
                                                                : 1 + random() % 12);
     step.change = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));
     step.change >>= random() % 32;
-    if (random() % 4 == 0) {  // to 0 and not the last, for one
-        step.ticks = 1;
-        step.change = random() % 2 == 0 ? 0 : INT32_MIN;
-    }
     step.last = last;
     return step;
 }
@@ -115,6 +112,8 @@ class TimeComparison {
         expect("standing", 1);
         expect("near", -1);
         expect("branch", 0);
+        expect("active", 0);
+        expect("next", 0);
         expect("reading", kStopBegin);
         expect("loading", kStopBegin + kBankEntries);
         expect("piece_take", kProfileBegin);
@@ -160,12 +159,14 @@ class TimeComparison {
         stood_ = stands;
     }
     void set_bounds(const TimeBounds& bounds) {
-        // Ticks from a rate below 2^-16 to rest.
-        soon_ = 400 + (1 << 16) / bounds.slope;
+        // Ticks from a rate below 2^-16 to rest, at most.
+        soon_ = bounds.acceleration >> 17 != 0 ? 4 : 400 + (1 << 16) / bounds.slope;
         machine_.set("hold_acceleration", bounds.acceleration);
         machine_.set("hold_slope", bounds.slope);
         scaler_ = hls::TimeScaler(bounds.acceleration, bounds.slope);
         run(kTimeBegins);
+        expect("unsettled", 1);
+        expect("wait", hls::kStopLead - 1);
     }
 
     MicrocodeMachine& machine_;
@@ -193,22 +194,37 @@ class RateComparison : public TimeComparison {
     /// of a random number of ticks.
     void ticks(std::mt19937_64& random, int count) {
         set_bounds(any_bounds(random));
-        const auto now_and_then = [&] { return 1 + random() % (random() % 3 == 0 ? 200 : 12); };
-        const std::uint64_t target_every = now_and_then();
-        const std::uint64_t due_every = now_and_then();
-        const std::uint64_t idle_every = now_and_then();
-        const bool ends = random() % 2 == 0;  // of the targets' range alone
-        std::int32_t target = any_target(random);
-        std::uint64_t taken = random() % hls::kStopSteps;
+        const auto any_of = [&](std::uint64_t often, std::uint64_t rarely) {
+            const std::uint64_t most[] = {often, 12, 60, rarely};
+            return 1 + random() % most[random() % 4];
+        };
+        const std::uint64_t target_every = any_of(2, 2);
+        const std::uint64_t due_every = any_of(1000, 1000);
+        const std::uint64_t idle_every = any_of(1000, 1000);
+        const std::uint64_t kind = random() % 3;
+        const auto next_target = [&] {
+            const std::uint64_t one_of = random() % 4;
+            return kind == 0     ? any_target(random)
+                   : one_of == 0 ? 0
+                   : one_of == 1 ? 65536 - static_cast<std::int32_t>(kind * (random() % 5))
+                                 : 65536;
+        };
+        std::int32_t target = next_target();
+        std::uint64_t taken = random() % 2 == 0 ? 250 : 255;  // of 256
         const auto steps = [&](std::uint64_t index) {
             std::mt19937_64 of_index(index + seed_);
-            return any_step(of_index, index % 5 == 4);
+            hls::StopStep step = any_step(of_index, index % 5 == 4);
+            if (index % 5 < 2 && index % 3 != 0) {  // to 0 before the last step, for one
+                step.ticks = 1;
+                step.change = index % 5 == 0 ? INT32_MIN : 0;
+            }
+            return step;
         };
         ++seed_;
         bool fresh = true;
         for (int n = 0; n < count && differ_ == 0; ++n) {
             if (random() % target_every == 0) {
-                target = !ends ? any_target(random) : random() % 3 == 0 ? 0 : 65536;
+                target = next_target();
             }
             const bool idle = fresh || random() % idle_every == 0;
             fresh = fresh && target == 0;
@@ -225,13 +241,19 @@ class RateComparison : public TimeComparison {
                        kStopBegin + 3 * static_cast<int>(taken % hls::kStopSteps),
                        hls::pack(steps(taken)));
             machine_.set("idle", idle ? hls::kIdleTicks : static_cast<int>(random() % 16));
-            const bool active = random() % 4 != 0;
+            const bool active = random() % 16 != 0;
             machine_.set("active", active ? 1 : 0);
             machine_.set("target", target);
+            const std::int64_t wait = counted(target, scaler_.lands(target, idle), due.wait);
             const std::int32_t rate =
                 scaler_.tick(target, idle, due, [&] { return steps(taken++); });
             run(kRate);
             expect("rate", rate);
+            expect("wait", wait);
+            if (!scaler_.stopping()) {
+                expect("unsettled", scaler_.lands(target, true) ? 1 : 0);
+                expect("stop_slope", 0);
+            }
             standing(target, rate, active);
             expect("near", due.wait > 0 ? 0 : -1);
             same(scaler_.stopping() && machine_.get("at_one") != 0, 0);
@@ -240,6 +262,16 @@ class RateComparison : public TimeComparison {
     }
 
   private:
+    /// Ticks until a branch is due, at most, after a tick: TimeScaler::count.
+    std::int64_t counted(std::int32_t target, bool lands, std::int32_t told) {
+        const bool at_one = machine_.get("at_one") != 0;
+        const std::int64_t wait = machine_.get("wait");
+        if (told > 0) return told;
+        if (at_one && target == 0 && !lands && wait > 0) return wait - 1;
+        if (at_one && target == 1 << 16 && wait >= hls::kStopLead) return wait - 1;
+        return std::max<std::int64_t>(wait, hls::kStopLead - 1);
+    }
+
     std::uint64_t seed_ = 0;
 };
 
@@ -254,7 +286,9 @@ class PathTimeComparison : public TimeComparison {
         set_bounds(any_bounds(random, 1 << 22));
         path_ = hls::PathKernel();  // nothing is under way
         write(random, random_pieces(seed, pieces, most_ticks));
-        const auto every = static_cast<unsigned>(random() % 2 == 0 ? 20 : 200);
+        const auto every = static_cast<unsigned>(random() % 3 == 0   ? 200
+                                                 : random() % 2 == 0 ? 20
+                                                                     : 6);
         std::int32_t target = 65536;
         std::size_t entered = 0;
         for (int n = 0;
@@ -287,8 +321,9 @@ class PathTimeComparison : public TimeComparison {
                 const auto wait = static_cast<std::int32_t>(
                     random() % 20 == 0 ? 1 + random() % ((1 << 20) - 1) : 1 + random() % 120);
                 words_of_.push_back({hls::pack_stop(wait), 0, false});
-                const std::uint64_t steps =
-                    random() % 40 == 0 || words_of_.empty() ? 257 + random() % 7 : 1 + random() % 9;
+                const std::uint64_t steps = random() % 40 == 0 || &piece == pieces.data()
+                                                ? 257 + random() % 7
+                                                : 1 + random() % 9;
                 for (std::uint64_t n = 1; n <= steps; ++n) {
                     words_of_.push_back({hls::pack(any_step(random, n == steps)), 0, false});
                 }
@@ -327,11 +362,17 @@ class PathTimeComparison : public TimeComparison {
         }
         run(kFetch);  // to no effect
         machine_.set("target", target);
+        const hls::StopDue due = stops_.due();
         run(kRate);
+        same(machine_.get("near") == 0, due.wait > 0);
+        if (due.wait > 0) {
+            expect("next_wait", due.wait);
+            expect("begins", due.begins ? 1 : 0);
+        }
         run(kTick);
         const bool active = path_.active();
         const std::int32_t rate =
-            scaler_.tick(target, path_.idle(), stops_.due(), [this] { return stops_.next_step(); });
+            scaler_.tick(target, path_.idle(), due, [this] { return stops_.next_step(); });
         const auto next = [&](hls::ProfileWords& words) {
             if (pieces_ == 0) return false;
             words = next_piece();
