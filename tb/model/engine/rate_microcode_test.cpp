@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/model/engine/microcode_mutants.hpp"
-#include "tb/model/engine/time_microcode.hpp"
+#include "tb/model/engine/path_time_comparison.hpp"
 #include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb {
