@@ -3,6 +3,7 @@
 // configuration of tb/configurations.csv; an instruction deleted or a field changed is seen.
 #include <gtest/gtest.h>
 
+#include "rtl/engine/assembler/worst_case.hpp"
 #include "tb/model/engine/microcode_configurations.hpp"
 #include "tb/model/engine/microcode_machine.hpp"
 #include "tb/model/engine/microcode_mutants.hpp"
@@ -35,6 +36,10 @@ TEST(CurveMicrocode, AChangedInstructionIsSeen) {
             of.spline = spline;
             of.core.mode = mode;
             const CurveMicrocode code = curve_microcode(of);
+            const std::string name = spline ? "spline" : "arc";
+            const int clocks[] = {worst_case(code.assembly, name + "_load", {"idle"}),
+                                  worst_case(code.assembly, name + "_step", {"idle"}),
+                                  worst_case(code.assembly, name + "_sample", {"idle"})};
             const MutantShare share =
                 seen_mutants(code.assembly, static_cast<std::size_t>(cases(29, 1)),
                              [&](const std::vector<std::uint32_t>& program) {
@@ -44,6 +49,9 @@ TEST(CurveMicrocode, AChangedInstructionIsSeen) {
                                  int differ = 0;
                                  for (int n = 0; n < 8 && differ == 0; ++n) {
                                      differ = comparison.segment(random, 3, 3);
+                                 }
+                                 for (int part = 0; part < 3; ++part) {
+                                     differ += comparison.most_clocks(part) > clocks[part] ? 1 : 0;
                                  }
                                  return differ > 0;
                              });
