@@ -74,7 +74,6 @@ void assemble_follow(const std::string& programs, const std::vector<ref::CurveTa
     assembly.define("fine_exponent", fine);
     assembly.define("step_lift", hls::kPathFrac - fine);
     assembly.define("frame_words", words);
-    assembly.define("frame_entries", kEntries * words);
     if ((*assembly.defined("segment_end") - *assembly.defined("segment_begin")) %
             (kEntries * words) !=
         0) {

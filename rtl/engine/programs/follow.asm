@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 # A stream of segments, followed along the path: hls/interpolator_kernel.hpp.
 #
-#   follow   goes on by path_ds, which is 0 then, and draws fine[k], fine[3] .. there. Where the path
-#            leads into a segment that is not queued, `waits` is 1 and nothing is drawn: it is called
-#            again, until `waits` is 0.
+#   follow   draws fine[k], fine[3] .. where the path is, which share.asm moves on. Where it leads
+#            into a segment that is not queued, `waits` is 1 and nothing is drawn: it is called again,
+#            until `waits` is 0.
 #
 # curve_load, curve_step and curve_sample (rtl/engine/compiler/curve_assembler.hpp) go on at
 # measure_step, the sample at drawn; fetch_segment (segment.asm) at curve_load.
 
-word path_ds
 word waits
 word sigma = 0, 4 limbs    # offset into the present step
 word segment_rest = 0      # from the step's start to the segment's end; 0: there is none
@@ -19,8 +18,6 @@ axis fine[k] end[k]
 follow:
   follow_link = port link, 1 limb
   waits = 0, 1 limb
-  sigma = sigma + path_ds, 4 limbs
-  path_ds = 0
 in_step:
   test sigma - step_length, 4 limbs
   if negative go to curve_sample

@@ -18,8 +18,10 @@ fetch_segment:
   segments = segments - 1, 1 limb
   segment_words = segment_words - frame_words, 2 limbs
   port leaves = frame_words, 1 limb
-  place = segment_take
-  segment_take = segment_take + frame_entries, 2 limbs
+  place = segment_take                   # on by three entries a word
+  segment_take = segment_take + frame_words, 2 limbs
+  segment_take = segment_take + frame_words, 2 limbs
+  segment_take = segment_take + frame_words, 2 limbs
   test segment_take - segment_end, 2 limbs
   if not zero go to segment_at_hand
   segment_take = segment_begin

@@ -2,15 +2,15 @@
 # Even shares of a tick's increment among its 2^n samples, and the path: SampleShare of
 # hls/path_kernel.hpp. After j samples floor(j increment / 2^n) is gone.
 #
-#   share   `path_ds`: the next sample's; path_sum goes on by it, which the board is told. Where
-#           share_index is 0, `increment` is a new tick's, and n is the port's.
+#   share   `sigma` (follow.asm) goes on by the next sample's, and path_sum, which the board is told.
+#           Where share_index is 0, `increment` is a new tick's, and n is the port's.
 
 word share_index = 0       # samples that the tick still has
 word increment             # of a tick (path.asm), then its floor(increment / 2^n)
-word path_ds
+word sigma
 wide path_sum = 0          # 64 bits
 word shares share_odd share_gone   # 2^n; increment modulo 2^n; what of 2^n is missing to a quantum
-local n whole high
+local n whole ds high
 
 share:
   test share_index + 0
@@ -31,15 +31,16 @@ tick_shared:
   share_index = shares
 next_share:
   share_index = share_index - 1
-  path_ds = increment + 0                # of 46 bits, which a copy cuts
+  ds = increment + 0, 4 limbs            # of 46 bits, which a copy cuts
   share_gone = share_gone + share_odd
   if negative go to shared
   share_gone = share_gone - shares
-  path_ds = path_ds + 1
+  ds = ds + 1, 4 limbs
 shared:
-  path_sum += wide path_ds * 2^0
+  sigma = sigma + ds, 4 limbs
+  path_sum += wide ds * 2^0
   high = floor(wide path_sum * 2^0 >> 45), 2 limbs
   port path_low = path_sum
   port path_high = high, 2 limbs
-  port path_increment = path_ds, 4 limbs
+  port path_increment = ds, 4 limbs
   return
