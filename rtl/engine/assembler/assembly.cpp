@@ -71,22 +71,31 @@ Field Assembly::constant(std::int64_t value) {
         refuse(fmt::format("the constant {} needs more than three limbs", value));
     }
     Field field = word(fmt::format("{}", value));
-    const int place = field.code < kSharedWords
-                          ? field.code
-                          : engine::kPageWords * further_page() + field.code - engine::kY;
-    data_[place].value = value;
+    data_[place_of_constant(field)].value = value;
     return field;
 }
 
-void Assembly::start(const Field& field, std::int64_t value, int limbs) {
+int Assembly::place_of_constant(const Field& field) const {
+    return field.code < kSharedWords
+               ? field.code
+               : engine::kPageWords * further_page() + field.code - engine::kY;
+}
+
+Field Assembly::place_of(const std::string& label) {
+    Field field = word("place of " + label);
+    places_of_[label] = place_of_constant(field);
+    return field;
+}
+
+void Assembly::start(const Field& field, const Field& value, int limbs) {
     starts_.push_back({field, value, limbs});
 }
 
 void Assembly::put_starts() {
     for (const Start& start : starts_) {
-        from({"", 0, fmt::format("{} = {}", start.field.name, start.value)});
+        from({"", 0, fmt::format("{} = {}", start.field.name, start.value.name)});
         const bool wide = start.limbs > engine::kWordLimbs;
-        put(wide ? Op::kMac : Op::kMull, start.field, constant(start.value), power(0), wide,
+        put(wide ? Op::kMac : Op::kMull, start.field, start.value, power(0), wide,
             wide ? 3 : start.limbs);
     }
 }
@@ -225,6 +234,13 @@ void Assembly::finish() {
         placed.instruction.f2 = static_cast<int>(found->second & 0xff);
     }
     source_ = {};
+    for (const auto& [label, place] : places_of_) {
+        const auto found = labels_.find(label);
+        if (found == labels_.end()) {
+            refuse("no label " + label);
+        }
+        data_[place].value = static_cast<std::int64_t>(found->second);
+    }
     if (!open_loops_.empty()) {
         refuse("a loop has no end");
     }

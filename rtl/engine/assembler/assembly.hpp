@@ -80,8 +80,10 @@ class Assembly {
     static Field zero() { return {engine::kZero / engine::kWordLimbs, "0"}; }
     /// 2^n as F1.
     Field power(int n) const;
+    /// Constant that is the place of a label's instruction, for OUT to the link.
+    Field place_of(const std::string& label);
     /// Gives a word, or that of each axis, its value at reset; a wide one has 6 limbs.
-    void start(const Field& field, std::int64_t value, int limbs = 3);
+    void start(const Field& field, const Field& value, int limbs = 3);
     /// Writes all these values: a reset leaves the data as they are.
     void put_starts();
     /// Gives a number a name, for all sources.
@@ -132,6 +134,7 @@ class Assembly {
 
   private:
     Field named(const std::string& name, int words);
+    int place_of_constant(const Field& field) const;
     void set_page(int port, int page);
     int auxiliary_page() const;
     int further_page() const;
@@ -152,11 +155,12 @@ class Assembly {
     int further_words_ = 0;
     struct Start {
         Field field;
-        std::int64_t value;
+        Field value;
         int limbs;
     };
     std::vector<Start> starts_;
     std::map<std::string, std::int64_t> definitions_;
+    std::map<std::string, int> places_of_;  // places of words, by the labels that they are of
 };
 
 }  // namespace curvecore::assembler

@@ -120,7 +120,7 @@ class SourceReader {
             declare(name, tokens_[0]);
             const bool wide = tokens_[0] == "wide";
             if (wide ? take({"=", "0"}) : tokens_[0] == "word" && take("=")) {
-                a_.start(declared(name), wide ? 0 : value("a number"), wide ? 6 : limbs_);
+                a_.start(declared(name), wide ? Assembly::zero() : start(), wide ? 6 : limbs_);
             }
             while (at_ < tokens_.size()) {
                 declare(next("a name"), tokens_[0]);
@@ -280,7 +280,17 @@ class SourceReader {
         }
         return found->second;
     }
+    /// Reads what a word has at reset.
+    Field start() {
+        if (take({"place", "of"})) {
+            return a_.place_of(next("a label"));
+        }
+        return a_.constant(value("a number"));
+    }
     Field word() {
+        if (take({"place", "of"})) {
+            return a_.place_of(next("a label"));
+        }
         const std::string name = next("a word");
         if (const auto number = a_.defined(name)) {
             Field field = a_.constant(*number);

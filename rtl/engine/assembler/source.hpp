@@ -3,6 +3,7 @@
 //
 //     word NAME ..     wide NAME ..     axis NAME ..            words, of six limbs, of each axis
 //     local NAME ..       word NAME = NUMBER   wide NAME = 0    with its value at reset
+//                         word NAME = place of L                .. where the link may go to
 //     data NAME = NUMBER                                        a constant, known to all sources
 //     NAME:                                                     a label
 //     d = a                                                     a copy
@@ -17,12 +18,11 @@
 //     wait for the tick, go to L        end, then L             for each axis call L
 //     loop  ..  repeat 19 times         its body, at most so often again; a branch leads out
 //
-// a, b, c and d are words, or 0, or a number; b may be 2^n or -1, and that of a sum 2^n. A number has
-// a word, but not one that is 2^n and stands for itself, or as b of a sum. A word of each axis has a
-// name like x or x[k]. A port is a number, too, or a
-// constant's name. Locals live in one call of one of their source's programs: those of all sources
-// share their words. A program that calls another keeps its link: `back = port 2` .. `port 2 =
-// back`.
+// a, b, c and d are words, or 0, or a number, or the place of a label; b may be 2^n or -1, and that
+// of a sum 2^n. A number has a word, but not one that is 2^n and stands for itself, or as b of a
+// sum. A word of each axis has a name like x or x[k]. A port is a number, too, or the name of one.
+// Locals live in one call of one of their source's programs: those of all sources have the same
+// words. A program that calls another keeps its link: `back = port 2` .. `port 2 = back`.
 #pragma once
 
 #include <string>

@@ -93,7 +93,9 @@ class Ways {
         std::optional<int> other;
         const std::size_t target =
             static_cast<std::size_t>(i.f1) << 8 | static_cast<unsigned>(i.f2);
-        if ((i.f0 & engine::kCall) != 0) {
+        if ((i.f0 & engine::kCall) != 0 && !search.loop && ends_.count(target) != 0) {
+            other = 0;
+        } else if ((i.f0 & engine::kCall) != 0) {
             other = from(at + 1, search);
             if (other) {
                 *other += subroutine(target);

@@ -8,6 +8,7 @@ data piece_waits = 5
 data check_holds = 6       # of the selected stream's word
 data killed = 7            # as of the request taken
 data held_now = 8
+data tag_is = 9            # of the selected stream's word: the selected one
 
 # IN and OUT
 data link = 2              # of the program at hand
@@ -27,7 +28,8 @@ data digest_in = 13
 data address = 4           # of the memory, 2 limbs
 data take = 5              # takes the selected stream's word
 data check = 6
-data select = 7            # stream: 0 segments, 1 profile; + 2: bits 43:36 are left out of the check
+data select = 7            # stream: 0 segments, 1 profile; + 2: bits 43:36 are left out of the check;
+                           # + 4 tag
 data take_request = 8
 data leaves = 9            # words leave a queue: their number, + 256 of the profile's
 data report = 12           # faults and underrun that stay up, a bit each; those that are 0 stay

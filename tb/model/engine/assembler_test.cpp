@@ -221,6 +221,48 @@ TEST(Assembler, ANumberHasOneName) {
     }
 }
 
+TEST(Assembler, ALinkGoesToThePlaceOfALabel) {
+    Assembly assembly;
+    assembly.from({"begin", 0, ""});
+    assembly.branch("begin");
+    assembly.branch("begin");
+    assemble_text("p.asm",
+                  "word next = place of far, 1 limb\nword a\nnear:\na = place of near, 1 limb\n"
+                  "far:\nport 2 = next, 1 limb\nreturn\nbegin:\n",
+                  assembly);
+    assembly.put_starts();
+    assembly.branch("near");
+    assembly.finish();
+    engine::Engine engine(assembly.program(), assembly.memory());
+    engine::QuietBoard board;
+    std::vector<int> places;
+    for (int n = 0; n < 8; ++n) {
+        engine.step(board);
+        places.push_back(engine.place(false));
+    }
+    EXPECT_EQ(places, (std::vector<int>{5, 6, 2, 3, 4, 3, 4, 3}));  // far is 3, near 2
+    EXPECT_EQ(engine.memory()[std::size_t{engine::kWordLimbs} *
+                              static_cast<std::size_t>(assembly.place("a"))],
+              2);
+
+    Assembly other;
+    assemble_text("p.asm", "word next = place of nowhere\n", other);
+    try {
+        other.finish();
+        ADD_FAILURE() << "no such label";
+    } catch (const AssemblyError& error) {
+        EXPECT_STREQ(error.what(), ": error: no label nowhere");
+    }
+}
+
+TEST(Assembler, AWayEndsWhereAnEndIsCalled) {
+    Assembly assembly;
+    assemble_text("p.asm", "word a\np:\na = a + a\ncall q\ngo to p\nq:\nreturn\n", assembly);
+    assembly.finish();
+    EXPECT_EQ(worst_case(assembly, "p", {"q"}), 10 + 3);
+    EXPECT_THROW(worst_case(assembly, "p"), AssemblyError);
+}
+
 TEST(Assembler, TheWorstCaseIsWhatTheTwinTakes) {
     for (const bool spline : {false, true}) {
         tb::CurveCase of;

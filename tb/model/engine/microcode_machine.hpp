@@ -107,6 +107,17 @@ class MicrocodeMachine {
         return limbs[0] + limbs[1] * (std::int64_t{1} << 15) + limbs[2] * (std::int64_t{1} << 30);
     }
     bool hazard() const { return engine_.hazard(); }
+    /// Writes anything into the words that the sources' locals share, as other programs do.
+    void spoil_locals(std::mt19937_64& random) {
+        for (const auto& [place, datum] : assembly_.data()) {
+            if (datum.name.rfind("scratch ", 0) != 0) continue;
+            const std::uint64_t bits = random() % 2 == 0 ? 0 : 0x7fff;
+            for (int limb = 0; limb < engine::kWordLimbs; ++limb) {
+                engine_.memory()[static_cast<std::size_t>(engine::kWordLimbs * place + limb)] =
+                    static_cast<std::int16_t>(random() & bits);
+            }
+        }
+    }
 
     /// The board that the programs find.
     MicrocodePorts& ports() { return board_.ports; }

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+# A segment, word by word: hls::SegmentEntry, hls/word_entry.hpp. `call next_segment`: words.asm.
+#
+# Signed bits are sign-extended where rounding away one more than the word has leaves 0.
+
+word segments = 0, 2 limbs                 # whole ones in the queue
+word segment_inside = 0, 1 limb            # 0: the next segment is its program's first
+word segment_number = 0, 1 limb            # of the next one, modulo 2^8
+word joins = 0, 1 limb                     # a start is the end before: not of the first segment
+word entry_axis                            # less 3
+word least_lambda most_lambda aux_joins
+word ticks_bytes segment_ticks
+word segment_select segment_check segment_put segments_wait entering
+word entry_path path_lead                  # ledger.asm
+local t byte high kind least place before lambda
+
+data less_three = - 3
+data less_seven = - 7
+data byte_tags = 8573288194                # less what tags add to the bytes of ticks
+
+segment_whole:
+  joins = 1, 1 limb
+  segment_number = segment_number + 1, 1 limb
+  segments = segments + 1, 2 limbs
+  segment_ticks = floor(ticks_bytes * 2^34 >> 45)
+  segment_ticks = segment_ticks + byte_tags
+  call segment_entered
+  segment_select = 0, 1 limb
+  call next_segment
+
+length_word:
+  test segments_wait + 0, 1 limb
+  if not zero go to word_stays
+  test segment_inside + 0, 1 limb
+  if not zero go to length_follows
+  segment_check = port digest_in, 1 limb
+  port check = segment_check, 1 limb
+length_follows:
+  entry_path = entering - 2^44
+  path_lead = path_lead + entry_path, 4 limbs
+  entry_axis = less_three, 1 limb
+  call next_segment
+
+theta_word:
+  call coefficient
+  high = floor(entering * 2^2 >> 45), 1 limb       # -4, of a program's last -3
+  segment_inside = high + 3, 1 limb
+  high = high * 2^5, 1 limb
+  least_lambda = floor(entering * 2^7 >> 45), 1 limb
+  least_lambda = least_lambda - high, 1 limb
+  test least_lambda - 28, 1 limb           # k
+  if not negative go to bad_word
+  kind = entering * 2^7
+  kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1
+  if negative go to bad_word
+  least_lambda = least_lambda * kind, 1 limb
+  most_lambda = kind * 27, 1 limb
+  least = kind * least_phi
+  test t - least
+  if negative go to bad_word
+next_axis:
+  call next_segment
+
+start_word:
+  call point
+  test joins + 0, 1 limb
+  if zero go to starts
+  place = segment_put - to_end_before, 2 limbs     # of the end in the segment before
+  if not negative go to end_there
+  place = place + segment_end, 2 limbs
+end_there:
+  port address = place, 2 limbs
+  before = port memory
+  before = before * 2^1
+  test t - before
+  if not zero go to strange_word
+starts:
+  call next_segment
+
+end_word:
+  call point
+  test entry_axis + 0, 1 limb
+  if not negative go to linear
+  test entry_axis + 3, 1 limb
+  if not zero go to y_or_z
+  segment_select = segment_select + 2, 1 limb
+  call next_segment
+
+tangent_word:
+  call coefficient_and_byte
+  byte = byte - segment_number, 1 limb
+  test byte * 2^7, 1 limb
+  if not zero go to strange_word
+  segment_select = segment_select - 2, 1 limb
+  call next_segment
+
+normal_word:
+  call coefficient_and_byte
+  high = floor(entering * 2^3 >> 45)       # -8, with another turn -7
+  aux_joins = less_seven - high
+  if negative go to bad_word
+  high = high * 2^6, 1 limb
+  lambda = byte - high, 1 limb
+  test lambda - least_lambda, 1 limb
+  if negative go to bad_word
+  test most_lambda - lambda, 1 limb
+  if negative go to bad_word
+  go to advance
+
+y_or_z:
+  call next_segment
+y_or_z_tangent_word:
+  call coefficient_and_byte
+  call next_segment
+y_or_z_normal_word:
+  call coefficient_and_byte
+linear:
+  segment_select = 24, 1 limb
+advance:
+  segment_select = segment_select + 2, 1 limb
+  call next_segment
+advance_word:
+  if not port check_holds go to bad_word
+  call coefficient
+  segment_select = 8, 1 limb
+  entry_axis = entry_axis + 1, 1 limb
+  if not zero go to axis_over
+  joins = joins * aux_joins, 1 limb
+axis_over:
+  test entry_axis - aux_axes, 1 limb
+  if negative go to next_axis
+  go to segment_whole
+
+coefficient_and_byte:
+  byte = floor(entering * 2^9 >> 45), 1 limb       # bits 43:36
+  high = byte * 2^35
+  ticks_bytes = high + (ticks_bytes * 2^37 >> 45)
+coefficient:
+  t = entering * 2^9
+  test t * 2^coef_room >> 45
+  go to in_range
+point:
+  t = entering * 2^1
+  test t * 2^fine_room >> 45
+in_range:
+  if not zero go to bad_word
+  return
