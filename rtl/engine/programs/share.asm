@@ -3,11 +3,12 @@
 # hls/path_kernel.hpp. After j samples floor(j increment / 2^n) is gone.
 #
 #   share   `sigma` (follow.asm) goes on by the next sample's, and path_sum, which the board is told.
-#           Where share_index is 0, `increment` is a new tick's, and n is the port's.
+#           Where share_index is 0, `increment` is a new tick's, and n is samples_per_tick.
 
 word share_index = 0       # samples that the tick still has
 word increment             # of a tick (path.asm), then its floor(increment / 2^n)
 word sigma
+word samples_per_tick      # n: settings.asm
 wide path_sum = 0          # 64 bits
 word shares share_odd share_gone   # 2^n; increment modulo 2^n; what of 2^n is missing to a quantum
 local n whole ds high
@@ -15,7 +16,7 @@ local n whole ds high
 share:
   test share_index + 0
   if not zero go to next_share
-  n = port samples_per_tick_in, 1 limb
+  n = samples_per_tick, 1 limb
   whole = increment + 0, 4 limbs
   shares = 1
   loop

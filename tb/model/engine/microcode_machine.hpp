@@ -79,7 +79,8 @@ class MicrocodeMachine {
     MicrocodeMachine(const assembler::Assembly& assembly, std::vector<std::uint32_t> program)
         : assembly_(assembly),
           dispatched_(static_cast<int>(assembly.labels().at("dispatched"))),
-          engine_(std::move(program), memory_of(assembly)) {}
+          at_first_(memory_of(assembly)),
+          engine_(std::move(program), at_first_) {}
     explicit MicrocodeMachine(const assembler::Assembly& assembly)
         : MicrocodeMachine(assembly, assembly.program()) {}
 
@@ -118,12 +119,21 @@ class MicrocodeMachine {
             }
         }
     }
+    /// Returns whether a program wrote where no word has a name.
+    bool strays() {
+        const std::vector<std::int16_t>& memory = engine_.memory();
+        for (std::size_t limb = 0; limb < memory.size(); ++limb) {
+            if (at_first_[limb] == kAnything && memory[limb] != kAnything) return true;
+        }
+        return false;
+    }
 
     /// The board that the programs find.
     MicrocodePorts& ports() { return board_.ports; }
 
   private:
     static constexpr std::uint64_t kMostClocks = 200000;
+    static constexpr std::int16_t kAnything = 0x2aaa;
 
     struct Board : engine::QuietBoard {
         int request = -1;
@@ -139,7 +149,6 @@ class MicrocodeMachine {
 
     /// The data at first; what stands in words that have no name is not 0.
     static std::vector<std::int16_t> memory_of(const assembler::Assembly& assembly) {
-        constexpr std::int16_t kAnything = 0x2aaa;
         std::vector<std::int16_t> memory = assembly.memory();
         std::vector<bool> named(memory.size());
         const auto name = [&](int place, int words) {
@@ -167,6 +176,7 @@ class MicrocodeMachine {
 
     const assembler::Assembly& assembly_;
     int dispatched_;
+    std::vector<std::int16_t> at_first_;
     engine::Engine engine_;
     Board board_;
     std::map<std::pair<std::string, int>, int> places_;

@@ -16,7 +16,6 @@ namespace {
 constexpr char kOfTest[] = "share_microcode_test";
 constexpr int kReset = 0;
 constexpr int kShare = 1;
-constexpr int kSamplesPort = 12;
 constexpr int kPathLow = 26;
 constexpr int kPathHigh = 27;
 constexpr int kPathIncrement = 28;
@@ -50,9 +49,7 @@ class ShareComparison {
     ShareComparison(const ShareComparison&) = delete;
 
     int samples(int n, std::mt19937_64& random, int count) {
-        machine_.ports().give = [n](int port, int) {
-            return static_cast<std::int16_t>(port == kSamplesPort ? n : 0);
-        };
+        machine_.set("samples_per_tick", n);
         for (const char* word : {"share_index", "path_sum"}) machine_.set(word, 12345);
         machine_.run(kReset);
         hls::SampleShare kernel(n);
