@@ -63,6 +63,7 @@ class SettingsComparison {
             machine_.set("next", next ? 1 : 0);
             machine_.set("pieces", pieces);
             machine_.set("begun", 0);
+            machine_.spoil_locals(random);
             most_ = std::max(most_, machine_.run(kSettings));
             const bool taken = settings.look(asked_, active, next || pieces > 0);
             differ += machine_.get("begun") != (taken ? 1 : 0) ? 1 : 0;
