@@ -2,6 +2,8 @@
 #include "rtl/engine/compiler/code_passes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace curvecore::assembler {
 
@@ -32,6 +34,27 @@ struct Counts {
     std::vector<int> writes;
 };
 
+std::int64_t constant_of(const CurveCode& code, const Use& use) {
+    return use.is_value() ? code.values[static_cast<std::size_t>(use.value)].constant.value_or(0)
+                          : 0;
+}
+bool is_power(std::int64_t number) { return number > 0 && (number & (number - 1)) == 0; }
+
+/// Constants of two factors: an odd number and a power of two.
+std::pair<std::int64_t, int> odd_and_exponent(std::int64_t number) {
+    int exponent = 0;
+    for (; number % 2 == 0; number /= 2) {
+        ++exponent;
+    }
+    return {number, exponent};
+}
+
+/// Returns whether a step is a product of a value by a constant that needs a word.
+bool by_constant(const CurveCode& code, const Step& step) {
+    const std::int64_t constant = constant_of(code, step.b);
+    return step.op == Op::kMulr && constant != 0 && !is_power(constant);
+}
+
 class Fusion {
   public:
     explicit Fusion(CurveCode& code) : code_(code) {}
@@ -52,6 +75,9 @@ class Fusion {
             return false;
         }
         const Use added = first ? sum.b : sum.a;
+        if (is_power(constant_of(code_, added))) {
+            return false;  // it needs no word in a sum
+        }
         for (const bool left : {true, false}) {
             const Use factor = left ? product.a : product.b;
             const Use other = left ? product.b : product.a;
@@ -138,6 +164,55 @@ void fuse_products(CurveCode& code) {
             }
         }
     }
+}
+
+void share_constants(std::vector<CurveCode>& codes, int coef_bits) {
+    constexpr int kProductBits = 45;
+    std::map<std::int64_t, int> least;  // exponents by odd number
+    const auto each = [&](auto&& visit) {
+        for (CurveCode& code : codes) {
+            for (Part* part : code.parts()) {
+                for (Block& block : part->blocks) {
+                    for (std::size_t n = 0; n < block.steps.size(); ++n) {
+                        if (by_constant(code, block.steps[n])) {
+                            n += visit(code, block, n);
+                        }
+                    }
+                }
+            }
+        }
+    };
+    each([&](CurveCode& code, Block& block, std::size_t n) {
+        const auto [odd, exponent] = odd_and_exponent(constant_of(code, block.steps[n].b));
+        const auto found = least.emplace(odd, exponent).first;
+        found->second = std::min(found->second, exponent);
+        return std::size_t{0};
+    });
+    each([&](CurveCode& code, Block& block, std::size_t n) {
+        Step& step = block.steps[n];
+        const auto [odd, exponent] = odd_and_exponent(constant_of(code, step.b));
+        const int lift = exponent - least.at(odd);
+        const Value factor = code.values[static_cast<std::size_t>(step.a.value)];
+        if (lift == 0 || coef_bits + lift > kProductBits || factor.auxiliary) {
+            return std::size_t{0};
+        }
+        const auto add = [&](Value value) {
+            code.values.push_back(std::move(value));
+            return Use{static_cast<int>(code.values.size()) - 1, 0};
+        };
+        Value copy;
+        copy.name = factor.name + "<<" + std::to_string(lift);
+        copy.of_axis = factor.of_axis;
+        const Use lifted = add(copy);
+        Value number = code.values[static_cast<std::size_t>(step.b.value)];
+        number.constant = odd * (std::int64_t{1} << least.at(odd));
+        const Use constant = add(number);
+        const Step lifting{Op::kMull, lifted.value, step.a, {-1, lift}, false, step.source};
+        step.a = lifted;
+        step.b = constant;
+        block.steps.insert(block.steps.begin() + static_cast<std::ptrdiff_t>(n), lifting);
+        return std::size_t{1};
+    });
 }
 
 }  // namespace curvecore::assembler

@@ -207,6 +207,7 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
         drop_unread(codes.back());
         fuse_products(codes.back());
     }
+    share_constants(codes, core.coef_bits);
     std::vector<WordPlaces> places;
     places.reserve(codes.size());
     for (CurveCode& code : codes) {

@@ -111,7 +111,7 @@ class Places {
     }
 
   private:
-    /// Whether a value must be there when a part begins, and is needed behind it.
+    /// Needs of a value: it is there when a part begins, and read behind it.
     struct Life {
         bool in = false;
         bool out = false;
