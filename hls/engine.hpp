@@ -80,6 +80,8 @@ class Engine {
     std::uint64_t clock() const { return now_; }
     /// Place of a program's next instruction.
     int place(bool foreground) const { return threads_[foreground ? 1 : 0].place; }
+    /// Page X of a program, or Y.
+    int page(bool foreground, bool y) const { return threads_[foreground ? 1 : 0].page[y ? 1 : 0]; }
     /// Returns whether the last instruction was of the foreground.
     bool in_foreground() const { return running_ == 1; }
     /// Returns whether a foreground program was still running when the next was due.

@@ -47,8 +47,10 @@ Field Assembly::named(const std::string& name, int words) {
     if (place + words > kSharedWords) {
         const int further = further_words_ + further_words_ % words;
         further_words_ = further + words;
-        data_[engine::kPageWords * further_page() + further] = {name, 0, words};
-        return names_[name] = {engine::kY + further, name};
+        const int page = further / engine::kPageWords;
+        const int in_page = further % engine::kPageWords;
+        data_[engine::kPageWords * further_page(page != 0) + in_page] = {name, 0, words};
+        return names_[name] = {(page == 0 ? engine::kY : engine::kX) + in_page, name, page != 0};
     }
     if (gap_ == place) {
         gap_.reset();
@@ -78,7 +80,7 @@ Field Assembly::constant(std::int64_t value) {
 int Assembly::place_of_constant(const Field& field) const {
     return field.code < kSharedWords
                ? field.code
-               : engine::kPageWords * further_page() + field.code - engine::kY;
+               : engine::kPageWords * further_page(field.in_x) + field.code % engine::kPageWords;
 }
 
 Field Assembly::place_of(const std::string& label) {
@@ -134,7 +136,11 @@ Field Assembly::auxiliary_word(const std::string& name) {
 }
 
 int Assembly::auxiliary_page() const { return kFirstPage + kAxes * size_.axis_pages; }
-int Assembly::further_page() const { return size_.data / engine::kPageWords - 1; }
+/// Page Y of words beyond, or X: the last one, which is opened most.
+int Assembly::further_page(bool x) const {
+    return size_.data / engine::kPageWords - (further_in_x() && !x ? 2 : 1);
+}
+bool Assembly::further_in_x() const { return size_.data > 256; }
 
 Field Assembly::power(int n) const {
     if (n < 0 || n > 59) {
@@ -160,7 +166,8 @@ void Assembly::put(Op op, const Field& f2, const Field& f0, const Field& f1, boo
     if (engine::overlaps(i)) {
         refuse(fmt::format("hazard: {} is read while it is written", f2.name));
     }
-    placed_.push_back({i, f0.name, f1.name, f2.name, "", source_});
+    const bool in_x = f0.in_x || f1.in_x || f2.in_x;
+    placed_.push_back({i, f0.name, f1.name, f2.name, "", source_, in_x});
 }
 
 void Assembly::jump(const std::string& to, int f0, bool flag) {
@@ -182,26 +189,33 @@ void Assembly::wait(const std::string& next) { jump(next, engine::kNot, true); }
 
 void Assembly::end(const std::string& next) { jump(next, engine::kEnd | engine::kNot); }
 
-void Assembly::set_page(int port, int page) {
+void Assembly::set_page(int port, int page, const char* name) {
     const bool last = page == size_.data / engine::kPageWords - 1;  // so is -1, a fourth limb
     put(Op::kOut, {}, last ? Field{kMinusOneWord, fmt::format("{}", page)} : constant(page),
-        {port, port == engine::kPortX ? "X" : "Y"}, false, last ? engine::kWordLimbs : 1);
+        {port, name}, false, last ? engine::kWordLimbs : 1);
 }
 
-void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page()); }
-void Assembly::open_further() { set_page(engine::kPortY, further_page()); }
+void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page(), "X"); }
+void Assembly::open_further() {
+    set_page(engine::kPortY, further_page(false), "Y");
+    close_axes();
+}
+void Assembly::close_axes() {
+    if (further_in_x()) {
+        set_page(engine::kPortX, further_page(true), kBeyondInX);
+    }
+}
 
 void Assembly::call_for_axes(const std::string& subroutine) {
     for (int axis = 0; axis < kAxes; ++axis) {
         for (int page = 0; page < size_.axis_pages; ++page) {
             set_page(page == 0 ? engine::kPortX : engine::kPortY,
-                     page_of(axis, page * engine::kPageWords));
+                     page_of(axis, page * engine::kPageWords), page == 0 ? "X" : "Y");
         }
         call(subroutine);
     }
-    if (size_.axis_pages > 1) {
-        open_further();
-    }
+    of_axes_.insert(subroutine);
+    size_.axis_pages > 1 ? open_further() : close_axes();
 }
 
 void Assembly::loop() { open_loops_.push_back(placed_.size()); }
@@ -218,6 +232,21 @@ void Assembly::repeat(int bound, int condition) {
     loops_.push_back({open_loops_.back(), placed_.size(), bound});
     jump(name, condition);
     open_loops_.pop_back();
+}
+
+void Assembly::keep_pages() {
+    for (const std::string& label : of_axes_) {
+        for (std::size_t at = labels_.at(label); at < placed_.size(); ++at) {
+            source_ = placed_[at].source;
+            if (placed_[at].in_x) {
+                refuse(label + " is called for axes: page X has none of the words beyond");
+            }
+            const Instruction& i = placed_[at].instruction;
+            if (engine::is_branch(i.op) && (i.f0 & engine::kReturn) != 0) {
+                break;
+            }
+        }
+    }
 }
 
 void Assembly::finish() {
@@ -253,10 +282,14 @@ void Assembly::finish() {
         refuse(fmt::format("the programs need {} instructions, the store has {}", placed_.size(),
                            size_.program));
     }
-    fits(further_words_, engine::kPageWords, "beyond those without a page");
+    fits(further_words_, (further_in_x() ? 2 : 1) * engine::kPageWords,
+         "beyond those without a page");
+    keep_pages();
+    source_ = {};
     fits(axis_words_, size_.axis_pages * engine::kPageWords, "of each axis");
     fits(auxiliary_words_, engine::kPageWords, "of auxiliary axes");
-    const int words = data_words() + (further_words_ > 0 ? engine::kPageWords : 0);
+    const int pages = (further_words_ + engine::kPageWords - 1) / engine::kPageWords;
+    const int words = data_words() + pages * engine::kPageWords;
     if (words > size_.data) {
         refuse(fmt::format("the data need {} words, the store has {}", words, size_.data));
     }

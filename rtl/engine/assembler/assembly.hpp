@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ using AssemblyError = std::runtime_error;
 struct Field {
     int code = 0;
     std::string name;
+    bool in_x = false;  // a word beyond, in page X: call_for_axes() takes it away meanwhile
 };
 
 /// A line of source that instructions come from.
@@ -37,6 +39,7 @@ struct Placed {
     std::string f0, f1, f2;  // names
     std::string target;      // label of a branch
     Source source;
+    bool in_x = false;  // it reads or writes a word beyond in page X
 };
 
 /// A loop: its first instruction, its branch back, and how often that is taken at most.
@@ -60,7 +63,8 @@ struct Datum {
     int words = 1;
 };
 
-constexpr int kAxes = 3;  // axes that have pages: X Y Z
+constexpr int kAxes = 3;                  // axes that have pages: X Y Z
+constexpr char kBeyondInX[] = "X again";  // F1 of what opens page X of words beyond
 
 class Assembly {
   public:
@@ -101,8 +105,11 @@ class Assembly {
     void call_for_axes(const std::string& subroutine);
     /// Makes page X that of the auxiliary axes.
     void open_auxiliary();
-    /// Makes page Y that of the words for which those without a page did not suffice; it stays.
+    /// Opens the words for which those without a page did not suffice: page Y, and with more than
+    /// 256 words X, but for axes.
     void open_further();
+    /// Makes page X that of these words again, behind open_auxiliary().
+    void close_axes();
     void call(const std::string& subroutine);
     void give_back(int condition = engine::kNot | engine::kNever);
     /// Waits for the tick, then goes on at a label.
@@ -135,9 +142,11 @@ class Assembly {
   private:
     Field named(const std::string& name, int words);
     int place_of_constant(const Field& field) const;
-    void set_page(int port, int page);
+    void set_page(int port, int page, const char* name);
     int auxiliary_page() const;
-    int further_page() const;
+    int further_page(bool x) const;
+    bool further_in_x() const;
+    void keep_pages();
     void jump(const std::string& to, int f0, bool flag = false);
 
     StoreSize size_;
@@ -159,6 +168,7 @@ class Assembly {
         int limbs;
     };
     std::vector<Start> starts_;
+    std::set<std::string> of_axes_;  // what call_for_axes() calls
     std::map<std::string, std::int64_t> definitions_;
     std::map<std::string, int> places_of_;  // places of words, by the labels that they are of
 };

@@ -145,6 +145,9 @@ class Writer {
             assembly_.put(step.op, field(step.to), field(a.value),
                           power >= 0 ? assembly_.power(power) : second(b), step.flag);
         }
+        if (open) {
+            assembly_.close_axes();
+        }
     }
 
     /// n of a constant 2^n, which needs no word as F1; else -1.

@@ -29,14 +29,14 @@ class AuxiliaryAxes {
             assembly_.from({"", 0, fmt::format("fine[{0}] = end[{0}]", axis)});
             assembly_.copy(word("fine", axis), word("end", axis));
         }
-        assembly_.give_back();
+        end();
         begin("fetch_auxiliary");
         for (int axis = kFirstAuxiliary; axis < axes_; ++axis) {
             fetch("start", axis, hls::kPointField.bits);
             fetch("end", axis, hls::kPointField.bits);
             fetch("advance", axis, hls::kCoefField.bits);
         }
-        assembly_.give_back();
+        end();
     }
 
   private:
@@ -46,6 +46,12 @@ class AuxiliaryAxes {
         if (axes_ > kFirstAuxiliary) {
             assembly_.open_auxiliary();
         }
+    }
+    void end() {
+        if (axes_ > kFirstAuxiliary) {
+            assembly_.close_axes();
+        }
+        assembly_.give_back();
     }
     Field word(const char* what, int axis) {
         return assembly_.auxiliary_word(fmt::format("{}[{}]", what, axis));

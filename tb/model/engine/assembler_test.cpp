@@ -140,6 +140,39 @@ TEST(Assembler, WordsBeyondThoseWithoutAPageStandInPageY) {
     EXPECT_THROW(assembly.finish(), AssemblyError);  // they would stand in the same page
 }
 
+TEST(Assembler, AStoreOfMoreWordsHasThemInPageXToo) {
+    Assembly assembly({2048, 512, 1});
+    for (int n = 0; n < 153; ++n) assembly.word("w" + std::to_string(n));
+    EXPECT_EQ(assembly.field("w151").code, engine::kY + 31);
+    EXPECT_EQ(assembly.field("w152").code, int{engine::kX});
+    EXPECT_EQ(assembly.place("w151"), 15 * engine::kPageWords - 1);
+    EXPECT_EQ(assembly.place("w152"), 15 * engine::kPageWords);
+    EXPECT_NO_THROW(assembly.finish());
+    assembly.open_further();
+    const std::size_t pages = assembly.placed().size();
+    EXPECT_EQ(pages, 2u);
+    assembly.axis_word("x");
+    assembly.from({"p.asm", 1, ""});
+    assembly.call_for_axes("of_axis");
+    EXPECT_EQ(assembly.placed().back().instruction.op, engine::Op::kOut);  // and there it is again
+    assembly.give_back();
+    assembly.label("of_axis");
+    assembly.copy(assembly.field("x"), assembly.field("w151"));
+    assembly.give_back();
+    EXPECT_NO_THROW(assembly.finish());
+    EXPECT_EQ(refused(
+                  [](Assembly& a) {
+                      for (int n = 0; n < 153; ++n) a.word("w" + std::to_string(n));
+                      a.call_for_axes("of_axis");
+                      a.give_back();
+                      a.label("of_axis");
+                      a.copy(a.axis_word("x"), a.word("w152"));
+                      a.give_back();
+                  },
+                  {2048, 512, 1}),
+              "p.net:3: error: of_axis is called for axes: page X has none of the words beyond");
+}
+
 TEST(Assembler, LocalsOfAllSourcesShareTheirWords) {
     Assembly assembly;
     assemble_text("p.asm", "word kept\nlocal a b\na = kept\nb = a\n", assembly);

@@ -84,15 +84,20 @@ class MicrocodeMachine {
     explicit MicrocodeMachine(const assembler::Assembly& assembly)
         : MicrocodeMachine(assembly, assembly.program()) {}
 
-    /// Executes a program; returns its clocks. @throws std::runtime_error if it does not end
+    /// Executes a program; returns its clocks. @throws std::runtime_error if it does not end, or
+    /// leaves another page X open where that has words beyond
     int run(int request) {
         board_.request = kFirstRequest + request;
         while (engine_.place(false) < dispatched_) engine_.step(board_);
         board_.request = -1;
         const std::uint64_t begin = engine_.clock();
+        const int x = engine_.page(false, false);
         while (engine_.place(false) >= dispatched_) {
             engine_.step(board_);
             if (engine_.clock() - begin > kMostClocks) throw std::runtime_error("no end");
+        }
+        if (assembly_.size().data > 256 && engine_.page(false, false) != x) {
+            throw std::runtime_error("another page X");
         }
         return static_cast<int>(engine_.clock() - begin);
     }

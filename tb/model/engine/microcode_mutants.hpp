@@ -2,6 +2,7 @@
 // Broken microcode: every instruction deleted, or one bit of it changed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -65,10 +66,14 @@ MutantShare seen_mutants(
         return true;
     }) {
     const std::vector<assembler::Placed>& placed = assembly.placed();
+    // A page that is opened again means something where words of it are read
+    const bool beyond = std::any_of(placed.begin(), placed.end(),
+                                    [](const assembler::Placed& one) { return one.in_x; });
     MutantShare share;
     std::size_t count = 0;
     for (std::size_t n = assembly.labels().at("dispatched"); n < placed.size(); ++n) {
         if (!meant(placed[n].source.file)) continue;
+        if (!beyond && placed[n].f1 == assembler::kBeyondInX) continue;
         const std::vector<std::uint32_t> words = mutants(placed[n].instruction);
         for (std::size_t mutant = 0; mutant < words.size(); ++mutant) {
             if (mutant > 0 && count++ % each != 0) continue;
