@@ -25,17 +25,31 @@ piece:
   next_end = ticks * 2^16
   next_tau = 1 * 2^28                      # 2^(28-m): tau = time 2^(19-m) has 35 fraction bits,
   loop                                     # and 2^9 more
+    m = m - 8, 1 limb
+    if negative go to tau_eights
+    next_tau = floor(next_tau * 2^37 >> 45)
+  repeat 2 times
+tau_eights:
+  m = m + 8, 1 limb
+  loop
     m = m - 1, 1 limb
     if negative go to tau_made
     next_tau = floor(next_tau * 2^44 >> 45)
-  repeat 19 times
+  repeat 7 times
 tau_made:
   next_scale = 1 * 2^11, 4 limbs           # 2^(11+e): d has 34 fraction bits
+  loop
+    e = e - 8, 1 limb
+    if negative go to scale_eights
+    next_scale = next_scale * 2^8, 4 limbs # of 2^43 or less
+  repeat 5 times
+scale_eights:
+  e = e + 8, 1 limb
   loop
     e = e - 1, 1 limb
     if negative go to scale_made
     next_scale = next_scale + next_scale, 4 limbs
-  repeat 46 times
+  repeat 7 times
 scale_made:
   next = 1
   return

@@ -129,7 +129,9 @@ stopped:
   stopping = 0, 1 limb
   stop_slope = 0
   obeyed = 0
-  mode = 2, 1 limb
+  aimed = 0, 2 limbs
+  low = 1 * -1, 1 limb
+  go to lands
 
 aim:
   same = obeyed - aimed, 2 limbs
@@ -138,7 +140,8 @@ aim:
   low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
   test mode - 2, 1 limb
   if not zero go to rate_follows
-  at_one = 0, 1 limb                       # rest, land
+lands:                                     # rest, land
+  at_one = 0, 1 limb
   settling = 0, 1 limb
   slope = 0
   braking = 0

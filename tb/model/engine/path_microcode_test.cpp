@@ -35,6 +35,10 @@ std::vector<hls::ProfileWords> rough_pieces(std::uint32_t seed, int count, int m
     for (hls::ProfileWords& piece : pieces) {
         if (random() % 2 == 0) continue;
         piece.ds = piece.ds >> random() % 3;
+        if (random() % 3 == 0) {
+            const int most = hls::kMaxTimeExponent + 1 - piece.time_exponent;
+            piece.time_exponent += static_cast<int>(random() % static_cast<unsigned>(most));
+        }
         for (hls::Word<hls::kProfileBits>& c : piece.c) {
             c = static_cast<std::int64_t>(random() % (std::uint64_t{1} << 34)) -
                 (std::int64_t{1} << 33);
@@ -138,7 +142,7 @@ TEST(PathMicrocode, AChangedInstructionIsSeen) {
                          MicrocodeMachine machine(assembly, program);
                          machine.set("idle", hls::kIdleTicks);
                          PathComparison comparison(assembly, machine);
-                         for (std::uint32_t seed = 1; seed <= 8; ++seed) {
+                         for (std::uint32_t seed = 1; seed <= 24; ++seed) {
                              if (comparison.program(seed, 8, seed % 2 == 0 ? 3 : 60) > 0)
                                  return true;
                          }
