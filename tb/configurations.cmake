@@ -213,6 +213,10 @@ illegal_parameter_test(curve_interpolator Curves=4 "Curves must be 1, 2 or 3")
 foreach(depth 2 16 512)
   core_test(word_queue d${depth} TOP word_queue PARAMS Bits=48 Depth=${depth})
 endforeach()
+core_test(word_streams c36 TOP word_streams PARAMS CoefBits=36 FineBits=42 AuxAxes=0 Splines=0
+          SegmentQueueWords=64 ProfileQueueWords=16)
+core_test(word_streams c30_aux2_splines TOP word_streams PARAMS CoefBits=30 FineBits=38 AuxAxes=2
+          Splines=1 SegmentQueueWords=128 ProfileQueueWords=32)
 core_test(time_scaler default TOP time_scaler)
 core_test(time_scaler serial TOP time_scaler_serial)
 core_test(rate_generator default TOP rate_generator PARAMS Build=0 Room=128)

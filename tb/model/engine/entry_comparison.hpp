@@ -6,17 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
 
-#include "hls/word_entry.hpp"
-#include "hls/word_ledger.hpp"
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/compiler/word_numbers.hpp"
 #include "tb/model/engine/microcode_machine.hpp"
-#include "tb/model/engine/random_streams.hpp"
+#include "tb/support/segments/random_streams.hpp"
+#include "tb/support/segments/word_rule.hpp"
 
 namespace curvecore::tb {
 
@@ -25,13 +23,9 @@ constexpr int kReset = 0;
 constexpr int kEnter = 1;  // + 1: of a profile word
 constexpr int kGuard = 3;
 
-struct QueueSizes {
-    int words[2];  // of segments, of the profile
-};
-
 struct EntryCase {
     sysc::CoreParameters core;
-    QueueSizes queues{{64, 16}};
+    std::array<int, 2> queues{{64, 16}};    // words: segments, pieces
     int most_time = hls::kMaxTimeExponent;  // pieces have 2^most_time ticks at most
 };
 
@@ -39,7 +33,7 @@ inline assembler::Assembly words_microcode(const EntryCase& of) {
     assembler::Assembly assembly;
     MicrocodeMachine::dispatch(assembly,
                                {"reset", "enter_segment_word", "enter_piece_word", "guard"});
-    define_words(of.core, of.queues.words[0], of.queues.words[1], assembly);
+    define_words(of.core, of.queues[0], of.queues[1], assembly);
     for (const char* source : {"ports", "words", "segment_words", "piece_words", "ledger"}) {
         assemble_source(std::string(RTL_DIR) + "/engine/programs/" + source + ".asm", assembly);
     }
@@ -120,17 +114,11 @@ class EntryComparison {
         for (int n = 0; n < count; ++n) maker.program(streams, !whole && random_() % 16 == 0);
         if (!whole && random_() % 4 != 0) maker.change(streams, runs_++ % RandomStreams::kChanges);
         if (!whole && random_() % 4 == 0) maker.damage(streams);
-        std::deque<std::uint64_t> words[2];
-        for (const auto& frame : streams.segments) {
-            words[0].insert(words[0].end(), frame.begin(), frame.end());
-        }
-        for (const auto& frame : streams.pieces) {
-            words[1].insert(words[1].end(), frame.begin(), frame.end());
-        }
+        std::array<std::deque<std::uint64_t>, 2> words = streams.words();
         reset(whole ? 1 : 1 + static_cast<std::int64_t>(random_() >> (35 + random_() % 29)));
         int differ = 0;
         for (int still = 0; differ == 0 && still < 200; ++still) {
-            const std::size_t stream = random_() % 2;
+            const Stream stream = random_() % 2 == 0 ? kSegments : kPieces;
             if (!words[stream].empty() && offer(stream, words[stream].front(), differ)) {
                 words[stream].pop_front();
                 still = 0;
@@ -155,18 +143,8 @@ class EntryComparison {
 
   private:
     void reset(std::int64_t stop_ticks) {
-        const sysc::RunTimeFormat format(of_.core, of_.core.axes());
-        segment_entry_ = std::make_unique<hls::SegmentEntry<sysc::RunTimeFormat>>(
-            format, of_.core.splines != 0, digest_);
-        piece_entry_ = hls::PieceEntry(digest_);
-        ledger_ = hls::WordLedger();
-        fault_ = 0;
-        for (std::size_t stream = 0; stream < 2; ++stream) {
-            frames_[stream].clear();
-            frame_[stream].clear();
-            held_[stream] = 0;
-            put_[stream] = 0;
-        }
+        rule_.emplace(of_.core, of_.queues, digest_);
+        put_ = {};
         ports_.reported = 0;
         guard_ = hls::UnderrunGuard();
         next_.reset();
@@ -187,22 +165,27 @@ class EntryComparison {
     }
 
     /// Offers a word to both; returns whether they have taken it.
-    bool offer(std::size_t stream, std::uint64_t word, int& differ) {
+    bool offer(Stream stream, std::uint64_t word, int& differ) {
         const int taken = ports_.taken[stream];
         const int other = ports_.taken[1 - stream];
         ports_.words[stream] = word;
         ports_.words[1 - stream] = ~word;
-        const bool takes = enter(stream, word);
+        const bool cut = rule_->fault() != 0;
+        const WordRule::Fate fate = rule_->offer(stream, word);
+        const bool takes = fate != WordRule::Fate::kStays;
+        if (fate == WordRule::Fate::kPassed) put(stream, word);
+        for (int n = 0; n < 5 && !cut; ++n) faults_[n] += rule_->fault() >> n & 1;
+
         machine_.set("entry_link", static_cast<std::int64_t>(random_() & 0x7fff));
         const int clocks = run(kEnter + static_cast<int>(stream));
         differ += ports_.taken[stream] != taken + (takes ? 1 : 0) ? 1 : 0;
         differ += ports_.taken[1 - stream] != other ? 1 : 0;
-        differ += machine_.get("word_faults") != fault_ ? 1 : 0;
+        differ += machine_.get("word_faults") != rule_->fault() ? 1 : 0;
         differ += ports_.reported != report() ? 1 : 0;
-        differ += machine_.get("segment_words") != held_[0] ? 1 : 0;
-        differ += machine_.get("profile_words") != held_[1] ? 1 : 0;
-        differ += machine_.get("segments") != static_cast<int>(frames_[0].size()) ? 1 : 0;
-        differ += machine_.get("pieces") != static_cast<int>(frames_[1].size()) ? 1 : 0;
+        differ += machine_.get("segment_words") != rule_->held(kSegments) ? 1 : 0;
+        differ += machine_.get("profile_words") != rule_->held(kPieces) ? 1 : 0;
+        differ += machine_.get("segments") != rule_->frames(kSegments) ? 1 : 0;
+        differ += machine_.get("pieces") != rule_->frames(kPieces) ? 1 : 0;
         if (takes) {
             ++words_;
             clocks_ += clocks;
@@ -213,93 +196,35 @@ class EntryComparison {
         return takes;
     }
 
-    /// The rule: hls/word_entry.hpp and hls/word_ledger.hpp; a queue takes what there is room for,
-    /// and a program's first word waits, if it begins a frame.
-    bool enter(std::size_t stream, std::uint64_t word) {
-        if (fault_ != 0) return true;
-        const auto tag = static_cast<hls::Tag>(get(hls::kTagField, word));
-        const bool waits = stream == 0 ? ledger_.segments_wait() && tag == hls::Tag::kLength
-                                       : ledger_.pieces_wait() &&
-                                             (tag == hls::Tag::kPiece || tag == hls::Tag::kStop);
-        if (waits || held_[stream] == of_.queues.words[stream]) return false;
-        const hls::Entry entry = stream == 0 ? segment_entry_->take(word) : piece_entry_.take(word);
-        if (entry == hls::Entry::kBadWord) fault_ = stream == 0 ? 1 : 4;
-        if (entry == hls::Entry::kBadOrder) fault_ = stream == 0 ? 2 : 8;
-        if (fault_ == 0) {
-            pass(stream, word);
-            if (entry == hls::Entry::kCompleted) complete(stream);
-        }
-        for (int n = 0; n < 5; ++n) faults_[n] += fault_ >> n & 1;
-        return true;
-    }
-
-    void pass(std::size_t stream, std::uint64_t word) {
+    /// Puts a word into the ring of its queue.
+    void put(Stream stream, std::uint64_t word) {
         for (int limb = 0; limb < 3; ++limb) {
             memory_[begin_[stream] + put_[stream]++] = StreamPorts::limb_of(word, limb);
         }
-        if (put_[stream] == 3 * static_cast<std::size_t>(of_.queues.words[stream])) {
-            put_[stream] = 0;
-        }
-        ++held_[stream];
-        frame_[stream].push_back(word);
-        const std::uint64_t tag = get(hls::kTagField, word);
-        if (tag == static_cast<std::uint64_t>(hls::Tag::kLength)) {
-            ledger_.length(get(hls::kLengthField, word));
-        } else if (tag == static_cast<std::uint64_t>(hls::Tag::kDs)) {
-            ledger_.ds(get(hls::kLengthField, word));
-        }
-    }
-
-    void complete(std::size_t stream) {
-        std::vector<std::uint64_t>& frame = frame_[stream];
-        if (stream == 0) {
-            std::uint32_t ticks = 0;
-            for (int n = 0; n < 4; ++n) {
-                const auto place = static_cast<std::size_t>(n < 2 ? 9 + n : 12 + n);
-                ticks |= static_cast<std::uint32_t>(get(hls::kTicksByteField, frame[place]))
-                         << 8 * n;
-            }
-            ledger_.segment(ticks, get(hls::kLastField, frame[1]) != 0);
-        } else {
-            const hls::ProfileWords piece = piece_of_frame(frame);
-            ledger_.piece(piece.ticks, piece.final);
-        }
-        if (ledger_.apart()) fault_ = 16;
-        frames_[stream].push_back(frame);
-        frame.clear();
-    }
-
-    static hls::ProfileWords piece_of_frame(const std::vector<std::uint64_t>& frame) {
-        auto word = frame.end() - hls::kProfileBusWords;
-        return hls::unpack_piece([&] { return *word++; });
+        if (put_[stream] == 3 * static_cast<std::size_t>(of_.queues[stream])) put_[stream] = 0;
     }
 
     /// Takes a whole frame out of a queue.
-    std::vector<std::uint64_t> take_frame(std::size_t stream) {
-        const std::vector<std::uint64_t> frame = frames_[stream].front();
-        frames_[stream].pop_front();
-        held_[stream] -= static_cast<int>(frame.size());
-        machine_.set(stream == 0 ? "segment_words" : "profile_words", held_[stream]);
-        machine_.set(stream == 0 ? "segments" : "pieces",
-                     static_cast<std::int64_t>(frames_[stream].size()));
+    WordRule::Frame take_frame(Stream stream) {
+        const WordRule::Frame frame = rule_->take(stream);
+        const bool of_segments = stream == kSegments;
+        machine_.set(of_segments ? "segment_words" : "profile_words", rule_->held(stream));
+        machine_.set(of_segments ? "segments" : "pieces", rule_->frames(stream));
         return frame;
     }
     void take_segment() {
-        if (!frames_[0].empty()) take_frame(0);
+        if (rule_->frames(kSegments) > 0) take_frame(kSegments);
     }
 
     unsigned report() const {
-        return static_cast<unsigned>(fault_) | (guard_.short_queue() ? 32U : 0U) |
+        return static_cast<unsigned>(rule_->fault()) | (guard_.short_queue() ? 32U : 0U) |
                (guard_.underrun() ? 256U : 0U);
     }
 
     /// Ticks: the guard looks, then the present piece goes on, and the next one comes.
     void tick(int& differ) {
         const std::int64_t rest = active_ ? end() - time_ : 0;
-        const int frames[2] = {hls::kProfileBusWords, ref::segment_bus_words(of_.core.aux_axes)};
-        guard_.tick(ledger_, {active_, active_ && present_.final, rest},
-                    {held_[1] > of_.queues.words[1] - frames[0],
-                     held_[0] > of_.queues.words[0] - frames[1]},
+        guard_.tick(rule_->ledger(), {active_, active_ && present_.final, rest}, rule_->full(),
                     stop_ticks_);
         show_path();
         most_guard_clocks_ = std::max(most_guard_clocks_, run(kGuard));
@@ -321,10 +246,8 @@ class EntryComparison {
             time_ = 0;
             begin();
         }
-        if (!next_ && !frames_[1].empty()) {
-            next_ = piece_of_frame(take_frame(1));
-        }
-        differ += machine_.get("queued_ticks") != ledger_.queued_ticks() ? 1 : 0;
+        if (!next_ && rule_->frames(kPieces) > 0) next_ = WordRule::piece_of(take_frame(kPieces));
+        differ += machine_.get("queued_ticks") != rule_->ledger().queued_ticks() ? 1 : 0;
     }
 
     std::int64_t end() const { return std::int64_t{present_.ticks} << hls::kRateFrac; }
@@ -333,7 +256,7 @@ class EntryComparison {
         active_ = true;
         present_ = *next_;
         next_.reset();
-        ledger_.take(present_.ticks, present_.final);
+        rule_->ledger().take(present_.ticks, present_.final);
         machine_.set("queued_ticks", machine_.get("queued_ticks") - present_.ticks);
         machine_.set("finals", machine_.get("finals") - (present_.final ? 1 : 0));
         time_ = std::min(time_, end() - 1);
@@ -355,20 +278,14 @@ class EntryComparison {
     StreamPorts ports_;
     std::vector<std::int16_t> memory_;
     std::size_t begin_[2] = {};
-    std::unique_ptr<hls::SegmentEntry<sysc::RunTimeFormat>> segment_entry_;
-    hls::PieceEntry piece_entry_;
-    hls::WordLedger ledger_;
+    std::array<std::size_t, 2> put_{};
+    std::optional<WordRule> rule_;
     hls::UnderrunGuard guard_;
     std::int64_t stop_ticks_ = 1;
     bool active_ = false;
     hls::ProfileWords present_;
     std::int64_t time_ = 0;
     std::optional<hls::ProfileWords> next_;
-    int fault_ = 0;
-    std::deque<std::vector<std::uint64_t>> frames_[2];  // whole ones in the queues
-    std::vector<std::uint64_t> frame_[2];               // under way
-    int held_[2] = {};
-    std::size_t put_[2] = {};
     std::int64_t words_ = 0;
     std::int64_t clocks_ = 0;
     int faults_[5] = {};

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <initializer_list>
 #include <random>
 #include <vector>
@@ -20,6 +22,14 @@ using WordFrames = std::vector<std::vector<std::uint64_t>>;
 struct Streams {
     WordFrames segments;
     WordFrames pieces;
+
+    /// Returns the words of both, one after the other.
+    std::array<std::deque<std::uint64_t>, 2> words() const {
+        std::array<std::deque<std::uint64_t>, 2> all;
+        for (const auto& frame : segments) all[0].insert(all[0].end(), frame.begin(), frame.end());
+        for (const auto& frame : pieces) all[1].insert(all[1].end(), frame.begin(), frame.end());
+        return all;
+    }
 };
 
 class RandomStreams {
