@@ -15,7 +15,7 @@ word hold_acceleration hold_slope          # the bounds: settings.asm
 
 # TimeScaler: the first tick lands, and so gives the other words their values.
 word asked
-word aimed                                 # target_
+word aimed                                 # target_, stale behind a stop: it rests on 0
 word unsettled
 word at_one
 word wait
@@ -129,7 +129,6 @@ stopped:
   stopping = 0, 1 limb
   stop_slope = 0
   obeyed = 0
-  aimed = 0, 2 limbs
   low = 1 * -1, 1 limb
   go to lands
 
