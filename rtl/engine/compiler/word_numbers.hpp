@@ -11,15 +11,16 @@
 
 namespace curvecore::assembler {
 
-/// Defines them for queues of so many words.
+/// Defines them for queues of so many words; that of segments holds whole ones.
 inline void define_words(const ref::CoreParameters& core, int segment_words, int profile_words,
                          Assembly& assembly) {
     constexpr int kLimbs = 3;  // of a queued word
     const int frame = ref::segment_bus_words(core.aux_axes);
     const int profile = kLimbs * segment_words;
     const int stops = profile + kLimbs * profile_words;
+    segment_words -= segment_words % frame;
     assembly.define("segment_begin", 0);
-    assembly.define("segment_end", profile);
+    assembly.define("segment_end", kLimbs * segment_words);
     assembly.define("profile_begin", profile);
     assembly.define("profile_end", stops);
     assembly.define("stop_begin", stops);

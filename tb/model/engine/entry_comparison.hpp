@@ -104,7 +104,8 @@ class EntryComparison {
           digest_(static_cast<std::uint16_t>(random_())),
           ports_(machine.ports(), digest_),
           memory_(static_cast<std::size_t>(*assembly.defined("stop_begin"))) {
-        begin_[1] = static_cast<std::size_t>(*assembly.defined("profile_begin"));
+        begin_[kPieces] = static_cast<std::size_t>(*assembly.defined("profile_begin"));
+        of_.queues[kSegments] = static_cast<int>(*assembly.defined("segment_queue_words"));
     }
 
     /// Lets in random programs from a reset on; returns the number of words that differ.

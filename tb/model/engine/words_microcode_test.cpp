@@ -102,7 +102,7 @@ TEST(WordsMicrocode, AChangedInstructionIsSeen) {
             EntryCase some = of;
             some.most_time = seed % 2 == 0 ? 8 : hls::kMaxTimeExponent;
             EntryComparison comparison(some, assembly, machine, seed);
-            for (int run = 0; run < 60; ++run) {
+            for (int run = 0; run < 120; ++run) {
                 if (comparison.programs(1 + run % 3) > 0) return true;
             }
             if (seed == 2 && comparison.programs(100, true) > 0) return true;
@@ -111,7 +111,7 @@ TEST(WordsMicrocode, AChangedInstructionIsSeen) {
     };
     ASSERT_FALSE(differs(assembly.program()));
     const MutantShare share =
-        seen_mutants(assembly, static_cast<std::size_t>(cases(47, 1)), differs,
+        seen_mutants(assembly, static_cast<std::size_t>(cases(97, 1)), differs,
                      [](const std::string& file) { return !file.empty() && file != "reset"; });
     // Behind no_hold's return stands cover, which finds the same once more.
     EXPECT_EQ(share.deleted, "return\n");

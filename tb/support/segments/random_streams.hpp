@@ -240,7 +240,7 @@ class RandomStreams {
                 return true;
             case 22: {
                 const std::uint64_t most = std::uint64_t{1} << get(hls::kTimeExponentField, head);
-                set(head, hls::kPieceTicksField, one_of({0, most, most + 1}));
+                set(head, hls::kPieceTicksField, one_of({0, most, most + 1, most + 1, 2 * most}));
                 return true;
             }
             case 23:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of the words of two streams: hls/word_entry.hpp and hls/word_ledger.hpp, with queues
-// of so many words behind them. A fault of words cuts both streams.
+// Fates of the words of two streams: hls/word_entry.hpp and hls/word_ledger.hpp, with queues of so
+// many words behind them. A fault of words cuts both streams.
 #pragma once
 
 #include <array>
