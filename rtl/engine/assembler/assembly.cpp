@@ -89,16 +89,41 @@ Field Assembly::place_of(const std::string& label) {
     return field;
 }
 
-void Assembly::start(const Field& field, const Field& value, int limbs) {
-    starts_.push_back({field, value, limbs});
+void Assembly::start(const Field& field, std::int64_t value, int limbs) {
+    starts_.push_back({field, value, "", limbs, source_});
+}
+
+void Assembly::start(const Field& field, const std::string& label, int limbs) {
+    starts_.push_back({field, 0, label, limbs, source_});
 }
 
 void Assembly::put_starts() {
     for (const Start& start : starts_) {
-        from({"", 0, fmt::format("{} = {}", start.field.name, start.value.name)});
-        const bool wide = start.limbs > engine::kWordLimbs;
-        put(wide ? Op::kMac : Op::kMull, start.field, start.value, power(0), wide,
-            wide ? 3 : start.limbs);
+        const std::string& shown =
+            start.label.empty() ? fmt::format("{}", start.value) : start.label;
+        from({"", 0, fmt::format("{} = {}", start.field.name, shown)});
+        if (start.limbs > engine::kWordLimbs) {
+            put(Op::kMac, start.field, zero(), power(0), true);
+            continue;
+        }
+        const auto label = labels_.find(start.label);
+        if (!start.label.empty() && label == labels_.end()) {
+            from(start.source);
+            refuse("no label " + start.label);
+        }
+        const std::int64_t value =
+            start.label.empty() ? start.value : static_cast<std::int64_t>(label->second);
+        const Op op = value < 0 ? Op::kSub : Op::kAdd;
+        bool first = true;
+        for (int n = 0; n < engine::kLimbBits * start.limbs; ++n) {
+            if (((value < 0 ? -value : value) >> n & 1) != 0) {
+                put(op, start.field, first ? zero() : start.field, power(n), false, start.limbs);
+                first = false;
+            }
+        }
+        if (first) {
+            put(Op::kMull, start.field, zero(), power(0), false, start.limbs);
+        }
     }
 }
 

@@ -86,9 +86,12 @@ class Assembly {
     Field power(int n) const;
     /// Constant that is the place of a label's instruction, for OUT to the link.
     Field place_of(const std::string& label);
-    /// Gives a word, or that of each axis, its value at reset; a wide one has 6 limbs.
-    void start(const Field& field, const Field& value, int limbs = 3);
-    /// Writes all these values: a reset leaves the data as they are.
+    /// Gives a word its value at reset; a wide one has 6 limbs, and 0.
+    void start(const Field& field, std::int64_t value, int limbs = 3);
+    /// Gives it the place of a label's instruction.
+    void start(const Field& field, const std::string& label, int limbs = 3);
+    /// Writes all these values, behind all labels: a reset leaves the data as they are. None of
+    /// them needs a constant.
     void put_starts();
     /// Gives a number a name, for all sources.
     void define(const std::string& name, std::int64_t value);
@@ -164,8 +167,10 @@ class Assembly {
     int further_words_ = 0;
     struct Start {
         Field field;
-        Field value;
+        std::int64_t value;
+        std::string label;
         int limbs;
+        Source source;
     };
     std::vector<Start> starts_;
     std::set<std::string> of_axes_;  // what call_for_axes() calls

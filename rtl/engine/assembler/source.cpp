@@ -120,7 +120,7 @@ class SourceReader {
             declare(name, tokens_[0]);
             const bool wide = tokens_[0] == "wide";
             if (wide ? take({"=", "0"}) : tokens_[0] == "word" && take("=")) {
-                a_.start(declared(name), wide ? Assembly::zero() : start(), wide ? 6 : limbs_);
+                start(declared(name), wide ? 6 : limbs_);
             }
             while (at_ < tokens_.size()) {
                 declare(next("a name"), tokens_[0]);
@@ -281,11 +281,12 @@ class SourceReader {
         return found->second;
     }
     /// Reads what a word has at reset.
-    Field start() {
+    void start(const Field& field, int limbs) {
         if (take({"place", "of"})) {
-            return a_.place_of(next("a label"));
+            a_.start(field, next("a label"), limbs);
+        } else {
+            a_.start(field, limbs > engine::kWordLimbs ? 0 : value("a number"), limbs);
         }
-        return a_.constant(value("a number"));
     }
     Field word() {
         if (take({"place", "of"})) {

@@ -190,7 +190,7 @@ TEST(Assembler, AWordHasItsValueAtReset) {
     assembly.from({"begin", 0, ""});
     assembly.branch("begin");
     assembly.branch("begin");
-    assemble_text("p.asm", "word idle = 16\nword path = - 3, 4 limbs\nwide sum = 0\nbegin:\n",
+    assemble_text("p.asm", "word idle = 24529\nword path = - 3, 4 limbs\nwide sum = 0\nbegin:\n",
                   assembly);
     assembly.put_starts();
     assembly.label("end");
@@ -207,14 +207,15 @@ TEST(Assembler, AWordHasItsValueAtReset) {
     for (int n = 0; n < 6; ++n) memory[limb("sum", n)] = 77;
     engine::Engine engine(assembly.program(), memory);
     engine::QuietBoard board;
-    for (int n = 0; n < 9; ++n) engine.step(board);
+    for (int n = 0; n < 16; ++n) engine.step(board);
     const auto& after = engine.memory();
-    EXPECT_EQ(after[limb("idle", 0)], 16);
+    EXPECT_EQ(after[limb("idle", 0)], 24529);
     EXPECT_EQ(after[limb("idle", 2)], 0);
     EXPECT_EQ(after[limb("idle", 3)], 77);  // of three limbs
     EXPECT_EQ(after[limb("path", 0)], 0x7ffd);
     EXPECT_EQ(after[limb("path", 3)], -1);
     for (int n = 0; n < 6; ++n) EXPECT_EQ(after[limb("sum", n)], 0) << n;
+    EXPECT_EQ(assembly.data().size(), 6U);  // no constants but the pages of axes
 }
 
 TEST(Assembler, APowerOfTwoNeedsNoWord) {
@@ -269,22 +270,27 @@ TEST(Assembler, ALinkGoesToThePlaceOfALabel) {
     engine::Engine engine(assembly.program(), assembly.memory());
     engine::QuietBoard board;
     std::vector<int> places;
-    for (int n = 0; n < 8; ++n) {
+    for (int n = 0; n < 9; ++n) {
         engine.step(board);
         places.push_back(engine.place(false));
     }
-    EXPECT_EQ(places, (std::vector<int>{5, 6, 2, 3, 4, 3, 4, 3}));  // far is 3, near 2
+    EXPECT_EQ(places, (std::vector<int>{5, 6, 7, 2, 3, 4, 3, 4, 3}));  // far is 3, near 2
     EXPECT_EQ(engine.memory()[std::size_t{engine::kWordLimbs} *
                               static_cast<std::size_t>(assembly.place("a"))],
               2);
 
     Assembly other;
-    assemble_text("p.asm", "word next = place of nowhere\n", other);
-    try {
-        other.finish();
-        ADD_FAILURE() << "no such label";
-    } catch (const AssemblyError& error) {
-        EXPECT_STREQ(error.what(), ": error: no label nowhere");
+    assemble_text("p.asm", "word a\na = place of nowhere\nword next = place of nowhere\n", other);
+    const std::pair<void (Assembly::*)(), const char*> ends[] = {
+        {&Assembly::put_starts, "p.asm:3: error: no label nowhere"},
+        {&Assembly::finish, ": error: no label nowhere"}};
+    for (const auto& [end, reason] : ends) {
+        try {
+            (other.*end)();
+            ADD_FAILURE() << reason;
+        } catch (const AssemblyError& error) {
+            EXPECT_STREQ(error.what(), reason);
+        }
     }
 }
 
