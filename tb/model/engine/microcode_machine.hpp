@@ -79,22 +79,30 @@ class MicrocodeMachine {
     MicrocodeMachine(const assembler::Assembly& assembly, std::vector<std::uint32_t> program)
         : assembly_(assembly),
           dispatched_(static_cast<int>(assembly.labels().at("dispatched"))),
+          idle_(static_cast<int>(assembly.labels().at("idle"))),
           at_first_(memory_of(assembly)),
           engine_(std::move(program), at_first_) {}
     explicit MicrocodeMachine(const assembler::Assembly& assembly)
         : MicrocodeMachine(assembly, assembly.program()) {}
 
-    /// Executes a program; returns its clocks. @throws std::runtime_error if it does not end, or
-    /// leaves another page X open where that has words beyond
+    /// Executes a program; returns its clocks. @throws std::runtime_error if it does not end, ends
+    /// elsewhere, or leaves another page X open where that has words beyond
     int run(int request) {
         board_.request = kFirstRequest + request;
-        while (engine_.place(false) < dispatched_) engine_.step(board_);
+        int back = 0;
+        while (engine_.place(false) < dispatched_) {
+            back = engine_.place(false) + 1;
+            engine_.step(board_);
+        }
         board_.request = -1;
         const std::uint64_t begin = engine_.clock();
         const int x = engine_.page(false, false);
         while (engine_.place(false) >= dispatched_) {
             engine_.step(board_);
             if (engine_.clock() - begin > kMostClocks) throw std::runtime_error("no end");
+        }
+        if (engine_.place(false) != back && engine_.place(false) != idle_) {
+            throw std::runtime_error("it ends elsewhere");
         }
         if (assembly_.size().data > 256 && engine_.page(false, false) != x) {
             throw std::runtime_error("another page X");
@@ -181,6 +189,7 @@ class MicrocodeMachine {
 
     const assembler::Assembly& assembly_;
     int dispatched_;
+    int idle_;
     std::vector<std::int16_t> at_first_;
     engine::Engine engine_;
     Board board_;

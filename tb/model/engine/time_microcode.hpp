@@ -143,6 +143,9 @@ class TimeComparison {
     void standing(std::int32_t target, std::int32_t rate, bool active) {
         ++ticks_made_;
         stop_ticks_ += scaler_.stopping() ? 1 : 0;
+        for (const char* truth : {"standing", "at_one", "settling", "stopping", "unsettled"}) {
+            same(machine_.get(truth) >> 1, 0);
+        }
         const bool stands = machine_.get("standing") != 0;
         if (target != 0 || !active) {
             same(stands, target == 0);
