@@ -21,14 +21,22 @@ constexpr int kMemoryEntries = kStopBegin + 2 * kBankEntries;
 
 enum TimeProgram { kReset, kFetch, kRate, kTick, kTimeBegins };
 
-inline assembler::Assembly time_microcode() {
+/// The programs, and the most clocks of each.
+struct TimeMicrocode {
     assembler::Assembly assembly;
+    std::vector<int> bounds;
+};
+
+inline TimeMicrocode time_microcode() {
+    TimeMicrocode code;
+    assembler::Assembly& assembly = code.assembly;
+    const std::vector<std::string> names{"reset", "fetch_piece", "rate_tick", "tick",
+                                         "time_begins"};
     assembly.define("profile_begin", kProfileBegin);
     assembly.define("profile_end", kProfileEnd);
     assembly.define("stop_begin", kStopBegin);
     assembly.define("stop_middle", kStopBegin + kBankEntries);
-    MicrocodeMachine::dispatch(assembly,
-                               {"reset", "fetch_piece", "rate_tick", "tick", "time_begins"});
+    MicrocodeMachine::dispatch(assembly, names);
     for (const char* file : {"ports", "path", "stops", "rate", "pieces"}) {
         assemble_source(std::string(RTL_DIR) + "/engine/programs/" + file + ".asm", assembly);
     }
@@ -36,7 +44,8 @@ inline assembler::Assembly time_microcode() {
     assembly.put_starts();
     assembly.give_back();
     assembly.finish();
-    return assembly;
+    for (const std::string& name : names) code.bounds.push_back(worst_case(assembly, name));
+    return code;
 }
 
 /// Writes the 46 bits of a queued word into the memory.
@@ -91,18 +100,14 @@ inline hls::StopStep any_step(std::mt19937_64& random, bool last) {
 /// A comparison of the twin with the kernels.
 class TimeComparison {
   public:
-    TimeComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
-        : machine_(machine) {
-        for (const char* name : {"reset", "fetch_piece", "rate_tick", "tick", "time_begins"}) {
-            bounds_.push_back(worst_case(assembly, name));
-        }
-        most_.resize(bounds_.size());
+    TimeComparison(const TimeMicrocode& code, MicrocodeMachine& machine)
+        : machine_(machine), bounds_(code.bounds), most_(code.bounds.size()) {
         machine_.ports().memory.resize(kMemoryEntries);
         machine_.ports().take = [this](int port, int, std::int16_t value) {
             if (port == kLeaves) left_ += value - 256;
         };
         // A reset leaves the data as they are.
-        for (const auto& [place, datum] : assembly.data()) {
+        for (const auto& [place, datum] : code.assembly.data()) {
             if (datum.value == 0) machine_.set(datum.name, 40 + place % 7);
         }
         run(kReset);
