@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/feed/pieces/phase_ends.hpp"
 #include "ref/feed/pieces/piece_loads.hpp"
 #include "ref/feed/places/step_speed.hpp"
 #include "ref/feed/ramps/ramp.hpp"
@@ -204,7 +205,7 @@ void StretchSolver::improve(Stretch& stretch, std::size_t end) {
     std::vector<Phase> phases = stretch.given.phases;
     append_motion(phases,
                   optimal_run(rules, moves, task_.geometry, task_.machine, places_,
-                              [&](const auto& run) { return word_loads(moves, run); }),
+                              [&](auto& run) { return place_ends(moves, run); }),
                   from);
     append_motion(phases, part_of(stretch.phases, to, kEnd), to);
     stretch.phases = std::move(phases);
@@ -216,9 +217,36 @@ bool StretchSolver::one_line(const Stretch& stretch) const {
     return stretch.first == stretch.last && move.kind == Move::Kind::kLine;
 }
 
-/// Loads of the words: rounding to ticks may ask too much, also at joints within a few of them.
-std::vector<RunLoad> StretchSolver::word_loads(const std::vector<RunMove>& moves,
-                                               const std::vector<Phase>& phases) {
+/// Moves ends of phases to the other tick beside them where that lowers the loads of the words on
+/// both sides: first those behind words that take too much, then those before. Returns the loads
+/// that are left.
+std::vector<RunLoad> StretchSolver::place_ends(const std::vector<RunMove>& moves,
+                                               std::vector<Phase>& phases) {
+    WordsLoad now = words_load(moves, phases);
+    for (const std::size_t before : {1, 0}) {
+        const auto load = [](const WordsLoad& words, std::size_t end) {
+            return std::max(words.highest[end - 1], words.highest[end]);
+        };
+        if (now.loads.empty()) break;
+        const PhaseEnds ends(phases, grid_.tick);
+        std::vector<std::size_t> tried;
+        for (std::size_t i = 1; i < phases.size(); ++i) {
+            if (now.highest[i - before] > 1) tried.push_back(i);
+        }
+        const WordsLoad there = words_load(moves, ends.moved(tried));
+        std::vector<std::size_t> better;
+        std::copy_if(tried.begin(), tried.end(), std::back_inserter(better),
+                     [&](std::size_t end) { return load(there, end) < load(now, end); });
+        if (better.empty()) continue;
+        phases = ends.moved(better);
+        now = better.size() == tried.size() ? there : words_load(moves, phases);
+    }
+    return now.loads;
+}
+
+/// Rounding to ticks may ask too much, also at joints within a few of them.
+StretchSolver::WordsLoad StretchSolver::words_load(const std::vector<RunMove>& moves,
+                                                   const std::vector<Phase>& phases) {
     Geometry own;
     std::uint64_t length = 0;
     for (const RunMove& move : moves) {
@@ -229,9 +257,15 @@ std::vector<RunLoad> StretchSolver::word_loads(const std::vector<RunMove>& moves
     run.unit_mm = task_.options.unit_mm;
     run.tick_s = grid_.tick;
     append_run(phases, length, grid_, run.pieces);
-    std::vector<RunLoad> loads;
+    const PhaseEnds ends(phases, grid_.tick);
+    WordsLoad words{{}, std::vector<double>(phases.size(), 0)};
     double begin = 0;  // mm, start of the move
+    const ProfilePiece* piece = run.pieces.data();
+    std::uint64_t tick = 0;  // start of the piece
+    std::size_t phase = 0;   // first that ends behind it
     walk_pieces(run, own, grid_, [&](const PieceStretch& part) {
+        for (; piece != part.piece; ++piece) tick += piece->ticks;
+        while (phase + 1 < phases.size() && ends.nearest(phase + 1) <= tick) ++phase;
         LimitRatios worst;
         const RunMove& on = moves[part.move_index];
         keep_loads(part, on.planned, run, grid_, task_.machine, places_, worst);
@@ -245,13 +279,18 @@ std::vector<RunLoad> StretchSolver::word_loads(const std::vector<RunMove>& moves
         const double ticks = part.to - part.from;
         const double unseen = kUnseen * task_.machine.joint_time / (ticks * grid_.tick);
         const double carried = ticks < 1 ? std::max(kCarried, 1 + unseen) : kCarried;
-        if (load > carried || speed > kSpeedCarried) {
-            loads.push_back(
+        const double highest = std::max(load / carried, speed / kSpeedCarried);
+        if (highest > 1) {
+            words.loads.push_back(
                 {begin + part.s * grid_.quantum, std::max(1.0, load), std::max(1.0, speed)});
+        }
+        for (std::size_t i = phase; i < phases.size() && ends.nearest(i) < tick + piece->ticks;
+             ++i) {
+            words.highest[i] = std::max(words.highest[i], highest);
         }
         if (part.ends_move) begin += length_of(*part.move, grid_);
     });
-    return loads;
+    return words;
 }
 
 /// Speed that feed, core and words allow, given the machine's.

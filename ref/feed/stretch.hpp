@@ -93,8 +93,13 @@ class StretchSolver {
     Zone zone(std::size_t i) const;
     std::vector<RunMove> run_moves(const Stretch& stretch, std::size_t first,
                                    std::size_t end) const;
-    std::vector<RunLoad> word_loads(const std::vector<RunMove>& moves,
-                                    const std::vector<Phase>& phases);
+    /// Loads of the words of a motion, as ratios to what they may be.
+    struct WordsLoad {
+        std::vector<RunLoad> loads;   // those beyond it
+        std::vector<double> highest;  // of each phase
+    };
+    WordsLoad words_load(const std::vector<RunMove>& moves, const std::vector<Phase>& phases);
+    std::vector<RunLoad> place_ends(const std::vector<RunMove>& moves, std::vector<Phase>& phases);
 
     const FeedTask& task_;
     PathPlaces places_;

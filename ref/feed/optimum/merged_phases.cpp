@@ -85,16 +85,6 @@ class Merger {
 
 }  // namespace
 
-Phase phase_between(long double s, double length, double v0, double v1, double duration) {
-    Phase phase;
-    phase.duration = duration;
-    phase.s = s;
-    phase.v = v0;
-    phase.a = (6 * length / duration - 4 * v0 - 2 * v1) / duration;
-    phase.j = (6 * (v0 + v1) - 12 * length / duration) / (duration * duration);
-    return phase;
-}
-
 std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<int>& mends,
                                  const RunPath& path, const Machine& machine) {
     return Merger(run, mends, path, machine).merge();

@@ -8,13 +8,9 @@
 
 namespace curvecore::ref {
 
-/// The cubic s(t) with path and speed at both ends.
-Phase phase_between(long double s, double length, double v0, double v1, double duration);
-
 /// Returns the fewest phases that keep the limits, and the acceleration at their ends to within
 /// what no window of the machine's joint time sees. Ends of phases are places, speeds and times of
 /// the run.
-/// @param mends number for each phase; phases that have any stay as they are
 /// @param mends of each phase; those that have any stay as they are
 std::vector<Phase> merged_phases(const std::vector<Phase>& run, const std::vector<int>& mends,
                                  const RunPath& path, const Machine& machine);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <map>
 
 #include "ref/feed/optimum/merged_phases.hpp"
 #include "ref/feed/optimum/time_optimum.hpp"
@@ -34,7 +35,8 @@ constexpr int kRounds = 3;
 constexpr int kMostRounds = 8;
 // Intervals eased on both sides of where words take too much, and those solved again.
 constexpr std::size_t kNear = 2;
-constexpr std::size_t kAround = 60;  // this many more for each time before
+constexpr std::size_t kAround = 30;  // this many more for each time before
+constexpr double kMost = 0.75;       // share of a window from which on all of it is solved again
 constexpr int kMends = 10;
 constexpr int kMostMends = 40;  // in a long run some places always remain
 constexpr double kMendMore = 0.05;
@@ -67,7 +69,7 @@ class OptimalRun {
                 continue;
             }
             const std::size_t next = std::max(led, first + window / 2);
-            settle(first, last, std::min(last, next + kBeyond), std::move(roomy));
+            settle({first, last}, std::min(last, next + kBeyond), std::move(roomy));
             if (whole) return true;
             first = next;
         }
@@ -80,30 +82,22 @@ class OptimalRun {
         const auto less_of = [](double now, double taken) {  // where too much was taken
             return taken > 1 ? now / taken : 1;
         };
-        for (auto load = loads.begin(); load != loads.end();) {
-            const std::size_t at = std::clamp<std::size_t>(interval_at(load->s), 1, end_ - 1);
-            const std::size_t around = kAround * (1 + static_cast<std::size_t>(before[at]));
-            const std::size_t first = at > around ? at - around : 1;
-            const std::size_t last = std::min(end_, at + around);
-            Eased eased;
-            int most = 0;
-            for (; load != loads.end(); ++load) {
-                const std::size_t k = interval_at(load->s);
-                if (k + kNear >= last && last < end_) break;
-                const std::size_t from = std::max(k, first + kNear) - kNear;
-                const std::size_t to = std::min(k + kNear, last - 1);
-                int times = 0;
-                for (std::size_t i = from; i <= to; ++i) times = std::max(times, before[i]);
-                const double less = 1 - kMendMore * std::min(times, kMends);
-                for (std::size_t i = from; i <= to; ++i) {
-                    eased.push_back({i, less_of(less * optimum_.load(i), load->load),
-                                     less_of(optimum_.speed_load(i), load->speed)});
-                    mends_[i] = times + 1;
-                }
-                most = std::max(most, times);
+        Eased eased;
+        for (const RunLoad& load : loads) {
+            const std::size_t k = interval_at(load.s);
+            const std::size_t from = std::max(k, 1 + kNear) - kNear;
+            const std::size_t to = std::min(k + kNear, end_ - 1);
+            int times = 0;
+            for (std::size_t i = from; i <= to; ++i) times = std::max(times, before[i]);
+            const double less = 1 - kMendMore * std::min(times, kMends);
+            for (std::size_t i = from; i <= to; ++i) {
+                add({i, less_of(less * optimum_.load(i), load.load),
+                     less_of(optimum_.speed_load(i), load.speed), times},
+                    eased);
+                mends_[i] = times + 1;
             }
-            mend(first, last, std::move(eased), most);
         }
+        mend({1, end_}, end_, std::move(eased), kBackGap);
     }
 
     const std::vector<Phase>& phases() const { return found_; }
@@ -111,11 +105,49 @@ class OptimalRun {
     const std::vector<int>& mends() const { return mends_; }
 
   private:
+    /// | field        | remark                                   |
+    /// |--------------|------------------------------------------|
+    /// | share, speed | of the limits in an interval             |
+    /// | times        | number of times that it was eased before |
     struct Ease {
         std::size_t interval;
         double share, speed;
+        int times;
     };
-    using Eased = std::vector<Ease>;
+    using Eased = std::map<std::size_t, Ease>;  // by interval
+
+    /// Intervals that are solved at once, from their first free control point to their last.
+    struct Part {
+        std::size_t first, last;
+        Eased eased = {};
+        int times = 0;
+    };
+
+    static void add(const Ease& ease, Eased& eased) {
+        const auto [at, is_new] = eased.try_emplace(ease.interval, ease);
+        if (is_new) return;
+        Ease& both = at->second;
+        both.share = std::min(both.share, ease.share);
+        both.speed = std::min(both.speed, ease.speed);
+        both.times = std::max(both.times, ease.times);
+    }
+
+    /// Cuts a part into what is around the intervals that are eased, the farther the more often
+    /// they were; they are together where that overlaps.
+    static std::vector<Part> around(const Eased& eased, const Part& all) {
+        std::vector<Part> parts;
+        for (const auto& [k, ease] : eased) {
+            const std::size_t reach = kAround * (1 + static_cast<std::size_t>(ease.times));
+            if (parts.empty() || k >= parts.back().last) {
+                parts.push_back({std::max(k, all.first + reach) - reach, k});
+            }
+            Part& part = parts.back();
+            part.last = std::max(part.last, std::min(all.last, k + reach));
+            part.times = std::max(part.times, ease.times);
+            part.eased.insert({k, ease});
+        }
+        return parts;
+    }
 
     std::size_t interval_at(double s) const {
         const auto after =
@@ -161,33 +193,50 @@ class OptimalRun {
     }
 
     /// Eases the limits of intervals in which the true path asks for more than they did, and solves
-    /// the window again from where it had room.
-    void settle(std::size_t first, std::size_t last, std::size_t kept, TimeOptimum::State roomy) {
+    /// again what is around them; where that is most of the window, all of it from where it had
+    /// room.
+    void settle(const Part& window, std::size_t kept, TimeOptimum::State roomy) {
         for (int round = 0;; ++round) {
-            const Eased eased = missed(first, kept, round);
-            if (eased.empty()) return;
+            Eased eased = missed(window.first, kept, round);
+            std::size_t again = 0;  // intervals
+            std::size_t end = window.first;
+            for (const Part& part : around(eased, window)) {
+                again += part.last - std::max(end, part.first);
+                end = part.last;
+            }
+            if (static_cast<double>(again) <
+                kMost * static_cast<double>(window.last - window.first)) {
+                mend(window, kept, std::move(eased), kNextGap);
+                return;
+            }
             optimum_.restore(roomy);
-            if (!ease(first, last, eased)) ease_by_and_by(eased);
-            roomy = optimum_.state(first, last);
-            optimum_.improve(first, last, kNextGap, kGap);
+            if (!ease(window.first, window.last, eased)) ease_by_and_by(eased);
+            roomy = optimum_.state(window.first, window.last);
+            optimum_.improve(window.first, window.last, kNextGap, kGap);
         }
     }
 
-    /// Eases these in what is solved, then what is still missed.
-    void mend(std::size_t first, std::size_t last, Eased eased, int times) {
+    /// Eases these and solves again what is around them, then where up to interval `kept` limits
+    /// are still missed.
+    void mend(const Part& all, std::size_t kept, Eased eased, double back) {
         for (int round = 0; !eased.empty(); ++round) {
-            draw_back(first, last, eased, back_gap(times + round));
-            eased = missed(first, last, round);
+            Eased missing;
+            for (const Part& part : around(eased, all)) {
+                draw_back(part, std::min(kFirstGap, back * std::pow(3, part.times + round)));
+                for (auto [k, ease] : missed(part.first, std::min(part.last, kept), round)) {
+                    ease.times = part.times;
+                    add(ease, missing);
+                }
+            }
+            eased = std::move(missing);
         }
     }
 
-    void draw_back(std::size_t first, std::size_t last, const Eased& eased, double back) {
-        optimum_.improve(first, last, back, back);
-        if (!ease(first, last, eased)) ease_by_and_by(eased);
-        optimum_.improve(first, last, back, kGap);
+    void draw_back(const Part& part, double back) {
+        optimum_.improve(part.first, part.last, back, back);
+        if (!ease(part.first, part.last, part.eased)) ease_by_and_by(part.eased);
+        optimum_.improve(part.first, part.last, back, kGap);
     }
-
-    static double back_gap(int times) { return std::min(kFirstGap, kBackGap * std::pow(3, times)); }
 
     /// Returns the easing, up to interval `last`, that keeps the limits; after some rounds, none.
     Eased missed(std::size_t first, std::size_t last, int round) {
@@ -198,7 +247,7 @@ class OptimalRun {
             const double load = path_.loads(found_[k], k, k + 1, kAll).load;
             worst = std::max(worst, load);
             if (load <= kKept) continue;
-            eased.push_back({k, (1 - kMore * round) * optimum_.load(k) / load, 1});
+            eased[k] = {k, (1 - kMore * round) * optimum_.load(k) / load, 1, 0};
         }
         const bool kept = worst <= (round < kRounds ? kKept : kTolerated) || round >= kMostRounds;
         return kept ? Eased{} : eased;
@@ -206,22 +255,23 @@ class OptimalRun {
 
     /// Returns false, easing nothing, if no motion was found that keeps this.
     bool ease(std::size_t first, std::size_t last, const Eased& eased) {
-        Eased before;
-        for (const Ease& e : eased) {
-            const PathInterval& now = optimum_.interval(e.interval);
-            before.push_back({e.interval, now.share, now.speed});
+        Eased before = eased;
+        for (auto& [k, e] : before) {
+            e.share = optimum_.interval(k).share;
+            e.speed = optimum_.interval(k).speed;
         }
-        for (const Ease& e : eased) take_no_more(e);
+        for (const auto& [k, e] : eased) take_no_more(e);
         if (optimum_.slow_down(first, last)) return true;
-        for (const Ease& e : before) optimum_.ease(e.interval, e.share, e.speed);
+        for (const auto& [k, e] : before) optimum_.ease(k, e.share, e.speed);
         return false;
     }
 
     /// Eases gradually, to no less than what is taken now.
     void ease_by_and_by(const Eased& eased) {
-        for (const Ease& e : eased) {
-            take_no_more({e.interval, std::max(e.share, optimum_.load(e.interval) / kInside),
-                          std::max(e.speed, optimum_.speed_load(e.interval) / kInside)});
+        for (auto [k, e] : eased) {
+            e.share = std::max(e.share, optimum_.load(k) / kInside);
+            e.speed = std::max(e.speed, optimum_.speed_load(k) / kInside);
+            take_no_more(e);
         }
     }
 

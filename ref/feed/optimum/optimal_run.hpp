@@ -16,8 +16,9 @@ struct RunLoad {
     double load = 0;   // acceleration and jerk
     double speed = 0;  // velocity
 };
-/// Returns the places where the words of a motion exceed their limits.
-using WordLoads = std::function<std::vector<RunLoad>(const std::vector<Phase>&)>;
+/// Returns the places where the words of a motion exceed their limits; may move ends of its phases
+/// to where they do not.
+using WordLoads = std::function<std::vector<RunLoad>(std::vector<Phase>&)>;
 
 /// Makes the fastest motion from that of `phases`: lays knots on it, runs TimeOptimum on them in
 /// windows, and returns phases of constant jerk; `phases` if these are not slower, or if the words

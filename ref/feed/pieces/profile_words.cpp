@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ref/feed/pieces/phase_ends.hpp"
 #include "ref/format/path_words.hpp"
 
 namespace curvecore::ref {
@@ -22,25 +23,18 @@ struct Knot {
 class Run {
   public:
     Run(const std::vector<Phase>& phases, std::uint64_t length, const PieceGrid& grid)
-        : phases_(phases), length_(length), grid_(grid) {
-        long double time = 0;
-        for (const Phase& phase : phases) {
-            start_.push_back(time);
-            time += phase.duration;
-        }
-        ticks_ = std::max<std::uint64_t>(
-            1, static_cast<std::uint64_t>(std::ceil(time / grid.tick * (1 - 1e-12L))));
-        tick_ = time / ticks_;
-    }
+        : phases_(phases), ends_(phases, grid.tick), length_(length), grid_(grid) {}
 
     std::vector<Knot> knots() const {
         const std::uint64_t gap = grid_.shortest;
         std::vector<Knot> knots{{0, 0, per_tick(phases_.front().v)}};
         for (std::size_t i = 1; i < phases_.size(); ++i) {
-            const auto tick = static_cast<std::uint64_t>(std::llround(start_[i] / tick_));
-            if (tick >= knots.back().tick + gap && tick + gap <= ticks_) knots.push_back(at(tick));
+            const std::uint64_t tick = ends_.nearest(i);
+            if (tick >= knots.back().tick + gap && tick + gap <= ends_.ticks()) {
+                knots.push_back(at(tick));
+            }
         }
-        knots.push_back({ticks_, length_, per_tick(end_speed(phases_))});
+        knots.push_back({ends_.ticks(), length_, per_tick(end_speed(phases_))});
         for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
             knots[i].s = std::clamp(knots[i].s, knots[i - 1].s, length_);
         }
@@ -48,27 +42,26 @@ class Run {
     }
 
     Knot at(std::uint64_t tick) const {
-        const long double time = tick * tick_;
-        const auto next = std::upper_bound(start_.begin(), start_.end(), time);
-        const std::size_t i = static_cast<std::size_t>(next - start_.begin()) - 1;
+        const std::vector<long double>& times = ends_.times();
+        const long double time = tick * ends_.tick();
+        const auto next = std::upper_bound(times.begin(), times.end() - 1, time);
+        const std::size_t i = static_cast<std::size_t>(next - times.begin()) - 1;
         const Phase& p = phases_[i];
-        const long double t = time - start_[i];
+        const long double t = time - times[i];
         const long double s = p.s + ((p.j / 6 * t + p.a / 2) * t + p.v) * t;
         const long double v = std::max(0.0L, (p.j / 2 * t + p.a) * t + p.v);
         const auto quanta = std::llround(std::max(0.0L, s / grid_.quantum));
         return {tick, std::min(length_, static_cast<std::uint64_t>(quanta)),
-                v * tick_ / grid_.quantum};
+                v * ends_.tick() / grid_.quantum};
     }
 
   private:
     long double per_tick(long double v) const { return v * grid_.tick / grid_.quantum; }
 
     const std::vector<Phase>& phases_;
+    PhaseEnds ends_;
     std::uint64_t length_;
     PieceGrid grid_;
-    std::vector<long double> start_;  // s
-    std::uint64_t ticks_ = 1;
-    long double tick_ = 0;  // s of the motion per tick, at most grid_.tick
 };
 
 int bits_for(std::uint64_t ticks) {

@@ -11,6 +11,16 @@ constexpr double kSliver = 1e-11;  // s, of a phase, at a place where it begins 
 
 }  // namespace
 
+Phase phase_between(long double s, double length, double v0, double v1, double duration) {
+    Phase phase;
+    phase.duration = duration;
+    phase.s = s;
+    phase.v = v0;
+    phase.a = (6 * length / duration - 4 * v0 - 2 * v1) / duration;
+    phase.j = (6 * (v0 + v1) - 12 * length / duration) / (duration * duration);
+    return phase;
+}
+
 double duration(const std::vector<Phase>& phases) {
     double time = 0;
     for (const Phase& phase : phases) time += phase.duration;

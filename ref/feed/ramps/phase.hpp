@@ -25,6 +25,9 @@ struct Phase {
     }
 };
 
+/// The cubic s(t) with path and speed at both ends.
+Phase phase_between(long double s, double length, double v0, double v1, double duration);
+
 constexpr double kAtRest = 1e-6;  // mm/s, below this a rest that was rounded
 
 double duration(const std::vector<Phase>& phases);

@@ -53,15 +53,16 @@ sysc::LimitLoads held_limits(const Plan& plan, const Machine& machine, int at, i
     return run.finish();
 }
 
-/// Lines with dull corners.
-Program dull_corners() {
+/// Lines with alternating corners.
+Program corners(double turn, double chord, double feed) {
     ProgramBuilder builder;
     for (int i = 0; i < 12; ++i) {
-        const double angle = i % 2 == 0 ? 0.015 : -0.015;
-        builder.line(builder.at() + 12 * ref::Vec3(std::cos(angle), std::sin(angle), 0), 300);
+        const double angle = i % 2 == 0 ? turn / 2 : -turn / 2;
+        builder.line(builder.at() + chord * ref::Vec3(std::cos(angle), std::sin(angle), 0), feed);
     }
     return with_tolerance(builder.program(), 0.01);
 }
+Program dull_corners() { return corners(0.03, 12, 300); }
 
 Machine machine_of(double velocity, double acceleration, double jerk, const ref::AxisLimits& axis) {
     Machine machine;
@@ -109,6 +110,17 @@ TEST(OptimalPlan, CostsNoMoreWhereThePathBends) {
     const Cost built_in = cost(program, Machine());
     const Cost own = cost(program, machine_of(760, 4161, 80348, {465, 11322, 375784}));
     EXPECT_LT(own.work / own.seconds, 2 * built_in.work / built_in.seconds);
+}
+
+/// Words that take too much are mended near them, and many by another tick alone.
+TEST(OptimalPlan, CostsNoMoreWhereLimitsOfJerkDiffer) {
+    const Program program = corners(1.2, 6, 150);
+    const Cost built_in = cost(program, Machine());
+    Machine machine = machine_of(36, 3091, 197266, {39, 1131, 28814});
+    machine.axis[1] = {57, 4343, 124241};
+    machine.axis[2] = {88, 1181, 11247};
+    const Cost own = cost(program, machine);
+    EXPECT_LT(own.work / own.seconds, 4 * built_in.work / built_in.seconds);
 }
 
 TEST(OptimalPlan, CurvesKeepTheLimitsAndAreFaster) {
