@@ -61,7 +61,8 @@ class OptimalRun {
         std::size_t window = kWindow;
         for (std::size_t first = 1;;) {
             const bool whole = first + window + window / 2 >= end_;
-            const std::size_t last = whole ? end_ : first + window;
+            const std::size_t last =
+                whole ? end_ : fastest(first + window - window / 10, first + window);
             TimeOptimum::State roomy = improve(first, last);
             const std::size_t led = whole ? end_ : optimum_.led_by_end(first, last, kGap);
             if (led < first + window / 2 && window < kLongestWindow && !whole) {
@@ -167,6 +168,16 @@ class OptimalRun {
         std::vector<KnotMotion> motions;
         for (const RunKnot& knot : knots_) motions.push_back({knot.v * knot.v, knot.a});
         return motions;
+    }
+
+    /// Returns where in this range the motion is fastest, as late as possible: a window that ends
+    /// there brakes least for its end.
+    std::size_t fastest(std::size_t from, std::size_t last) const {
+        std::size_t best = last;
+        for (std::size_t k = last; k-- > from;) {
+            if (optimum_.spline().control(k) > optimum_.spline().control(best)) best = k;
+        }
+        return best;
     }
 
     /// Solves a window and returns a motion in it that has room within the limits. Far from its

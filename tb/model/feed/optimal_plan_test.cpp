@@ -94,6 +94,14 @@ TEST(OptimalPlan, BrakesForNoWindow) {
     EXPECT_LT(cost(dull_corners(), machine).seconds, tight);
 }
 
+/// A window that ended near a corner braked for it to half the speed, and kept that.
+TEST(OptimalPlan, BrakesForNoWindowBeforeACorner) {
+    Machine machine = machine_of(287, 524, 49369, {583, 589, 4322});
+    const double tight = cost(dull_corners(), machine).seconds;
+    machine.acceleration *= 2;
+    EXPECT_LE(cost(dull_corners(), machine).seconds, tight);
+}
+
 /// The old limit of 30 Newton steps for a stage of the barrier ended it too early.
 TEST(OptimalPlan, TakesTheStepsThatItNeeds) {
     Machine machine = machine_of(66, 3849, 600276, {70, 5778, 61457});
