@@ -202,6 +202,11 @@ int LineLowering::lower(const TableLine& line, int i) {
     return to;
 }
 
+void LineLowering::lower_anew(const TableLine& line, int i) {
+    writer_.rename(entry_of(line.row, i), "early ");
+    lower(line, i);
+}
+
 int LineLowering::single(const Addend& one, bool of_axis, int to) {
     if (one.b < 0) {
         writer_.put(of_axis, Op::kMulr, to, {one.a},

@@ -20,6 +20,9 @@ class LineLowering {
     /// Writes a line, in `order` that of order i; returns the value that it makes.
     int lower(const ref::TableLine& line, int i = 0);
 
+    /// Writes a line once more, to another value that has its name from then on.
+    void lower_anew(const ref::TableLine& line, int i);
+
     /// Returns the value of a row, of a series that of order 0; `word`: its word.
     int state(const std::string& row, const std::string& word = "");
     int constant(double value, int fraction);

@@ -16,7 +16,15 @@ constexpr int kProductBits = 45;  // of a product of three limbs; a sum has one 
 void StepWriter::begin(Part& part) {
     part_ = &part;
     for (auto copy = copies_.begin(); copy != copies_.end();) {
-        copy = fixed(std::get<0>(copy->first)) ? std::next(copy) : copies_.erase(copy);
+        const bool negative = std::get<1>(copy->first) == -1 || negatives_.count(copy->second) != 0;
+        if (fixed(std::get<0>(copy->first)) && (!negative || fixed(copy->second))) {
+            ++copy;
+            continue;
+        }
+        if (negative) {
+            names_.erase(at(copy->second).name);
+        }
+        copy = copies_.erase(copy);
     }
 }
 
@@ -36,6 +44,13 @@ int StepWriter::auxiliary(const std::string& name) {
     const int made = value(name, false, name);
     code_.values[static_cast<std::size_t>(made)].auxiliary = true;
     return made;
+}
+
+void StepWriter::rename(int value, const std::string& prefix) {
+    std::string& name = code_.values[static_cast<std::size_t>(value)].name;
+    names_.erase(name);
+    name = prefix + name;
+    names_[name] = value;
 }
 
 int StepWriter::constant(std::int64_t number, const std::string& shown) {
@@ -134,9 +149,13 @@ int StepWriter::lifted(int value, int number, int lift) {
         refuse(fmt::format("{} 2^{} needs more than three limbs", at(value).name, lift));
     }
     // A sum has a bit more than a product: twice a half, or 0 less the other.
-    const bool minus = number == -1 && copies_.count({value, 1, lift}) != 0;
+    const auto negative = negatives_.find(value);
+    const int other = number == -1                                  ? value
+                      : number == 1 && negative != negatives_.end() ? negative->second
+                                                                    : -1;
+    const bool minus = copies_.count({other, 1, lift}) != 0;
     const bool sum = bits_ + lift > kProductBits && !minus;
-    const int half = minus ? lifted(value, 1, lift) : sum ? lifted(value, number, lift - 1) : -1;
+    const int half = minus ? lifted(other, 1, lift) : sum ? lifted(value, number, lift - 1) : -1;
     const bool of_axis = at(value).of_axis;
     std::string name = number == 1    ? at(value).name
                        : number == -1 ? "-" + at(value).name
@@ -146,7 +165,8 @@ int StepWriter::lifted(int value, int number, int lift) {
     const Use by = half >= 0 ? Use{half, 0} : multiplier(number, lift);
     const Op op = minus ? Op::kSub : sum ? Op::kAdd : Op::kMull;
     const Use a{minus ? constant(0) : sum ? half : value, 0};
-    if (fixed(value) && part_ != &code_.load) {
+    const bool kept = fixed(value) && !(number == -1 && !of_axis);  // a sign costs a step
+    if (kept && part_ != &code_.load) {
         Part* const here = part_;
         part_ = &code_.load;
         const std::set<int> group = std::exchange(of_group_, {});
@@ -158,8 +178,11 @@ int StepWriter::lifted(int value, int number, int lift) {
     } else {
         share_before(op, copy, a, by);
     }
-    if (fixed(value)) {
+    if (kept) {
         fix(copy);
+    }
+    if (number == -1 && lift == 0) {
+        negatives_[copy] = value;
     }
     copies_[{value, number, lift}] = copy;
     return copy;

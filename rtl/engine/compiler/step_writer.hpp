@@ -21,6 +21,8 @@ class StepWriter {
     /// Returns the value of a name; a new one is as said.
     int value(const std::string& name, bool of_axis, const std::string& word = "");
     int auxiliary(const std::string& name);
+    /// Puts a prefix in front of a value's name, which is free then.
+    void rename(int value, const std::string& prefix);
     /// Returns a constant, which the listing shows by a name.
     int constant(std::int64_t number, const std::string& shown = "");
     int temporary(bool of_axis);
@@ -61,7 +63,8 @@ class StepWriter {
     std::map<std::string, int> names_;
     std::set<int> fixed_;
     std::map<std::tuple<int, int, int>, int> copies_;
-    std::set<int> of_group_;  // shared values that the open steps of axes change
+    std::map<int, int> negatives_;  // values by their negative copies
+    std::set<int> of_group_;        // shared values that the open steps of axes change
     int temporaries_ = 0;
 };
 

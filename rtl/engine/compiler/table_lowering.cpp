@@ -74,6 +74,12 @@ class Lowering {
         writer_.begin(code_.open);
         lines("anchor", false);
         orders(false);
+        late_orders();
+        for (const TableLine& line : table_.section("next")) {
+            if (is_early(line)) {
+                lines_.lower(line);
+            }
+        }
         next();
         sample();
         return std::move(code_);
@@ -151,6 +157,9 @@ class Lowering {
                         auxiliary("advance", axis), scale_word::kToFine);
         }
         for (const TableLine& line : table_.section("next")) {
+            if (is_early(line)) {
+                continue;
+            }
             const int moved = lines_.lower(line);
             if (line.row == "move") {
                 const int origin = writer_.value("origin[k]", true);
@@ -195,6 +204,46 @@ class Lowering {
                 if (fixed) {
                     writer_.fix(made);
                 }
+            }
+        }
+    }
+
+    bool read_by_sample(const std::string& row) const {
+        const auto reads = [&](const TableLine& line) {
+            return line.series.row == row || line.variable == row ||
+                   std::any_of(line.terms.begin(), line.terms.end(), [&](const TableTerm& term) {
+                       return term.a.row == row || term.b.row == row;
+                   });
+        };
+        const auto& lines = table_.section("sample");
+        return core_.polynomial() ? std::any_of(lines.begin(), lines.end(), reads)
+                                  : row == table_.output;
+    }
+
+    /// Returns whether a sum of `next` is made as soon as its series is there, which no sample
+    /// reads: then the series needs no words.
+    bool is_early(const TableLine& line) const {
+        return line.function == TableLine::Function::kSum && !line.of_axis &&
+               !read_by_sample(line.series.row) && !read_by_sample(line.row);
+    }
+
+    /// Orders over i of a series that is there to the end, for what comes behind the last order:
+    /// they are made anew, so that they need no words meanwhile.
+    void late_orders() {
+        const auto& next = table_.section("next");
+        for (const TableLine& line : table_.section("order")) {
+            const bool over = line.terms.size() == 1 && !line.of_axis &&
+                              line.terms[0].meeting == TableTerm::Meeting::kOverOrder;
+            const auto stays = [&](const TableLine& of) {
+                return is_early(of) && over &&
+                       of.series.row == same_row(table_, line.terms[0].a).row;
+            };
+            const auto needed = demand_.find(line.row);
+            if (needed == demand_.end() || std::none_of(next.begin(), next.end(), stays)) {
+                continue;
+            }
+            for (int i = 2; i <= needed->second; ++i) {
+                lines_.lower_anew(line, i);
             }
         }
     }

@@ -4,7 +4,9 @@
 // A product is rounded at 2^45, so for a shift of s its factors are lifted by 2^(45 - s) together:
 // the copies that this takes are made where they are read most, those of a segment's words at its
 // load. Sums of products stand in a wide word and are shifted once. What is read of no step is made
-// at load, too: weights, and the angle's series of an arc.
+// at load, too: weights, and the angle's series of an arc. Words of data are scarcer than clocks:
+// weights have their sign where they are read, orders over i are made anew behind the last one, and
+// a sum of `next` is made there if no sample reads its series.
 #pragma once
 
 #include "ref/curves/curve_table.hpp"

@@ -268,8 +268,10 @@ class OpenSplineKernel : public hls::SplineKernel<sysc::RunTimeFormat> {
     template <class Visit>
     void step_words(const sysc::CoreParameters& core, Visit&& visit) const {
         visit("v.0", 0, v_);
-        for (int i = 1; i <= core.order; ++i) visit("q." + std::to_string(i), 0, net_.q[i]);
-        for (int i = 0; i < core.order; ++i) visit("phi." + std::to_string(i), 0, net_.phi[i]);
+        if (core.polynomial()) {
+            for (int i = 1; i <= core.order; ++i) visit("q." + std::to_string(i), 0, net_.q[i]);
+        }
+        visit("phi.0", 0, Network::sum(net_.phi, 0, core.order - 1));  // of the next step
         for (int axis = 0; axis < 3; ++axis) {
             visit("origin[k]", axis, position_[axis]);
             if (core.polynomial()) visit("V[k].0", axis, net_.V[axis][0]);
