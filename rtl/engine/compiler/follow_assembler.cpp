@@ -79,7 +79,7 @@ void assemble_follow(const std::string& programs, const std::vector<ref::CurveTa
     const int words = ref::segment_bus_words(core.aux_axes);
     assembly.define("fine_exponent", fine);
     assembly.define("step_lift", hls::kPathFrac - fine);
-    assembly.define("frame_words", words);
+    assembly.define("aux_words", ref::kAxisBusWords * core.aux_axes);
     if ((*assembly.defined("segment_end") - *assembly.defined("segment_begin")) %
             (kEntries * words) !=
         0) {

@@ -8,16 +8,15 @@
 # curve_load, curve_step and curve_sample (rtl/engine/compiler/curve_assembler.hpp) go on at
 # measure_step, the sample at drawn; fetch_segment (segment.asm) at curve_load.
 
-word waits
+word waits                 # until then: where the program is called
 word sigma = 0, 4 limbs    # offset into the present step
 word segment_rest = 0      # from the step's start to the segment's end; 0: there is none
 word step_length = 0       # of the present step
-word fine_scale segments follow_link
+word fine_scale segments
 axis fine[k] end[k]
 
 follow:
-  follow_link = port link, 1 limb
-  waits = 0, 1 limb
+  waits = port link, 1 limb
 in_step:
   test sigma - step_length, 4 limbs
   if negative go to curve_sample
@@ -34,9 +33,12 @@ leave_step:
 open_segment:
   test segments + 0, 1 limb
   if not zero go to fetch_segment
+  port link = waits, 1 limb
   waits = 1, 1 limb
+  return
 drawn:
-  port link = follow_link, 1 limb
+  port link = waits, 1 limb
+  waits = 0, 1 limb
   return
 
 measure_step:

@@ -12,16 +12,19 @@ word segment_take = segment_begin, 2 limbs
 word empty_segments = 0                 # without length: consumed
 word segment_rest kind theta tau_scale fine_scale place_scale step_scale
 axis start[k] end[k] tangent[k] normal[k] advance[k]
-local place lambda k
+local place lambda k frame
 
 fetch_segment:
   segments = segments - 1, 1 limb
-  segment_words = segment_words - frame_words, 2 limbs
-  port leaves = frame_words, 1 limb
+  frame = 0 + 2^4                        # 17 + 3 AuxAxes words
+  frame = frame + 1
+  frame = frame + aux_words
+  segment_words = segment_words - frame, 2 limbs
+  port leaves = frame, 1 limb
   place = segment_take                   # on by three entries a word
-  segment_take = segment_take + frame_words, 2 limbs
-  segment_take = segment_take + frame_words, 2 limbs
-  segment_take = segment_take + frame_words, 2 limbs
+  segment_take = segment_take + frame, 2 limbs
+  segment_take = segment_take + frame, 2 limbs
+  segment_take = segment_take + frame, 2 limbs
   test segment_take - segment_end, 2 limbs
   if not zero go to segment_at_hand
   segment_take = segment_begin
