@@ -26,18 +26,14 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
     assembly.define("stop_begin", stops);
     assembly.define("segment_queue_words", segment_words);
     assembly.define("profile_queue_words", profile_words);
-    // With more words a queue has no room for another frame
-    assembly.define("segment_room", segment_words - frame);
-    assembly.define("profile_room", profile_words - ref::kProfileBusWords);
-    assembly.define("to_end_before", kLimbs * (frame - 1));
+    assembly.define("frame_words", frame);
+    assembly.define("frame_entries", kLimbs * frame);
 
     assembly.define("aux_axes", core.aux_axes);
     assembly.define("coef_room", hls::kCoefField.bits - core.coef_bits);
     assembly.define("fine_room", hls::kPointField.bits - core.position_bits - core.guard_bits);
-    // Of a spline's phi, 2^9 times; without splines no word has as much
-    const int phi = core.coef_bits - 2 + 9;
-    assembly.define("least_phi",
-                    core.splines != 0 ? std::int64_t{1} << phi : (std::int64_t{1} << 44) - 1);
+    assembly.define("kinds", core.splines != 0 ? 2 : 1);
+    assembly.define("least_phi", core.coef_bits - 2 + 9);  // words.asm has 2^9 times the word
 }
 
 }  // namespace curvecore::assembler

@@ -7,16 +7,15 @@
 
 word path_lead = 0, 4 limbs                # of the segments over the pieces
 word ticks_lead = 0, 4 limbs
-word segments_wait = 0, 1 limb             # a stream's program has ended: it waits for the other's
-word pieces_wait = 0, 1 limb
 word underrun_hold = 0, 1 limb
 word may_begin = 0, 1 limb
-word segment_inside segment_ticks piece_ticks piece_final word_faults  # words.asm
+word ends_lead                             # 1: the segments' program has ended, -1: the pieces'
+word segment_inside piece_inside piece_ticks word_faults               # words.asm
 word segment_words profile_words
 word queued_ticks finals active end time final                         # path.asm
 word stop_ticks                                                        # settings
 
-local covered back waits present rest programs room low all_covered runs_low twice
+local covered back waits present rest programs over low all_covered runs_low twice
 
 guard:
   back = port link, 1 limb
@@ -39,12 +38,14 @@ ends_known:
   all_covered = 1, 1 limb
   runs_low = 0, 1 limb
   programs = waits, 1 limb
-  room = profile_room - profile_words, 2 limbs
+  over = profile_words - profile_queue_words, 2 limbs
+  over = over + 4, 2 limbs
   call cover
   covered = covered + ticks_lead, 4 limbs  # by segments
-  programs = waits + segments_wait, 1 limb
-  programs = programs - pieces_wait, 1 limb
-  room = segment_room - segment_words, 2 limbs
+  programs = waits + ends_lead, 1 limb
+  over = segment_words - segment_queue_words, 2 limbs
+  over = over + frame_words, 2 limbs
+  over = over - 1, 2 limbs
   call cover
   port link = back, 1 limb
   test active + 0, 1 limb
@@ -54,19 +55,20 @@ ends_known:
   test runs_low + 0, 1 limb
   if zero return
   underrun_hold = 1, 1 limb
-  port report = underrun_bit, 1 limb
+  low = underrun_bit, 1 limb
+  port report = low, 1 limb
   return
 no_hold:
   underrun_hold = 0, 1 limb
   return
 
-cover:                                     # one stream: `programs` are complete, + `present`
+cover:                                     # one stream, full if `over` is 0 or more
   low = 1, 1 limb
   test stop_ticks - covered, 4 limbs
   if not negative go to little
   low = 0, 1 limb
-  test room + 0, 2 limbs
-  if negative return
+  test over + 0, 2 limbs
+  if not negative return
   twice = stop_ticks + stop_ticks, 4 limbs
   test twice - covered, 4 limbs
   if negative return
@@ -81,35 +83,31 @@ begins_covered:
   test low + 0, 1 limb
   if zero return
   runs_low = 1, 1 limb
-  test room + 0, 2 limbs
-  if not negative return
-  port report = 32, 1 limb
+  test over + 0, 2 limbs
+  if negative return
+  low = 32, 1 limb
+  port report = low, 1 limb
   return
 
 segment_entered:
-  ticks_lead = ticks_lead + segment_ticks, 4 limbs
   test segment_inside + 0, 1 limb
   if not zero return
-  segments_wait = 1, 1 limb
+  ends_lead = ends_lead + 1, 1 limb
   go to ends_there
 piece_entered:
   ticks_lead = ticks_lead - piece_ticks, 4 limbs
   queued_ticks = queued_ticks + piece_ticks
-  test piece_final + 0, 1 limb
-  if zero return
+  test piece_inside + 0, 1 limb
+  if not zero return
   finals = finals + 1, 2 limbs
-  pieces_wait = 1, 1 limb
+  ends_lead = ends_lead - 1, 1 limb
 ends_there:
-  test segments_wait * pieces_wait, 1 limb
-  if zero return
+  if not zero return
   test ticks_lead + 0, 4 limbs
   if not zero go to apart
   test path_lead + 0, 4 limbs
-  if not zero go to apart
-  segments_wait = 0, 1 limb
-  pieces_wait = 0, 1 limb
-  return
-apart:                                     # both wait for ever, and their words are dropped
+  if zero return
+apart:                                     # all words from now on are dropped: program_begins
   word_faults = 16, 1 limb
   port report = word_faults, 1 limb
   return

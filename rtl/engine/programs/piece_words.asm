@@ -5,45 +5,43 @@
 word pieces = 0, 2 limbs                   # whole ones in the queue, with their branches
 word piece_inside = 0, 1 limb              # 0: the next frame is its program's first
 word piece_number = 0, 1 limb              # of the next one, modulo 2^8
-word piece_ticks piece_final
-word piece_select piece_check pieces_wait entering
-word entry_path path_lead                  # ledger.asm
-local t high e m number power
-
-data last_coefficient = 51                 # selects
-data after_branch = 95                     # 4 less than 99, a piece; bit 6 is ours
+word piece_ticks
+word piece_select ends_lead path_lead
+local entry_link entry_fault entering
+local t high e m number power final
 
 piece_whole:
   piece_number = piece_number + 1, 1 limb
   pieces = pieces + 1, 2 limbs
   call piece_entered
-  piece_select = 31, 1 limb
 next_frame:
+  piece_select = piece_select - 16, 1 limb # 51: 31, 4 less than a piece's
+  piece_select = piece_select - 4, 1 limb
   call next_piece
 
 piece_word:
-  test pieces_wait + 0, 1 limb
-  if not zero go to word_stays
+  test ends_lead + 0, 1 limb
+  if negative go to word_stays
   test piece_inside + 0, 1 limb
-  if not zero go to piece_follows
-  piece_check = port digest_in, 1 limb
-  port check = piece_check, 1 limb
-piece_follows:
-  test piece_select - stop_select, 1 limb
-  if zero go to stop_word
+  if zero call program_begins
+  test piece_select * 2^13, 1 limb         # 53 of a stop, or 35
+  if not negative go to stop_word
   t = entering * 2^9                       # bits 35:0
   high = floor(t * 2^4 >> 45), 1 limb
   if not zero go to bad_word
-  piece_final = floor(t * 2^5 >> 45), 1 limb
+  final = floor(t * 2^5 >> 45), 1 limb
   high = floor(t * 2^11 >> 45), 1 limb     # final, e
-  e = piece_final * 2^6, 1 limb
+  e = final * 2^6, 1 limb
   e = high - e, 1 limb
-  test e - 47, 1 limb
+  e = e + 1, 1 limb                        # 46 at most
+  e = e - 32, 1 limb
+  test e - 16, 1 limb
   if not negative go to bad_word
   m = high * 2^5, 1 limb
   high = floor(t * 2^16 >> 45)             # final, e, m
   m = high - m, 1 limb
-  test m - 20, 1 limb
+  e = m - 16, 1 limb                       # m is 19 at most
+  test e - 4, 1 limb
   if not negative go to bad_word
   t = floor(t * 2^36 >> 45)
   high = high * 2^20
@@ -69,20 +67,21 @@ powered:
   number = number - piece_number, 1 limb
   test number * 2^7, 1 limb
   if not zero go to strange_word
-  piece_inside = piece_final - 1, 1 limb
-  piece_select = 33, 1 limb
+  piece_inside = final - 1, 1 limb
+  piece_select = piece_select - 2, 1 limb
   call next_piece
 
 ds_word:
-  entry_path = entering - 2^44
-  path_lead = path_lead - entry_path, 4 limbs
+  t = entering * 2^0, 4 limbs
+  t = t - 2^44, 4 limbs
+  path_lead = path_lead - t, 4 limbs
   piece_select = piece_select + 2, 1 limb
 next_coefficient:
   call next_piece
 coefficient_word:
   if not port check_holds go to bad_word
-  test piece_select - last_coefficient, 1 limb
-  if not zero go to next_coefficient
+  test piece_select * 2^10, 1 limb         # 51, or 43 and 47
+  if not negative go to next_coefficient
   go to piece_whole
 
 stop_word:
@@ -96,8 +95,8 @@ next_step:
 step_word:
   test entering * 2^34                     # ticks
   if zero go to bad_word
-  piece_select = stop_select, 1 limb
+  piece_select = piece_select - 4, 1 limb
   test entering * 2^1                      # last
   if not negative go to next_step
-  piece_select = after_branch, 1 limb
+  piece_select = piece_select - 2, 1 limb
   go to next_frame

@@ -9,36 +9,35 @@ word segment_number = 0, 1 limb            # of the next one, modulo 2^8
 word joins = 0, 1 limb                     # a start is the end before: not of the first segment
 word entry_axis                            # less 3
 word least_lambda most_lambda aux_joins
-word ticks_bytes segment_ticks
-word segment_select segment_check segment_put segments_wait entering
-word entry_path path_lead                  # ledger.asm
+word ticks_bytes
+word segment_select segment_put ends_lead path_lead ticks_lead
+local entry_link entry_fault entering
 local t byte high kind least place before lambda
-
-data less_three = - 3
-data less_seven = - 7
-data byte_tags = 8573288194                # less what tags add to the bytes of ticks
 
 segment_whole:
   joins = 1, 1 limb
   segment_number = segment_number + 1, 1 limb
   segments = segments + 1, 2 limbs
-  segment_ticks = floor(ticks_bytes * 2^34 >> 45)
-  segment_ticks = segment_ticks + byte_tags
+  t = floor(ticks_bytes * 2^34 >> 45), 4 limbs
+  t = t + 2^1, 4 limbs                     # less tags, -512 and 256 of a byte's, and X's bytes, -2
+  t = t - 2^8, 4 limbs
+  t = t + 2^17, 4 limbs
+  t = t - 2^24, 4 limbs
+  t = t + 2^33, 4 limbs
+  ticks_lead = ticks_lead + t, 4 limbs
   call segment_entered
   segment_select = 0, 1 limb
   call next_segment
 
 length_word:
-  test segments_wait + 0, 1 limb
-  if not zero go to word_stays
+  test 0 - ends_lead, 1 limb
+  if negative go to word_stays
   test segment_inside + 0, 1 limb
-  if not zero go to length_follows
-  segment_check = port digest_in, 1 limb
-  port check = segment_check, 1 limb
-length_follows:
-  entry_path = entering - 2^44
-  path_lead = path_lead + entry_path, 4 limbs
-  entry_axis = less_three, 1 limb
+  if zero call program_begins
+  t = entering * 2^0, 4 limbs
+  t = t - 2^44, 4 limbs
+  path_lead = path_lead + t, 4 limbs
+  entry_axis = 0 - 3, 1 limb
   call next_segment
 
 theta_word:
@@ -48,14 +47,16 @@ theta_word:
   high = high * 2^5, 1 limb
   least_lambda = floor(entering * 2^7 >> 45), 1 limb
   least_lambda = least_lambda - high, 1 limb
-  test least_lambda - 28, 1 limb           # k
+  high = least_lambda + 4, 1 limb          # k is 27 at most
+  test high - 32, 1 limb
   if not negative go to bad_word
   kind = entering * 2^7
-  kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1
-  if negative go to bad_word
+  kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1: of their last limb,
+  test kind - kinds, 1 limb                # 32766 and 32767
+  if not negative go to bad_word
   least_lambda = least_lambda * kind, 1 limb
-  most_lambda = kind * 27, 1 limb
-  least = kind * least_phi
+  most_lambda = kind * 2^5, 1 limb
+  least = kind * 2^least_phi
   test t - least
   if negative go to bad_word
 next_axis:
@@ -65,7 +66,8 @@ start_word:
   call point
   test joins + 0, 1 limb
   if zero go to starts
-  place = segment_put - to_end_before, 2 limbs     # of the end in the segment before
+  place = segment_put + 3, 2 limbs         # of the end in the segment before
+  place = place - frame_entries, 2 limbs
   if not negative go to end_there
   place = place + segment_end, 2 limbs
 end_there:
@@ -96,14 +98,19 @@ tangent_word:
 
 normal_word:
   call coefficient_and_byte
-  high = floor(entering * 2^3 >> 45)       # -8, with another turn -7
-  aux_joins = less_seven - high
-  if negative go to bad_word
-  high = high * 2^6, 1 limb
-  lambda = byte - high, 1 limb
+  high = floor(entering * 2^3 >> 45), 1 limb       # -8, with another turn -7
+  lambda = high * 2^6, 1 limb
+  lambda = byte - lambda, 1 limb
   test lambda - least_lambda, 1 limb
   if negative go to bad_word
   test most_lambda - lambda, 1 limb
+  if negative go to bad_word
+  lambda = lambda + 4, 1 limb
+  test lambda - 32, 1 limb
+  if not negative go to bad_word
+  aux_joins = 0 - high, 1 limb
+  aux_joins = aux_joins - 8, 1 limb
+  aux_joins = aux_joins + 1, 1 limb
   if negative go to bad_word
   go to advance
 
@@ -114,8 +121,9 @@ y_or_z_tangent_word:
   call next_segment
 y_or_z_normal_word:
   call coefficient_and_byte
+  go to advance
 linear:
-  segment_select = 24, 1 limb
+  segment_select = segment_select + 8, 1 limb
 advance:
   segment_select = segment_select + 2, 1 limb
   call next_segment

@@ -9,10 +9,8 @@
 # `call next_segment` lets one pass and finds itself back with the next as `entering`, which has the
 # selected tag. A select is 4 tag, + 2: bits 43:36 are left out of the check, + 1: of the profile.
 # An entering word is signed and has the low half of its tag in bits 45:44. Products modulo 2^45
-# drop it; in what floor() gives of the word it stays, and is taken off.
-
-data any_piece = 35                        # selects
-data stop_select = 53
+# drop it; in what floor() gives of the word it stays, and is taken off. Numbers here are sums of
+# powers of two where a word of data would be needed else.
 
 word segment_next = place of length_word, 1 limb
 word segment_select = 4, 1 limb
@@ -20,12 +18,15 @@ word segment_check = 0, 1 limb
 word segment_put = segment_begin, 2 limbs
 word segment_words = 0, 2 limbs
 word piece_next = place of piece_word, 1 limb
-word piece_select = any_piece, 1 limb
+word piece_select = 35, 1 limb
 word piece_check = 0, 1 limb
 word piece_put = profile_begin, 2 limbs
 word profile_words = 0, 2 limbs
 word word_faults = 0, 1 limb               # faults 0 to 4 of rtl/motion_interpolator.sv
-word entry_link entry_fault entering
+word ends_lead = 0, 1 limb                 # ledger.asm: 1 segments wait, -1 pieces
+word piece_inside
+local entry_link entry_fault entering      # of all three sources
+local left digest
 
 enter_segment_word:
   entry_link = port link, 1 limb
@@ -60,9 +61,13 @@ enter_piece_word:
     test profile_words - profile_queue_words, 2 limbs
     if not negative go to word_stays
     if port tag_is go to piece_selected
-    test piece_select - any_piece, 1 limb
+    left = piece_select - 32, 1 limb       # a stop branch may stand before a piece: 35, 53
+    test left - 3, 1 limb
     if not zero go to bad_word
-    piece_select = stop_select, 1 limb     # a stop branch may stand before a piece
+    test piece_inside - 1, 1 limb
+    if zero go to bad_word
+    piece_select = piece_select + 16, 1 limb
+    piece_select = piece_select + 2, 1 limb
   repeat 1 times
 piece_selected:
   port check = piece_check, 1 limb
@@ -93,10 +98,19 @@ bad_word:
   if not zero go to word_taken
   word_faults = entry_fault, 1 limb
   port report = word_faults, 1 limb
-  segment_next = place of word_taken, 1 limb
-  piece_next = place of word_taken, 1 limb
-word_taken:
+  call both_go_on
+word_taken:                                # here, and nowhere else
   port take = 0, 1 limb
 word_waits:
   port link = entry_link, 1 limb
+  return
+program_begins:
+  test word_faults + 0, 1 limb             # the programs before were apart
+  if not zero go to word_taken
+  digest = port digest_in, 1 limb
+  port check = digest, 1 limb
+  return
+both_go_on:
+  segment_next = port link, 1 limb
+  piece_next = port link, 1 limb
   return

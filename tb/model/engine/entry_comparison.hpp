@@ -105,6 +105,7 @@ class EntryComparison {
           ports_(machine.ports(), digest_),
           memory_(static_cast<std::size_t>(*assembly.defined("stop_begin"))) {
         begin_[kPieces] = static_cast<std::size_t>(*assembly.defined("profile_begin"));
+        runs_ = static_cast<int>(random_() % RandomStreams::kChanges);
         of_.queues[kSegments] = static_cast<int>(*assembly.defined("segment_queue_words"));
     }
 
@@ -177,7 +178,6 @@ class EntryComparison {
         if (fate == WordRule::Fate::kPassed) put(stream, word);
         for (int n = 0; n < 5 && !cut; ++n) faults_[n] += rule_->fault() >> n & 1;
 
-        machine_.set("entry_link", static_cast<std::int64_t>(random_() & 0x7fff));
         const int clocks = run(kEnter + static_cast<int>(stream));
         differ += ports_.taken[stream] != taken + (takes ? 1 : 0) ? 1 : 0;
         differ += ports_.taken[1 - stream] != other ? 1 : 0;

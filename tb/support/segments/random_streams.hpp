@@ -115,7 +115,7 @@ class RandomStreams {
     }
 
     /// Number of kinds of a word made wrong.
-    static constexpr int kChanges = 26;
+    static constexpr int kChanges = 27;
 
     /// Changes a field of a word to what is at the edge of the legal, or beyond; checks are right.
     void change(Streams& streams, int kind) {
@@ -249,6 +249,12 @@ class RandomStreams {
             case 24:
                 frame.front() ^= std::uint64_t{1} << (44 + random_() % 4);
                 return true;
+            case 25: {  // a branch twice
+                const std::vector<std::uint64_t> words(
+                    frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(branch));
+                frame.insert(frame.begin(), words.begin(), words.end());
+                return branch > 0;
+            }
             default:
                 frame[random_() % frame.size()] ^= bit;
                 return true;
