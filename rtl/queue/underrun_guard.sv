@@ -10,7 +10,8 @@
 // for the next program's start (begin_o), if time could continue, the next one.  No hold when no
 // piece is under way.  A full queue that does not cover a stop never will: fault_o.
 //
-// The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
+// The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept. A
+// queue is full here once the frame that filled it is in all counts, and has room again at once.
 `default_nettype none
 module underrun_guard (
     input wire logic clk_i,
@@ -41,6 +42,7 @@ module underrun_guard (
 );
 
   localparam logic [5:0] Age = 6'd10;
+  localparam int Counted = 6;  // clocks until a frame that has come in is counted
 
   // Ticks that are kept back count as started.
   logic signed [33:0] stop;
@@ -64,7 +66,9 @@ module underrun_guard (
 
   logic [1:0] complete_q[2];
   logic [1:0] next_complete_q[2];
-  logic [1:0] full_q[2];
+  logic [Counted:0] pieces_full_q;
+  logic [Counted:0] segments_full_q;
+  logic [1:0] full;
   logic [1:0] low;
   logic [1:0] enough;
   always_ff @(posedge clk_i) begin
@@ -76,8 +80,8 @@ module underrun_guard (
     complete_q[1]      <= complete_q[0];
     next_complete_q[0] <= next_complete_i;
     next_complete_q[1] <= next_complete_q[0];
-    full_q[0]          <= rst_ni ? {segments_full_i, pieces_full_i} : 2'b00;
-    full_q[1]          <= rst_ni ? full_q[0] : 2'b00;
+    pieces_full_q      <= rst_ni ? {pieces_full_q[Counted-1:0], pieces_full_i} : '0;
+    segments_full_q    <= rst_ni ? {segments_full_q[Counted-1:0], segments_full_i} : '0;
     low                <= {!segments_over_stop[33], !pieces_over_stop[33]};
     enough             <= {segments_over_go[33], pieces_over_go[33]};
   end
@@ -88,11 +92,12 @@ module underrun_guard (
   logic covered;
   logic next_covered;
   logic short_queue;
-  assign ample        = enough | (full_q[1] & ~low);
+  assign full         = {&segments_full_q[Counted:1], &pieces_full_q[Counted:1]};
+  assign ample        = enough | (full & ~low);
   assign runs_low     = (low & ~complete_q[1]) != 2'b00;
   assign covered      = (complete_q[1] | ample) == 2'b11;
   assign next_covered = (next_complete_q[1] | ample) == 2'b11;
-  assign short_queue  = (low & full_q[1] & ~complete_q[1]) != 2'b00;
+  assign short_queue  = (low & full & ~complete_q[1]) != 2'b00;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin

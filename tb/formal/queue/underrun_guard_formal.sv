@@ -10,7 +10,8 @@
 // control: HOLDS_COMPLETE s/(low \& ~complete_q\[1\]) != 2'b00/low != 2'b00/
 // control: BEGINS_AS_BEFORE s/begin_o <= next_covered/begin_o <= covered/
 // control: FORGETS_STARTED s/{1'b0, started_i} + Age/Age/
-// control: TRUSTS_FULL s/(full_q\[1\] \& ~low)/full_q[1]/
+// control: TRUSTS_FULL s/(full \& ~low)/full/
+// control: FULL_TOO_SOON s/pieces_full_q\[Counted:1\]/pieces_full_q[Counted-1:1]/
 // control: NO_RESET s/underrun_o <= 1'b0;//
 `default_nettype none
 module underrun_guard_formal (
@@ -60,7 +61,12 @@ module underrun_guard_formal (
   logic signed [8:0] segments_before_q;
   logic [1:0] complete_q[2];
   logic [1:0] next_q[3];  // next_complete_i
-  logic [1:0] full_q[2];
+  logic [1:0] full_q[7];
+  logic [1:0] full;
+  always_comb begin
+    full = 2'b11;
+    for (int n = 1; n < 7; n = n + 1) full = full & full_q[n];
+  end
   logic active_q;
   logic ran_q;  // no reset in the clock before
   logic [2:0] ran_long_q;
@@ -85,11 +91,11 @@ module underrun_guard_formal (
     next_q[1]         <= next_q[0];
     next_q[2]         <= next_q[1];
     full_q[0]         <= rst_ni ? full_i : 2'b00;
-    full_q[1]         <= rst_ni ? full_q[0] : 2'b00;
-    active_q          <= active_i;
-    ran_q             <= rst_ni;
-    was_hold_q        <= hold && rst_ni;
-    ever_q            <= rst_ni && (hold || ever_q);
+    for (int n = 1; n < 7; n = n + 1) full_q[n] <= rst_ni ? full_q[n-1] : 2'b00;
+    active_q   <= active_i;
+    ran_q      <= rst_ni;
+    was_hold_q <= hold && rst_ni;
+    ever_q     <= rst_ni && (hold || ever_q);
   end
 
   logic signed [8:0] pieces_before_q;
@@ -98,7 +104,7 @@ module underrun_guard_formal (
   always_ff @(posedge clk_i) begin
     pieces_before_q   <= pieces_q[0];
     complete_before_q <= complete_q[1];
-    full_before_q     <= full_q[1];
+    full_before_q     <= full;
   end
   logic signed [8:0] pieces_then_q;
   logic signed [8:0] segments_then_q;
