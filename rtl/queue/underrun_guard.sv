@@ -10,8 +10,8 @@
 // for the next program's start (begin_o), if time could continue, the next one.  No hold when no
 // piece is under way.  A full queue that does not cover a stop never will: fault_o.
 //
-// The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept. A
-// queue is full here once the frame that filled it is in all counts, and has room again at once.
+// The counts are up to 10 clocks old, and a clock starts one tick at most: 10 ticks more are kept.
+// A queue is full here once the frame that filled it is in all counts, and has room again at once.
 `default_nettype none
 module underrun_guard (
     input wire logic clk_i,
