@@ -166,6 +166,61 @@ void fuse_products(CurveCode& code) {
     }
 }
 
+void share_wides(CurveCode& code) {
+    std::vector<int> wides;
+    for (std::size_t value = 0; value < code.values.size(); ++value) {
+        if (code.values[value].wide) {
+            wides.push_back(static_cast<int>(value));
+        }
+    }
+    const auto touches = [](const Step& step, int value) {
+        return step.to == value || step.reads(value);
+    };
+    // Blocks between the first step of `one` and its last, and those of axes with them, are free of
+    // `other`.
+    const auto apart = [&](const Part& part, int one, int other) {
+        std::vector<const Step*> steps;
+        std::size_t first = 0;
+        std::size_t last = 0;
+        for (const Block& block : part.blocks) {
+            const std::size_t begin = steps.size();
+            for (const Step& step : block.steps) {
+                steps.push_back(&step);
+                if (touches(step, one)) {
+                    first = last == 0 ? (block.of_axes ? begin : steps.size() - 1) : first;
+                    last = block.of_axes ? begin + block.steps.size() : steps.size();
+                }
+            }
+        }
+        return std::none_of(
+            steps.begin() + static_cast<std::ptrdiff_t>(first),
+            steps.begin() + static_cast<std::ptrdiff_t>(std::min(last, steps.size())),
+            [&](const Step* step) { return touches(*step, other); });
+    };
+    if (wides.size() != 2) {
+        return;
+    }
+    for (const auto& [one, other] : {std::pair(wides[0], wides[1]), {wides[1], wides[0]}}) {
+        const auto parts = code.parts();
+        if (!std::all_of(parts.begin(), parts.end(),
+                         [one = one, other = other, &apart](const Part* part) {
+                             return apart(*part, one, other);
+                         })) {
+            continue;
+        }
+        for (Part* part : parts) {
+            for (Block& block : part->blocks) {
+                for (Step& step : block.steps) {
+                    for (int* value : {&step.to, &step.a.value, &step.b.value}) {
+                        *value = *value == one ? other : *value;
+                    }
+                }
+            }
+        }
+        return;
+    }
+}
+
 void share_constants(std::vector<CurveCode>& codes, int coef_bits) {
     constexpr int kProductBits = 45;
     std::map<std::int64_t, int> least;  // exponents by odd number

@@ -15,6 +15,9 @@ void drop_unread(CurveCode& code);
 /// factor then stands in the sum's word.
 void fuse_products(CurveCode& code);
 
+/// Makes one of two wide values if no step of one comes between the steps of the other.
+void share_wides(CurveCode& code);
+
 /// Makes one constant of those that are others times powers of two, where the other factor of a
 /// product can be lifted.
 void share_constants(std::vector<CurveCode>& codes, int coef_bits);

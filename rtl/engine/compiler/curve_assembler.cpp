@@ -209,6 +209,7 @@ std::vector<CurveWords> assemble_curves(const std::vector<ref::CurveTable>& tabl
         codes.push_back(lower(table, core));
         drop_unread(codes.back());
         fuse_products(codes.back());
+        share_wides(codes.back());
     }
     share_constants(codes, core.coef_bits);
     std::vector<WordPlaces> places;

@@ -242,7 +242,7 @@ class Lowering {
             if (needed == demand_.end() || std::none_of(next.begin(), next.end(), stays)) {
                 continue;
             }
-            for (int i = 2; i <= needed->second; ++i) {
+            for (int i = 1; i <= needed->second; ++i) {
                 lines_.lower_anew(line, i);
             }
         }
