@@ -27,7 +27,6 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
     assembly.define("segment_queue_words", segment_words);
     assembly.define("profile_queue_words", profile_words);
     assembly.define("frame_words", frame);
-    assembly.define("frame_entries", kLimbs * frame);
 
     assembly.define("aux_axes", core.aux_axes);
     assembly.define("coef_room", hls::kCoefField.bits - core.coef_bits);

@@ -8,7 +8,7 @@ word segment_inside = 0, 1 limb            # 0: the next segment is its program'
 word segment_number = 0, 1 limb            # of the next one, modulo 2^8
 word joins = 0, 1 limb                     # a start is the end before: not of the first segment
 word entry_axis                            # less 3
-word least_lambda most_lambda aux_joins
+word entry_limit                           # 0 or, of a spline, k + 32; then of auxiliary axes: joins
 word ticks_bytes
 word segment_select segment_put ends_lead path_lead ticks_lead
 local entry_link entry_fault entering
@@ -45,17 +45,17 @@ theta_word:
   high = floor(entering * 2^2 >> 45), 1 limb       # -4, of a program's last -3
   segment_inside = high + 3, 1 limb
   high = high * 2^5, 1 limb
-  least_lambda = floor(entering * 2^7 >> 45), 1 limb
-  least_lambda = least_lambda - high, 1 limb
-  high = least_lambda + 4, 1 limb          # k is 27 at most
+  entry_limit = floor(entering * 2^7 >> 45), 1 limb
+  entry_limit = entry_limit - high, 1 limb
+  high = entry_limit + 4, 1 limb           # k is 27 at most
   test high - 32, 1 limb
   if not negative go to bad_word
   kind = entering * 2^7
   kind = floor(kind * 2^2 >> 45)           # 0 and 1, or -2 and -1: of their last limb,
   test kind - kinds, 1 limb                # 32766 and 32767
   if not negative go to bad_word
-  least_lambda = least_lambda * kind, 1 limb
-  most_lambda = kind * 2^5, 1 limb
+  entry_limit = entry_limit + 32, 1 limb
+  entry_limit = entry_limit * kind, 1 limb
   least = kind * 2^least_phi
   test t - least
   if negative go to bad_word
@@ -67,7 +67,9 @@ start_word:
   test joins + 0, 1 limb
   if zero go to starts
   place = segment_put + 3, 2 limbs         # of the end in the segment before
-  place = place - frame_entries, 2 limbs
+  place = place - frame_words, 2 limbs
+  place = place - frame_words, 2 limbs
+  place = place - frame_words, 2 limbs
   if not negative go to end_there
   place = place + segment_end, 2 limbs
 end_there:
@@ -101,16 +103,19 @@ normal_word:
   high = floor(entering * 2^3 >> 45), 1 limb       # -8, with another turn -7
   lambda = high * 2^6, 1 limb
   lambda = byte - lambda, 1 limb
-  test lambda - least_lambda, 1 limb
-  if negative go to bad_word
-  test most_lambda - lambda, 1 limb
+  place = entry_limit - 32, 1 limb
+  if not negative go to of_spline
+  test lambda + 0, 1 limb
+  if not zero go to bad_word
+of_spline:
+  test lambda - place, 1 limb              # from k to 27
   if negative go to bad_word
   lambda = lambda + 4, 1 limb
   test lambda - 32, 1 limb
   if not negative go to bad_word
-  aux_joins = 0 - high, 1 limb
-  aux_joins = aux_joins - 8, 1 limb
-  aux_joins = aux_joins + 1, 1 limb
+  entry_limit = 0 - high, 1 limb
+  entry_limit = entry_limit - 8, 1 limb
+  entry_limit = entry_limit + 1, 1 limb
   if negative go to bad_word
   go to advance
 
@@ -133,7 +138,7 @@ advance_word:
   segment_select = 8, 1 limb
   entry_axis = entry_axis + 1, 1 limb
   if not zero go to axis_over
-  joins = joins * aux_joins, 1 limb
+  joins = joins * entry_limit, 1 limb
 axis_over:
   test entry_axis - aux_axes, 1 limb
   if negative go to next_axis
