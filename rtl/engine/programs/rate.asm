@@ -38,9 +38,6 @@ local mode obeyed same low goal acceleration max_slope rest faster from
 data idle_ticks = 16
 data one = 65536                           # the rate 1 ..
 data one_scaled = 4294967296               # .. with 32 fraction bits
-data below_one = 65535
-data fine_rate = 57344
-data border = 3758096384                   # fine_rate with 32 fraction bits
 data bank_entries = 768                    # kStopSteps, of three entries
 data most_rest = 31                        # kStopLead - 1
 
@@ -68,7 +65,7 @@ count:                                     # ticks until a branch is due, at mos
   if not zero go to runs
   test mode - 1, 1 limb
   if not zero go to clip
-  mode = 1 * -1, 1 limb
+  mode = 0 - 1, 1 limb
   test wait + 0, 2 limbs
   if zero go to clip
   obeyed = one                             # it waits for a branch
@@ -123,19 +120,21 @@ slows:
   scaled = scaled * 2^12
   scaled = floor(scaled * 2^33 >> 45)
   if not negative go to rated
-  rate = below_one, 2 limbs
+  rate = one, 2 limbs                      # the most that is below one
+  rate = rate - 1, 2 limbs
   go to stand
 stopped:
   stopping = 0, 1 limb
   stop_slope = 0
   obeyed = 0
-  low = 1 * -1, 1 limb
+  low = 0 - 1, 1 limb
   go to lands
 
 aim:
   same = obeyed - aimed, 2 limbs
   aimed = obeyed, 2 limbs
-  low = obeyed - fine_rate
+  low = obeyed - one
+  low = low + 2^13                         # from 7/8
   low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
   test mode - 2, 1 limb
   if not zero go to rate_follows
@@ -151,14 +150,17 @@ lands:                                     # rest, land
 rate_follows:
   test slope + 0
   if not zero go to sides
-  test scaled - border
+  goal = one_scaled                        # 7/8
+  goal = goal - 2^29
+  test scaled - goal
   if not zero go to sides
   coarse = low, 1 limb                     # a rate that settles moves neither way
 sides:
   goal = obeyed * 2^16
   test low - coarse, 1 limb
   if zero go to bounds
-  goal = border
+  goal = one_scaled
+  goal = goal - 2^29
 bounds:
   acceleration = hold_acceleration
   max_slope = hold_slope

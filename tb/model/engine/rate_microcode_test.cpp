@@ -73,7 +73,7 @@ TEST(RateMicrocode, EqualsTheKernelsOfTimeAndPath) {
     EXPECT_GT(comparison.stop_ticks(), 2000);
     EXPECT_FALSE(machine.hazard());
     EXPECT_FALSE(machine.strays());
-    EXPECT_LE(comparison.bounds()[kRate], 610);
+    EXPECT_LE(comparison.bounds()[kRate], 640);
     EXPECT_LE(comparison.bounds()[kFetch], 1100);
     // The longest way of all lands and follows: no tick does.
     EXPECT_GE(comparison.most()[kRate], comparison.bounds()[kRate] - 70);
