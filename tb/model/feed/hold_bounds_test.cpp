@@ -94,7 +94,7 @@ double hold_load(const ref::Plan& plan, const ref::Machine& machine, double radi
     return worst;
 }
 
-/// Where a queue is short, a stop takes all that the motion leaves, and no more.
+/// Stops where a queue is short take all that the motion leaves, and no more.
 TEST(HoldBounds, OfAShortQueueTakeWhatTheMotionLeaves) {
     ref::Machine machine;
     for (ref::AxisLimits& axis : machine.axis) {
