@@ -7,12 +7,19 @@
 
 #include <algorithm>
 
+#include "ref/format/parameters.hpp"
+
 namespace curvecore {
 namespace hls {
 
-/// Parameters of rtl/curve_interpolator.sv, or of rtl/curve_interpolator_serial.sv.
+using ref::Build;
+
+/// Returns true if a build makes samples, integration steps and segments in turn.
+constexpr bool in_turn(Build build) { return build != Build::kParallel; }
+
+/// Parameters of rtl/curve_interpolator.sv, of rtl/curve_interpolator_serial.sv, or of the engine.
 struct TimedCore {
-    bool serial = false;
+    Build build = Build::kParallel;
     int order = 6;
     int coef_bits = 36;
     int aux_axes = 0;
@@ -23,9 +30,10 @@ struct TimedCore {
     bool anchor = true;       // splines: anchored in every step
 };
 
-/// | field   | parallel build                         | serial build, at most              |
+/// | field   | parallel build                         | serial build and engine, at most   |
 /// |---------|----------------------------------------|------------------------------------|
-/// | sample  | from a sample to the next              | the same, average of a step        |
+/// | sample  | from a sample to the next              | the same, average of a step; of    |
+/// |         |                                        | the engine: without a tick of time |
 /// | step    | from an integration step to the next,  | from the last sample of a step to  |
 /// |         | while samples before it are drawn      | the first of the next              |
 /// | segment | the same, between segments of one step | the same, to the next segment      |
@@ -35,9 +43,10 @@ struct Clocks {
 
 /// Least number of samples that a core makes ahead of the one that is taken, if requests wait: the
 /// serial core holds this many, the parallel one more. With auxiliary axes, which a sample's frames
-/// send last, it is one less.
+/// send last, it is one less. The engine holds 13; rtl/motion_system.sv asks for 4, and takes one.
 constexpr int samples_ahead(const TimedCore& core) {
-    return core.serial && core.aux_axes > 0 ? 1 : 2;
+    if (core.build == Build::kEngine) return 3;
+    return core.build == Build::kSerial && core.aux_axes > 0 ? 1 : 2;
 }
 
 /// Words of a segment on the bus (hls/words.hpp), one a clock, and two clocks to hand them over.
@@ -156,21 +165,69 @@ constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 32;
 /// rtl/time/time_scaler_serial.sv. The last tick is evaluated meanwhile.
 constexpr int kSerialScaleClocks = 58;
 
-/// Clocks from a tick of time to the next.
+/// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
+/// assembler says of rtl/engine/programs and ref/curves.
+constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
+constexpr int kEngineRestClocks = 1320;  // the loop: a request, the sample, a word of either stream
+constexpr int kEngineTickClocks = 3900;  // of time
+constexpr int kEngineFetchClocks = 1860;  // of a segment's words
+
+/// Clocks in which a word enters its queue, and the words that enter for a segment: its own, and
+/// those of two pieces with a step each of a branch.
+constexpr int kEngineEntryClocks = 160;
+constexpr int engine_entry_words(const TimedCore& core) { return load_clocks(core) + 12; }
+
+/// Clocks of the auxiliary axes: those of each, and of going to them.
+constexpr int engine_aux_clocks(const TimedCore& core, int each) {
+    return core.aux_axes == 0 ? 0 : each * core.aux_axes + 2;
+}
+
+constexpr int engine_curve_clocks(const TimedCore& core, bool spline) {
+    const int order = core.order;
+    return (core.series ? 48 * order + 159
+            : spline    ? 33 * order + 322
+                        : 16 * order + 424) +
+           engine_aux_clocks(core, 37);
+}
+
+constexpr int engine_step_clocks(const TimedCore& core, bool spline) {
+    const int order = core.order;
+    const int step = !spline       ? 174 * order + 330
+                     : core.series ? (120 * order + 199) * order + 700
+                                   : (91 * order + 94) * order + 850;
+    return step + engine_aux_clocks(core, 31);
+}
+
+constexpr int engine_segment_clocks(const TimedCore& core, bool spline) {
+    return kEngineFetchClocks + engine_aux_clocks(core, 72) + 140 +
+           kEngineEntryClocks * engine_entry_words(core) + engine_step_clocks(core, spline);
+}
+
+constexpr Clocks engine_clocks(const TimedCore& core, bool spline) {
+    const int sample = kEngineRestClocks + kEngineFollowClocks + engine_curve_clocks(core, spline);
+    return {sample, sample + engine_step_clocks(core, spline),
+            sample + engine_segment_clocks(core, spline)};
+}
+
+/// Clocks from a tick of time to the next; the engine makes ticks and samples in turn.
 constexpr int tick_clocks(const TimedCore& core) {
-    return core.serial ? std::max(kSerialScaleClocks, kSerialTickClocks) : core.sample_interval;
+    if (core.build == Build::kEngine) return kEngineTickClocks;
+    return core.build == Build::kSerial ? std::max(kSerialScaleClocks, kSerialTickClocks)
+                                        : core.sample_interval;
 }
 
 /// Clocks along lines, arcs and helices.
 constexpr Clocks arc_clocks(const TimedCore& core) {
-    if (core.serial) return serial_arc_clocks(core);
+    if (core.build == Build::kEngine) return engine_clocks(core, false);
+    if (core.build == Build::kSerial) return serial_arc_clocks(core);
     const int step = arc_step_clocks(core);
     return {core.sample_interval, step, std::max(step, load_clocks(core))};
 }
 
 /// Clocks along splines.
 constexpr Clocks spline_clocks(const TimedCore& core) {
-    if (core.serial) return serial_spline_clocks(core);
+    if (core.build == Build::kEngine) return engine_clocks(core, true);
+    if (core.build == Build::kSerial) return serial_spline_clocks(core);
     return {core.sample_interval, spline_step_clocks(core, false) + kNextSplineStep,
             std::max(spline_step_clocks(core, true) + kNextSplineStep, load_clocks(core))};
 }

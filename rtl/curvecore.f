@@ -56,12 +56,16 @@ curve_interpolator_serial.sv
 engine/column_sum.sv
 engine/engine_branch.sv
 engine/engine_decoder.sv
+engine/engine_entry.sv
+engine/engine_interpolator.sv
 engine/engine_memory.sv
 engine/engine_operands.sv
 engine/engine_program.sv
 engine/engine_result.sv
 engine/engine_sequencer.sv
+engine/engine_store.sv
 engine/engine_terms.sv
+engine/engine_words.sv
 engine/motion_engine.sv
 hyperbola_interpolator.sv
 line/frame_buffer.sv
@@ -106,6 +110,7 @@ node/stieltjes_integrator.sv
 path/path_datapath.sv
 path/path_generator.sv
 path/path_increment.sv
+path/path_interpolator.sv
 path/path_meter.sv
 path/path_program.sv
 path/path_sequencer.sv

@@ -7,7 +7,7 @@
 // would be the middle of a program, which is a fault.
 `default_nettype none
 module motion_axi #(
-    parameter int Build             = 1,     // 0 parallel, 1 serial
+    parameter int Build             = 1,     // 0 parallel, 1 serial, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]
@@ -26,7 +26,9 @@ module motion_axi #(
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int Galvo             = 0,     // 0, 1
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
-    parameter int Encoders          = 0      // [0, 15]
+    parameter int Encoders          = 0,     // [0, 15]
+    parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
+    parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -130,7 +132,9 @@ module motion_axi #(
       .SampleBufferWords(SampleBufferWords),
       .Galvo(Galvo),
       .ClockHertz(ClockHertz),
-      .Encoders(Encoders)
+      .Encoders(Encoders),
+      .Program(Program),
+      .Data(Data)
   ) u_system (
       .clk_i,
       .rst_ni,

@@ -23,7 +23,7 @@
 //   step_o                                            low: of the other axes
 `default_nettype none
 module motion_system #(
-    parameter int Build             = 1,     // 0 parallel, 1 serial
+    parameter int Build             = 1,     // 0 parallel, 1 serial, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]
@@ -42,7 +42,9 @@ module motion_system #(
     parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
-    parameter int Encoders          = 0      // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
+    parameter int Encoders          = 0,     // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
+    parameter     Program           = "",    // files of Build 2: scripts/microcode.sh
+    parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -111,15 +113,12 @@ module motion_system #(
   logic position_write, position_ready;
   logic control_write, control_ready, state_write, reference_write, reference_ready;
   logic probe_write, homed_write;
-  logic [31:0] command, state, axes, room, samples;
+  logic [31:0] command, state, axes, room, samples, steps;
   logic [63:0] path;
   logic [3:0] steps_axis;
-  logic [31:0] steps;
   logic note_ready;
-  logic [6:0] note_word;
-  logic [31:0] note_data;
-  logic [6:0] kept_word;
-  logic [31:0] kept;
+  logic [6:0] note_word, kept_word;
+  logic [31:0] note_data, kept;
   logic words, positions;  // they may be taken
   register_file #(
       .Axes      (Axes),
@@ -195,13 +194,11 @@ module motion_system #(
   logic [FineBits-1:0] position;
   logic [3:0] position_axis;
   logic by_position, queued, word_taken;
-  logic tick, estop;
+  logic tick, late, estop;
   logic [Axes-1:0] limit, referenced, uncertain, overrun, refused;
-  logic late;
   logic [Axes-1:0] reference_axes, homed;
-  logic caught;
   logic [2*Axes-1:0] step_counts;
-  logic encoder, following;
+  logic caught, encoder, following;
   logic [3:0] fault_axis;
   machine_state #(
       .Axes(Axes)
@@ -301,7 +298,9 @@ module motion_system #(
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(SamplesAhead),
-      .SampleBufferWords(SampleBufferWords)
+      .SampleBufferWords(SampleBufferWords),
+      .Program(Program),
+      .Data(Data)
   ) u_sources (
       .clk_i,
       .rst_ni,

@@ -6,10 +6,11 @@
 #
 # --vhdl: its component for VHDL besides, FILE.vhd, in the package TOP_component.
 # TOP is a module of rtl/, Name a parameter of it: whole numbers. With MultiplierForm 1 or 2 the
-# multipliers are the device's own cells, which its tools know.
+# multipliers are the device's own cells, which its tools know. With Build=2 the engine's programs
+# are in the file.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-usage() { sed -n '3,9s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,10s/^# \{0,1\}//p' "$0"; }
 refuse() {
   echo "flat: $*" >&2
   exit 2
@@ -60,9 +61,14 @@ command -v yosys >/dev/null || "$root/scripts/setup.sh" >&2
 file=$(realpath -m "$file")
 mkdir -p "$(dirname "$file")"
 made=$(mktemp "$file.XXXXXX")
-trap 'rm -f "$made" "$made".*' EXIT
+trap 'rm -rf "$made" "$made".*' EXIT
 cd "$root/rtl"
 set=$(printf ' -set %s' "${parameters[@]/=/ }")
+if [[ " ${parameters[*]} " = *" Build=2 "* ]]; then
+  mkdir "$made.engine"
+  "$root/scripts/microcode.sh" "$made.engine" "$top" "${parameters[@]}" || exit 1
+  set+=" -set Program \"$made.engine/program.hex\" -set Data \"$made.engine/data.hex\""
+fi
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -defer $(grep '\.sv$' curvecore.f | tr '\n' ' ')
   read_verilog -lib +/ecp5/cells_bb.v +/ice40/cells_sim.v

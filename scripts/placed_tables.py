@@ -67,7 +67,7 @@ def boards():
         (
             f"`{r['board']}`",
             r["part"],
-            "serial" if r["parameters"]["Build"] == 1 else "parallel",
+            ("parallel", "serial", "engine")[r["parameters"]["Build"]],
             f"{r['clock_mhz']:g}",
             f"{r['fmax_mhz']:.0f}",
             *(r[fact] for fact in ("lut4", "ff", "dsp", "bram", "axes")),

@@ -44,6 +44,12 @@ illegal_parameter_test(motion_engine PlaceBits=16 "PlaceBits must be in .1, 15."
 illegal_parameter_test(motion_engine WordBits=7 "WordBits must be in .8, 12.")
 illegal_parameter_test(motion_engine Form=3 "Form must be 0, 1 or 2")
 
+# The engine's words on their way.
+foreach(words 2 128)
+  core_test(engine_entry w${words} TOP engine_entry PARAMS Words=${words})
+endforeach()
+illegal_parameter_test(engine_entry Words=48 "Words must be a power of two in .2, 4096.")
+
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
   core_test(folded_datapath splines_${splines} TOP folded_datapath
@@ -280,7 +286,7 @@ illegal_parameter_test(step_generator PeriodLog2=21 "PeriodLog2 must be in .6, 2
 illegal_parameter_test(step_generator TimeBits=3 "TimeBits must be in .4, 16.")
 illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 7. . 4 clocks must fit")
 
-illegal_parameter_test(motion_interpolator Build=2 "Build must be 0 or 1")
+illegal_parameter_test(motion_interpolator Build=3 "Build must be 0, 1 or 2")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 
 # The registers: axes, bits of scale and of times.

@@ -41,7 +41,7 @@ static inline uint16_t curvecore_digest(uint16_t digest, uint32_t word) {
 static inline uint16_t curvecore_board_digest(uint32_t capability, uint32_t core, uint32_t period,
                                               uint32_t clock) {
     const uint32_t fields = CURVECORE_CAPABILITY_AXES_MASK | CURVECORE_CAPABILITY_BUILD_MASK |
-                            CURVECORE_CAPABILITY_SPLINES_MASK;
+                            CURVECORE_CAPABILITY_ENGINE_MASK | CURVECORE_CAPABILITY_SPLINES_MASK;
     uint16_t digest = curvecore_digest(0, capability & fields);
     digest = curvecore_digest(digest, core);
     digest = curvecore_digest(digest, period);

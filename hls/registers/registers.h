@@ -48,6 +48,8 @@
 #define CURVECORE_CAPABILITY_SAMPLE_BUFFER_LOG2_MASK 0x01e00000u
 #define CURVECORE_CAPABILITY_ENCODERS_LOW 25
 #define CURVECORE_CAPABILITY_ENCODERS_MASK 0x02000000u
+#define CURVECORE_CAPABILITY_ENGINE_LOW 26
+#define CURVECORE_CAPABILITY_ENGINE_MASK 0x04000000u
 
 /* Widths that words are planned for: hls/configuration.hpp. */
 #define CURVECORE_CORE 0x00c
@@ -211,7 +213,7 @@
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_LOW 11
 #define CURVECORE_WIDTHS_SAMPLES_AHEAD_MASK 0x00007800u
 
-/* Configuration that the words of the next program must be made for, besides that of the board (CORE, CLOCK, and axes, period, build and splines of CAPABILITY): unit, samples per tick and machine. Words made for another configuration raise the faults motion 0 and 2, and none of them is drawn. */
+/* Configuration that the words of the next program must be made for, besides that of the board (CORE, CLOCK, and axes, period, build, engine and splines of CAPABILITY): unit, samples per tick and machine. Words made for another configuration raise the faults motion 0 and 2, and none of them is drawn. */
 #define CURVECORE_DIGEST 0x04c
 #define CURVECORE_DIGEST_DIGEST_LOW 0
 #define CURVECORE_DIGEST_DIGEST_MASK 0x0000ffffu
@@ -251,7 +253,7 @@
 #define CURVECORE_RATE_RATE_LOW 0
 #define CURVECORE_RATE_RATE_MASK 0x0001ffffu
 
-/* Words that still fit into the queues. A program's words do not enter before the other stream has ended the program before. */
+/* Words that still fit into the queues, or with CAPABILITY.engine into their entry, which has 128 words. A program's words do not enter before the other stream has ended the program before. */
 #define CURVECORE_ROOM 0x06c
 #define CURVECORE_ROOM_SEGMENT_LOW 0
 #define CURVECORE_ROOM_SEGMENT_MASK 0x0000ffffu

@@ -92,7 +92,7 @@ std::string why_not_built(const CoreParameters& parameters) {
     return "";
 }
 
-const char* build_name(Build build) { return build == Build::kParallel ? "parallel" : "serial"; }
+const char* build_name(Build build) { return kBuildNames[static_cast<std::size_t>(build)].data(); }
 
 std::string parameters_text(const CoreParameters& parameters) {
     std::string text;

@@ -2,11 +2,16 @@
 // Parameters as text, and the rule which combinations of them are built.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "ref/format/parameters.hpp"
 
 namespace curvecore::ref {
+
+/// Names of the builds, in their order.
+constexpr std::array<std::string_view, 3> kBuildNames{"parallel", "serial", "engine"};
 
 /// Returns the reason why there is no core with these parameters; empty if there is one.
 std::string why_not_built(const CoreParameters& parameters);
@@ -21,7 +26,7 @@ std::string range_text(const Parameter& row);
 std::string parameter_names();
 /// Returns "Order=6 CoefBits=36 ...", every parameter.
 std::string parameters_text(const CoreParameters& parameters);
-/// Returns "parallel" or "serial".
+/// Returns "parallel", "serial" or "engine".
 const char* build_name(Build build);
 
 }  // namespace curvecore::ref

@@ -6,7 +6,8 @@
 namespace curvecore {
 namespace ref {
 
-enum class Build { kParallel, kSerial };
+/// Builds of rtl/motion_interpolator.sv, by the number that its parameter Build has.
+enum class Build { kParallel, kSerial, kEngine };
 
 /// The fields of the table's rows, with their defaults.
 struct CoreParameters {
@@ -21,7 +22,7 @@ struct CoreParameters {
 };
 
 enum class ParameterValues { kWhole, kPowerOfTwo };
-enum class ParameterBuilds { kBothBuilds, kParallelAlone };
+enum class ParameterBuilds { kEveryBuild, kParallelAlone };
 
 /// A row of the table.
 struct Parameter {

@@ -20,7 +20,9 @@ module paced_motion #(
     parameter int MultiplierForm    = 0,
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
-    parameter int SamplesAhead      = 4      // [1, 15]
+    parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter     Program           = "",    // files of Build 2
+    parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -85,7 +87,7 @@ module paced_motion #(
     else ahead_q <= ahead_q + {3'b0, request && request_ready} - {3'b0, taken};
   end
 
-  // Words enter only if there is room.
+  // Words enter only if there is room: in their queue, or in the engine's entry.
   logic segment_ready;
   logic profile_ready;
   logic segment_valid;
@@ -96,7 +98,7 @@ module paced_motion #(
   assign profile_valid   = profile_valid_i && profile_room_o != '0;
   logic segment_leaves;
   queue_room #(
-      .Words(SegmentQueueWords)
+      .Words((Build == 2) ? engine_pkg::EntryWords : SegmentQueueWords)
   ) u_segment_room (
       .clk_i,
       .rst_ni (rst_n),
@@ -106,7 +108,7 @@ module paced_motion #(
   );
   logic profile_leaves;
   queue_room #(
-      .Words(ProfileQueueWords)
+      .Words((Build == 2) ? engine_pkg::EntryWords : ProfileQueueWords)
   ) u_profile_room (
       .clk_i,
       .rst_ni (rst_n),
@@ -133,7 +135,9 @@ module paced_motion #(
       .SampleInterval(SampleInterval),
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
-      .ProfileQueueWords(ProfileQueueWords)
+      .ProfileQueueWords(ProfileQueueWords),
+      .Program(Program),
+      .Data(Data)
   ) u_motion (
       .clk_i,
       .rst_ni(rst_n),

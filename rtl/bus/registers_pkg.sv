@@ -67,6 +67,7 @@ package registers_pkg;
   localparam int CapabilityProfileQueueLog2Low = 16;
   localparam int CapabilitySampleBufferLog2Low = 21;
   localparam int CapabilityEncodersLow = 25;
+  localparam int CapabilityEngineLow = 26;
   localparam int CoreOrderLow = 0;
   localparam int CoreModeLow = 4;
   localparam int CoreCoefBitsLow = 6;

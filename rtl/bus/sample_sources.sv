@@ -21,7 +21,9 @@ module sample_sources #(
     parameter int SegmentQueueWords = 1024,
     parameter int ProfileQueueWords = 1024,
     parameter int SamplesAhead      = 4,
-    parameter int SampleBufferWords = 512
+    parameter int SampleBufferWords = 512,
+    parameter     Program           = "",
+    parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -118,7 +120,9 @@ module sample_sources #(
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
-      .SamplesAhead(SamplesAhead)
+      .SamplesAhead(SamplesAhead),
+      .Program(Program),
+      .Data(Data)
   ) u_motion (
       .clk_i,
       .rst_ni,

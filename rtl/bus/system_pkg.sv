@@ -9,7 +9,8 @@ package system_pkg;
                                     input int encoders);
     capability = (axes << registers_pkg::CapabilityAxesLow) +
         (period_log2 << registers_pkg::CapabilityPeriodLog2Low) +
-        (build << registers_pkg::CapabilityBuildLow) +
+        ((build & 1) << registers_pkg::CapabilityBuildLow) +
+        ((build >> 1) << registers_pkg::CapabilityEngineLow) +
         (splines << registers_pkg::CapabilitySplinesLow) +
         ($clog2(segment_queue_words) << registers_pkg::CapabilitySegmentQueueLog2Low) +
         ($clog2(profile_queue_words) << registers_pkg::CapabilityProfileQueueLog2Low) +
@@ -49,6 +50,7 @@ package system_pkg;
     logic [15:0] sum;
     fields = capability_word & ((15 << registers_pkg::CapabilityAxesLow) |
                                 (1 << registers_pkg::CapabilityBuildLow) |
+                                (1 << registers_pkg::CapabilityEngineLow) |
                                 (1 << registers_pkg::CapabilitySplinesLow));
     period = 1 << ((capability_word >> registers_pkg::CapabilityPeriodLog2Low) & 31);
     sum = digest_word(16'd0, 32'(fields));

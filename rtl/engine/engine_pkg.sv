@@ -20,6 +20,9 @@ package engine_pkg;
   localparam logic [4:0] PortY = 5'd1;
   localparam logic [4:0] PortLink = 5'd2;
 
+  // Words of either stream that have room at once: rtl/engine/engine_entry.sv
+  localparam int EntryWords = 128;
+
   // Memory: limbs that words 0 to 4 begin with; words 0 to 7 are never written
   localparam int One = 0;  // 2^r at r
   localparam int MinusOne = 15;

@@ -5,7 +5,7 @@ import json
 import re
 import shutil
 
-from synthesis import placement
+from synthesis import microcode, placement
 from synthesis.board_files import top
 from synthesis.board_tools import command, tools_of
 from synthesis.boards import TOP
@@ -44,13 +44,17 @@ def make(board, folder, seeds, minutes, pins_alone=False):
     with alone(folder / ".lock"), work_folder(folder / ".work") as work:
         for file in ("board.json", tools.bitstream):
             (folder / file).unlink(missing_ok=True)
-        (work / "top.v").write_text(top(board, pins_alone))
+        settings = board.settings
+        if not pins_alone:
+            settings = microcode.make(TOP, settings, work, folder / "microcode.log")
+        (work / "top.v").write_text(top(board, settings, pins_alone))
         (work / tools.constraints_file).write_text(tools.constraints(board))
         cells = synthesise(board, tools, work, folder, pins_alone)
         placed = place(board, tools, work, folder, seeds, minutes)
         pack = command(tools.pack, board)
         run([tool(pack[0]), *pack[1:]], folder / "pack.log", error_of, cwd=work)
-        for file in ("top.v", tools.constraints_file, tools.bitstream):
+        programs = microcode.FILES.values() if settings != board.settings else ()
+        for file in ("top.v", tools.constraints_file, tools.bitstream, *programs):
             shutil.copy(work / file, folder)
     facts = {"board": board.name, "title": board.board, "part": board.part, **board.figures(),
              **placed, **counts(tools.family, cells),

@@ -68,15 +68,16 @@ PINS = """  reg [7:0] count = 8'd0;
 """
 
 
-def top(board, pins_alone=False):
-    """Verilog of module top; with `pins_alone` a design that uses every pin, and no motion."""
+def top(board, settings, pins_alone=False):
+    """Verilog of module top, with these parameters of motion_board; with `pins_alone` a design that
+    uses every pin, and no motion."""
     axes = f"[{board.axes - 1}:0]"
     none = f"{board.axes}'d0"
     inputs = {"probe": "1'b0", "home": "limit", "encoder_a": none, "encoder_b": none}
     inputs |= {name: name for name in inputs if name in board.pins}
     more = "".join(f", input {'' if name == 'probe' else axes + ' '}{name}" for name in inputs
                    if name in board.pins)
-    values = ", ".join(f".{name}({value})" for name, value in board.settings.items())
+    values = ", ".join(f".{name}({value})" for name, value in settings.items())
     return (f"module top (\n  input clk, input uart_rx, input estop, input {axes} limit{more},\n"
             f"  output uart_tx, output {axes} step, output {axes} direction, output enable\n);\n"
             + (CLOCK if board.clock_hz == board.oscillator_hz else PLL)

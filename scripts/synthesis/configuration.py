@@ -9,6 +9,7 @@ import dataclasses
 import hashlib
 import json
 
+from synthesis import microcode
 from synthesis.cores import FORMS, check_parameters, parameters, sources, top_of
 from synthesis.devices import DEVICES, HERE, device_named, speed_of
 from synthesis.tools import tool, version
@@ -48,7 +49,8 @@ class Configuration:
     def netlist_name(self):
         """Folder in the store.  Raises Refused where a tool is missing."""
         made = digest(self.top, self.settings, self.family.yosys,
-                      digest_of([*self.files(), HERE / "harness.py", *self.family.files]),
+                      digest_of([*self.files(), *microcode.sources(self.top, self.settings),
+                                 HERE / "harness.py", *self.family.files]),
                       version(tool("yosys")))
         return f"{self.label}-{self.family.name}-{made}"
 

@@ -61,10 +61,11 @@ def sources(*tops):
 
 @functools.lru_cache(maxsize=None)
 def parameters(top):
-    """Returns the parameters of a module and the text of their defaults."""
+    """Returns the parameters of a module that are numbers, and the text of their defaults."""
     if top not in files():
         raise Refused(f"unknown module '{top}'")
-    found = re.findall(r"^ +parameter\s+(?:\w+\s+)*?(\w+)\s*=\s*([^,\n]+)", text_of(top), re.M)
+    found = re.findall(r"^ +parameter\s+(?:\w+\s+)*?(\w+)\s*=\s*([^\s\",][^\",\n]*)",
+                       text_of(top), re.M)
     return {name: default.strip() for name, default in found}
 
 

@@ -7,6 +7,7 @@ import pathlib
 import re
 import shutil
 
+from synthesis import microcode
 from synthesis.cores import ROOT
 from synthesis.harness import harness
 from synthesis.tools import alone, error_of, run, tool, work_folder, write_whole
@@ -73,12 +74,14 @@ def synthesise(wanted, folder):
         if (folder / "netlist.json").exists():
             return
         yosys = Yosys(wanted.files(), wanted.family, work)
-        values = ", ".join(f".{name}({value})" for name, value in wanted.settings.items())
+        settings = microcode.make(wanted.top, wanted.settings, work, folder / "microcode.log")
+        values = ", ".join(f".{name}({value})" for name, value in settings.items())
         core = f"{wanted.top} #({values})"
         ports, parameters = yosys.elaborate(core, folder / "elaborate.log")
         (work / "harness.v").write_text(harness(core, ports))
         core_cells, all_cells = yosys.synthesise(wanted.family, folder / "synthesise.log")
-        parameters = {name: number(value) for name, value in parameters.items()}
+        parameters = {name: number(value) for name, value in parameters.items()
+                      if name not in microcode.FILES}
         parameters |= {name: int(value) for name, value in wanted.settings.items()}
         write_whole(folder / "cells.json", json.dumps(
             {"core": core_cells, "all": all_cells, "parameters": parameters}, indent=2))

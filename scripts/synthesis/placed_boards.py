@@ -17,7 +17,7 @@ from synthesis.boards import TOP
 from synthesis.cores import ROOT, parameters
 from synthesis.tools import write_whole
 
-FILE = ROOT / "sysc" / "widths" / "placed_boards.json"
+FILE = ROOT / "sysc" / "cost" / "placed_boards.json"
 FIGURES = ("clock_mhz", "fmax_mhz", "lut4", "ff", "dsp", "bram", "axes", "samples_s", "steps_s")
 
 

@@ -9,14 +9,15 @@
 namespace curvecore::sysc {
 namespace {
 
-ClockNeed serial_need(const CoreParameters& parameters, const Load& load, ref::CurveKind kind,
-                      double period) {
+ClockNeed need_in_turn(const CoreParameters& parameters, const Load& load, ref::CurveKind kind,
+                       double period) {
     const hls::Clocks change = change_clocks(parameters, kind);
+    const double sample = change.sample + tick_share(parameters, 1);
     const double window = (1 + hls::samples_ahead(timed_core(parameters))) * period;
     const double segments = std::ceil(load.segments * window);
     const double steps = std::ceil(load.steps * window);
     const double pauses = segments * change.segment + std::max(0.0, steps - segments) * change.step;
-    return {change.sample / period, change.sample / period + pauses / window};
+    return {sample / period, sample / period + pauses / window};
 }
 
 ClockNeed parallel_need(const CoreParameters& parameters, const Load& load, ref::CurveKind kind,
@@ -34,8 +35,8 @@ ClockNeed clock_need(const CoreParameters& parameters, const Demand& demand,
     need.samples = hls::tick_clocks(timed_core(parameters)) / sample_period_s;
     const auto add = [&](ref::CurveKind kind, const Load& load) {
         if (load.segments == 0) return;
-        const ClockNeed one = parameters.build == Build::kSerial
-                                  ? serial_need(parameters, load, kind, sample_period_s)
+        const ClockNeed one = hls::in_turn(parameters.build)
+                                  ? need_in_turn(parameters, load, kind, sample_period_s)
                                   : parallel_need(parameters, load, kind, sample_period_s);
         need.samples = std::max(need.samples, one.samples);
         need.steps = std::max(need.steps, one.steps);

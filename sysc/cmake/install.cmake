@@ -28,15 +28,19 @@ install(FILES ${PROJECT_SOURCE_DIR}/sysc/cmake/curvecoreConfig.cmake
         DESTINATION ${config} COMPONENT libraries)
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/rtl DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore
-        COMPONENT rtl FILES_MATCHING PATTERN *.sv PATTERN *.vlt PATTERN *.f PATTERN *.core)
+        COMPONENT rtl FILES_MATCHING PATTERN *.sv PATTERN *.vlt PATTERN *.f PATTERN *.core
+        PATTERN *.asm)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/ref/curves
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/ref
+        COMPONENT rtl FILES_MATCHING PATTERN *.net)
 if(CURVECORE_PROGRAM)
   install(TARGETS curvecore COMPONENT program)
   # Sources of cores that the program makes, in the tree's order beside rtl.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/board ${PROJECT_SOURCE_DIR}/sysc/cores
-                    ${PROJECT_SOURCE_DIR}/sysc/cmake
+                    ${PROJECT_SOURCE_DIR}/sysc/virtual ${PROJECT_SOURCE_DIR}/sysc/cmake
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore/sysc COMPONENT program
           USE_SOURCE_PERMISSIONS
-          FILES_MATCHING PATTERN *.hpp PATTERN compiled_core.cpp PATTERN *.sh)
+          FILES_MATCHING PATTERN *.hpp PATTERN compiled_*.cpp PATTERN *.sh)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/sysc/formats
           DESTINATION ${CMAKE_INSTALL_DATADIR}/curvecore COMPONENT program
           FILES_MATCHING PATTERN *.schema.json)

@@ -5,6 +5,7 @@
 # only when a source that this model reads has changed (it writes the dependency file).
 # SOURCES may contain another file of the module itself.
 # SC makes a module of SystemC.
+# A model of Build=2 comes with the engine's programs for its parameters.
 # FLAT reads the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
@@ -62,17 +63,34 @@ function(verilated_model target)
   set(archive ${dir}/${ARG_PREFIX}__ALL.a)
   set(flags --top-module ${ARG_TOP} --prefix ${ARG_PREFIX})
   set(flat "")
+  set(microcode "")
+  set(makes_programs "")
+  if("Build=2" IN_LIST ARG_PARAMS)
+    set(makes_programs microcode_generator ${ENGINE_SOURCES})
+  endif()
   if(ARG_FLAT)
     set(flat ${dir}/${ARG_TOP}.v)
     add_custom_command(
       OUTPUT ${flat}
-      COMMAND ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${ARG_TOP} ${ARG_PARAMS} -o ${flat}
+      COMMAND ${CMAKE_COMMAND} -E env MICROCODE_GENERATOR=$<TARGET_FILE:microcode_generator>
+              ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${ARG_TOP} ${ARG_PARAMS} -o ${flat}
       DEPENDS ${PROJECT_SOURCE_DIR}/scripts/flat.sh ${RTL_PACKAGES} ${RTL_MODULES}
+              ${makes_programs}
       VERBATIM)
     set(sources ${flat})
     # Words of the levels of a hierarchy are merged; one part of such a word may depend on another.
     list(APPEND flags --language 1364-2005 -Wno-lint -Wno-UNOPTFLAT)
   else()
+    if(makes_programs)
+      set(microcode ${dir}/program.hex ${dir}/data.hex)
+      add_custom_command(
+        OUTPUT ${microcode}
+        COMMAND ${CMAKE_COMMAND} -E make_directory ${dir}
+        COMMAND microcode_generator ${PROJECT_SOURCE_DIR} ${dir} ${ARG_TOP} ${ARG_PARAMS}
+        DEPENDS ${makes_programs}
+        VERBATIM)
+      list(APPEND flags "-GProgram=\"${dir}/program.hex\"" "-GData=\"${dir}/data.hex\"")
+    endif()
     list(TRANSFORM ARG_PARAMS PREPEND -G)
     list(APPEND flags ${ARG_PARAMS} ${RTL_SEARCH})
     set(sources ${RTL_PACKAGES} ${ARG_SOURCES})
@@ -101,6 +119,7 @@ function(verilated_model target)
             ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${dir} ${ARG_PREFIX} ${flags}
             ${sources}
     DEPENDS ${PROJECT_SOURCE_DIR}/sysc/cmake/verilate.sh ${verilated_headers}.gch ${flat}
+            ${microcode}
     DEPFILE ${dir}/model.d
     COMMENT "Verilating ${target}"
     VERBATIM COMMAND_EXPAND_LISTS)

@@ -62,6 +62,9 @@ BoardFile board_of(const Json& json, std::map<std::string, int> values) {
         }
         values[parameter] = whole_number(value, parameter);
     }
+    if (values.at("Build") < 0 || values.at("Build") >= static_cast<int>(ref::kBuildNames.size())) {
+        throw JsonFlaw{"Build", "Build must be 0, 1 or 2"};
+    }
     BoardFile board;
     board.core.parameters = core_of_board(values);
     const std::string reason = ref::why_not_built(board.core.parameters);
@@ -99,7 +102,7 @@ std::string device_of_board(const Json& board) {
 
 CoreParameters core_of_board(const std::map<std::string, int>& values) {
     CoreParameters core;
-    core.build = values.at("Build") == 1 ? Build::kSerial : Build::kParallel;
+    core.build = static_cast<Build>(values.at("Build"));
     for (const auto& [parameter, value] : values) {
         const ref::Parameter* const row = ref::find_parameter(parameter);
         if (row != nullptr) core.*row->value = value;

@@ -13,7 +13,7 @@ using ref::CurveKind;
 
 hls::TimedCore timed_core(const CoreParameters& parameters) {
     hls::TimedCore core;
-    core.serial = parameters.build == Build::kSerial;
+    core.build = parameters.build;
     core.order = parameters.order;
     core.coef_bits = parameters.coef_bits;
     core.aux_axes = parameters.aux_axes;
@@ -31,25 +31,34 @@ hls::Clocks core_clocks(const CoreParameters& parameters, CurveKind kind) {
 
 hls::Clocks change_clocks(const CoreParameters& parameters, CurveKind kind) {
     hls::Clocks clocks = core_clocks(parameters, kind);
-    if (parameters.build == Build::kSerial) {
+    if (hls::in_turn(parameters.build)) {
         // The first sample after a change may begin up to a rotation before the others' turn.
-        clocks.step += hls::kRotation - clocks.sample;
-        clocks.segment += hls::kRotation - clocks.sample;
+        const int early = parameters.build == Build::kSerial ? hls::kRotation : 0;
+        clocks.step += early - clocks.sample;
+        clocks.segment += early - clocks.sample;
     }
     return clocks;
 }
 
-ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz) {
+double tick_share(const CoreParameters& parameters, int samples_per_tick) {
+    if (parameters.build != Build::kEngine) return 0;
+    const hls::TimedCore core = timed_core(parameters);
+    const int window = 1 + hls::samples_ahead(core);  // samples
+    const int ticks = (window + samples_per_tick - 1) / samples_per_tick;
+    return double(hls::tick_clocks(core) * ticks) / window;
+}
+
+ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz, int samples_per_tick) {
     ref::CoreTime time;
     time.samples_ahead = hls::samples_ahead(timed_core(parameters));
-    time.ahead = parameters.build == Build::kParallel;
+    time.ahead = !hls::in_turn(parameters.build);
     int sample = 0;  // clocks
     for (const CurveKind kind : ref::kCurveKinds) {
         const hls::Clocks clocks = change_clocks(parameters, kind);
         time.curve[kind] = {clocks.step / clock_hz, clocks.segment / clock_hz};
         if (draws(parameters, kind)) sample = std::max(sample, clocks.sample);
     }
-    if (!time.ahead) time.sample = sample / clock_hz;
+    if (!time.ahead) time.sample = (sample + tick_share(parameters, samples_per_tick)) / clock_hz;
     return time;
 }
 
@@ -58,8 +67,8 @@ double least_period_clocks(const CoreParameters& parameters, bool splines, int s
     for (const CurveKind kind : ref::kCurveKinds) {
         if (kind == CurveKind::kSpline && !splines) continue;
         const hls::Clocks clocks = core_clocks(parameters, kind);
-        double period = clocks.sample;
-        if (parameters.build == Build::kSerial) {
+        double period = clocks.sample + tick_share(parameters, samples_per_tick);
+        if (hls::in_turn(parameters.build)) {
             const hls::Clocks change = change_clocks(parameters, kind);
             period += std::max(change.step, change.segment) /
                       (1.0 + hls::samples_ahead(timed_core(parameters)));

@@ -17,8 +17,13 @@ hls::Clocks core_clocks(const CoreParameters& parameters, ref::CurveKind kind);
 /// own clocks; for the parallel build, those that it takes beside the samples.
 hls::Clocks change_clocks(const CoreParameters& parameters, ref::CurveKind kind);
 
+/// Clocks that ticks of time add to each of the samples of a window of those made ahead: of the
+/// engine, which makes them in turn with samples.
+double tick_share(const CoreParameters& parameters, int samples_per_tick);
+
 /// The change clocks in seconds.
-ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz);
+ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz,
+                        int samples_per_tick = 1);
 
 /// Least number of clocks in a sample period with which any program keeps time, however slow it is.
 double least_period_clocks(const CoreParameters& parameters, bool splines,

@@ -2,7 +2,9 @@
 #include "sysc/core/core_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 
 #include "ref/text/text_file.hpp"
@@ -33,10 +35,12 @@ std::string text_of(const Json& json, const char* name, const char* otherwise) {
 CoreParameters parameters_of(const Json& json) {
     CoreParameters parameters;
     const std::string build = text_of(json, "build", "parallel");
-    if (build != "parallel" && build != "serial") {
-        throw JsonFlaw{"build", "build must be parallel or serial"};
+    const auto* const found = std::find(ref::kBuildNames.begin(), ref::kBuildNames.end(), build);
+    if (found == ref::kBuildNames.end()) {
+        throw JsonFlaw{"build",
+                       fmt::format("build must be one of {}", fmt::join(ref::kBuildNames, ", "))};
     }
-    parameters.build = build == "serial" ? Build::kSerial : Build::kParallel;
+    parameters.build = static_cast<Build>(found - ref::kBuildNames.begin());
     for (const auto& [name, value] : member(json, "parameters").items()) {
         const ref::Parameter* const row = ref::find_parameter(name);
         if (row == nullptr) {

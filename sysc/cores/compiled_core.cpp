@@ -10,7 +10,8 @@ static_assert(CFG_SegmentQueueWords == ref::kBoardSegmentWords, "as all boards h
 static_assert(CFG_ProfileQueueWords == ref::kBoardProfileWords, "as all boards have it");
 
 extern "C" Board* CFG_FUNCTION(const RtlSetup& setup) {
-    return new RtlBoard<CFG_MODEL, 3 + CFG_AuxAxes, CFG_PositionBits, CFG_GuardBits>(setup);
+    return new RtlBoard<CFG_MODEL, CFG_Build, 3 + CFG_AuxAxes, CFG_PositionBits, CFG_GuardBits>(
+        setup);
 }
 
 }  // namespace curvecore::sysc

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cache of cores: a core's folder <build>-<digest> holds core.so and core.sum, the digest of
-// core.so's bytes. A truncated or changed entry is made again.
+// core.so's bytes, and an engine's programs. A truncated or changed entry is made again.
 #include "sysc/cores/core_cache.hpp"
 
 #include <dlfcn.h>
@@ -141,16 +141,22 @@ std::string reason_in(const fs::path& log) {
     return last;
 }
 
-/// Verilator's parameters of the top module.
-std::vector<std::string> model_parameters(const CoreParameters& parameters) {
-    std::vector<std::string> all{
-        fmt::format("Build={}", parameters.build == Build::kSerial ? 1 : 0)};
+CachedModel core_model(const CoreParameters& parameters) {
+    CachedModel model{"core", "motion_interpolator",   "sysc/cores/compiled_core.cpp", parameters,
+                      {},     ref::kBoardSegmentWords, ref::kBoardProfileWords};
     CoreParameters simulated = parameters;
     simulated.multiplier_form = 0;  // products are the same, and no vendor's cells are needed
     std::istringstream text(ref::parameters_text(simulated));
-    for (std::string word; text >> word;) all.push_back(word);
-    all.push_back(fmt::format("SegmentQueueWords={}", ref::kBoardSegmentWords));
-    all.push_back(fmt::format("ProfileQueueWords={}", ref::kBoardProfileWords));
+    for (std::string word; text >> word;) model.parameters.push_back(word);
+    return model;
+}
+
+/// Verilator's parameters of the top module.
+std::vector<std::string> all_parameters(const CachedModel& model) {
+    std::vector<std::string> all{fmt::format("Build={}", static_cast<int>(model.core.build)),
+                                 fmt::format("SegmentQueueWords={}", model.segment_queue_words),
+                                 fmt::format("ProfileQueueWords={}", model.profile_queue_words)};
+    all.insert(all.end(), model.parameters.begin(), model.parameters.end());
     return all;
 }
 
@@ -166,35 +172,41 @@ CoreCache::CoreCache() : sources_(shipped_files().folder), cores_(sources_ / "bu
     }
     const char* const cores = std::getenv("CURVECORE_CORES");
     if (cores != nullptr && *cores != 0) cores_ = cores;
+    cores_ = fs::absolute(cores_);
 }
 
-std::string CoreCache::digest(const CoreParameters& parameters) const {
+std::string CoreCache::digest(const CachedModel& model, const CoreMicrocode& microcode) const {
     std::vector<fs::path> files;
-    for (const char* folder : {"rtl", "sysc/board", "sysc/cores", "sysc/cmake"}) {
+    for (const char* folder : {"rtl", "sysc/board", "sysc/cores", "sysc/virtual", "sysc/cmake"}) {
         for (const auto& entry : fs::recursive_directory_iterator(sources_ / folder)) {
             const std::string kind = entry.path().extension();
             if (kind == ".sv" || kind == ".hpp" || kind == ".sh") files.push_back(entry.path());
         }
     }
-    files.push_back(sources_ / "sysc/cores/compiled_core.cpp");
+    files.push_back(sources_ / model.source);
     std::sort(files.begin(), files.end());
     Digest digest;
     for (const fs::path& file : files) {
         digest.add(file.lexically_relative(sources_));
         digest.add(text_of(file));
     }
-    for (const std::string& parameter : model_parameters(parameters)) digest.add(parameter);
+    for (const std::string& parameter : all_parameters(model)) digest.add(parameter);
     digest.add(CURVECORE_VERILATOR_VERSION);
     digest.add(CURVECORE_CXX " " CURVECORE_CXX_VERSION);
+    if (!microcode.empty()) {
+        digest.add(microcode.text());
+        digest.add(cores_);  // a core of another place reads its programs there
+    }
     return digest.text();
 }
 
-void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, bool quiet) const {
+void CoreCache::make(const CachedModel& model, const CoreMicrocode& microcode,
+                     const fs::path& folder, bool quiet) const {
     check_tools();
     if (!quiet) {
-        fmt::print(stderr, "curvecore: making the core {} {}: once, {}; it is kept in {}\n",
-                   build_name(parameters.build), ref::parameters_text(parameters),
-                   parameters.build == Build::kSerial ? "some 15 s" : "up to a minute",
+        fmt::print(stderr, "curvecore: making the {} {} {}: once, {}; it is kept in {}\n",
+                   model.kind, build_name(model.core.build), ref::parameters_text(model.core),
+                   model.core.build == Build::kParallel ? "up to a minute" : "some 15 s",
                    cores_.string());
     }
     const auto begin = std::chrono::steady_clock::now();
@@ -206,18 +218,20 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
                                      "VERILATOR=verilator",
                                      fmt::format("CXX={}", CURVECORE_CXX),
                                      fmt::format("CCACHE={}", in_path("ccache") ? "ccache" : ""),
+                                     fmt::format("MICROCODE={}", folder.string()),
                                      sources_ / "sysc/cmake/make_core.sh",
                                      sources_,
-                                     work / "model"};
-    for (std::string& parameter : model_parameters(parameters)) {
-        command.push_back(std::move(parameter));
-    }
+                                     work / "model",
+                                     model.top,
+                                     model.source};
+    for (std::string& parameter : all_parameters(model)) command.push_back(std::move(parameter));
     if (run(command, log) != 0) {
-        throw std::runtime_error(
-            fmt::format("the core could not be made: {}; see {}", reason_in(log), log.string()));
+        throw std::runtime_error(fmt::format("the {} could not be made: {}; see {}", model.kind,
+                                             reason_in(log), log.string()));
     }
     fs::rename(work / "model/core.so", work / "core.so");
     fs::remove_all(work / "model");
+    microcode.write(work);
     std::ofstream(work / "core.sum") << digest_of(work / "core.so");
     fs::rename(work, folder);
     fs::remove(log);
@@ -228,18 +242,25 @@ void CoreCache::make(const CoreParameters& parameters, const fs::path& folder, b
 }
 
 MakeBoard* CoreCache::open(const CoreParameters& parameters, bool quiet) const {
+    return reinterpret_cast<MakeBoard*>(open(core_model(parameters), quiet));
+}
+
+void* CoreCache::open(const CachedModel& model, bool quiet) const {
     fs::create_directories(cores_);
+    const CoreMicrocode microcode(model.core,
+                                  {model.segment_queue_words, model.profile_queue_words}, sources_);
     const fs::path folder =
-        cores_ / fmt::format("{}-{}", build_name(parameters.build), digest(parameters));
+        cores_ / fmt::format("{}-{}", build_name(model.core.build), digest(model, microcode));
     const fs::path file = folder / "core.so";
     const Lock lock(folder.string() + ".lock", quiet);
-    if (!fs::exists(file) || text_of(folder / "core.sum") != digest_of(file)) {
-        make(parameters, folder, quiet);
+    if (!fs::exists(file) || text_of(folder / "core.sum") != digest_of(file) ||
+        !microcode.lies_in(folder)) {
+        make(model, microcode, folder, quiet);
     }
     void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const symbol = library != nullptr ? dlsym(library, "curvecore_core") : nullptr;
+    void* const symbol = library != nullptr ? dlsym(library, "curvecore_model") : nullptr;
     if (symbol == nullptr) throw std::runtime_error(fmt::format("cannot open {}", dlerror()));
-    return reinterpret_cast<MakeBoard*>(symbol);
+    return symbol;
 }
 
 }  // namespace curvecore::sysc

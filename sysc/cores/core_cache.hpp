@@ -3,11 +3,25 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "sysc/core/core_parameters.hpp"
+#include "sysc/cores/core_microcode.hpp"
 #include "sysc/cores/rtl_setup.hpp"
 
 namespace curvecore::sysc {
+
+/// A Verilated module that is made when it is asked for.
+struct CachedModel {
+    const char* kind;                     // what it is called
+    const char* top;                      // module
+    const char* source;                   // file with the function curvecore_model
+    CoreParameters core;                  // inside it
+    std::vector<std::string> parameters;  // Name=Value, of the module
+    int segment_queue_words;
+    int profile_queue_words;
+};
 
 class CoreCache {
   public:
@@ -20,12 +34,14 @@ class CoreCache {
     /// another run that builds it. Reports its work on stderr, unless quiet.
     /// @throws UsageError without Verilator, std::runtime_error when it fails
     MakeBoard* open(const CoreParameters& parameters, bool quiet) const;
+    /// Opens any module; returns its function curvecore_model.
+    void* open(const CachedModel& model, bool quiet) const;
 
   private:
-    /// Digest of all files and parameters that the core is made from.
-    std::string digest(const CoreParameters& parameters) const;
-    void make(const CoreParameters& parameters, const std::filesystem::path& folder,
-              bool quiet) const;
+    /// Digest of all files and parameters that the model is made from.
+    std::string digest(const CachedModel& model, const CoreMicrocode& microcode) const;
+    void make(const CachedModel& model, const CoreMicrocode& microcode,
+              const std::filesystem::path& folder, bool quiet) const;
 
     std::filesystem::path sources_;
     std::filesystem::path cores_;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -24,6 +25,7 @@ enum Show : unsigned {
 };
 
 const std::string kTop = "dut.motion_interpolator.";
+const std::string kCircuits = "g_circuits.u_motion.";  // inside: rtl/path/path_interpolator.sv
 
 struct Signal {
     Show show;
@@ -69,7 +71,7 @@ class Arrangement {
 };
 
 void parallel_core(Arrangement& view) {
-    const std::string core = "g_parallel.u_core.";
+    const std::string core = kCircuits + "g_parallel.u_core.";
     view.group("Steps", core + "u_starter.",
                {{kBit, "there"},
                 {kBit, "room_i"},
@@ -105,7 +107,7 @@ void parallel_core(Arrangement& view) {
 }
 
 void serial_core(Arrangement& view) {
-    const std::string core = "g_serial.u_core.";
+    const std::string core = kCircuits + "g_serial.u_core.";
     view.group("Network", core,
                {{kBit, "net_start"},
                 {kBit, "net_busy"},
@@ -128,6 +130,22 @@ void serial_core(Arrangement& view) {
                 {kUnsigned, "u_sequencer.context_q"}});
 }
 
+void engine_core(Arrangement& view) {
+    const std::string engine = "g_engine.u_motion.u_engine.";
+    view.group("Engine", engine,
+               {{kUnsigned, "place"},
+                {kHex, "instruction"},
+                {kHex, "conditions_i"},
+                {kBit, "in_valid_o"},
+                {kUnsigned, "in_port_o"},
+                {kUnsigned, "in_limb_o"},
+                {kHex, "in_data_i"},
+                {kBit, "out_valid_o"},
+                {kUnsigned, "out_port_o"},
+                {kUnsigned, "out_limb_o"},
+                {kHex, "out_data_o"}});
+}
+
 void path_side(Arrangement& view) {
     view.show("", {{kBit, "clk_i"}, {kBit, "rst_ni"}});
     view.group("Request", "",
@@ -147,8 +165,8 @@ void path_side(Arrangement& view) {
                 {kBit, "underrun_o"}});
     view.group("Path generator", "",
                {{kBit, "active_o"},
-                {kBit, "rate_valid"},
-                {kUnsigned, "u_path.ticks_left_o"},
+                {kBit, kCircuits + "rate_valid"},
+                {kUnsigned, kCircuits + "u_path.ticks_left_o"},
                 {kBit, "path_valid_o"},
                 {kUnsigned, "path_rate_o"},
                 {kUnsigned, "path_ds_o"},
@@ -157,9 +175,11 @@ void path_side(Arrangement& view) {
 
 void positions(Arrangement& view, const CoreParameters& core) {
     Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
-    const char* words = core.build == Build::kParallel
-                            ? "g_parallel.u_core.u_side.g_axis[{}].u_lander.position_o"
-                            : "g_serial.u_core.u_lander.g_axis[{}].axis_position_q";
+    constexpr std::array<const char*, 3> kWords{
+        "g_circuits.u_motion.g_parallel.u_core.u_side.g_axis[{}].u_lander.position_o",
+        "g_circuits.u_motion.g_serial.u_core.u_lander.g_axis[{}].axis_position_q",
+        "g_engine.u_motion.g_axes[{}].whole"};
+    const char* const words = kWords[static_cast<std::size_t>(core.build)];
     for (int axis = 0; axis < core.axes(); ++axis) {
         signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});
     }
@@ -199,11 +219,9 @@ std::string gtkw(const CoreParameters& core, const std::string& fst_file, const 
                   kSpan * clock_ps, at * clock_ps);
     Arrangement view(head, waveform_signals(fst_file));
     path_side(view);
-    if (core.build == Build::kParallel) {
-        parallel_core(view);
-    } else {
-        serial_core(view);
-    }
+    if (core.build == Build::kParallel) parallel_core(view);
+    if (core.build == Build::kSerial) serial_core(view);
+    if (core.build == Build::kEngine) engine_core(view);
     positions(view, core);
     return view.text();
 }

@@ -12,8 +12,10 @@
 
 namespace curvecore::sysc {
 
-template <class Model, int Axes, int PositionBits, int GuardBits>
+template <class Model, int Build, int Axes, int PositionBits, int GuardBits>
 class RtlBoard : public Board {
+    static constexpr bool kEngine = Build == 2;
+
   public:
     explicit RtlBoard(const RtlSetup& setup)
         : trace_clocks_(setup.trace_clocks),
@@ -39,11 +41,12 @@ class RtlBoard : public Board {
     }
 
     bool arrived(Stream stream) const override {
-        return !(stream == Stream::kSegments ? segments_ : profile_).waiting;
+        const Inlet& inlet = stream == Stream::kSegments ? segments_ : profile_;
+        return !inlet.waiting && inlet.entering == 0;
     }
 
-    /// Clocks during which an entry counts a frame and takes no word.
-    static constexpr int kCounts = 4;
+    /// Clocks during which an entry counts a frame and takes no word, or the engine makes a sample.
+    static constexpr int kCounts = kEngine ? 30'000 : 4;
     bool full(Stream stream) const override {
         return (stream == Stream::kSegments ? segments_ : profile_).refused > kCounts;
     }
@@ -74,14 +77,19 @@ class RtlBoard : public Board {
         std::uint64_t word = 0;
         bool waiting = false;
         bool valid = false;
-        int refused = 0;  // number of clocks, up to the last one, in which the word was refused
+        int entering = 0;  // words on their way into an engine's queue
+        int refused = 0;   // number of clocks, up to the last one, in which the word was refused
 
         void offer() { valid = valid || (waiting && stall.go()); }
-        void answer(bool ready) {
-            refused = valid && !ready ? refused + 1 : 0;
+        /// Takes the core's answer; `leaves`: a word went from the engine's entry into its queue.
+        void answer(bool ready, bool leaves) {
+            const bool refuses = kEngine ? entering > 0 && !leaves : valid && !ready;
+            refused = refuses ? refused + 1 : 0;
+            if (kEngine && leaves) --entering;
             if (!valid || !ready) return;
             valid = false;
             waiting = false;
+            if (kEngine) ++entering;
         }
     };
 
@@ -124,8 +132,8 @@ class RtlBoard : public Board {
     }
 
     void observe(std::vector<Sample>& samples) {
-        segments_.answer(dut_->segment_ready_o);
-        profile_.answer(dut_->profile_ready_o);
+        segments_.answer(dut_->segment_ready_o, dut_->segment_leaves_o);
+        profile_.answer(dut_->profile_ready_o, dut_->profile_leaves_o);
         if (requesting_ && dut_->sample_request_ready_o) {
             requesting_ = false;
             --requested_;

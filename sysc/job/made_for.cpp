@@ -12,9 +12,11 @@ namespace {
 
 std::uint16_t board_digest(const Options& options) {
     const CoreParameters& core = options.core;
-    const std::uint32_t capability = CURVECORE_PUT(CAPABILITY_AXES, core.axes()) |
-                                     CURVECORE_PUT(CAPABILITY_BUILD, core.build == Build::kSerial) |
-                                     CURVECORE_PUT(CAPABILITY_SPLINES, core.splines);
+    const std::uint32_t capability =
+        CURVECORE_PUT(CAPABILITY_AXES, core.axes()) |
+        CURVECORE_PUT(CAPABILITY_BUILD, core.build == Build::kSerial) |
+        CURVECORE_PUT(CAPABILITY_ENGINE, core.build == Build::kEngine) |
+        CURVECORE_PUT(CAPABILITY_SPLINES, core.splines);
     const std::uint32_t widths = CURVECORE_PUT(CORE_ORDER, core.order) |
                                  CURVECORE_PUT(CORE_MODE, core.mode) |
                                  CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |

@@ -28,7 +28,7 @@ ref::PlanOptions Options::plan_options() const {
     plan.format = core;
     plan.aux_axes = core.aux_axes;
     plan.error_limit = error_limit;
-    plan.core = core_time(core, clock_hz);
+    plan.core = core_time(core, clock_hz, samples_per_tick);
     plan.effort = effort;
     plan.holds = holds;
     plan.segment_queue_words = segment_queue_words;

@@ -19,8 +19,8 @@ namespace asio = boost::asio;
 using Udp = asio::ip::udp;
 using std::chrono::milliseconds;
 
-/// Silence after which a master loses the board, in clocks of the board.
-constexpr auto kMasterLeaves = static_cast<std::uint64_t>(VirtualBoard::kClockHertz);
+/// Silence after which a master loses the board, s of the board.
+constexpr double kMasterLeaves = 1;
 /// Refused frames after which it loses a fast board whose drives are off.
 constexpr int kRefusals = 8;
 /// Time by which a frame advances the clock of a fast board, s of the board.
@@ -41,7 +41,7 @@ struct BoardServer::State {
     };
 
     State(const BoardServerOptions& options, std::function<void(const VirtualStep&)> step)
-        : fast(options.fast), board(std::move(step), options.axes) {}
+        : fast(options.fast), board(std::move(step), options.axes, options.build) {}
 
     void receive(milliseconds wait);
     void take(const Bytes& frame, const Udp::endpoint& from);
@@ -81,7 +81,7 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
         return;
     }
     // Also those of another host, which waits until the master has left.
-    if (fast) clocks_due += kTimeOfFrame * VirtualBoard::kClockHertz;
+    if (fast) clocks_due += kTimeOfFrame * board.times().clock_hz;
     if (master_left()) master.reset();
     if (contents.writes && !master) master = from;
     const bool from_master = master == from;
@@ -97,7 +97,8 @@ void BoardServer::State::take(const Bytes& frame, const Udp::endpoint& from) {
 }
 
 bool BoardServer::State::master_left() const {
-    return board.clocks() > master_spoke + kMasterLeaves ||
+    const double silent = static_cast<double>(board.clocks() - master_spoke);
+    return silent > kMasterLeaves * board.times().clock_hz ||
            (fast && refused >= kRefusals && !board.drives_on());
 }
 
@@ -123,8 +124,8 @@ void BoardServer::State::follow_wall() {
     const WireClock::time_point now = WireClock::now();
     const double passed = std::chrono::duration<double>(now - looked).count();
     looked = now;
-    clocks_due += passed * VirtualBoard::kClockHertz;
-    const double most = 0.1 * VirtualBoard::kClockHertz;
+    clocks_due += passed * board.times().clock_hz;
+    const double most = 0.1 * board.times().clock_hz;
     if (clocks_due > most) {
         clocks_lost += clocks_due - most;
         clocks_due = most;
@@ -167,6 +168,8 @@ void BoardServer::work() {
 }
 
 std::uint64_t BoardServer::clocks() const { return state_->board.clocks(); }
+
+const VirtualTimes& BoardServer::times() const { return state_->board.times(); }
 
 double BoardServer::pace() const {
     const auto passed = static_cast<double>(clocks());

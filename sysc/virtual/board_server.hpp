@@ -20,6 +20,7 @@ struct BoardServerOptions {
     /// computer's load. Otherwise the clock follows real time.
     bool fast = false;
     VirtualAxes axes;
+    Build build = Build::kSerial;
 };
 
 class BoardServer {
@@ -34,6 +35,7 @@ class BoardServer {
     void work();
 
     std::uint64_t clocks() const;
+    const VirtualTimes& times() const;
     /// Ratio of the clocks made to the clocks of real time.
     double pace() const;
 

@@ -1,32 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sysc/virtual/virtual_board.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
-#include "Vmotion_board.h"
-#include "sysc/cores/clocked_dut.hpp"
+#include "sysc/cli/usage_error.hpp"
+#include "sysc/cores/core_cache.hpp"
 
 namespace curvecore::sysc {
 
-struct VirtualBoard::Model {
-    ClockedDut<Vmotion_board> dut;
-};
+extern "C" VirtualModel* virtual_board_serial();  // sysc/wire/CMakeLists.txt
 
-VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes)
-    : model_(std::make_unique<Model>()), step_(std::move(step)), axes_(std::move(axes)) {
-    ClockedDut<Vmotion_board>& dut = model_->dut;
-    dut.limit_cycles(UINT64_MAX);
-    dut->byte_valid_i = 0;
-    dut->byte_ready_i = 1;
-    dut->estop_i = 0;
-    dut->probe_i = 0;
-    set_switches();
-    set_encoders();
-    dut.reset();
+namespace {
+
+constexpr VirtualTimes kEngineTimes{13, 10'240'000};
+
+std::unique_ptr<VirtualModel> model_of(Build build) {
+    if (build == Build::kSerial) return std::unique_ptr<VirtualModel>(virtual_board_serial());
+    if (build != Build::kEngine) throw UsageError("--build: a virtual board is serial or engine");
+    CachedModel model{"board", "motion_board", "sysc/virtual/compiled_board.cpp", {}, {}, 4096,
+                      1024};
+    model.core.build = build;
+    model.core.splines = 1;
+    model.core.mode = 1;
+    for (const auto& [name, value] : {std::pair("Splines", 1),
+                                      {"Mode", 1},
+                                      {"PeriodLog2", kEngineTimes.period_log2},
+                                      {"ClockHertz", static_cast<int>(kEngineTimes.clock_hz)},
+                                      {"Encoders", 2}}) {
+        model.parameters.push_back(fmt::format("{}={}", name, value));
+    }
+    auto* const make = reinterpret_cast<MakeVirtualModel*>(CoreCache().open(model, false));
+    return std::unique_ptr<VirtualModel>(make());
 }
 
-VirtualBoard::~VirtualBoard() = default;
+}  // namespace
+
+VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
+                           Build build)
+    : times_(build == Build::kEngine ? kEngineTimes : VirtualTimes{}),
+      model_(model_of(build)),
+      step_(std::move(step)),
+      axes_(std::move(axes)) {
+    set_switches();
+    set_encoders();
+    model_->reset();
+}
 
 void VirtualBoard::offer(const Bytes& frame) {
     const Bytes line = slip_encode(frame);
@@ -35,18 +56,14 @@ void VirtualBoard::offer(const Bytes& frame) {
 
 bool VirtualBoard::taken() const { return offered_.empty(); }
 
-std::uint64_t VirtualBoard::clocks() const { return model_->dut.cycle(); }
-
-bool VirtualBoard::drives_on() const { return model_->dut->enable_o != 0; }
-
 void VirtualBoard::set_switches() {
     unsigned closed = 0;
     for (const VirtualRange& one : axes_.switches) {
         const std::int64_t place = places_[one.axis];
         if (one.from <= place && place <= one.to) closed |= 1U << one.axis;
     }
-    model_->dut->home_i = closed;
-    model_->dut->limit_i = axes_.limits ? closed : 0;
+    model_->in.home = closed;
+    model_->in.limit = axes_.limits ? closed : 0;
 }
 
 void VirtualBoard::move(int axis, bool back) {
@@ -56,7 +73,7 @@ void VirtualBoard::move(int axis, bool back) {
     };
     if (std::any_of(axes_.slips.begin(), axes_.slips.end(), slips)) return;
     places_[axis] += back ? -1 : 1;
-    const auto lag = static_cast<std::uint64_t>(axes_.lag_s * kClockHertz);
+    const auto lag = static_cast<std::uint64_t>(axes_.lag_s * times_.clock_hz);
     late_.push_back({clocks() + lag, axis, places_[axis]});
 }
 
@@ -71,29 +88,29 @@ void VirtualBoard::set_encoders() {
         a |= (phase == 1 || phase == 2 ? 1U : 0U) << axis;
         b |= (phase >> 1) << axis;
     }
-    model_->dut->encoder_a_i = a;
-    model_->dut->encoder_b_i = b;
+    model_->in.encoder_a = a;
+    model_->in.encoder_b = b;
 }
 
 std::optional<Bytes> VirtualBoard::clock() {
-    ClockedDut<Vmotion_board>& dut = model_->dut;
     // Inputs for the coming edge; ready does not depend on them.
-    const bool goes = dut->byte_ready_o != 0 && !offered_.empty();
-    dut->byte_valid_i = goes ? 1 : 0;
+    const bool goes = model_->out.byte_ready && !offered_.empty();
+    model_->in.byte_valid = goes;
     if (goes) {
-        dut->byte_i = offered_.front();
+        model_->in.byte = offered_.front();
         offered_.pop_front();
     }
     std::optional<Bytes> answer;
-    if (dut->byte_valid_o != 0) answer = answers_.take(dut->byte_o);
-    dut.tick();
-    const unsigned rises = dut->enable_o != 0 ? dut->step_o & ~steps_ : 0;
-    steps_ = dut->step_o;
+    if (model_->out.byte_valid) answer = answers_.take(model_->out.byte);
+    model_->tick();
+    const VirtualModel::Outputs& out = model_->out;
+    const unsigned rises = out.enable ? out.step & ~steps_ : 0;
+    steps_ = out.step;
     for (int axis = 0; rises >> axis != 0; ++axis) {
         if ((rises >> axis & 1) != 0) {
-            const bool back = (dut->direction_o >> axis & 1) != 0;
+            const bool back = (out.direction >> axis & 1) != 0;
             move(axis, back);
-            step_({dut.cycle(), axis, back});
+            step_({clocks(), axis, back});
         }
     }
     if (rises != 0) set_switches();

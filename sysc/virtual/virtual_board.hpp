@@ -10,7 +10,9 @@
 #include <optional>
 #include <vector>
 
+#include "sysc/core/core_parameters.hpp"
 #include "sysc/link/slip.hpp"
+#include "sysc/virtual/virtual_model.hpp"
 
 namespace curvecore::sysc {
 
@@ -35,15 +37,21 @@ struct VirtualAxes {
     double lag_s = 0;                    // lag of the encoders
 };
 
+/// Times of a virtual board, which its build needs.
+struct VirtualTimes {
+    int period_log2 = 8;  // clocks of a sample period
+    double clock_hz = 2'560'000;
+};
+
 class VirtualBoard {
   public:
     static constexpr int kAxes = 3;
-    static constexpr int kPeriodLog2 = 8;
-    static constexpr double kClockHertz = 2'560'000;
 
-    /// `step` is called for every rising edge of a step pin while the drives are on.
-    VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes);
-    ~VirtualBoard();
+    /// `step` is called for every rising edge of a step pin while the drives are on. A board of the
+    /// serial build is built in, one of the engine is made when it is first asked for.
+    /// @throws UsageError: another build; those of sysc/cores/core_cache.hpp
+    VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
+                 Build build = Build::kSerial);
 
     /// Offers a frame to the board.
     void offer(const Bytes& frame);
@@ -51,12 +59,11 @@ class VirtualBoard {
     bool taken() const;
     /// Advances by one clock. Returns the answer that it completed, if any.
     std::optional<Bytes> clock();
-    std::uint64_t clocks() const;
-    bool drives_on() const;
+    std::uint64_t clocks() const { return model_->clocks; }
+    bool drives_on() const { return model_->out.enable; }
+    const VirtualTimes& times() const { return times_; }
 
   private:
-    struct Model;
-
     struct Late {
         std::uint64_t clock;
         int axis;
@@ -67,7 +74,8 @@ class VirtualBoard {
     void set_switches();
     void set_encoders();
 
-    std::unique_ptr<Model> model_;
+    VirtualTimes times_;
+    std::unique_ptr<VirtualModel> model_;
     std::function<void(const VirtualStep&)> step_;
     VirtualAxes axes_;
     std::array<std::int64_t, kAxes> given_{};   // steps

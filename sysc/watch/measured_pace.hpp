@@ -14,7 +14,7 @@ class MeasuredPace {
   public:
     explicit MeasuredPace(const Job& job)
         : walk_(job.plan),
-          in_turn_(job.options.core.build == Build::kSerial),
+          in_turn_(hls::in_turn(job.options.core.build)),
           pace_(hls::samples_ahead(timed_core(job.options.core))) {}
 
     void take(const Sample& drawn) {

@@ -10,20 +10,23 @@
 
 namespace curvecore::sysc {
 
-/// Predicts the pace. The serial core makes samples and steps in turn. The parallel core makes
-/// steps beside the samples, up to three ahead of the one with the last sample.
+/// Predicts the pace. The serial core makes samples and steps in turn, the engine ticks of time as
+/// well. The parallel core makes steps beside the samples, up to three ahead of the one with the
+/// last sample.
 class PredictedPace {
   public:
     template <class Plan>
     PredictedPace(const Plan& plan, const CoreParameters& core, int samples_per_tick = 1)
         : walk_(plan),
-          serial_(core.build == Build::kSerial),
+          in_turn_(hls::in_turn(core.build)),
           latency_(hls::sample_latency(timed_core(core))),
           change_{{{change_clocks(core, ref::CurveKind::kArc),
                     change_clocks(core, ref::CurveKind::kSpline)}}},
           sample_clocks_(change_[plan.segments.front().kind()].sample),
           pace_(hls::samples_ahead(timed_core(core))),
-          tick_share_(double(hls::tick_clocks(timed_core(core))) / samples_per_tick) {}
+          tick_clocks_(hls::tick_clocks(timed_core(core))),
+          samples_per_tick_(static_cast<std::uint64_t>(samples_per_tick)),
+          ticks_in_turn_(core.build == Build::kEngine) {}
 
     /// Adds the next sample, `s` quanta along the path.
     void sample(std::uint64_t s) {
@@ -35,17 +38,20 @@ class PredictedPace {
             sample_clocks_ = clocks.sample;
             first = true;
         });
+        if (ticks_in_turn_ && samples_ % samples_per_tick_ == 0) clock_ += tick_clocks_;
         clock_ = std::max(clock_ + sample_clocks_, ready);
-        if (serial_ || first) pace_.sample(samples_, static_cast<std::uint64_t>(clock_));
+        if (in_turn_ || first) pace_.sample(samples_, static_cast<std::uint64_t>(clock_));
         ++samples_;
     }
 
-    double period() const { return std::max(pace_.period(), tick_share_); }
+    double period() const {
+        return std::max(pace_.period(), tick_clocks_ / static_cast<double>(samples_per_tick_));
+    }
 
   private:
     /// Makes a step and returns the clock at which the next sample could be its first.
     double make_step(int clocks) {
-        if (serial_) return clock_ += clocks;
+        if (in_turn_) return clock_ += clocks;
         double& bank = free_[steps_++ % free_.size()];
         made_ = std::max(made_, bank) + clocks;
         clock_ = std::max(clock_, made_);
@@ -54,12 +60,14 @@ class PredictedPace {
     }
 
     StepWalk walk_;
-    bool serial_;
+    bool in_turn_;
     int latency_;
     ref::ByKind<hls::Clocks> change_;
     int sample_clocks_;  // along the present segment
     SamplePace pace_;
-    double tick_share_;             // clocks of a tick of time, for each of its samples
+    int tick_clocks_;  // of a tick of time
+    std::uint64_t samples_per_tick_;
+    bool ticks_in_turn_;
     double clock_ = 0;              // clock of the last sample
     double made_ = 0;               // clock of the last step
     std::array<double, 3> free_{};  // clocks at which the samples have left the step before

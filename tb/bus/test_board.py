@@ -46,7 +46,7 @@ async def says_what_it_is_and_sees_its_switches(dut):
     capability = await host.read("CAPABILITY")
     assert capability["axes"] == BOARD.axes
     assert capability["period_log2"] == int(BOARD.parameters["PeriodLog2"])
-    assert capability["build"] == int(BOARD.parameters["Build"])
+    assert capability["build"] + 2 * capability["engine"] == int(BOARD.parameters["Build"])
     assert (await host.read("STATE"))["estop_pin"] == 0
     dut.estop.value = 1
     dut.limit.value = 0b010

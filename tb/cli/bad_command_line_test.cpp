@@ -112,7 +112,7 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: --device xc7a35t: its cells are counted, nothing is placed for it, so that "
      "its clock is not known: say --clock"},
     {"BuildUnknown", with({"--build", "folded"}),
-     "curvecore: error: --build 'folded': must be parallel or serial"},
+     "curvecore: error: --build 'folded': must be one of parallel, serial, engine"},
     {"SetUnknown", with({"--set", "Width=36"}),
      "curvecore: error: --set Width: unknown parameter; there are " + ref::parameter_names()},
     {"SetWithoutValue", with({"--set", "Order"}),
@@ -147,6 +147,14 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"SetParameterGuardWithoutSplines", with({"--set", "ParameterGuard=4"}),
      "part.ngc: error: no spline, and ParameterGuard=4 works with --build parallel and Splines=1 "
      "only"},
+    {"SetAnchorOfTheEngine", with({"--set", "Anchor=0", "--build", "engine"}),
+     "curvecore: error: Anchor=0 works with --build parallel and Splines=1 only"},
+    {"DeviceOfTheEngine", with({"--device", "ecp5-25", "--build", "engine"}),
+     "curvecore: error: --device ecp5-25: there are no measured runs of the engine build for it "
+     "yet: say --clock"},
+    {"PeriodOfTheEngine",
+     with({"--build", "engine", "--clock", "100MHz", "--sample-period", "10us"}),
+     "part.ngc: error: a sample period has 1000 clocks, and this engine core needs "},
     {"SetAnchorOfTheSerialBuild", with({"--set", "Anchor=0", "--build", "serial"}),
      "curvecore: error: Anchor=0 works with --build parallel and Splines=1 only"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),

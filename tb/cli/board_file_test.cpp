@@ -57,6 +57,24 @@ TEST_F(BoardFile, EveryBoardOfTheTreeIsRead) {
     }
 }
 
+TEST_F(BoardFile, OfTheEngineKeepsItsPeriodOrIsRefused) {
+    const auto board = [&](int period_log2) {
+        program_.write("engine.json", R"({"clock_hz": 100e6, "parameters": {"Build": 2,
+                                          "PeriodLog2": )" +
+                                          std::to_string(period_log2) + "}}");
+        return std::vector<std::string>{"plan", "part.ngc", "-q",         "-o",
+                                        "plan", "--board",  "engine.json"};
+    };
+    const ProgramResult kept = program_.run(board(13));
+    EXPECT_EQ(kept.status, 0) << kept.err;
+    EXPECT_EQ(Json::parse(program_.read("plan/report.json"))["build"], "engine");
+    const ProgramResult late = program_.run(board(10));
+    EXPECT_EQ(late.status, 2);
+    EXPECT_NE(late.err.find("a sample period has 1024 clocks, and this engine core needs "),
+              std::string::npos)
+        << late.err;
+}
+
 TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
     refuse({"--board", "arty"}, "--board: there is no 'arty': colorlight_i5, icebreaker, ");
     refuse({"--board", "icebreaker", "--core", "core.json"}, "--core or --board");
@@ -64,6 +82,10 @@ TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
     refuse({"--board", "bad.json"}, "bad.json:1: error: 'clock_hz' is missing");
     program_.write("worse.json", R"({"clock_hz": 1e6, "parameters": {"Length": 3}})");
     refuse({"--board", "worse.json"}, "worse.json:1: error: motion_board has no parameter Length");
+    program_.write("build.json", R"({"clock_hz": 1e6, "parameters": {"Build": 3}})");
+    refuse({"--board", "build.json"}, "build.json:1: error: Build must be 0, 1 or 2");
+    program_.write("anchor.json", R"({"clock_hz": 1e6, "parameters": {"Build": 2, "Order": 1}})");
+    refuse({"--board", "anchor.json"}, "anchor.json:1: error: Order must be in [2, 12]");
     program_.write("wrong.json", "{\"clock_hz\": \"1MHz\",\n \"parameters\": {}}");
     refuse({"--board", "wrong.json"}, "wrong.json:1: error: 'clock_hz': not a number");
     program_.write(

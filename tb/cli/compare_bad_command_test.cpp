@@ -174,7 +174,7 @@ const std::vector<BadComparison> kBadComparisons{
      "curvecore: error: --device 'ecp5-26': must be one of " + device_list()},
     {"UnknownBuild",
      {"--build", "folded"},
-     "curvecore: error: --build 'folded': must be parallel or serial"},
+     "curvecore: error: --build 'folded': must be one of parallel, serial, engine"},
     {"IntervalThree",
      {"--set", "SampleInterval=3"},
      "curvecore: error: --set SampleInterval must be 1, 2, 4 or 8"},

@@ -88,6 +88,23 @@ TEST_F(MadeCore, IsMadeOnceForTwoRunsAndKeptAndMadeAgainWhenBroken) {
     EXPECT_TRUE(shell_.read("four/samples.csv") == shell_.read("one/samples.csv"));
 }
 
+TEST_F(MadeCore, OfTheEngineKeepsItsProgramsBesideIt) {
+    const auto draw = [&](const std::string& out) {
+        return shell_.run({"-c", "'" CURVECORE_PROGRAM "' run part.ngc -o " + out +
+                                     " --build engine --set Order=3 --set CoefBits=24 --unit 1um"});
+    };
+    const ProgramResult once = draw("one");
+    EXPECT_EQ(once.status, 0) << once.err;
+    EXPECT_EQ(count(once.err, "making the core engine Order=3 CoefBits=24"), 1) << once.err;
+    EXPECT_EQ(Json::parse(shell_.read("one/report.json"))["rtl_equals_kernel"], 0);
+    EXPECT_EQ(draw("two").err, "");
+    ASSERT_EQ(made().size(), 1U);
+    const fs::path file = made()[0] / "program.hex";
+    fs::resize_file(file, fs::file_size(file) / 2);
+    EXPECT_EQ(count(draw("three").err, "making the core"), 1) << "with half of its program";
+    EXPECT_TRUE(shell_.read("three/samples.csv") == shell_.read("one/samples.csv"));
+}
+
 TEST_F(MadeCore, WithoutVerilatorSaysWhatToInstall) {
     const ProgramResult result = run("PATH=/nowhere RUN out");
     EXPECT_EQ(result.status, 2);

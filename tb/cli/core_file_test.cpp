@@ -115,7 +115,7 @@ TEST_F(Core, IsRefusedWithAReason) {
     EXPECT_EQ(refusal(R"({"build": "serial", "parameters": {"Splines": 1, "Anchor": 0}})"),
               "core.json:1: error: Anchor=0 works with --build parallel and Splines=1 only\n");
     EXPECT_EQ(refusal(R"({"build": "folded", "parameters": {}})"),
-              "core.json:1: error: build must be parallel or serial\n");
+              "core.json:1: error: build must be one of parallel, serial, engine\n");
     EXPECT_EQ(refusal(R"({"parameters": {}, "unit_mm": 0})"),
               "core.json:1: error: unit_mm must be above 0\n");
 }

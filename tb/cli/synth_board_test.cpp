@@ -118,6 +118,44 @@ TEST(SynthBoard, AParameterGivenIsInTheTop) {
     EXPECT_PRED_FORMAT2(IsSubstring, ".Order(4)", synth.read("out/boards/icebreaker/top.v"));
 }
 
+/// A board of the engine beside others' tools, which what makes its programs may use.
+ProgramResult engine_board(const SynthRun& synth, int period_log2) {
+    Json table = table_of("colorlight_i5");
+    table["parameters"]["Build"] = 2;
+    table["parameters"]["PeriodLog2"] = period_log2;
+    synth.write("engine.json", table.dump());
+    return synth.shell("PATH=$PATH:/usr/bin:/bin MICROCODE_GENERATOR=" MICROCODE_GENERATOR
+                       " $SYNTH --board engine.json");
+}
+
+TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
+    const SynthRun synth(kTools);
+    const ProgramResult result = engine_board(synth, 14);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_PRED_FORMAT2(IsSubstring,
+                        ".Build(2), .PeriodLog2(14), .MultiplierForm(1), .ClockHertz(25000000), "
+                        ".Program(\"program.hex\"), .Data(\"data.hex\")",
+                        synth.read("out/boards/engine/top.v"));
+    const std::string program = synth.read("out/boards/engine/program.hex");
+    EXPECT_EQ(program.size() % 9, 0U);
+    EXPECT_GT(program.size(), 9U * 1024);
+    EXPECT_FALSE(synth.read("out/boards/engine/data.hex").empty());
+    const Json facts = Json::parse(synth.read("out/boards/engine/board.json"));
+    EXPECT_FALSE(facts["parameters"].contains("Program")) << "names of files are no figures";
+}
+
+TEST(SynthBoard, OfTheEngineWithTooFewClocksIsRefused) {
+    const SynthRun synth(kTools);
+    const ProgramResult result = engine_board(synth, 10);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.err.rfind("synth: engine: microcode_generator: a sample period has 1024 "
+                               "clocks, and the engine needs ",
+                               0),
+              0U)
+        << result.err;
+    EXPECT_EQ(synth.exists("log"), false) << "nothing was synthesised";
+}
+
 TEST(SynthBoard, WhatItTookIsRecordedAndReplacesWhatStoodThere) {
     const SynthRun synth(kTools);
     for (const char* board : {"icebreaker", "colorlight_i5", "icebreaker"}) {

@@ -150,8 +150,8 @@ endfunction()
 
 # illegal_core_parameters(<core>)
 # The core refuses values outside the ranges of ref/format/parameters.def;
-# tb/model/hls/parameters_test.cpp holds the words of its messages.  A core of both builds, which
-# leaves ranges to its parts, refuses what its serial build does not have.
+# tb/model/hls/parameters_test.cpp holds the words of its messages.  A core of several builds, which
+# leaves ranges to its parts, refuses what the others than its parallel build do not have.
 set(parameter_table ${PROJECT_SOURCE_DIR}/ref/format/parameters.def)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${parameter_table})
 file(STRINGS ${parameter_table} parameter_rows REGEX "^PARAMETER")
@@ -169,8 +169,10 @@ function(illegal_core_parameters core)
     if(NOT both_builds EQUAL -1)
       math(EXPR other "${low} + ${high} - ${default}")
       if(builds STREQUAL kParallelAlone)
-        illegal_parameter_test(${core} Build=1,${name}=${other}
-                               "Build 1 works with ${name} ${default} only")
+        foreach(build 1 2)
+          illegal_parameter_test(${core} Build=${build},${name}=${other}
+                                 "Build ${build} works with ${name} ${default} only")
+        endforeach()
       endif()
       continue()
     endif()

@@ -51,7 +51,7 @@ CLASSES = {bench: {"Order": EVEN_AND_ODD, "SampleInterval": INTERVAL} for bench 
         "Order": every(2, 3, 12) | {"even": {4, 6, 8, 10}, "odd": {5, 7, 9, 11}},
         "SampleInterval": every(1, 2, 4, 8)},
     "motion_interpolator": {
-        "Build": every(0, 1), "SampleInterval": INTERVAL,
+        "Build": every(0, 1, 2), "SampleInterval": INTERVAL,
         **{name: default_or_not(name) for name in ("Order", "CoefBits", "PositionBits",
                                                    "GuardBits", "ParameterGuard")}},
 }
@@ -69,7 +69,9 @@ def legal(core):
         needs = dict(need.split("=") for need in one.needs.split())
         if any(core[other] != int(value) for other, value in needs.items()):
             return False
-        if one.builds == "kParallelAlone" and core["Build"] == 1:
+        if one.builds == "kParallelAlone" and core["Build"] != 0:
+            return False
+        if name == "SampleInterval" and core["Build"] == 2:  # it means nothing there
             return False
     return True
 

@@ -43,7 +43,7 @@ class LossyLink : public Link {
 
     WireClock::time_point now() const override {
         const std::chrono::duration<double> passed(static_cast<double>(board_.clocks()) /
-                                                   VirtualBoard::kClockHertz);
+                                                   board_.times().clock_hz);
         return WireClock::time_point(std::chrono::duration_cast<WireClock::duration>(passed));
     }
 
@@ -55,8 +55,8 @@ class LossyLink : public Link {
     enum Way { kToBoard, kToHost };
     static constexpr std::size_t kMostUnderWay = 256;  // more are lost
 
-    static std::uint64_t clocks_of(std::chrono::duration<double> time) {
-        const double clocks = std::ceil(time.count() * VirtualBoard::kClockHertz);
+    std::uint64_t clocks_of(std::chrono::duration<double> time) const {
+        const double clocks = std::ceil(time.count() * board_.times().clock_hz);
         return static_cast<std::uint64_t>(std::max(clocks, 0.0));
     }
 

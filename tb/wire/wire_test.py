@@ -90,6 +90,13 @@ class WireTest(unittest.TestCase):
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
         self.assertFalse(report["drawn"]["held"])
 
+    def test_a_board_of_the_engine_draws_it(self):
+        steps, _ = self.draw("--fast", "--build", "engine")
+        self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
+        report = self.report()
+        self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
+        self.assertFalse(report["drawn"]["held"])
+
     def test_steps_are_those_of_the_system(self):
         curves = self.folder / "curves.ngc"
         curves.write_text("G21 G90 G61 F1800\nG1 X5 Z1\nG5 X9 Y6 I0 J3 P-2 Q0\n"
@@ -262,7 +269,7 @@ class WireTest(unittest.TestCase):
         capability, core, clock = (read(board.port, address) for address in (0x08, 0x0C, 0x10))
         period = 1 << (capability >> 4 & 31)
         digest = 0
-        for word in (capability & 0x60f, core, period, clock):
+        for word in (capability & 0x400060f, core, period, clock):
             for byte in word.to_bytes(4, "little"):
                 top = digest >> 8
                 digest = (digest << 8 ^ top << 3 ^ top ^ byte) & 0xffff

@@ -50,7 +50,8 @@ Field Assembly::named(const std::string& name, int words) {
         const int page = further / engine::kPageWords;
         const int in_page = further % engine::kPageWords;
         data_[engine::kPageWords * further_page(page != 0) + in_page] = {name, 0, words};
-        return names_[name] = {(page == 0 ? engine::kY : engine::kX) + in_page, name, page != 0};
+        return names_[name] = {(page == 0 ? engine::kY : engine::kX) + in_page, name, page != 0,
+                               page == 0};
     }
     if (gap_ == place) {
         gap_.reset();
@@ -191,8 +192,9 @@ void Assembly::put(Op op, const Field& f2, const Field& f0, const Field& f1, boo
     if (engine::overlaps(i)) {
         refuse(fmt::format("hazard: {} is read while it is written", f2.name));
     }
-    const bool in_x = f0.in_x || f1.in_x || f2.in_x;
-    placed_.push_back({i, f0.name, f1.name, f2.name, "", source_, in_x});
+    const bool beyond =
+        f0.in_x || f1.in_x || f2.in_x || (size_.axis_pages > 1 && (f0.in_y || f1.in_y || f2.in_y));
+    placed_.push_back({i, f0.name, f1.name, f2.name, "", source_, beyond});
 }
 
 void Assembly::jump(const std::string& to, int f0, bool flag) {
@@ -222,7 +224,12 @@ void Assembly::set_page(int port, int page, const char* name) {
 
 void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page(), "X"); }
 void Assembly::open_further() {
-    set_page(engine::kPortY, further_page(false), "Y");
+    if (further_in_x() && size_.axis_pages == 1) {  // at reset alone: -2, the last page but one
+        put(Op::kSub, scratch(0), zero(), power(1), false, 1);
+        put(Op::kOut, {}, scratch(0), {engine::kPortY, "Y"}, false, 1);
+    } else {
+        set_page(engine::kPortY, further_page(false), "Y");
+    }
     close_axes();
 }
 void Assembly::close_axes() {
@@ -263,8 +270,8 @@ void Assembly::keep_pages() {
     for (const std::string& label : of_axes_) {
         for (std::size_t at = labels_.at(label); at < placed_.size(); ++at) {
             source_ = placed_[at].source;
-            if (placed_[at].in_x) {
-                refuse(label + " is called for axes: page X has none of the words beyond");
+            if (placed_[at].beyond) {
+                refuse(label + " is called for axes: their pages have none of the words beyond");
             }
             const Instruction& i = placed_[at].instruction;
             if (engine::is_branch(i.op) && (i.f0 & engine::kReturn) != 0) {

@@ -23,7 +23,8 @@ using AssemblyError = std::runtime_error;
 struct Field {
     int code = 0;
     std::string name;
-    bool in_x = false;  // a word beyond, in page X: call_for_axes() takes it away meanwhile
+    bool in_x = false;  // a word beyond, in page X or Y: call_for_axes() takes it away meanwhile
+    bool in_y = false;
 };
 
 /// A line of source that instructions come from.
@@ -39,7 +40,7 @@ struct Placed {
     std::string f0, f1, f2;  // names
     std::string target;      // label of a branch
     Source source;
-    bool in_x = false;  // it reads or writes a word beyond in page X
+    bool beyond = false;  // it reads or writes a word beyond, in a page that axes take away
 };
 
 /// A loop: its first instruction, its branch back, and how often that is taken at most.

@@ -16,6 +16,7 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
                          Assembly& assembly) {
     constexpr int kLimbs = 3;  // of a queued word
     const int frame = ref::segment_bus_words(core.aux_axes);
+    segment_words -= segment_words % frame;  // whole segments
     const int profile = kLimbs * segment_words;
     const int stops = profile + kLimbs * profile_words;
     segment_words -= segment_words % frame;

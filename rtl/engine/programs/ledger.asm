@@ -55,8 +55,7 @@ ends_known:
   test runs_low + 0, 1 limb
   if zero return
   underrun_hold = 1, 1 limb
-  low = underrun_bit, 1 limb
-  port report = low, 1 limb
+  port report_underrun = 0, 1 limb
   return
 no_hold:
   underrun_hold = 0, 1 limb
@@ -85,8 +84,7 @@ begins_covered:
   runs_low = 1, 1 limb
   test over + 0, 2 limbs
   if negative return
-  low = 32, 1 limb
-  port report = low, 1 limb
+  port report_short = 0, 1 limb
   return
 
 segment_entered:
@@ -109,5 +107,5 @@ ends_there:
   if zero return
 apart:                                     # all words from now on are dropped: program_begins
   word_faults = 16, 1 limb
-  port report = word_faults, 1 limb
+  port report_words = word_faults, 1 limb
   return

@@ -9,6 +9,7 @@
 # Where a piece begins, its branch passes: stops.asm.
 
 word target rate increment
+word may_begin                             # 1: a program may begin, ledger.asm
 word ticks m e
 word next_end next_ds next_final next_c1 next_c2 next_c3 next_tau
 word next = 0                              # it is there
@@ -77,6 +78,8 @@ ended:
   go to count_idle
 resting:
   test target + 0
+  if zero go to count_idle
+  test may_begin + 0, 1 limb
   if zero go to count_idle
   test next + 0
   if zero go to count_idle

@@ -17,8 +17,6 @@ word branch loading                        # stops.asm
 word loaded                                # entries of the branch
 data bank_entries = 768                    # kStopSteps, of three entries
 data second_bit = 17592186044416           # 2^44: the tag's low two bits are 1
-data word_leaves = 257                     # of the profile's queue
-data piece_leaves = 261
 
 local back word_here above place
 
@@ -57,7 +55,6 @@ fetch_piece:
   next_c3 = word_here * 2^9
   next_c3 = floor(next_c3 * 2^36 >> 45)
   pieces = pieces - 1, 2 limbs
-  port leaves = piece_leaves, 1 limb
   port link = back, 1 limb
   go to piece
 
@@ -74,7 +71,6 @@ load_step:
   if not zero go to branch_loaded
   loaded = 0, 1 limb
 branch_loaded:
-  port leaves = word_leaves, 1 limb
   port link = back, 1 limb
   return
 

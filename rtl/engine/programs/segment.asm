@@ -20,7 +20,6 @@ fetch_segment:
   frame = frame + 1
   frame = frame + aux_words
   segment_words = segment_words - frame, 2 limbs
-  port leaves = frame, 1 limb
   place = segment_take                   # on by three entries a word
   segment_take = segment_take + frame, 2 limbs
   segment_take = segment_take + frame, 2 limbs
@@ -100,5 +99,5 @@ fetch_axis:
 
 no_length:
   empty_segments = empty_segments + 1
-  port empties = empty_segments
+  port empties = empty_segments, 2 limbs
   go to open_segment

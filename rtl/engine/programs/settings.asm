@@ -13,8 +13,6 @@ word good
 word settings_fault = 0, 1 limb
 word active next pieces                    # path.asm, words.asm
 
-data most_stop = 536870911                  # 2^29 - 1
-
 local new_samples new_acceleration new_slope new_stop
 
 settings:
@@ -56,9 +54,9 @@ settings_differ:
   new_slope = new_slope - 1
   test new_slope - 4294967296              # 2^32
   if not negative go to time_begins
-  new_stop = new_stop - 1
-  if negative go to time_begins
-  test new_stop - most_stop
+  test 0 - new_stop
+  if not negative go to time_begins
+  test new_stop - 2^29
   if not negative go to time_begins
   good = 1, 1 limb
   go to time_begins

@@ -97,7 +97,7 @@ bad_word:
   test word_faults + 0, 1 limb
   if not zero go to word_taken
   word_faults = entry_fault, 1 limb
-  port report = word_faults, 1 limb
+  port report_words = word_faults, 1 limb
   call both_go_on
 word_taken:                                # here, and nowhere else
   port take = 0, 1 limb

@@ -18,7 +18,7 @@ namespace curvecore::sysc {
 namespace {
 
 struct BoardOptions {
-    BoardServerOptions served{kWireAddress, false, {}};
+    BoardServerOptions served{kWireAddress, false, {}, Build::kSerial};
     std::string folder;  // empty: no steps.csv
 };
 
@@ -50,9 +50,10 @@ int board_command(BoardOptions& options) {
         if (steps)
             steps->write(fmt::format("{},{},{}\n", step.clock, step.axis, step.back ? -1 : 1));
     });
+    const VirtualTimes& times = server.times();
     fmt::print("listening on {}: {} axes, clock {:g} MHz, a sample every {:g} us{}\n",
-               server.where(), VirtualBoard::kAxes, VirtualBoard::kClockHertz / 1e6,
-               std::exp2(VirtualBoard::kPeriodLog2) / VirtualBoard::kClockHertz * 1e6,
+               server.where(), VirtualBoard::kAxes, times.clock_hz / 1e6,
+               std::exp2(times.period_log2) / times.clock_hz * 1e6,
                options.served.fast ? ", 5 ms of it a frame" : "");
     std::fflush(stdout);
     const InterruptGuard guard;
@@ -68,7 +69,7 @@ int board_command(BoardOptions& options) {
         folder->commit();
     }
     fmt::print("{} steps in {:.3f} s of its clock", count,
-               static_cast<double>(server.clocks()) / VirtualBoard::kClockHertz);
+               static_cast<double>(server.clocks()) / times.clock_hz);
     if (!options.served.fast) fmt::print(", which held {:.1f} % of real time", 100 * server.pace());
     fmt::print("\n");
     return 0;
@@ -88,6 +89,10 @@ void add_board(CLI::App& app, int& status) {
         "--fast", served.fast,
         "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
         "that of the wall");
+    add_value(command, "--build", served.build, "BUILD",
+              "serial (default), or engine: made with Verilator when it is first asked for, at a "
+              "sample every 800us",
+              build_of);
     add_text(command, "-o,--output", options.folder, "DIR",
              "folder for steps.csv: every step of its pins, written when it ends");
     add_values(command, "--home", served.axes.switches, "AXIS=FROM..TO,..",

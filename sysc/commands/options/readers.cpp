@@ -11,11 +11,7 @@ double unit_of(const std::string& option, const std::string& text) {
 }
 
 Build build_of(const std::string& option, const std::string& text) {
-    const bool serial = same_name(text, "serial");
-    if (!serial && !same_name(text, "parallel")) {
-        throw UsageError(fmt::format("{} '{}': must be parallel or serial", option, text));
-    }
-    return serial ? Build::kSerial : Build::kParallel;
+    return static_cast<Build>(choice(option, text, ref::kBuildNames));
 }
 
 std::uint64_t whole(const std::string& option, const std::string& text) {

@@ -59,6 +59,8 @@ class StreamPorts {
             if (port == 6) before_ = static_cast<std::uint16_t>(value);
             if (port == 7) select_ = static_cast<unsigned>(value);
             if (port == 12) reported |= static_cast<unsigned>(value);
+            if (port == 10) reported |= 32;
+            if (port == 9) reported |= 256;
         };
         ports.condition = [this](int code) {
             if (code == 6) {

@@ -68,7 +68,7 @@ MutantShare seen_mutants(
     const std::vector<assembler::Placed>& placed = assembly.placed();
     // A page that is opened again means something where words of it are read
     const bool beyond = std::any_of(placed.begin(), placed.end(),
-                                    [](const assembler::Placed& one) { return one.in_x; });
+                                    [](const assembler::Placed& one) { return one.beyond; });
     MutantShare share;
     std::size_t count = 0;
     for (std::size_t n = assembly.labels().at("dispatched"); n < placed.size(); ++n) {

@@ -67,6 +67,7 @@ class PathComparison {
                                                         : random() % 9 == 0 ? 0
                                                                             : random() % 65537);
             const bool held = random() % 8 == 0;
+            const bool may_begin = random() % 8 != 0;
             const std::int64_t increment = kernel_.tick(
                 rate,
                 [&](hls::ProfileWords& piece) {
@@ -74,9 +75,10 @@ class PathComparison {
                     piece = words[taken++];
                     return true;
                 },
-                held);
+                held || !may_begin);
             machine_.set("rate", rate);
             machine_.set("target", held ? 0 : 1);
+            machine_.set("may_begin", may_begin ? 1 : 0);
             most_clocks_ = std::max(most_clocks_, machine_.run(kTick));
             differ += machine_.get("increment") != increment ? 1 : 0;
             differ += machine_.get("active") != (kernel_.active() ? 1 : 0) ? 1 : 0;
@@ -142,7 +144,7 @@ TEST(PathMicrocode, AChangedInstructionIsSeen) {
                          MicrocodeMachine machine(assembly, program);
                          machine.set("idle", hls::kIdleTicks);
                          PathComparison comparison(assembly, machine);
-                         for (std::uint32_t seed = 1; seed <= 24; ++seed) {
+                         for (std::uint32_t seed = 1; seed <= 60; ++seed) {
                              if (comparison.program(seed, 8, seed % 2 == 0 ? 3 : 60) > 0)
                                  return true;
                          }

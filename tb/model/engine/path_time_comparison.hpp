@@ -78,7 +78,6 @@ class PathTimeComparison : public TimeComparison {
     bool room() { return machine_.get("profile_words") < kQueueWords; }
 
     void enter(const Queued& queued) {
-        ++entered_;
         write_word(machine_.ports().memory, put_, queued.word);
         put_ = put_ + 3 == kProfileEnd ? kProfileBegin : put_ + 3;
         machine_.set("profile_words", machine_.get("profile_words") + 1);
@@ -128,7 +127,6 @@ class PathTimeComparison : public TimeComparison {
         expect("queued_ticks", ticks_);
         expect("finals", finals_);
         same(pieces_, machine_.get("pieces") + machine_.get("next"));
-        same(entered_, machine_.get("profile_words") + left_);
     }
 
     std::uint64_t pop() {
@@ -157,7 +155,6 @@ class PathTimeComparison : public TimeComparison {
     std::int64_t ticks_ = 0;  // of the queued pieces
     std::int64_t finals_ = 0;
     std::int64_t pieces_ = 0;
-    std::int64_t entered_ = 0;  // words
     int put_ = kProfileBegin;
 };
 

@@ -103,9 +103,6 @@ class TimeComparison {
     TimeComparison(const TimeMicrocode& code, MicrocodeMachine& machine)
         : machine_(machine), bounds_(code.bounds), most_(code.bounds.size()) {
         machine_.ports().memory.resize(kMemoryEntries);
-        machine_.ports().take = [this](int port, int, std::int16_t value) {
-            if (port == kLeaves) left_ += value - 256;
-        };
         // A reset leaves the data as they are.
         for (const auto& [place, datum] : code.assembly.data()) {
             if (datum.value == 0) machine_.set(datum.name, 40 + place % 7);
@@ -120,6 +117,7 @@ class TimeComparison {
         expect("loading", kStopBegin + kBankEntries);
         expect("piece_take", kProfileBegin);
         machine_.set("pieces", 0);
+        machine_.set("may_begin", 1);
         machine_.set("profile_words", 0);
     }
 
@@ -131,8 +129,6 @@ class TimeComparison {
     const std::vector<int>& bounds() const { return bounds_; }
 
   protected:
-    static constexpr int kLeaves = 9;
-
     void run(TimeProgram program) {
         const auto n = static_cast<std::size_t>(program);
         machine_.spoil_locals(random_);
@@ -177,7 +173,6 @@ class TimeComparison {
 
     MicrocodeMachine& machine_;
     hls::TimeScaler scaler_{1, 1};
-    int left_ = 0;  // words that left the queue
     int differ_ = 0;
 
   private:

@@ -102,7 +102,7 @@ TEST(Parameters, AreAllOfTheWholeCore) {
 TEST(Parameters, DefaultsAreBuilt) {
     CoreParameters parameters;
     for (parameters.splines = 0; parameters.splines <= 1; ++parameters.splines) {
-        for (const Build build : {Build::kParallel, Build::kSerial}) {
+        for (const Build build : {Build::kParallel, Build::kSerial, Build::kEngine}) {
             parameters.build = build;
             EXPECT_EQ(ref::why_not_built(parameters), "");
         }
@@ -136,8 +136,10 @@ TEST(Parameters, EachNeedIsNeeded) {
     CoreParameters arcs = parameters;
     arcs.splines = 0;
     EXPECT_EQ(ref::why_not_built(arcs), reason);
-    parameters.build = Build::kSerial;
-    EXPECT_EQ(ref::why_not_built(parameters), reason);
+    for (const Build other : {Build::kSerial, Build::kEngine}) {
+        parameters.build = other;
+        EXPECT_EQ(ref::why_not_built(parameters), reason);
+    }
 }
 
 TEST(Parameters, DifferWhereOneOfThemDoes) {
@@ -147,9 +149,12 @@ TEST(Parameters, DifferWhereOneOfThemDoes) {
         EXPECT_FALSE(parameters == CoreParameters()) << row.name;
         EXPECT_TRUE(parameters == parameters);
     }
-    CoreParameters serial;
-    serial.build = Build::kSerial;
-    EXPECT_FALSE(serial == CoreParameters());
+    for (const Build build : {Build::kSerial, Build::kEngine}) {
+        CoreParameters other;
+        other.build = build;
+        EXPECT_FALSE(other == CoreParameters());
+        EXPECT_STREQ(ref::build_name(build), build == Build::kSerial ? "serial" : "engine");
+    }
 }
 
 }  // namespace

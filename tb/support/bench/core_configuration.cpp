@@ -15,7 +15,7 @@ CoreConfiguration read_configuration(const std::string& text) {
         const std::string name = word.substr(0, equals);
         const std::string value = word.substr(equals + 1);
         if (name == "Build") {
-            core.parameters.build = value == "1" ? sysc::Build::kSerial : sysc::Build::kParallel;
+            core.parameters.build = static_cast<sysc::Build>(std::stoi(value));
         } else if (name == "SegmentQueueWords") {
             core.segment_queue_words = std::stoul(value);
         } else if (name == "ProfileQueueWords") {

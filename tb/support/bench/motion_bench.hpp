@@ -279,14 +279,17 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
     }
 
     /// Fills the queues.
-    void fill() {
-        for (int n = 0; n < 6000; ++n) clock();
+    void fill() { wait(6000); }
+
+    /// Passes clocks, of a slower core more.
+    void wait(int clocks) {
+        for (int n = 0; n < clocks * pace_ && !HasFatalFailure(); ++n) clock();
     }
 
     /// Requests samples until the machine stands.
     void stand() {
-        for (int n = 0; n < 3; ++n) clock();  // standing is reported three clocks late
-        for (int n = 0; n < 100000 && !dut_->standing_o && !HasFatalFailure(); ++n) clock();
+        wait(3);  // standing is reported three clocks late
+        for (int n = 0; n < 100000 * pace_ && !dut_->standing_o && !HasFatalFailure(); ++n) clock();
         EXPECT_TRUE(dut_->standing_o);
         EXPECT_TRUE(rate_ == 0 || !dut_->active_o);
     }
@@ -301,8 +304,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
         }
         if (HasFatalFailure()) return;
         requesting_ = false;
-        const int rest = 20000;
-        for (int n = 0; n < rest && (samples_ < requested_ || n < 200); ++n) clock();
+        const int rest = 20000 * pace_;
+        for (int n = 0; n < rest && (samples_ < requested_ || n < 200 * pace_); ++n) clock();
         EXPECT_EQ(samples_, requested_);
         EXPECT_EQ(path_, length_);
         EXPECT_FALSE(dut_->active_o);
@@ -344,6 +347,8 @@ class MotionInterpolator : public testing::Test, protected BenchFormat {
 
     bool go(int stall_percent) { return static_cast<int>(random_() % 100) >= stall_percent; }
 
+    /// Clocks in which the core does what the quickest do in one.
+    const int pace_ = core_.build == Build::kEngine ? 100 : 1;
     MotionCore dut_;
     std::mt19937 random_{1};
     int stall_ = 0;  // percent of clocks, every handshake

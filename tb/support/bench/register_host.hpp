@@ -46,7 +46,7 @@ struct Part {
         sysc::Options options;
         options.holds = holds;
         options.file = std::string(DATA_DIR) + "/" + file;
-        options.core.build = CFG_Build == 1 ? sysc::Build::kSerial : sysc::Build::kParallel;
+        options.core.build = static_cast<sysc::Build>(CFG_Build);
         options.core.splines = 1;
         options.core.mode = 1;
         options.splines_set = true;

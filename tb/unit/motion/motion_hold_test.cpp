@@ -12,14 +12,14 @@ TEST_F(MotionHold, KillStopsForGood) {
     program(pieces(6, 90, 200, 400, 3 << 16));
     fill();
     requesting_ = true;
-    for (int n = 0; n < 4000 * core_.sample_interval; ++n) clock();
+    wait(4000 * core_.sample_interval);
     dut_->kill_i = 1;
     clock();
     dut_->kill_i = 0;
     EXPECT_TRUE(dut_->killed_o);
     stand();
     const int64_t path = path_;
-    for (int n = 0; n < 1000; ++n) clock();
+    wait(1000);
     EXPECT_EQ(path_, path);
     dut_.reset();
     EXPECT_FALSE(dut_->killed_o);
@@ -59,7 +59,7 @@ TEST_F(MotionHold, NoProgramBeginsUnderAHold) {
         const int64_t path = path_;
         requesting_ = !pause;
         dut_->hold_i = pause ? 0 : 1;
-        for (int n = 0; n < 100; ++n) clock();
+        wait(100);
         dut_->hold_i = 1;
         program(pieces(50, 10, 10, 20, 3 << 16));
         requesting_ = true;
@@ -79,7 +79,7 @@ TEST_F(MotionHold, HoldsAroundTheStartOfAProgram) {
     for (int before = 0; before < 40; ++before) {
         program(pieces(80 + before, 4, 10, 20, 3 << 16));
         requesting_ = true;
-        for (int n = 0; n < 60 + 2 * before; ++n) clock();
+        wait(60 + 2 * before);
         dut_->hold_i = 1;
         clock();
         if (before % 2 == 0) stand();
@@ -96,7 +96,7 @@ TEST_F(MotionHold, AHoldInAKillChangesNothing) {
     program(pieces(60, 90, 200, 400, 3 << 16));
     fill();
     requesting_ = true;
-    for (int n = 0; n < 2000 * core_.sample_interval; ++n) clock();
+    wait(2000 * core_.sample_interval);
     dut_->kill_i = 1;
     clock();
     dut_->kill_i = 0;

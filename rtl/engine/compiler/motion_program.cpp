@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rtl/engine/compiler/motion_program.hpp"
+
+#include "hls/path_kernel.hpp"
+#include "ref/curves/table_reader.hpp"
+#include "rtl/engine/assembler/source.hpp"
+#include "rtl/engine/compiler/follow_assembler.hpp"
+#include "rtl/engine/compiler/word_numbers.hpp"
+
+namespace curvecore::assembler {
+namespace {
+
+constexpr int kLimbs = 3;  // of a queued word
+
+/// Writes the program put_sample: the fine positions of all axes.
+void put_sample(const ref::CoreParameters& core, Assembly& assembly) {
+    const Field port{static_cast<int>(*assembly.defined("sample")), "sample"};
+    const auto put = [&](const Field& fine) { assembly.put(engine::Op::kOut, {}, fine, port); };
+    assembly.from({"motion", 0, "put a sample"});
+    assembly.label("put_sample");
+    const Field back = assembly.scratch(0);
+    const Field link{engine::kPortLink, "link"};
+    assembly.put(engine::Op::kIn, back, link, {}, false, 1);
+    assembly.call_for_axes("put_axis");
+    if (core.aux_axes > 0) {
+        assembly.open_auxiliary();
+        for (int axis = kAxes; axis < core.axes(); ++axis) {
+            put(assembly.auxiliary_word("fine[" + std::to_string(axis) + "]"));
+        }
+        assembly.close_axes();
+    }
+    assembly.put(engine::Op::kOut, {}, back, link, false, 1);
+    assembly.give_back();
+    assembly.label("put_axis");
+    put(assembly.axis_word("fine[k]"));
+    assembly.give_back();
+}
+
+}  // namespace
+
+StoreSize motion_store(const ref::CoreParameters& core) {
+    StoreSize size;
+    size.program = core.order <= 9 ? 2048 : 4096;
+    const bool small = core.order <= 6 && core.aux_axes == 0;
+    size.data = small ? 256 : 512;
+    size.axis_pages = small ? 1 : 2;
+    return size;
+}
+
+Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
+                        const std::string& tree) {
+    Assembly assembly(motion_store(core));
+    assembly.from({"motion", 0, "reset"});
+    assembly.branch("reset");
+    assembly.branch("foreground");
+    define_words(core, queues.segments, queues.profile, assembly);
+    assembly.define("full_rate", 1 << hls::kRateFrac);
+    assembly.define("stop_middle", *assembly.defined("stop_begin") + kLimbs * ref::kStopSteps);
+    std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
+    if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
+    assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
+    assemble_follow(tree + "/rtl/engine/programs", tables, core, assembly);
+    for (const char* source : {"path", "stops", "rate", "pieces", "share", "words", "segment_words",
+                               "piece_words", "ledger", "settings", "motion"}) {
+        assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
+    }
+    put_sample(core, assembly);
+    assembly.label("reset");
+    assembly.open_further();
+    assembly.put_starts();
+    assembly.branch("motion");
+    assembly.finish();
+    return assembly;
+}
+
+}  // namespace curvecore::assembler

@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+// Build 2 of motion_interpolator: the engine, its store, and the ports between its programs
+// (rtl/engine/programs/motion.asm) and the streams.
+//
+//   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> samples
+//
+// The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
+// the assembler makes for these parameters; other ones draw what nobody asked for.
+//
+//   samples per clock             1 / what curvecore's assembler says of the program `sample`
+//   request to sample, clocks     the same, and words that are taken before it
+`default_nettype none
+module engine_interpolator #(
+    parameter int PositionBits      = 32,    // [16, 32]
+    parameter int GuardBits         = 10,    // [2, 12]
+    parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
+    parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
+    parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
+    parameter int PlaceBits         = 11,    // [1, 15]: 2^PlaceBits instructions
+    parameter int WordBits          = 8,     // [8, 12]: 2^WordBits words of data
+    parameter     Program           = "",    // files of hexadecimal words
+    parameter     Data              = ""
+) (
+    input wire logic clk_i,
+    input wire logic rst_ni,
+
+    // Ports of rtl/motion_interpolator.sv
+    input  wire logic [15:0] digest_i,
+    input  wire logic        segment_valid_i,
+    output logic             segment_ready_o,
+    input  wire logic [47:0] segment_data_i,
+    input  wire logic        profile_valid_i,
+    output logic             profile_ready_o,
+    input  wire logic [47:0] profile_data_i,
+    output logic             segment_leaves_o,
+    output logic             profile_leaves_o,
+
+    input  wire logic        sample_request_valid_i,
+    output logic             sample_request_ready_o,
+    input  wire logic        hold_i,
+    input  wire logic [16:0] override_i,
+    input  wire logic        kill_i,
+
+    input wire logic [ 3:0] samples_per_tick_log2_i,
+    input wire logic [31:0] hold_acceleration_i,
+    input wire logic [32:0] hold_slope_i,
+    input wire logic [31:0] stop_ticks_i,
+
+    output logic                                                 sample_valid_o,
+    input  wire logic                                            sample_ready_i,
+    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
+    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+
+    output logic        path_valid_o,
+    output logic [47:0] path_ds_o,
+    output logic [16:0] path_rate_o,
+    output logic        path_active_o,
+    output logic [63:0] path_o,
+    output logic        active_o,
+    output logic        underrun_o,
+    output logic        killed_o,
+    output logic        standing_o,
+    output logic [ 7:0] fault_o,
+    output logic [15:0] empty_segments_o
+);
+
+  localparam int Axes = 3 + AuxAxes;
+  localparam int FineBits = PositionBits + GuardBits;
+  localparam int StopWords = 2 * words_pkg::StopSteps;
+  localparam int Limbs = 3 * (SegmentQueueWords + ProfileQueueWords + StopWords);
+
+  // Ports, as rtl/engine/programs/ports.asm numbers them
+  localparam logic [4:0] InMemory = 5'd3;
+  localparam logic [4:0] InWord = 5'd4;
+  localparam logic [4:0] InCheck = 5'd5;
+  localparam logic [4:0] InOverride = 5'd8;
+  localparam logic [4:0] InAcceleration = 5'd9;
+  localparam logic [4:0] InSlope = 5'd10;
+  localparam logic [4:0] InStopTicks = 5'd11;
+  localparam logic [4:0] InSamplesPerTick = 5'd12;
+  localparam int OutMemory = 3;
+  localparam int OutAddress = 4;
+  localparam int OutTake = 5;
+  localparam int OutCheck = 6;
+  localparam int OutSelect = 7;
+  localparam int OutTakeRequest = 8;
+  localparam int OutUnderrun = 9;
+  localparam int OutShort = 10;
+  localparam int OutSettings = 11;
+  localparam int OutWordFaults = 12;
+  localparam int OutActive = 13;
+  localparam int OutStanding = 14;
+  localparam int OutPathActive = 15;
+  localparam int OutSample = 16;
+  localparam int OutSampleWhole = 25;
+  localparam int OutPathLow = 26;
+  localparam int OutPathHigh = 27;
+  localparam int OutIncrement = 28;
+  localparam int OutRate = 29;
+  localparam int OutEmpties = 30;
+
+  // Engine
+  logic [12:0] conditions;
+  logic in_valid, out_valid;
+  logic [4:0] in_port, out_port;
+  logic [1:0] in_limb, out_limb;
+  logic [15:0] in_data, out_data;
+  logic unused_busy, unused_late;
+  motion_engine #(
+      .PlaceBits(PlaceBits),
+      .WordBits (WordBits),
+      .Form     (MultiplierForm),
+      .Program  (Program),
+      .Data     (Data)
+  ) u_engine (
+      .clk_i,
+      .rst_ni,
+      .due_i       (1'b0),
+      .tick_i      (1'b1),
+      .busy_o      (unused_busy),
+      .late_o      (unused_late),
+      .conditions_i(conditions),
+      .in_valid_o  (in_valid),
+      .in_port_o   (in_port),
+      .in_limb_o   (in_limb),
+      .in_data_i   (in_data),
+      .out_valid_o (out_valid),
+      .out_port_o  (out_port),
+      .out_limb_o  (out_limb),
+      .out_data_o  (out_data)
+  );
+  logic [31:0] out;  // the port that a limb comes to
+  always_comb begin
+    out = '0;
+    out[out_port] = out_valid;
+  end
+
+  // Words
+  logic profile, holds, has_tag, segment_waits, profile_waits;
+  logic [47:0] word;
+  engine_entry #(
+      .Words(engine_pkg::EntryWords)
+  ) u_entry (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i,
+      .segment_ready_o,
+      .segment_i      (segment_data_i),
+      .profile_valid_i,
+      .profile_ready_o,
+      .profile_i      (profile_data_i),
+      .of_profile_i   (profile),
+      .word_o         (word),
+      .take_i         (out[OutTake]),
+      .segment_waits_o(segment_waits),
+      .profile_waits_o(profile_waits)
+  );
+  assign segment_leaves_o = out[OutTake] && !profile;
+  assign profile_leaves_o = out[OutTake] && profile;
+  logic [15:0] word_limb, check;
+  engine_words u_words (
+      .clk_i,
+      .word_i   (word),
+      .select_i (out[OutSelect]),
+      .check_i  (out[OutCheck]),
+      .data_i   (out_data),
+      .profile_o(profile),
+      .limb_i   (in_limb),
+      .limb_o   (word_limb),
+      .check_o  (check),
+      .holds_o  (holds),
+      .tag_o    (has_tag)
+  );
+
+  logic [15:0] store_limb;
+  engine_store #(
+      .Limbs(Limbs),
+      .Form (MultiplierForm)
+  ) u_store (
+      .clk_i,
+      .address_i(out[OutAddress]),
+      .high_i   (out_limb != 2'd0),
+      .write_i  (out[OutMemory]),
+      .data_i   (out_data),
+      .read_i   (in_valid && in_port == InMemory),
+      .limb_o   (store_limb)
+  );
+
+  // Requests
+  logic room;
+  logic held_q;
+  logic [16:0] override_q;
+  assign sample_request_ready_o = out[OutTakeRequest];
+  always_ff @(posedge clk_i) begin
+    if (out[OutTakeRequest]) begin
+      held_q     <= hold_i;
+      override_q <= override_i;
+    end
+    if (!rst_ni) killed_o <= 1'b0;
+    else if (kill_i) killed_o <= 1'b1;
+  end
+  assign conditions = {
+    6'd0,
+    has_tag,
+    held_q,
+    killed_o,
+    holds,
+    profile_waits,
+    segment_waits,
+    sample_request_valid_i && room && !out[OutTakeRequest]
+  };
+
+  // Answers, two clocks behind their question
+  logic [ 4:0] port_q;
+  logic [ 1:0] limb_q;
+  logic [32:0] setting;
+  logic [15:0] setting_limb;
+  always_comb begin
+    case (port_q)
+      InOverride: setting = {16'd0, override_q};
+      InAcceleration: setting = {1'b0, hold_acceleration_i};
+      InSlope: setting = hold_slope_i;
+      InStopTicks: setting = {1'b0, stop_ticks_i};
+      InSamplesPerTick: setting = {29'd0, samples_per_tick_log2_i};
+      default: setting = {17'd0, digest_i};
+    endcase
+    case (limb_q)
+      2'd0: setting_limb = (port_q[3:0] == 4'd13) ? setting[15:0] : {1'b0, setting[14:0]};
+      2'd1: setting_limb = {1'b0, setting[29:15]};
+      default: setting_limb = {13'd0, setting[32:30]};
+    endcase
+  end
+  always_ff @(posedge clk_i) begin
+    port_q <= in_port;
+    limb_q <= in_limb;
+    case (port_q)
+      InMemory: in_data <= store_limb;
+      InWord:   in_data <= word_limb;
+      InCheck:  in_data <= check;
+      default:  in_data <= setting_limb;
+    endcase
+  end
+
+  // Samples
+  logic [29:0] low_q;
+  logic [45:0] fine;
+  logic [Axes*FineBits-1:0] fine_q;
+  logic unused_fine;
+  assign fine = {out_data, low_q};
+  assign unused_fine = &{1'b0, fine[45:FineBits]};
+  always_ff @(posedge clk_i) begin
+    if (out[OutSample]) begin
+      case (out_limb)
+        2'd0: low_q[14:0] <= out_data[14:0];
+        2'd1: low_q[29:15] <= out_data[14:0];
+        default: fine_q <= {fine[FineBits-1:0], fine_q[Axes*FineBits-1:FineBits]};
+      endcase
+    end
+  end
+  for (genvar axis = 0; axis < Axes; axis++) begin : g_axes  // rounded, ties upwards
+    logic [PositionBits-1:0] whole;
+    logic half;
+    assign {whole, half} = sample_fine_o[axis*FineBits+GuardBits-1+:PositionBits+1];
+    assign sample_position_o[axis*PositionBits+:PositionBits] = whole + PositionBits'(half);
+  end
+  sample_queue #(
+      .Bits (Axes * FineBits),
+      .Depth(16)
+  ) u_samples (
+      .clk_i,
+      .rst_ni,
+      .admit_i(out[OutTakeRequest]),
+      .room_o (room),
+      .push_i (out[OutSampleWhole]),
+      .data_i (fine_q),
+      .valid_o(sample_valid_o),
+      .ready_i(sample_ready_i),
+      .data_o (sample_fine_o)
+  );
+
+  // A bound for invalid words: a sample of a program comes, or this count is up.
+  logic making_q;
+  logic [17:0] patience_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni || out[OutSampleWhole]) making_q <= 1'b0;
+    else if (out[OutTakeRequest]) making_q <= 1'b1;
+    if (!rst_ni) patience_q <= '0;
+    else if (!patience_q[17]) patience_q <= (making_q && active_o) ? patience_q + 1'b1 : '0;
+  end
+
+  // What the motion says of itself
+  always_ff @(posedge clk_i) begin
+    if (out[OutIncrement]) begin
+      case (out_limb)
+        2'd0: path_ds_o[14:0] <= out_data[14:0];
+        2'd1: path_ds_o[29:15] <= out_data[14:0];
+        2'd2: path_ds_o[44:30] <= out_data[14:0];
+        default: path_ds_o[47:45] <= out_data[2:0];
+      endcase
+    end
+    if (out[OutRate]) begin
+      if (out_limb == 2'd0) path_rate_o[14:0] <= out_data[14:0];
+      else path_rate_o[16:15] <= out_data[1:0];
+    end
+    if (out[OutPathActive]) path_active_o <= out_data != '0;
+    if (!rst_ni) begin
+      path_valid_o     <= 1'b0;
+      path_o           <= '0;
+      active_o         <= 1'b0;
+      underrun_o       <= 1'b0;
+      fault_o          <= '0;
+      empty_segments_o <= '0;
+    end else begin
+      path_valid_o <= out[OutRate] && out_limb == 2'd1;
+      if (out[OutPathLow]) begin
+        case (out_limb)
+          2'd0: path_o[14:0] <= out_data[14:0];
+          2'd1: path_o[29:15] <= out_data[14:0];
+          default: path_o[44:30] <= out_data[14:0];
+        endcase
+      end
+      if (out[OutPathHigh]) begin
+        if (out_limb == 2'd0) path_o[59:45] <= out_data[14:0];
+        else path_o[63:60] <= out_data[3:0];
+      end
+      if (out[OutActive]) active_o <= out_data[0];
+      if (out[OutUnderrun]) underrun_o <= 1'b1;
+      if (out[OutShort]) fault_o[5] <= 1'b1;
+      if (out[OutSettings]) fault_o[6] <= 1'b1;
+      if (patience_q[17]) fault_o[7] <= 1'b1;
+      if (out[OutWordFaults]) fault_o[4:0] <= fault_o[4:0] | out_data[4:0];
+      if (out[OutEmpties] && out_limb == 2'd0) empty_segments_o[14:0] <= out_data[14:0];
+      if (out[OutEmpties] && out_limb != 2'd0) empty_segments_o[15] <= out_data[0];
+    end
+  end
+
+  // It stands once the samples that were under way when it came to rest have left.
+  logic rests_q;
+  logic [4:0] under_way_q, under_way, left_q;
+  logic leaves;
+  assign leaves = sample_valid_o && sample_ready_i;
+  assign under_way = under_way_q + {{4{leaves && !out[OutTakeRequest]}},
+                                    leaves != out[OutTakeRequest]};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      rests_q     <= 1'b1;
+      under_way_q <= '0;
+      left_q      <= '0;
+    end else begin
+      under_way_q <= under_way;
+      if (out[OutStanding]) rests_q <= out_data[0];
+      if (out[OutStanding] && out_data[0] && !rests_q) left_q <= under_way;
+      else if (leaves && left_q != '0) left_q <= left_q - 1'b1;
+    end
+  end
+  assign standing_o = rests_q && left_q == '0;
+
+endmodule
+`default_nettype wire

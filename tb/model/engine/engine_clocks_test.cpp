@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Clocks of the engine (hls/clocks.hpp) are no less than the assembler's worst case of its
+// programs, and close to it, in every configuration of tb/configurations.csv.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hls/clocks.hpp"
+#include "ref/curves/table_reader.hpp"
+#include "rtl/engine/assembler/source.hpp"
+#include "rtl/engine/assembler/worst_case.hpp"
+#include "rtl/engine/compiler/follow_assembler.hpp"
+#include "rtl/engine/compiler/motion_program.hpp"
+#include "sysc/core/core_clocks.hpp"
+#include "tb/model/engine/microcode_configurations.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+using assembler::worst_case;
+
+const std::string kPrograms = RTL_DIR "/engine/programs";
+
+/// Programs that draw samples of arcs, or of both curves.
+assembler::Assembly drawing(const CurveCase& of) {
+    assembler::Assembly assembly({8192, 1024, 2});
+    assembly.from({"clocks", 0, ""});
+    assembly.define("segment_begin", 0);
+    assembly.define("segment_end", 3 * 64 * (17 + 3 * of.core.aux_axes));
+    assemble_source(kPrograms + "/ports.asm", assembly);
+    std::vector<ref::CurveTable> tables{ref::read_curve_table(CURVES_DIR "/arc.net")};
+    if (of.spline) tables.push_back(ref::read_curve_table(CURVES_DIR "/spline.net"));
+    assemble_follow(kPrograms, tables, of.core, assembly);
+    assembly.finish();
+    return assembly;
+}
+
+/// Share of a bound that is not used, over all cases.
+class Slack {
+  public:
+    void add(int bound, int worst, const std::string& what) {
+        EXPECT_GE(bound, worst) << what;
+        least_ = std::min(least_, bound - worst);
+        most_ = std::max(most_, double(bound - worst) / bound);
+    }
+    int least() const { return least_; }
+    double most() const { return most_; }
+
+  private:
+    int least_ = 1 << 30;
+    double most_ = 0;
+};
+
+TEST(EngineClocks, AreThoseOfItsPrograms) {
+    Slack sample, step, segment;
+    for (const CurveCase& of : configurations()) {
+        const assembler::Assembly made = drawing(of);
+        hls::TimedCore core = sysc::timed_core(of.core);
+        core.build = ref::Build::kEngine;
+        const int again = worst_case(made, "in_step", {"leave_step", "curve_sample", "land"});
+        int curve = hls::engine_curve_clocks(core, false);  // of either kind
+        if (of.spline) curve = std::max(curve, hls::engine_curve_clocks(core, true));
+        sample.add(hls::kEngineFollowClocks + curve, worst_case(made, "follow", {"leave_step"}),
+                   text(of));
+        step.add(hls::engine_step_clocks(core, of.spline),
+                 worst_case(made, "leave_step", {"in_step", "open_segment"}) + again, text(of));
+        segment.add(hls::engine_segment_clocks(core, of.spline),
+                    worst_case(made, "leave_step", {"in_step", "curve_step", "no_length"}) + again,
+                    text(of));
+    }
+    for (const Slack* one : {&sample, &step, &segment}) {
+        EXPECT_LT(one->least(), 100);
+        EXPECT_LT(one->most(), 0.3);
+    }
+}
+
+/// Most clocks of a word that enters: it comes in, is judged where its stream goes on, and passes.
+int word_clocks(const assembler::Assembly& made) {
+    int judged = 0;
+    for (const auto& [label, place] : made.labels()) {
+        const bool of_word = label.size() > 5 && label.substr(label.size() - 5) == "_word";
+        if (!of_word || label.rfind("enter_", 0) == 0) continue;
+        judged = std::max(judged, worst_case(made, label, {"next_segment", "next_piece"}));
+    }
+    return judged + worst_case(made, "next_piece");
+}
+
+/// Clocks of the loop (rtl/engine/programs/motion.asm) from a request to the next one's. A piece is
+/// fetched at most once a tick.
+TEST(EngineClocks, AreThoseOfItsLoop) {
+    for (const bool spline : {false, true}) {
+        ref::CoreParameters core;
+        core.splines = spline ? 1 : 0;
+        core.mode = core.splines;
+        const assembler::Assembly made =
+            assembler::motion_program(core, {1024, 1024}, RTL_DIR "/..");
+        const auto clocks = [&](const char* from, const std::set<std::string>& ends = {}) {
+            return worst_case(made, from, ends);
+        };
+        const int settings = clocks("settings");
+        const int fetch = clocks("fetch_piece");
+        const int share_tick = clocks("share") - clocks("next_share");
+        const int tick = settings + clocks("sample", {"aimed", "shares_on"}) + fetch +
+                         clocks("fetched", {"shares_on"}) + share_tick;
+        const int rest = clocks("motion", {"sample", "draw", "words"}) +
+                         clocks("words", {"motion"}) - settings - fetch + 2 * word_clocks(made) +
+                         clocks("shares_on", {"draw"}) - share_tick + clocks("put_sample");
+        std::printf("tick %d, rest %d\n", tick, rest);
+        EXPECT_LE(tick, hls::kEngineTickClocks);
+        EXPECT_GE(tick, 0.9 * hls::kEngineTickClocks);
+        EXPECT_LE(rest, hls::kEngineRestClocks);
+        EXPECT_GE(rest, 0.9 * hls::kEngineRestClocks);
+    }
+}
+
+}  // namespace
+}  // namespace curvecore::tb
