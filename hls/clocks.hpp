@@ -168,7 +168,7 @@ constexpr int kSerialScaleClocks = 58;
 /// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
-constexpr int kEngineRestClocks = 1320;  // the loop: a request, the sample, a word of either stream
+constexpr int kEngineRestClocks = 1400;  // the loop: a request, the sample, a word of either stream
 constexpr int kEngineTickClocks = 3900;  // of time
 constexpr int kEngineFetchClocks = 1860;  // of a segment's words
 
@@ -192,14 +192,14 @@ constexpr int engine_curve_clocks(const TimedCore& core, bool spline) {
 
 constexpr int engine_step_clocks(const TimedCore& core, bool spline) {
     const int order = core.order;
-    const int step = !spline       ? 174 * order + 330
-                     : core.series ? (120 * order + 199) * order + 700
-                                   : (91 * order + 94) * order + 850;
+    const int step = !spline       ? 184 * order + 340
+                     : core.series ? (120 * order + 199) * order + 780
+                                   : (91 * order + 94) * order + 960;
     return step + engine_aux_clocks(core, 31);
 }
 
 constexpr int engine_segment_clocks(const TimedCore& core, bool spline) {
-    return kEngineFetchClocks + engine_aux_clocks(core, 72) + 140 +
+    return kEngineFetchClocks + engine_aux_clocks(core, 72) + 240 +
            kEngineEntryClocks * engine_entry_words(core) + engine_step_clocks(core, spline);
 }
 

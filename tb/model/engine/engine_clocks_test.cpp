@@ -64,7 +64,8 @@ TEST(EngineClocks, AreThoseOfItsPrograms) {
                    text(of));
         step.add(hls::engine_step_clocks(core, of.spline),
                  worst_case(made, "leave_step", {"in_step", "open_segment"}) + again, text(of));
-        segment.add(hls::engine_segment_clocks(core, of.spline),
+        const int enters = hls::kEngineEntryClocks * hls::engine_entry_words(core);
+        segment.add(hls::engine_segment_clocks(core, of.spline) - enters,
                     worst_case(made, "leave_step", {"in_step", "curve_step", "no_length"}) + again,
                     text(of));
     }
@@ -101,7 +102,7 @@ TEST(EngineClocks, AreThoseOfItsLoop) {
         const int fetch = clocks("fetch_piece");
         const int share_tick = clocks("share") - clocks("next_share");
         const int tick = settings + clocks("sample", {"aimed", "shares_on"}) + fetch +
-                         clocks("fetched", {"shares_on"}) + share_tick;
+                         clocks("aimed", {"shares_on"}) + share_tick;
         const int rest = clocks("motion", {"sample", "draw", "words"}) +
                          clocks("words", {"motion"}) - settings - fetch + 2 * word_clocks(made) +
                          clocks("shares_on", {"draw"}) - share_tick + clocks("put_sample");
