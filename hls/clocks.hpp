@@ -168,8 +168,8 @@ constexpr int kSerialScaleClocks = 58;
 /// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
-constexpr int kEngineRestClocks = 1400;  // the loop: a request, the sample, a word of either stream
-constexpr int kEngineTickClocks = 3900;  // of time
+constexpr int kEngineRestClocks = 1500;  // the loop: a request, the sample, a word of either stream
+constexpr int kEngineTickClocks = 4000;  // of time
 constexpr int kEngineFetchClocks = 1860;  // of a segment's words
 
 /// Clocks in which a word enters its queue, and the words that enter for a segment: its own, and

@@ -152,9 +152,6 @@ const std::vector<BadCommandLine> kBadCommandLines{
     {"DeviceOfTheEngine", with({"--device", "ecp5-25", "--build", "engine"}),
      "curvecore: error: --device ecp5-25: there are no measured runs of the engine build for it "
      "yet: say --clock"},
-    {"PeriodOfTheEngine",
-     with({"--build", "engine", "--clock", "100MHz", "--sample-period", "10us"}),
-     "part.ngc: error: a sample period has 1000 clocks, and this engine core needs "},
     {"SetAnchorOfTheSerialBuild", with({"--set", "Anchor=0", "--build", "serial"}),
      "curvecore: error: Anchor=0 works with --build parallel and Splines=1 only"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
