@@ -18,7 +18,7 @@ module engine_words (
 
     input wire logic [47:0] word_i,
 
-    input  wire logic        select_i,  // by data_i: bit 0 stream, 1 no bits 43:36, 5:2 tag
+    input  wire logic        select_i,  // data_i: bit 0 stream, 1 no bits 43:36, 5:2 tag
     input  wire logic        check_i,   // data_i is the check before the word
     input  wire logic [15:0] data_i,
     output logic             profile_o, // the stream

@@ -61,7 +61,7 @@ class PathComparison {
         std::size_t taken = 0;
         machine_.set("passes", 0);
         int differ = 0;
-        for (int tick = 0; tick < 40 || (taken < words.size() && tick < 4000); ++tick) {
+        for (int tick = 0; tick < 80 || (taken < words.size() && tick < 4000); ++tick) {
             if (told == taken && told < words.size() && random() % 4 != 0) tell(words[told++]);
             const auto rate = static_cast<std::int32_t>(random() % 3 == 0   ? 65536
                                                         : random() % 9 == 0 ? 0
