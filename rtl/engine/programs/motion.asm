@@ -47,8 +47,7 @@ sample:
   port take_request = 0, 1 limb
   test share_index + 0
   if not zero go to shares_on
-  call settings
-  call guard
+  call guard                   # the settings were looked at behind the sample before
   target = 0
   if port killed go to aimed
   if port held_now go to aimed
