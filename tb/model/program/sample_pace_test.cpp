@@ -107,7 +107,7 @@ TEST(SamplePace, ThePeriodIsMadeUseOf) {
     const std::vector<std::pair<Build, std::vector<double>>> cases{
         {Build::kParallel, {20, 133, 200, 500, 3000}},
         {Build::kSerial, {195, 240, 300, 1000}},
-        {Build::kEngine, {5100, 6000, 9000, 20'000}}};
+        {Build::kEngine, {8500, 12'000, 20'000, 60'000}}};
     for (const auto& [build, periods] : cases) {
         CoreParameters core;
         core.build = build;
