@@ -51,7 +51,7 @@ void Feeder::turn(std::vector<Sample>& samples) {
     waited_ = came > 0 ? 0 : waited_ + 1;
     if (waited_ > kPatience) {
         throw std::runtime_error(
-            fmt::format("the board gave no sample for a million turns; faults: {}",
+            fmt::format("the board gave no sample for 50 million turns; faults: {}",
                         fault_text(board_.status().fault)));
     }
 }

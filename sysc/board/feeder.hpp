@@ -23,7 +23,7 @@ class Feeder {
     bool done() const { return received_ == samples_; }
 
   private:
-    static constexpr std::uint64_t kPatience = 1'000'000;  // turns without a sample
+    static constexpr std::uint64_t kPatience = 50'000'000;  // turns without a sample
     /// Bound on ticks that are requested but not yet counted by the board, with a margin.
     static constexpr std::int64_t kOnTheWay = 64;
 

@@ -68,7 +68,7 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
     assembly.label("reset");
     assembly.open_further();
     assembly.put_starts();
-    assembly.branch("words");
+    assembly.branch("motion");
     assembly.finish();
     return assembly;
 }

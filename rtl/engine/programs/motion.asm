@@ -5,7 +5,7 @@
 #   motion   the background, from a reset on
 #   sample   a sample from its request on: a tick of time where one is due, its share, a position
 
-word target rate active next underrun_hold good settings_fault standing share_index
+word target rate active next underrun_hold good standing share_index
 word pieces
 word waits = 0, 1 limb         # the sample under way waits for a segment
 
@@ -24,20 +24,15 @@ motion:
 asked:
   if port request go to sample
 words:
-  test share_index + 0
-  if not zero go to entries    # the settings are those of a whole tick
-  call settings
-  test settings_fault + 0, 1 limb
-  if not zero call report_bad_settings
-entries:
   if port segment_waits call enter_segment_word
   if port piece_waits call enter_piece_word
   call fetch_piece
+  if port segment_waits go to motion
+  if port piece_waits go to motion
+  test share_index + 0
+  if not zero go to motion     # the settings are those of a whole tick
+  call settings
   go to motion
-
-report_bad_settings:
-  port report_settings = 0, 1 limb
-  return
 
 report_begun:
   port path_active = active, 1 limb
@@ -47,7 +42,8 @@ sample:
   port take_request = 0, 1 limb
   test share_index + 0
   if not zero go to shares_on
-  call guard                   # the settings were looked at behind the sample before
+  call settings
+  call guard
   target = 0
   if port killed go to aimed
   if port held_now go to aimed

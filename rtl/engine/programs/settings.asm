@@ -4,13 +4,12 @@
 #   settings    before a tick, with no sample missing of the one before: takes what the ports ask
 #               for while no program is under way, and time begins anew
 #
-# `good`: time may run, otherwise the target is 0; settings_fault stays up.
+# `good`: time may run, otherwise the target is 0. Bad ones are reported to the board.
 
 word samples_per_tick = 16, 1 limb         # n, 0 .. 15; 16: none are taken
 word hold_acceleration hold_slope
 word stop_ticks
 word good
-word settings_fault = 0, 1 limb
 word active next pieces                    # path.asm, words.asm
 
 local new_samples new_acceleration new_slope new_stop
@@ -33,7 +32,7 @@ settings:
   test next + pieces, 2 limbs
   if zero return
 settings_bad:
-  settings_fault = 1, 1 limb
+  port report_settings = 0, 1 limb
   return
 
 settings_differ:
