@@ -75,17 +75,6 @@ TEST(EngineClocks, AreThoseOfItsPrograms) {
     }
 }
 
-/// Most clocks of a word that enters: it comes in, is judged where its stream goes on, and passes.
-int word_clocks(const assembler::Assembly& made) {
-    int judged = 0;
-    for (const auto& [label, place] : made.labels()) {
-        const bool of_word = label.size() > 5 && label.substr(label.size() - 5) == "_word";
-        if (!of_word || label.rfind("enter_", 0) == 0) continue;
-        judged = std::max(judged, worst_case(made, label, {"next_segment", "next_piece"}));
-    }
-    return judged + worst_case(made, "next_piece");
-}
-
 /// Clocks of the loop (rtl/engine/programs/motion.asm) from a request to the next one's. A piece is
 /// fetched at most once a tick.
 TEST(EngineClocks, AreThoseOfItsLoop) {
@@ -104,8 +93,9 @@ TEST(EngineClocks, AreThoseOfItsLoop) {
         const int tick = settings + clocks("sample", {"aimed", "shares_on"}) + fetch +
                          clocks("aimed", {"shares_on"}) + share_tick;
         const int rest = clocks("motion", {"sample", "draw", "words"}) +
-                         clocks("words", {"motion"}) - settings - fetch + 2 * word_clocks(made) +
-                         clocks("shares_on", {"draw"}) - share_tick + clocks("put_sample");
+                         clocks("words", {"motion"}) - settings - fetch +
+                         2 * hls::kEngineEntryClocks + clocks("shares_on", {"draw"}) - share_tick +
+                         clocks("put_sample");
         std::printf("tick %d, rest %d\n", tick, rest);
         EXPECT_LE(tick, hls::kEngineTickClocks);
         EXPECT_GE(tick, 0.9 * hls::kEngineTickClocks);
