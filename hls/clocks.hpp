@@ -167,14 +167,14 @@ constexpr int kSerialScaleClocks = 58;
 
 /// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
-constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
-constexpr int kEngineRestClocks = 830;   // the loop: a request, the sample, a word of either stream
-constexpr int kEngineTickClocks = 3800;  // of time
+constexpr int kEngineFollowClocks = 65;   // of a sample, besides its curve
+constexpr int kEngineRestClocks = 480;    // the loop: a request and the sample
+constexpr int kEngineTickClocks = 3900;   // of time
 constexpr int kEngineFetchClocks = 1860;  // of a segment's words
 
-/// Clocks in which a word enters its queue, on the average of a segment's: a few take three times as
-/// long. And the words that enter for a segment: its own, and those of two pieces with a step each
-/// of a branch.
+/// Clocks in which a word enters its queue, on the average of a segment's: a few take three times
+/// as long. And the words that enter for a segment: its own, and those of two pieces with a step
+/// each of a branch.
 constexpr int kEngineEntryClocks = 160;
 constexpr int engine_entry_words(const TimedCore& core) { return load_clocks(core) + 12; }
 
