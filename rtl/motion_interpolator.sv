@@ -19,6 +19,9 @@
 //   request to path increment, clocks    about 60 (Build 1: 60 to 270); to sample: plus the core's
 //   tick of time to tick, clocks         SampleInterval (Build 1: kSerialTickClocks, at most)
 //
+// Build 2 makes ticks, samples and words in turn, in the clocks of hls/clocks.hpp; its programs are
+// made for the parameters, by scripts/microcode.sh.
+//
 // A reset empties the queues.
 //
 // Word formats: hls/words.hpp.  Words are made for a digest, that of their configuration, which is
@@ -117,6 +120,10 @@ module motion_interpolator #(
   // Instructions and words of data that the programs of these parameters need
   localparam int PlaceBits = (Order <= 9) ? 11 : 12;
   localparam int WordBits = (Order <= 6 && AuxAxes == 0) ? 8 : 9;
+
+  initial
+    if (Build == 2 && (Program == "" || Data == ""))
+      $fatal(1, "Build 2 needs Program and Data, files that scripts/microcode.sh makes");
 
   if (Build == 2) begin : g_engine
     engine_interpolator #(

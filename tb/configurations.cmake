@@ -287,6 +287,7 @@ illegal_parameter_test(step_generator TimeBits=3 "TimeBits must be in .4, 16.")
 illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 7. . 4 clocks must fit")
 
 illegal_parameter_test(motion_interpolator Build=3 "Build must be 0, 1 or 2")
+illegal_parameter_test(motion_interpolator Build=2 "Build 2 needs Program and Data")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 
 # The registers: axes, bits of scale and of times.

@@ -7,8 +7,8 @@
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
 // the assembler makes for these parameters; other ones draw what nobody asked for.
 //
-//   samples per clock             1 / what curvecore's assembler says of the program `sample`
-//   request to sample, clocks     the same, and words that are taken before it
+//   from sample to sample, clocks     hls/clocks.hpp; some 2,000 with a tick for each
+//   room for samples that wait        13
 `default_nettype none
 module engine_interpolator #(
     parameter int PositionBits      = 32,    // [16, 32]

@@ -26,7 +26,7 @@ namespace curvecore::tb {
 
 /// Timing of the RTL of the same kernel and configuration.
 constexpr hls::TimedCore rtl_core() {
-    hls::TimedCore core{false, CFG_Order, CFG_CoefBits, CFG_AuxAxes, CFG_Mode == 0};
+    hls::TimedCore core{ref::Build::kParallel, CFG_Order, CFG_CoefBits, CFG_AuxAxes, CFG_Mode == 0};
     core.anchor = CFG_Anchor != 0;
     return core;
 }

@@ -33,7 +33,7 @@ int z_cycle(int i, bool carried) {
     return y_cycle(i, carried) + (carried && i == 0 ? 0 : 4 * (i + 1) + 9);
 }
 int step_clocks(bool carried) {
-    hls::TimedCore core{false, kOrder, kBits};
+    hls::TimedCore core{ref::Build::kParallel, kOrder, kBits};
     core.anchor = kAnchor;
     return hls::hyperbola_step_clocks(core, !carried);
 }

@@ -51,7 +51,8 @@ struct Kernel : Base {
     using Base::step_b_;
 };
 
-constexpr hls::TimedCore kCore{false, kOrder, kBits, CFG_AuxAxes, kSeries, false, true, 1, kAnchor};
+constexpr hls::TimedCore kCore{
+    ref::Build::kParallel, kOrder, kBits, CFG_AuxAxes, kSeries, false, true, 1, kAnchor};
 
 class SplineSteps : public testing::Test {
   protected:
