@@ -22,7 +22,7 @@ constexpr int kBits = CFG_CoefBits;
 
 // Clocks as stated in the header of the RTL.
 constexpr int kDigits = (kBits + 1) / 2;
-constexpr int kStepClocks = hls::sine_cosine_step_clocks({false, kOrder, kBits});
+constexpr int kStepClocks = hls::sine_cosine_step_clocks({ref::Build::kParallel, kOrder, kBits});
 
 class SineCosineInterpolator : public testing::Test {
   protected:
