@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The engine's programs of a module with Build 2, which Yosys reads: scripts/microcode.sh."""
 
-from synthesis.cores import ROOT, parameters, text_of
+from synthesis.cores import ROOT, files, parameters, text_of
 from synthesis.tools import error_of, run
 
 FILES = {"Program": "program.hex", "Data": "data.hex"}  # by the parameter that names them
 
 
 def has_engine(top, settings):
-    return "Program" in text_of(top) and (parameters(top) | settings).get("Build") == "2"
+    own = top in files() and "Program" in text_of(top)  # a module of rtl/, that may have one
+    return own and (parameters(top) | settings).get("Build") == "2"
 
 
 def sources(top, settings):

@@ -24,7 +24,7 @@ def main():
     name, registers, folder = sys.argv[1:]
     board = board_named(name, {"MultiplierForm": "0"})  # Icarus has no cells of the device
     text = pathlib.Path(folder) / "top.v"
-    text.write_text(top(board))
+    text.write_text(top(board, board.settings))
     runner = get_runner("icarus")
     runner.build(sources=[*sources("uart_line", TOP), text], hdl_toplevel="top", build_dir=folder,
                  always=True, build_args=["-g2012"], timescale=("1ns", "1ps"))

@@ -317,7 +317,7 @@ TEST_F(GoodRun, JerkAndAccelerationAreDrawnAsTheyAreChecked) {
 
 /// The bar is shown on a terminal, and removed before the first line of the result.
 TEST_F(GoodRun, BarIsGoneBeforeTheResult) {
-    program_.write("part.ngc", "G21 G90 F60\nG1 X60\nM2\n");
+    program_.write("part.ngc", "G21 G90 F60\nG1 X300\nM2\n");
     const ProgramRun shell("/bin/sh");
     shell.write("part.ngc", program_.read("part.ngc"));
     const ProgramResult result = shell.run(

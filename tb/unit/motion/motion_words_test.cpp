@@ -130,7 +130,7 @@ TEST_F(MotionWords, ThatNeverCoverAStopAreAFault) {
     dut_->stop_ticks_i = 500;
     dut_.reset();
     requesting_ = true;
-    wait(8000);
+    wait(20000);
     EXPECT_EQ(fault(), CURVECORE_STATE_MOTION_SHORT_QUEUE);
     EXPECT_EQ(path_, 0);
 }
