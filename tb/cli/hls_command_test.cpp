@@ -138,7 +138,7 @@ TEST(HlsSweep, InterruptedEndsAndKeepsWhatIsFinished) {
     const ProgramResult result = hls.shell(
         "$HLS --samples 5 --sweep t.csv & sweep=$!\n"
         "until ls out/store/*/.*.work/report.json out/sine_cosine-CoefBits18-Order5.json\n"
-        "do sleep 0.05; done >/dev/null 2>&1\n"
+        "do kill -0 $sweep || exit 1; sleep 0.05; done >/dev/null 2>&1\n"
         "kill -TERM $sweep; wait $sweep; status=$?; touch gate; sleep 0.2; exit $status");
     EXPECT_EQ(result.status, 130);
     EXPECT_EQ(result.err, "hls: interrupted\n");
