@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rtl/engine/compiler/motion_program.hpp"
 
-#include "hls/path_kernel.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/compiler/follow_assembler.hpp"
@@ -9,8 +8,6 @@
 
 namespace curvecore::assembler {
 namespace {
-
-constexpr int kLimbs = 3;  // of a queued word
 
 /// Writes the program put_sample: the fine positions of all axes.
 void put_sample(const ref::CoreParameters& core, Assembly& assembly) {
@@ -54,8 +51,6 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
     assembly.branch("reset");
     assembly.branch("foreground");
     define_words(core, queues.segments, queues.profile, assembly);
-    assembly.define("full_rate", 1 << hls::kRateFrac);
-    assembly.define("stop_middle", *assembly.defined("stop_begin") + kLimbs * ref::kStopSteps);
     std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
     if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
     assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);

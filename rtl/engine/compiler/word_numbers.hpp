@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of a configuration that rtl/engine/programs/words.asm and ledger.asm read: places in
-// the store, limb by limb, sizes of the queues, widths of words.
+// The numbers of a configuration that rtl/engine/programs read: places in the store, limb by limb,
+// sizes of the queues, widths of words.
 #pragma once
 
 #include <cstdint>
 
 #include "hls/words.hpp"
 #include "ref/format/parameters.hpp"
+#include "ref/format/path_words.hpp"
 #include "rtl/engine/assembler/assembly.hpp"
 
 namespace curvecore::assembler {
@@ -19,12 +20,12 @@ inline void define_words(const ref::CoreParameters& core, int segment_words, int
     segment_words -= segment_words % frame;  // whole segments
     const int profile = kLimbs * segment_words;
     const int stops = profile + kLimbs * profile_words;
-    segment_words -= segment_words % frame;
     assembly.define("segment_begin", 0);
-    assembly.define("segment_end", kLimbs * segment_words);
+    assembly.define("segment_end", profile);
     assembly.define("profile_begin", profile);
     assembly.define("profile_end", stops);
     assembly.define("stop_begin", stops);
+    assembly.define("stop_middle", stops + kLimbs * ref::kStopSteps);
     assembly.define("segment_queue_words", segment_words);
     assembly.define("profile_queue_words", profile_words);
     assembly.define("frame_words", frame);

@@ -52,9 +52,9 @@ sample:
   test good + 0, 1 limb
   if zero go to aimed
   target = port override_in, 2 limbs
-  test target - full_rate
+  test target - one              # the rate 1: rate.asm
   if negative go to aimed
-  target = full_rate
+  target = one
 aimed:
   call rate_tick
   port path_active = active, 1 limb
