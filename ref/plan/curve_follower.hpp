@@ -2,6 +2,8 @@
 // The exact curve of a plan, sample by sample in the order of the path.
 #pragma once
 
+#include <memory>
+
 #include "ref/plan/segment_curve.hpp"
 
 namespace curvecore::ref {
@@ -20,7 +22,7 @@ class CurveFollower {
 
   private:
     const Segment* segment_ = nullptr;
-    std::unique_ptr<PathCurve> curve_;
+    std::shared_ptr<const PathCurve> curve_;  // copies of the follower share it
 };
 
 }  // namespace curvecore::ref
