@@ -62,6 +62,7 @@ engine/engine_memory.sv
 engine/engine_operands.sv
 engine/engine_program.sv
 engine/engine_result.sv
+engine/engine_samples.sv
 engine/engine_sequencer.sv
 engine/engine_store.sv
 engine/engine_terms.sv

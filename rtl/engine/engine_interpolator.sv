@@ -8,7 +8,7 @@
 // the assembler makes for these parameters; other ones draw what nobody asked for.
 //
 //   from sample to sample, clocks     hls/clocks.hpp; some 2,000 with a tick for each
-//   room for samples that wait        13
+//   room for samples that wait        16
 `default_nettype none
 module engine_interpolator #(
     parameter int PositionBits      = 32,    // [16, 32]
@@ -68,6 +68,7 @@ module engine_interpolator #(
   localparam int Axes = 3 + AuxAxes;
   localparam int FineBits = PositionBits + GuardBits;
   localparam int StopWords = 2 * words_pkg::StopSteps;
+  localparam int Places = 16;  // samples that are made and not taken
   localparam int Limbs = 3 * (SegmentQueueWords + ProfileQueueWords + StopWords);
 
   // Ports, as rtl/engine/programs/ports.asm numbers them
@@ -188,15 +189,21 @@ module engine_interpolator #(
   );
 
   // Requests
-  logic room;
   logic held_q;
+  logic leaves;
+  logic [4:0] under_way_q, under_way;  // samples, requested and not taken
   logic [16:0] override_q;
   assign sample_request_ready_o = out[OutTakeRequest];
+  assign leaves = sample_valid_o && sample_ready_i;
+  assign under_way = under_way_q + {{4{leaves && !out[OutTakeRequest]}},
+                                    leaves != out[OutTakeRequest]};
   always_ff @(posedge clk_i) begin
     if (out[OutTakeRequest]) begin
       held_q     <= hold_i;
       override_q <= override_i;
     end
+    if (!rst_ni) under_way_q <= '0;
+    else under_way_q <= under_way;
     if (!rst_ni) killed_o <= 1'b0;
     else if (kill_i) killed_o <= 1'b1;
   end
@@ -208,7 +215,7 @@ module engine_interpolator #(
     holds,
     profile_waits,
     segment_waits,
-    sample_request_valid_i && room && !out[OutTakeRequest]
+    sample_request_valid_i && !under_way_q[4] && !out[OutTakeRequest]
   };
 
   // Answers, two clocks behind their question
@@ -243,37 +250,22 @@ module engine_interpolator #(
   end
 
   // Samples
-  logic [29:0] low_q;
-  logic [45:0] fine;
-  logic [Axes*FineBits-1:0] fine_q;
-  logic unused_fine;
-  assign fine = {out_data, low_q};
-  assign unused_fine = &{1'b0, fine[45:FineBits]};
-  always_ff @(posedge clk_i) begin
-    if (out[OutSample]) begin
-      case (out_limb)
-        2'd0: low_q[14:0] <= out_data[14:0];
-        2'd1: low_q[29:15] <= out_data[14:0];
-        default: fine_q <= {fine[FineBits-1:0], fine_q[Axes*FineBits-1:FineBits]};
-      endcase
-    end
-  end
   for (genvar axis = 0; axis < Axes; axis++) begin : g_axes  // rounded, ties upwards
     logic [PositionBits-1:0] whole;
     logic half;
     assign {whole, half} = sample_fine_o[axis*FineBits+GuardBits-1+:PositionBits+1];
     assign sample_position_o[axis*PositionBits+:PositionBits] = whole + PositionBits'(half);
   end
-  sample_queue #(
-      .Bits (Axes * FineBits),
-      .Depth(16)
+  engine_samples #(
+      .Axes    (Axes),
+      .FineBits(FineBits),
+      .Places  (Places)
   ) u_samples (
       .clk_i,
       .rst_ni,
-      .admit_i(out[OutTakeRequest]),
-      .room_o (room),
-      .push_i (out[OutSampleWhole]),
-      .data_i (fine_q),
+      .limb_i (out[OutSample]),
+      .whole_i(out[OutSampleWhole]),
+      .data_i (out_data),
       .valid_o(sample_valid_o),
       .ready_i(sample_ready_i),
       .data_o (sample_fine_o)
@@ -337,18 +329,12 @@ module engine_interpolator #(
 
   // It stands once the samples that were under way when it came to rest have left.
   logic rests_q;
-  logic [4:0] under_way_q, under_way, left_q;
-  logic leaves;
-  assign leaves = sample_valid_o && sample_ready_i;
-  assign under_way = under_way_q + {{4{leaves && !out[OutTakeRequest]}},
-                                    leaves != out[OutTakeRequest]};
+  logic [4:0] left_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      rests_q     <= 1'b1;
-      under_way_q <= '0;
-      left_q      <= '0;
+      rests_q <= 1'b1;
+      left_q  <= '0;
     end else begin
-      under_way_q <= under_way;
       if (out[OutStanding]) rests_q <= out_data[0];
       if (out[OutStanding] && out_data[0] && !rests_q) left_q <= under_way;
       else if (leaves && left_q != '0) left_q <= left_q - 1'b1;
