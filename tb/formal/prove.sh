@@ -6,7 +6,9 @@
 #   cover    every cover statement of WRAPPER is reached
 #   control  with the defect NAME built in, the proof fails: a test of the proof itself.  WRAPPER
 #            declares it in a line `// control: NAME` (NAME is defined for the preprocessor), or
-#            `// control: NAME s/old/new/` (a change of the module under proof).
+#            `// control: NAME s/old/new/` (a change of the module under proof), or
+#            `// control: NAME MODULE s/old/new/` (of another one).
+# What lines `// cut: SELECTION ...` select, as Yosys does, may have any value.
 # WRAPPER is tb/formal/<room>/<module>_formal.sv and assumes the reset in its first cycle.
 # With lines `// forget: REGISTER ... unless GUARD`, rules of tb/formal/search, that program
 # (STATE_SEARCH) goes through all reachable states, in place of ABC.
@@ -19,15 +21,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 sources=()
-change=$(sed -n "s|^// control: $name \(s.*\)|\1|p" "$wrapper")
+changed=$module
+change=$(sed -n "s|^// control: $name ||p" "$wrapper")
+if [[ "$change" =~ ^([a-z0-9_]{2,})\ (.*) ]]; then
+  changed=${BASH_REMATCH[1]}
+  change=${BASH_REMATCH[2]}
+fi
 for source in "$@"; do
-  if [ "$mode" = control ] && [ -n "$change" ] && [ "$(basename "$source")" = "$module.sv" ]; then
-    sed "$change" "$source" >"$work/$module.sv"
-    if cmp -s "$source" "$work/$module.sv"; then
+  if [ "$mode" = control ] && [ -n "$change" ] && [ "$(basename "$source")" = "$changed.sv" ]; then
+    sed "$change" "$source" >"$work/$changed.sv"
+    if cmp -s "$source" "$work/$changed.sv"; then
       echo "control $name changes nothing in $source"
       exit 1
     fi
-    source=$work/$module.sv
+    source=$work/$changed.sv
   fi
   sources+=("$source")
 done
@@ -43,6 +50,8 @@ esac
 define=$([ "$mode" = control ] && echo "-D$name" || true)
 parameters=$(sed -n "s/^\/\/ configuration: $name //p" "$wrapper" |
   sed -E 's/([A-Za-z]+)=([0-9]+)/-chparam \1 \2/g')
+cuts=$(sed -n 's|^// cut: ||p' "$wrapper" | tr ' ' '\n' |
+  sed 's|.*|cutpoint &;|' | tr '\n' ' ')
 forget=()
 while IFS= read -r rule; do
   forget+=(--forget "$rule")
@@ -59,7 +68,7 @@ fi
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -formal -DFORMAL $define -defer ${sources[*]}
   read_verilog -sv -formal -DFORMAL $define $wrapper
-  hierarchy -top $top $parameters; prep -top $top -flatten
+  hierarchy -top $top $parameters; proc; $cuts prep -top $top -flatten
   setattr -mod -unset keep_hierarchy; flatten; opt_clean
   memory_map -formal; async2sync
   chformal -early; $select; tee -o $work/count select -count t:\$assert
