@@ -167,10 +167,9 @@ constexpr int kSerialScaleClocks = 58;
 
 /// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
-constexpr int kEngineFollowClocks = 65;   // of a sample, besides its curve
-constexpr int kEngineRestClocks = 480;    // the loop: a request and the sample
-constexpr int kEngineTickClocks = 3900;   // of time
-constexpr int kEngineFetchClocks = 1860;  // of a segment's words
+constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
+constexpr int kEngineRestClocks = 760;   // the loop: a request and the sample
+constexpr int kEngineTickClocks = 2260;  // of time
 
 /// Clocks in which a word enters its queue, on the average of a segment's: a few take three times
 /// as long. And the words that enter for a segment: its own, and those of two pieces with a step
@@ -200,8 +199,8 @@ constexpr int engine_step_clocks(const TimedCore& core, bool spline) {
 }
 
 constexpr int engine_segment_clocks(const TimedCore& core, bool spline) {
-    return kEngineFetchClocks + engine_aux_clocks(core, 72) + 240 +
-           kEngineEntryClocks * engine_entry_words(core) + engine_step_clocks(core, spline);
+    const int load = spline ? 1000 + engine_step_clocks(core, spline) : 144 * core.order + 990;
+    return load + engine_aux_clocks(core, 72) + kEngineEntryClocks * engine_entry_words(core);
 }
 
 constexpr Clocks engine_clocks(const TimedCore& core, bool spline) {

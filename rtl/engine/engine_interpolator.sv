@@ -69,7 +69,9 @@ module engine_interpolator #(
   localparam int FineBits = PositionBits + GuardBits;
   localparam int StopWords = 2 * words_pkg::StopSteps;
   localparam int Places = 16;  // samples that are made and not taken
-  localparam int Limbs = 3 * (SegmentQueueWords + ProfileQueueWords + StopWords);
+  localparam int Powers = 240;  // rtl/engine/programs/powers.asm
+  localparam int Behind = 4;  // words behind the profile's end: rtl/engine/programs/pieces.asm
+  localparam int Limbs = Powers + 3 * (SegmentQueueWords + ProfileQueueWords + Behind + StopWords);
 
   // Ports, as rtl/engine/programs/ports.asm numbers them
   localparam logic [4:0] InMemory = 5'd3;

@@ -56,13 +56,14 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
     assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
     assemble_follow(tree + "/rtl/engine/programs", tables, core, assembly);
     for (const char* source : {"path", "stops", "rate", "pieces", "share", "words", "segment_words",
-                               "piece_words", "ledger", "settings", "motion"}) {
+                               "piece_words", "ledger", "settings", "powers", "motion"}) {
         assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
     }
     put_sample(core, assembly);
     assembly.label("reset");
     assembly.open_further();
     assembly.put_starts();
+    assembly.call("put_powers");
     assembly.branch("motion");
     assembly.finish();
     return assembly;

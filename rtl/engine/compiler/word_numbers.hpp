@@ -12,23 +12,30 @@
 
 namespace curvecore::assembler {
 
+/// Entries of the table of powers.asm, at 0, and words of the last piece behind the profile's end.
+constexpr int kPowerEntries = 240;
+constexpr int kWordsBehind = 4;
+
 /// Defines them for queues of so many words; that of segments holds whole ones.
 inline void define_words(const ref::CoreParameters& core, int segment_words, int profile_words,
                          Assembly& assembly) {
     constexpr int kLimbs = 3;  // of a queued word
     const int frame = ref::segment_bus_words(core.aux_axes);
     segment_words -= segment_words % frame;  // whole segments
-    const int profile = kLimbs * segment_words;
-    const int stops = profile + kLimbs * profile_words;
-    assembly.define("segment_begin", 0);
+    const int profile = kPowerEntries + kLimbs * segment_words;
+    const int profile_end = profile + kLimbs * profile_words;
+    const int stops = profile_end + kLimbs * kWordsBehind;
+    assembly.define("segment_begin", kPowerEntries);
     assembly.define("segment_end", profile);
     assembly.define("profile_begin", profile);
-    assembly.define("profile_end", stops);
+    assembly.define("profile_end", profile_end);
     assembly.define("stop_begin", stops);
     assembly.define("stop_middle", stops + kLimbs * ref::kStopSteps);
     assembly.define("segment_queue_words", segment_words);
     assembly.define("profile_queue_words", profile_words);
     assembly.define("frame_words", frame);
+    assembly.define("segments_full", segment_words - frame + 1);  // without room for another one
+    assembly.define("profile_full", profile_words - ref::kProfileBusWords + 1);
 
     assembly.define("aux_axes", core.aux_axes);
     assembly.define("coef_room", hls::kCoefField.bits - core.coef_bits);

@@ -3,7 +3,8 @@
 #
 #   segment_entered   a whole segment is in its queue, a whole piece: words.asm
 #   piece_entered
-#   guard             once a tick, before its rate is made: `underrun_hold`, `may_begin`
+#   guard             once a tick, before its rate is made: `underrun_hold`; with no program under
+#                     way `may_begin`
 
 word path_lead = 0, 4 limbs                # of the segments over the pieces
 word ticks_lead = 0, 4 limbs
@@ -13,75 +14,62 @@ word ends_lead                             # 1: the segments' program has ended,
 word segment_inside piece_inside piece_ticks word_faults               # words.asm
 word segment_words profile_words
 word queued_ticks finals active end time final                         # path.asm
-word stop_ticks                                                        # settings
+word stop_ticks twice_stop                                             # settings.asm
 
-local covered back waits present rest programs over low all_covered runs_low twice
+local covered back keeps programs over rest
 
 guard:
   back = port link, 1 limb
-  waits = finals, 1 limb                   # final pieces that have not begun, and that has
-  present = 0, 1 limb
-  covered = 0, 4 limbs
+  keeps = 0, 1 limb                        # streams that do not last, + 4 of those not for a stop
+  programs = finals, 1 limb                # whole ones: final pieces that have not ended
+  covered = queued_ticks + 0, 4 limbs      # by pieces
   test active + 0, 1 limb
   if zero go to without_present
-  present = final, 1 limb
-  covered = end - time
-  covered = floor(covered * 2^29 >> 45)
+  programs = programs + final, 1 limb
+  rest = end - time
+  rest = floor(rest * 2^29 >> 45)
+  covered = covered + rest
 without_present:
   test word_faults - 16, 1 limb
   if negative go to ends_known
-  waits = 0, 1 limb
-  present = 0, 1 limb
+  programs = 0, 1 limb
 ends_known:
-  covered = covered + queued_ticks         # by pieces
-  may_begin = 1, 1 limb
-  all_covered = 1, 1 limb
-  runs_low = 0, 1 limb
-  programs = waits, 1 limb
-  over = profile_words - profile_queue_words, 2 limbs
-  over = over + 4, 2 limbs
+  over = profile_words - profile_full, 2 limbs
   call cover
   covered = covered + ticks_lead, 4 limbs  # by segments
-  programs = waits + ends_lead, 1 limb
-  over = segment_words - segment_queue_words, 2 limbs
-  over = over + frame_words, 2 limbs
-  over = over - 1, 2 limbs
+  programs = programs + ends_lead, 1 limb
+  over = segment_words - segments_full, 2 limbs
   call cover
   port link = back, 1 limb
-  test active + 0, 1 limb
-  if zero go to no_hold
-  test all_covered + 0, 1 limb
-  if not zero go to no_hold
-  test runs_low + 0, 1 limb
-  if zero return
-  underrun_hold = 1, 1 limb
-  port report_underrun = 0, 1 limb
-  return
+  may_begin = 0, 1 limb
+  test keeps + 0, 1 limb
+  if not zero go to not_ample
+  may_begin = 1, 1 limb
 no_hold:
   underrun_hold = 0, 1 limb
   return
+not_ample:
+  test active + 0, 1 limb
+  if zero go to no_hold
+  test keeps - 4, 1 limb
+  if negative return
+  underrun_hold = 1, 1 limb
+  port report_underrun = 0, 1 limb
+  return
 
 cover:                                     # one stream, full if `over` is 0 or more
-  low = 1, 1 limb
+  test 0 - programs, 1 limb
+  if negative return
+  test twice_stop - covered, 4 limbs
+  if negative return
   test stop_ticks - covered, 4 limbs
-  if not negative go to little
-  low = 0, 1 limb
+  if not negative go to low
   test over + 0, 2 limbs
   if not negative return
-  twice = stop_ticks + stop_ticks, 4 limbs
-  test twice - covered, 4 limbs
-  if negative return
-little:
-  rest = 0 - programs, 1 limb
-  if negative go to begins_covered
-  may_begin = 0, 1 limb
-begins_covered:
-  test rest - present, 1 limb
-  if negative return
-  all_covered = 0, 1 limb
-  test low + 0, 1 limb
-  if zero return
-  runs_low = 1, 1 limb
+  keeps = keeps + 1, 1 limb
+  return
+low:
+  keeps = keeps + 2^2, 1 limb
   test over + 0, 2 limbs
   if negative return
   port report_short = 0, 1 limb

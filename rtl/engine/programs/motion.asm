@@ -5,9 +5,11 @@
 #   motion   the background, from a reset on
 #   sample   a sample from its request on: a tick of time where one is due, its share, a position
 
-word target rate active next underrun_hold good standing share_index
+word target rate active next underrun_hold good standing share_index end time
 word pieces
 word waits = 0, 1 limb         # the sample under way waits for a segment
+word stream = 1, 1 limb        # whose word comes first: 1 the pieces', -1 the segments'
+local left
 
 foreground:                    # it has nothing to do
   end, then foreground
@@ -15,24 +17,54 @@ foreground:                    # it has nothing to do
 motion:
   test waits + 0, 1 limb
   if not zero go to draw
-  test share_index + 0
-  if not zero go to asked
+  if not port request go to words
+  test share_index + 0, 2 limbs
+  if zero go to tick_is_due
+  port take_request = 0, 1 limb
+  go to shares_on
+tick_is_due:
   test next + 0, 1 limb
-  if not zero go to asked
+  if not zero go to sample
   test pieces + 0, 2 limbs
-  if not zero go to words      # first the next piece, with its branch
-asked:
-  if port request go to sample
-words:
-  if port segment_waits call enter_segment_word
-  if port piece_waits call enter_piece_word
+  if zero go to sample
+  test active + 0, 1 limb
+  if zero go to fetch
+  left = end - time
+  test one - left
+  if negative go to sample     # the piece does not end in this tick
+fetch:                         # first the next one, with its branch
   call fetch_piece
+  go to tick_is_due
+
+words:                         # one, and the samples that are asked for
+  stream = 0 - stream, 1 limb
+  if negative go to piece_word_first
+  if port segment_waits go to segment_word_here
+  if port piece_waits call enter_piece_word
+  go to word_done
+piece_word_first:
+  if port piece_waits go to piece_word_here
+  if port segment_waits call enter_segment_word
+  go to word_done
+segment_word_here:
+  call enter_segment_word
+  go to word_done
+piece_word_here:
+  call enter_piece_word
+word_done:
+  test share_index + 0, 2 limbs
+  if not zero go to motion     # the settings are those of a whole tick
+  call fetch_piece
+  if port request go to motion
   if port segment_waits go to motion
   if port piece_waits go to motion
-  test share_index + 0
-  if not zero go to motion     # the settings are those of a whole tick
   call settings
+  if negative call take_settings
   go to motion
+
+others:                        # the guard is that of the tick before
+  call take_settings
+  go to guarded
 
 report_begun:
   port path_active = active, 1 limb
@@ -40,11 +72,11 @@ report_begun:
 
 sample:
   port take_request = 0, 1 limb
-  test share_index + 0
-  if not zero go to shares_on
   call settings
+  if negative go to others
   call guard
-  target = 0
+guarded:
+  target = 0, 2 limbs
   if port killed go to aimed
   if port held_now go to aimed
   test underrun_hold + 0, 1 limb
@@ -52,9 +84,9 @@ sample:
   test good + 0, 1 limb
   if zero go to aimed
   target = port override_in, 2 limbs
-  test target - one              # the rate 1: rate.asm
+  test target - one, 2 limbs     # the rate 1: rate.asm
   if negative go to aimed
-  target = one
+  target = one, 2 limbs
 aimed:
   call rate_tick
   port path_active = active, 1 limb

@@ -19,40 +19,22 @@ word end ds final c1 c2 c3 to_tau time walked
 word active = 0
 word idle                                  # ticks without a piece, 16 at most: time_begins
 wide next_scale scale
-local path start tau d
+local path start tau d place
 data idle_ticks = 16
+data tau_bits = 28
+data scale_place = 44                      # of 2^11
 
 piece:
   next_end = ticks * 2^16
-  next_tau = 1 * 2^28                      # 2^(28-m): tau = time 2^(19-m) has 35 fraction bits,
-  loop                                     # and 2^9 more
-    m = m - 8, 1 limb
-    if negative go to tau_eights
-    next_tau = floor(next_tau * 2^37 >> 45)
-  repeat 2 times
-tau_eights:
-  m = m + 8, 1 limb
-  loop
-    m = m - 1, 1 limb
-    if negative go to tau_made
-    next_tau = floor(next_tau * 2^44 >> 45)
-  repeat 7 times
-tau_made:
-  next_scale = 1 * 2^11, 4 limbs           # 2^(11+e): d has 34 fraction bits
-  loop
-    e = e - 8, 1 limb
-    if negative go to scale_eights
-    next_scale = next_scale * 2^8, 4 limbs # of 2^43 or less
-  repeat 5 times
-scale_eights:
-  e = e + 8, 1 limb
-  loop
-    e = e - 1, 1 limb
-    if negative go to scale_made
-    next_scale = next_scale + next_scale, 4 limbs
-  repeat 7 times
-scale_made:
-  next = 1
+  place = tau_bits - m, 1 limb             # 2^(28-m): tau = time 2^(19-m) has 35 fraction bits,
+  place = place * 2^2, 1 limb              # and 2^9 more
+  port address = place, 1 limb             # powers.asm
+  next_tau = port memory
+  place = e * 2^2, 1 limb                  # 2^(11+e): d has 34 fraction bits
+  place = place + scale_place, 1 limb
+  port address = place, 1 limb
+  next_scale = port memory, 4 limbs
+  next = 1, 1 limb
   return
 
 tick:

@@ -6,9 +6,10 @@ word pieces = 0, 2 limbs                   # whole ones in the queue, with their
 word piece_inside = 0, 1 limb              # 0: the next frame is its program's first
 word piece_number = 0, 1 limb              # of the next one, modulo 2^8
 word piece_ticks
-word piece_select ends_lead path_lead
+word piece_select piece_put ends_lead path_lead
 local entry_link entry_fault entering
 local t high e m number power final
+# Pieces, stops and steps begin in front of profile_end: pieces.asm.
 
 piece_whole:
   piece_number = piece_number + 1, 1 limb
@@ -24,6 +25,7 @@ piece_word:
   if negative go to word_stays
   test piece_inside + 0, 1 limb
   if zero call program_begins
+  call put_before_end
   test piece_select * 2^13, 1 limb         # 53 of a stop, or 35
   if not negative go to stop_word
   t = entering * 2^9                       # bits 35:0
@@ -47,20 +49,9 @@ piece_word:
   high = high * 2^20
   piece_ticks = t - high
   if zero go to bad_word
-  power = 1, 2 limbs                       # 2^m
-  loop
-    m = m - 4, 1 limb
-    if negative go to by_ones
-    power = power * 2^4, 2 limbs
-  repeat 4 times
-by_ones:
-  m = m + 4, 1 limb
-  loop
-    m = m - 1, 1 limb
-    if negative go to powered
-    power = power + power, 2 limbs
-  repeat 3 times
-powered:
+  m = m * 2^2, 1 limb                      # powers.asm
+  port address = m, 1 limb
+  power = port memory, 2 limbs             # 2^m
   test power - piece_ticks, 2 limbs
   if negative go to bad_word
   number = floor(entering * 2^9 >> 45), 1 limb
@@ -84,6 +75,12 @@ coefficient_word:
   if not negative go to next_coefficient
   go to piece_whole
 
+put_before_end:
+  test piece_put - profile_end, 2 limbs
+  if negative return
+  piece_put = profile_begin, 2 limbs
+  return
+
 stop_word:
   piece_inside = 1, 1 limb
   t = entering - 2^44
@@ -93,6 +90,7 @@ stop_word:
 next_step:
   call next_piece
 step_word:
+  call put_before_end
   test entering * 2^34                     # ticks
   if zero go to bad_word
   piece_select = piece_select - 4, 1 limb

@@ -7,7 +7,8 @@
 #                 branch before it, or the piece
 #
 # So a tick may come while `next` is not 0, or `pieces` is. The queue has 46 bits of a word: the
-# highest two are 0 of a piece's first word, 1 of a stop, -2 of a step.
+# highest two are 0 of a piece's first word, 1 of a stop, -2 of a step. A piece, a stop and a step
+# begin in front of profile_end: the last piece's words may go on behind it.
 
 word piece_take = profile_begin, 2 limbs   # address of the first word
 word pieces                                # whole pieces, with their branches: words.asm
@@ -18,16 +19,19 @@ word loaded                                # entries of the branch
 data bank_entries = 768                    # kStopSteps, of three entries
 data second_bit = 17592186044416           # 2^44: the tag's low two bits are 1
 
-local back word_here above place
+local word_here above place
 
 fetch_piece:
   test next + 0, 1 limb
   if not zero return
   test pieces + 0, 2 limbs
   if zero return
-  back = port link, 1 limb
-  call next_word
-  test word_here + 0
+  test piece_take - profile_end, 2 limbs
+  if negative go to taken_from
+  piece_take = profile_begin, 2 limbs
+taken_from:
+  port address = piece_take, 2 limbs
+  word_here = port memory
   if negative go to load_step
   above = word_here - second_bit
   if not negative go to load_wait
@@ -43,43 +47,37 @@ fetch_piece:
   e = place - e
   next_final = above * 2^44                # 31 final
   next_final = next_final * -1 >> 45       # a half, rounded up
-  call next_word
-  next_ds = word_here - second_bit
-  call next_word
-  next_c1 = word_here * 2^9                # 35:0, signed
+  next_ds = port memory
+  next_ds = next_ds - second_bit
+  next_c1 = port memory
+  next_c1 = next_c1 * 2^9                  # 35:0, signed
   next_c1 = floor(next_c1 * 2^36 >> 45)
-  call next_word
-  next_c2 = word_here * 2^9
+  next_c2 = port memory
+  next_c2 = next_c2 * 2^9
   next_c2 = floor(next_c2 * 2^36 >> 45)
-  call next_word
-  next_c3 = word_here * 2^9
+  next_c3 = port memory
+  next_c3 = next_c3 * 2^9
   next_c3 = floor(next_c3 * 2^36 >> 45)
+  piece_take = piece_take + 2^4, 2 limbs   # 5 words
+  piece_take = piece_take - 1, 2 limbs
+  profile_words = profile_words - 2^2, 2 limbs
+  profile_words = profile_words - 1, 2 limbs
   pieces = pieces - 1, 2 limbs
-  port link = back, 1 limb
   go to piece
 
 load_wait:
   branch = above
   loaded = 0, 1 limb
-  go to branch_loaded
+  go to word_gone
 load_step:
   place = loading + loaded
   port address = place, 2 limbs
   port memory = word_here
   loaded = loaded + 3, 1 limb
   test loaded - bank_entries, 1 limb
-  if not zero go to branch_loaded
+  if not zero go to word_gone
   loaded = 0, 1 limb
-branch_loaded:
-  port link = back, 1 limb
-  return
-
-next_word:
-  port address = piece_take, 2 limbs
-  word_here = port memory
+word_gone:
   profile_words = profile_words - 1, 2 limbs
   piece_take = piece_take + 3, 2 limbs
-  test piece_take - profile_end, 2 limbs
-  if not zero return
-  piece_take = profile_begin, 2 limbs
   return

@@ -13,6 +13,7 @@ word empty_segments = 0                 # without length: consumed
 word segment_rest kind theta tau_scale fine_scale place_scale step_scale
 axis start[k] end[k] tangent[k] normal[k] advance[k]
 local place lambda k frame
+data most_step = 44
 
 fetch_segment:
   segments = segments - 1, 1 limb
@@ -51,33 +52,27 @@ k_known:
   lambda = port memory
   lambda = lambda * 2^3
   lambda = floor(lambda * 2^6 >> 45), 1 limb
-  lambda = lambda - k, 1 limb
 
-  tau_scale = 0 + 2^27                   # 2^(27-k), 2^(fine+k): by 2^4, then by 2
-  fine_scale = 0 + 2^fine_exponent
-  loop
-    k = k - 2^2, 1 limb
-    if negative go to scale_by_two
-    tau_scale = floor(tau_scale * 2^41 >> 45)
-    fine_scale = fine_scale * 2^4
-  repeat 6 times
-scale_by_two:
-  k = k + 2^2, 1 limb
-  loop
-    k = k - 1, 1 limb
-    if negative go to scale_step
-    tau_scale = floor(tau_scale * 2^44 >> 45)
-    fine_scale = fine_scale + fine_scale
-  repeat 3 times
-scale_step:
-  step_scale = 0 + 2^44                  # 2^(44-s), 2^(fine+lambda), s = lambda - k
-  place_scale = fine_scale
-  loop
-    lambda = lambda - 1, 1 limb
-    if negative go to curve_load
-    step_scale = floor(step_scale * 2^44 >> 45)
-    place_scale = place_scale + place_scale
-  repeat 27 times
+  place = k * 2^2, 1 limb                # powers.asm
+  port address = place, 1 limb
+  fine_scale = port memory
+  fine_scale = fine_scale * 2^fine_exponent        # 2^(fine+k)
+  place = lambda * 2^2, 1 limb
+  port address = place, 1 limb
+  place_scale = port memory
+  place_scale = place_scale * 2^fine_exponent      # 2^(fine+lambda)
+  place = 0 - k, 1 limb
+  place = place + 2^5, 1 limb
+  place = place * 2^2, 1 limb
+  port address = place, 1 limb
+  tau_scale = port memory
+  tau_scale = floor(tau_scale * 2^40 >> 45)        # 2^(27-k)
+  place = k - lambda, 1 limb
+  place = place + most_step, 1 limb
+  place = place * 2^2, 1 limb
+  port address = place, 1 limb
+  step_scale = port memory               # 2^(44-s), s = lambda - k
+  go to curve_load
 
 fetch_axis:
   start[k] = port memory

@@ -70,8 +70,10 @@ start_word:
   place = place - frame_words, 2 limbs
   place = place - frame_words, 2 limbs
   place = place - frame_words, 2 limbs
+  test place - segment_begin, 2 limbs
   if not negative go to end_there
   place = place + segment_end, 2 limbs
+  place = place - segment_begin, 2 limbs
 end_there:
   port address = place, 2 limbs
   before = port memory

@@ -1,31 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 # Settings of the motion: hls/motion_settings.hpp. Lines: rtl/engine/assembler/source.hpp.
 #
-#   settings    before a tick, with no sample missing of the one before: takes what the ports ask
-#               for while no program is under way, and time begins anew
+#   settings        before a tick, with no sample missing of the one before: negative if others are
+#                   asked for, while no program is under way
+#   take_settings   takes them, and time begins anew
 #
 # `good`: time may run, otherwise the target is 0. Bad ones are reported to the board.
 
 word samples_per_tick = 16, 1 limb         # n, 0 .. 15; 16: none are taken
 word hold_acceleration hold_slope
-word stop_ticks
+word stop_ticks twice_stop
 word good
 word active next pieces                    # path.asm, words.asm
 
-local new_samples new_acceleration new_slope new_stop
+local asked less
 
 settings:
-  new_samples = port samples_per_tick_in, 1 limb
-  new_acceleration = port acceleration_in
-  new_slope = port slope_in
-  new_stop = port stop_ticks_in
-  test new_samples - samples_per_tick, 1 limb
+  asked = port samples_per_tick_in, 1 limb
+  test asked - samples_per_tick, 1 limb
   if not zero go to settings_differ
-  test new_acceleration - hold_acceleration
+  asked = port acceleration_in
+  test asked - hold_acceleration
   if not zero go to settings_differ
-  test new_slope - hold_slope
+  asked = port slope_in
+  test asked - hold_slope
   if not zero go to settings_differ
-  test new_stop - stop_ticks
+  asked = port stop_ticks_in
+  test asked - stop_ticks
   if not zero go to settings_differ
   test good + active, 1 limb
   if not zero return
@@ -34,28 +35,32 @@ settings:
 settings_bad:
   port report_settings = 0, 1 limb
   return
-
 settings_differ:
   test active + 0, 1 limb
   if not zero go to settings_bad
-  samples_per_tick = new_samples, 1 limb
-  hold_acceleration = new_acceleration
-  hold_slope = new_slope
-  stop_ticks = new_stop
+  test 0 - 1, 1 limb
+  return
+
+take_settings:
+  samples_per_tick = port samples_per_tick_in, 1 limb
+  hold_acceleration = port acceleration_in
+  hold_slope = port slope_in
+  stop_ticks = port stop_ticks_in
+  twice_stop = stop_ticks + stop_ticks
   good = 0, 1 limb
-  test new_slope - new_acceleration
+  test hold_slope - hold_acceleration
   if negative go to time_begins
-  test new_acceleration - 8
+  test hold_acceleration - 8
   if negative go to time_begins
-  new_acceleration = new_acceleration - 1
-  test new_acceleration - 2147483648       # 2^31
+  less = hold_acceleration - 1
+  test less - 2147483648                   # 2^31
   if not negative go to time_begins
-  new_slope = new_slope - 1
-  test new_slope - 4294967296              # 2^32
+  less = hold_slope - 1
+  test less - 4294967296                   # 2^32
   if not negative go to time_begins
-  test 0 - new_stop
+  test 0 - stop_ticks
   if not negative go to time_begins
-  test new_stop - 2^29
+  test stop_ticks - 2^29
   if not negative go to time_begins
   good = 1, 1 limb
   go to time_begins

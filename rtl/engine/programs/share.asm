@@ -11,20 +11,24 @@ word sigma
 word samples_per_tick      # n: settings.asm
 wide path_sum = 0          # 64 bits
 word shares share_odd share_gone   # 2^n; increment modulo 2^n; what of 2^n is missing to a quantum
-local n whole ds high
+local place whole part ds high
+data share_bits = 44
 
 share:
   test share_index + 0
   if not zero go to next_share
-  n = samples_per_tick, 1 limb
   whole = increment + 0, 4 limbs
-  shares = 1
-  loop
-    n = n - 1, 1 limb
-    if negative go to tick_shared
-    shares = shares + shares
-    increment = floor(increment * 2^44 >> 45)
-  repeat 15 times
+  place = samples_per_tick * 2^2, 1 limb   # powers.asm
+  port address = place, 1 limb
+  shares = port memory
+  test samples_per_tick + 0, 1 limb
+  if zero go to tick_shared
+  place = share_bits - samples_per_tick, 1 limb
+  place = place + 1, 1 limb
+  place = place * 2^2, 1 limb
+  port address = place, 1 limb
+  part = port memory                       # 2^(45-n)
+  increment = floor(increment * part >> 45)
 tick_shared:
   share_odd = increment * shares, 4 limbs
   share_odd = whole - share_odd, 4 limbs

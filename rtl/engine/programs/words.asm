@@ -83,9 +83,6 @@ next_piece:
   port address = piece_put, 2 limbs
   port memory = entering
   piece_put = piece_put + 3, 2 limbs
-  test piece_put - profile_end, 2 limbs
-  if negative go to word_taken
-  piece_put = profile_begin, 2 limbs
   go to word_taken
 
 word_stays:

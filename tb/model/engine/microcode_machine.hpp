@@ -15,12 +15,32 @@
 
 #include "hls/curve_kernel.hpp"
 #include "hls/engine.hpp"
+#include "hls/words.hpp"
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/compiler/curve_assembler.hpp"
 #include "rtl/engine/compiler/table_lowering.hpp"
 #include "sysc/core/run_time_format.hpp"
 
 namespace curvecore::tb {
+
+/// Writes the table of rtl/engine/programs/powers.asm.
+inline void write_powers(std::vector<std::int16_t>& memory) {
+    constexpr int kPowers = 60;
+    memory.resize(std::max(memory.size(), std::size_t{engine::kWordLimbs} * kPowers));
+    for (int n = 0; n < kPowers; ++n) {
+        for (int limb = 0; limb < engine::kWordLimbs; ++limb) {
+            const int bit = n - engine::kLimbBits * limb;
+            memory[static_cast<std::size_t>(engine::kWordLimbs * n + limb)] =
+                static_cast<std::int16_t>(bit >= 0 && bit < engine::kLimbBits ? 1 << bit : 0);
+        }
+    }
+}
+
+/// Returns whether a profile's word may go to its queue's begin: a piece's others follow the first.
+inline bool may_wrap(std::uint64_t word) {
+    const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
+    return tag == hls::Tag::kPiece || tag == hls::Tag::kStop || tag == hls::Tag::kStep;
+}
 
 /// The board around the engine, as far as a test makes it: the memory behind it, and what else is
 /// at its ports (rtl/engine/programs/ports.asm).

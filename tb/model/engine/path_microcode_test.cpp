@@ -23,7 +23,9 @@ assembler::Assembly path_microcode() {
     assemble_text("branches",
                   "word passes = 0\nbranch_passes:\npasses = passes + 1\ngo to piece_begins\n",
                   assembly);
-    assemble_source(std::string(RTL_DIR) + "/engine/programs/path.asm", assembly);
+    for (const char* file : {"ports", "path"}) {
+        assemble_source(std::string(RTL_DIR) + "/engine/programs/" + file + ".asm", assembly);
+    }
     assembly.finish();
     return assembly;
 }
@@ -51,7 +53,9 @@ std::vector<hls::ProfileWords> rough_pieces(std::uint32_t seed, int count, int m
 class PathComparison {
   public:
     PathComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
-        : machine_(machine), bound_(worst_case(assembly, "tick")) {}
+        : machine_(machine), bound_(worst_case(assembly, "tick")) {
+        write_powers(machine_.ports().memory);
+    }
 
     /// Drives a random program with both; returns the number of words that differ.
     int program(std::uint32_t seed, int pieces, int most_ticks) {

@@ -78,8 +78,9 @@ class PathTimeComparison : public TimeComparison {
     bool room() { return machine_.get("profile_words") < kQueueWords; }
 
     void enter(const Queued& queued) {
+        if (put_ >= kProfileEnd && may_wrap(queued.word)) put_ = kProfileBegin;
         write_word(machine_.ports().memory, put_, queued.word);
-        put_ = put_ + 3 == kProfileEnd ? kProfileBegin : put_ + 3;
+        put_ += 3;
         machine_.set("profile_words", machine_.get("profile_words") + 1);
         queue_.push_back(queued.word);
         if (queued.whole == 0) return;

@@ -19,8 +19,20 @@ constexpr int kSettings = 1;
 
 assembler::Assembly settings_microcode() {
     assembler::Assembly assembly;
-    MicrocodeMachine::dispatch(assembly, {"reset", "settings"});
-    assemble_text(kOfTest, "word begun\ntime_begins:\nbegun = begun + 1\nreturn\n", assembly);
+    MicrocodeMachine::dispatch(assembly, {"reset", "look"});
+    assemble_text(kOfTest,
+                  "word begun others back\n"
+                  "time_begins:\n"
+                  "begun = begun + 1\n"
+                  "return\n"
+                  "look:\n"
+                  "back = port 2, 1 limb\n"
+                  "call settings\n"
+                  "port 2 = back, 1 limb\n"
+                  "if not negative return\n"
+                  "others = others + 1\n"
+                  "go to take_settings\n",
+                  assembly);
     const std::string programs = std::string(RTL_DIR) + "/engine/programs/";
     assemble_source(programs + "ports.asm", assembly);
     assemble_source(programs + "settings.asm", assembly);
@@ -35,7 +47,7 @@ assembler::Assembly settings_microcode() {
 class SettingsComparison {
   public:
     SettingsComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
-        : machine_(machine), bound_(worst_case(assembly, "settings")) {
+        : machine_(machine), bound_(worst_case(assembly, "look")) {
         machine_.ports().give = [this](int port, int limb) {
             const std::int64_t value = port == 9    ? asked_.hold_acceleration
                                        : port == 10 ? asked_.hold_slope
@@ -66,10 +78,12 @@ class SettingsComparison {
             machine_.set("next", next ? 1 : 0);
             machine_.set("pieces", pieces);
             machine_.set("begun", 0);
+            machine_.set("others", 0);
             machine_.spoil_locals(random);
             most_ = std::max(most_, machine_.run(kSettings));
             const bool taken = settings.look(asked_, active, next || pieces > 0);
             differ += machine_.get("begun") != (taken ? 1 : 0) ? 1 : 0;
+            differ += machine_.get("others") != (taken ? 1 : 0) ? 1 : 0;
             differ += machine_.get("good") != (settings.good() ? 1 : 0) ? 1 : 0;
             differ += reported_ != settings.fault() ? 1 : 0;
             const hls::TimeSettings& now = settings.taken();
@@ -77,7 +91,8 @@ class SettingsComparison {
             differ += machine_.get("hold_acceleration") != now.hold_acceleration ? 1 : 0;
             differ += machine_.get("hold_slope") != now.hold_slope ? 1 : 0;
             differ += machine_.get("stop_ticks") != now.stop_ticks ? 1 : 0;
-            words_ += 7;
+            differ += machine_.get("twice_stop") != 2 * now.stop_ticks ? 1 : 0;
+            words_ += 9;
             good_ += settings.good() ? 1 : 0;
             faults_ += settings.fault() ? 1 : 0;
         }
@@ -141,8 +156,8 @@ TEST(SettingsMicrocode, AreTakenAndJudgedAsByTheKernel) {
     EXPECT_GT(comparison.words(), 100000);
     EXPECT_GT(comparison.good(), 2000);
     EXPECT_GT(comparison.faults(), 2000);
-    EXPECT_EQ(comparison.most(), comparison.bound());
-    EXPECT_LE(comparison.bound(), 250);
+    EXPECT_GE(comparison.most(), comparison.bound() - 9);  // others are asked for, or nothing is
+    EXPECT_LE(comparison.bound(), 300);
     EXPECT_FALSE(machine.hazard());
     EXPECT_FALSE(machine.strays());
 }

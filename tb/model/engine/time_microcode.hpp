@@ -13,9 +13,9 @@ namespace curvecore::tb {
 
 /// The board's memory, in entries of 16 bits.
 constexpr int kQueueWords = 320;
-constexpr int kProfileBegin = 30;
+constexpr int kProfileBegin = 270;
 constexpr int kProfileEnd = kProfileBegin + 3 * kQueueWords;
-constexpr int kStopBegin = kProfileEnd + 10;
+constexpr int kStopBegin = kProfileEnd + 22;
 constexpr int kBankEntries = 3 * hls::kStopSteps;
 constexpr int kMemoryEntries = kStopBegin + 2 * kBankEntries;
 
@@ -103,6 +103,7 @@ class TimeComparison {
     TimeComparison(const TimeMicrocode& code, MicrocodeMachine& machine)
         : machine_(machine), bounds_(code.bounds), most_(code.bounds.size()) {
         machine_.ports().memory.resize(kMemoryEntries);
+        write_powers(machine_.ports().memory);
         // A reset leaves the data as they are.
         for (const auto& [place, datum] : code.assembly.data()) {
             if (datum.value == 0) machine_.set(datum.name, 40 + place % 7);
