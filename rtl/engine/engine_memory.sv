@@ -28,12 +28,14 @@ module engine_memory #(
   (* no_rw_check *)
   logic [15:0] memory_b[2**PlaceBits];
   if (Data == "") begin : g_constants
+`ifndef SYNTHESIS  // as of programs: engine_program
     initial begin
       for (int n = 0; n < 2 ** PlaceBits; n = n + 1) begin
         memory_a[n] = engine_pkg::first_limb(n);
         memory_b[n] = engine_pkg::first_limb(n);
       end
     end
+`endif
   end else begin : g_file
     initial begin
       $readmemh(Data, memory_a);

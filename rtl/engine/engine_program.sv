@@ -25,7 +25,9 @@ module engine_program #(
 
   logic [31:0] memory[2**PlaceBits];
   if (Program == "") begin : g_empty
+`ifndef SYNTHESIS  // nobody makes a device without programs
     initial for (int n = 0; n < 2 ** PlaceBits; n = n + 1) memory[n] = '0;
+`endif
   end else begin : g_file
     initial $readmemh(Program, memory);
   end
