@@ -2,12 +2,17 @@
 // The word at hand for the engine, of one of two streams, and its check over all words before it
 // (hls/word_check.hpp).
 //
-//   clock      0        1       2
+//   clock      0        1       2        3
 //   ask_i      1
 //   limb_i     l
 //   limb_o              limb l of the word
 //   select_i   1
-//   profile_o           whose word it is: word_i follows
+//   profile_o           whose word it is
+//   word_i                      its
+//   tag_o                                its
+//   check_i    1
+//   check_o                     behind the word at hand
+//   holds_o                              its
 //
 //   limb | bits of the word
 //   0, 1 | 14:0, 29:15
@@ -33,12 +38,17 @@ module engine_words (
   logic without_q;
   logic [3:0] tag_q;
   logic [15:0] before_q;
+  logic [words_pkg::CheckBits-1:0] above;  // the check or number in the word
   always_ff @(posedge clk_i) begin
     if (select_i) {tag_q, without_q, profile_o} <= data_i[5:0];
     if (check_i) before_q <= data_i;
   end
 
-  assign tag_o = word_i[words_pkg::TagLow+:words_pkg::TagBits] == tag_q;
+  // What the engine branches on comes from registers: the word's memory is slow.
+  always_ff @(posedge clk_i) begin
+    tag_o   <= word_i[words_pkg::TagLow+:words_pkg::TagBits] == tag_q;
+    holds_o <= above == (check_o[15:8] ^ check_o[7:0]);
+  end
 
   always_ff @(posedge clk_i) begin
     case (limb_i)
@@ -52,9 +62,8 @@ module engine_words (
   // Its check: 2^8 times the one before, modulo x^16 + x^3 + 1, and the word
   localparam int Low = words_pkg::CheckLow;
   localparam int Bits = words_pkg::CheckBits;
-  logic [7:0] top;
+  logic [ 7:0] top;
   logic [43:0] counted;
-  logic [Bits-1:0] above;
   assign top   = before_q[15:8];
   assign above = word_i[Low+:Bits];
   always_comb begin
@@ -65,7 +74,6 @@ module engine_words (
     check_o <= {before_q[7:0], top} ^ {5'd0, top, 3'd0} ^ {4'd0, counted[43:32]} ^ counted[31:16] ^
         counted[15:0];
   end
-  assign holds_o = above == (check_o[15:8] ^ check_o[7:0]);
 
 endmodule
 `default_nettype wire
