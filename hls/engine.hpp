@@ -64,7 +64,9 @@ class Engine {
         watch(board, start - 2);
         running_ = foreground_ ? 1 : 0;
         int& place = threads_[running_].place;
-        const Instruction i = decode(program_[std::size_t(place)]);
+        const std::uint32_t word = program_[std::size_t(place)];
+        const Instruction i = decode(word);
+        changed_ = changed_ || !is_whole(word);
         place = (place + 1) & place_mask_;
         if (is_branch(i.op)) {
             branch(board, i);
@@ -86,6 +88,8 @@ class Engine {
     bool in_foreground() const { return running_ == 1; }
     /// Returns whether a foreground program was still running when the next was due.
     bool late() const { return late_; }
+    /// Returns whether an instruction was not as it was made: nothing is put out any more.
+    bool changed() const { return changed_; }
     /// Returns whether an operand was read in the clock in which the same instruction wrote it, or
     /// after.
     bool hazard() const { return hazard_; }
@@ -150,7 +154,7 @@ class Engine {
         std::int16_t value = 0;
         for (int limb = 0; limb < i.limbs; ++limb) {
             value = read(wide_limb(i.f0, limb));
-            board.out(port, limb, value, now_ + 2);
+            if (!changed_) board.out(port, limb, value, now_ + 2);
             ++now_;
         }
         Thread& thread = threads_[running_];
@@ -250,6 +254,7 @@ class Engine {
     int running_ = 0;
     bool foreground_ = false;
     bool late_ = false;
+    bool changed_ = false;
     bool hazard_ = false;
     std::uint64_t now_ = 4;   // clock of the next term
     std::uint64_t seen_ = 0;  // clocks whose due was looked at

@@ -8,7 +8,7 @@
 // 3 limbs. A wide word is an even word and the odd one behind it: 6 limbs, the latter's 2 the top.
 //
 //   31..28 27..26 25 24   23..16 15..8 7..0
-//   op     n - 1  0  flag F0     F1    F2      bit 25 is not looked at
+//   op     n - 1  p  flag F0     F1    F2      p: the number of ones is odd
 //
 //   op   | result                                    | flag                       | clocks
 //   ADD  | F2 = F0 + F1                              |                            | 2 n + 4
@@ -51,6 +51,9 @@
 // in the clock of the end of the run before, or earlier. Reset: the first term is in clock 4, of
 // the background at place 0; the foreground begins at place 1; flags, pages and links are 0.
 //
+// A changed instruction, one with an even number of ones, does what it says, but from its first
+// term until a reset nothing is put out. A store's places without an instruction are such.
+//
 // Hazard: in MULL, MAC and SHR of a factor that is no power, limbs of F2 are written while operands
 // are read. overlaps() tells which must not share a word; Engine::hazard() sees pages that do.
 // Limbs 4 and 5 of a wide word are in word F2 | 1: of an odd F2 they would be its own 0 and 1.
@@ -81,10 +84,19 @@ struct Instruction {
     int f0 = 0, f1 = 0, f2 = 0;
 };
 
+/// Returns whether an instruction is as it was made: the number of its ones is odd.
+constexpr bool is_whole(std::uint32_t word) {
+    for (int half = 16; half > 0; half /= 2) word ^= word >> half;
+    return (word & 1) != 0;
+}
+
+constexpr std::uint32_t kParity = std::uint32_t(1) << 25;
+
 constexpr std::uint32_t encode(const Instruction& i) {
-    return std::uint32_t(i.op) << 28 | std::uint32_t(i.limbs - 1) << 26 |
-           std::uint32_t(i.flag) << 24 | std::uint32_t(i.f0) << 16 | std::uint32_t(i.f1) << 8 |
-           std::uint32_t(i.f2);
+    const std::uint32_t word = std::uint32_t(i.op) << 28 | std::uint32_t(i.limbs - 1) << 26 |
+                               std::uint32_t(i.flag) << 24 | std::uint32_t(i.f0) << 16 |
+                               std::uint32_t(i.f1) << 8 | std::uint32_t(i.f2);
+    return is_whole(word) ? word : word ^ kParity;
 }
 
 constexpr Instruction decode(std::uint32_t word) {

@@ -43,7 +43,7 @@
 //   fault_o[5]  a full queue does not cover a stop
 //   fault_o[6]  invalid settings, or settings changed in motion: refused
 //   fault_o[7]  no sample of a program for 2^13 clocks (Build 2: 2^17): invalid words, positions
-//               cannot be trusted
+//               cannot be trusted; Build 2: Program is for other parameters, or was changed
 `default_nettype none
 module motion_interpolator #(
     parameter int Build             = 0,     // 0 parallel, 1 serial, 2 the engine
@@ -140,6 +140,15 @@ module motion_interpolator #(
     ) u_motion (
         .clk_i,
         .rst_ni,
+        .made_for_i(engine_pkg::made_for(
+            system_pkg::core(
+                Order, Mode, CoefBits, PositionBits, GuardBits
+            ),
+            AuxAxes,
+            Splines,
+            SegmentQueueWords,
+            ProfileQueueWords
+        )),
         .digest_i,
         .segment_valid_i,
         .segment_ready_o,

@@ -145,6 +145,15 @@ core_tests(curve_interpolator TOP curve_interpolator PORTS curve)
 core_tests(motion_interpolator TOP motion_interpolator PORTS motion
            PARAMS SegmentQueueWords=4096 ProfileQueueWords=512)
 
+# Build 2 with microcode that is not its own, or not as it was made.
+bench_objects(microcode)
+target_link_libraries(bench_microcode PUBLIC curvecore_assembler)
+target_compile_definitions(bench_microcode PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")
+core_test(microcode b2 TOP motion_interpolator PORTS motion
+          PARAMS Build=2 Order=6 CoefBits=36 PositionBits=32 GuardBits=10 AuxAxes=0 Splines=1
+                 Mode=1 SegmentQueueWords=1024 ProfileQueueWords=256
+          SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
+
 set(small PARAMS Order=2 CoefBits=18 PositionBits=16 GuardBits=2 AuxAxes=0 Mode=0)
 core_test(empty_segments parallel TOP spherical_interpolator PORTS curve ${small})
 core_test(empty_segments serial TOP curve_interpolator_serial PORTS curve ${small})

@@ -399,7 +399,7 @@ static inline const char* curvecore_fault_text(uint32_t fault) {
     case 0x00004000u:
         return "settings that cannot be, or that changed in motion";
     case 0x00008000u:
-        return "no sample for too long";
+        return "no sample for too long, or foreign or changed microcode";
     case 0x02000000u:
         return "an encoder that skips, or goes too fast to be followed";
     case 0x04000000u:

@@ -5,7 +5,9 @@
 //   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> samples
 //
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
-// the assembler makes for these parameters; other ones draw what nobody asked for.
+// the assembler makes for these parameters. A program says first what it is made for: one for other
+// parameters finds no request, and fault_o[7] comes as when it makes no sample. A program one of
+// whose instructions has changed puts out nothing from then on, and fault_o[7] comes at once.
 //
 //   from sample to sample, clocks     hls/clocks.hpp; some 2,000 with a tick for each
 //   room for samples that wait        16
@@ -24,6 +26,8 @@ module engine_interpolator #(
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
+
+    input wire logic [14:0] made_for_i,  // engine_pkg::made_for
 
     // Ports of rtl/motion_interpolator.sv
     input  wire logic [15:0] digest_i,
@@ -102,6 +106,7 @@ module engine_interpolator #(
   localparam int OutIncrement = 28;
   localparam int OutRate = 29;
   localparam int OutEmpties = 30;
+  localparam int OutMadeFor = 31;
 
   // Engine
   logic [12:0] conditions;
@@ -109,6 +114,7 @@ module engine_interpolator #(
   logic [4:0] in_port, out_port;
   logic [1:0] in_limb, out_limb;
   logic [15:0] in_data, out_data;
+  logic changed;
   logic unused_busy, unused_late;
   motion_engine #(
       .PlaceBits(PlaceBits),
@@ -123,6 +129,7 @@ module engine_interpolator #(
       .tick_i      (1'b1),
       .busy_o      (unused_busy),
       .late_o      (unused_late),
+      .changed_o   (changed),
       .conditions_i(conditions),
       .in_valid_o  (in_valid),
       .in_port_o   (in_port),
@@ -137,6 +144,11 @@ module engine_interpolator #(
   always_comb begin
     out = '0;
     out[out_port] = out_valid;
+  end
+  logic own_q;  // the program is made for these parameters
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) own_q <= 1'b0;
+    else if (out[OutMadeFor]) own_q <= out_data[14:0] == made_for_i;
   end
 
   // Words
@@ -217,7 +229,7 @@ module engine_interpolator #(
     holds,
     profile_waits,
     segment_waits,
-    sample_request_valid_i && !under_way_q[4] && !out[OutTakeRequest]
+    sample_request_valid_i && own_q && !under_way_q[4] && !out[OutTakeRequest]
   };
 
   // Answers, two clocks behind their question
@@ -273,14 +285,15 @@ module engine_interpolator #(
       .data_o (sample_fine_o)
   );
 
-  // A bound for invalid words: a sample of a program comes, or this count is up.
+  // A bound for invalid words and programs: a sample of a program comes, or this count is up.
   logic making_q;
   logic [17:0] patience_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni || out[OutSampleWhole]) making_q <= 1'b0;
     else if (out[OutTakeRequest]) making_q <= 1'b1;
     if (!rst_ni) patience_q <= '0;
-    else if (!patience_q[17]) patience_q <= (making_q && active_o) ? patience_q + 1'b1 : '0;
+    else if (!patience_q[17])
+      patience_q <= ((making_q && active_o) || !own_q) ? patience_q + 1'b1 : '0;
   end
 
   // What the motion says of itself
@@ -322,7 +335,7 @@ module engine_interpolator #(
       if (out[OutUnderrun]) underrun_o <= 1'b1;
       if (out[OutShort]) fault_o[5] <= 1'b1;
       if (out[OutSettings]) fault_o[6] <= 1'b1;
-      if (patience_q[17]) fault_o[7] <= 1'b1;
+      if (patience_q[17] || changed) fault_o[7] <= 1'b1;
       if (out[OutWordFaults]) fault_o[4:0] <= fault_o[4:0] | out_data[4:0];
       if (out[OutEmpties] && out_limb == 2'd0) empty_segments_o[14:0] <= out_data[14:0];
       if (out[OutEmpties] && out_limb != 2'd0) empty_segments_o[15] <= out_data[0];

@@ -3,7 +3,7 @@
 `default_nettype none
 package engine_pkg;
 
-  // Operations, {op, n - 1, -, flag, F0, F1, F2}
+  // Operations, {op, n - 1, odd parity, flag, F0, F1, F2}
   localparam logic [3:0] Br = 4'd0;
   localparam logic [3:0] Out = 4'd1;
   localparam logic [3:0] In = 4'd2;
@@ -19,6 +19,18 @@ package engine_pkg;
   localparam logic [4:0] PortX = 5'd0;
   localparam logic [4:0] PortY = 5'd1;
   localparam logic [4:0] PortLink = 5'd2;
+
+  // Returns what microcode is made for, a digest of its core: rtl/engine/compiler/word_numbers.hpp
+  function automatic logic [14:0] made_for(input int core, input int aux_axes, input int splines,
+                                           input int segment_queue_words,
+                                           input int profile_queue_words);
+    logic [15:0] sum;
+    sum = system_pkg::digest_word(16'd0, 32'(core));
+    sum = system_pkg::digest_word(sum, 32'(2 * aux_axes + splines));
+    sum = system_pkg::digest_word(sum, 32'(segment_queue_words));
+    sum = system_pkg::digest_word(sum, 32'(profile_queue_words));
+    made_for = sum[14:0];
+  endfunction
 
   // Words of either stream that have room at once: rtl/engine/engine_entry.sv
   localparam int EntryWords = 128;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine's program: 2^PlaceBits instructions that the device's configuration loads from a file
-// of hexadecimal words; without one all of them are 0, which do nothing. Block RAM is slow, so a
+// of hexadecimal words; without one all of them are 0, no instructions. Block RAM is slow, so a
 // register follows it.
 //
 //   clock          0       1             2

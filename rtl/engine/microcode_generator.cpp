@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <stdexcept>
@@ -23,6 +22,7 @@
 #include "ref/format/parameter_text.hpp"
 #include "ref/text/text_file.hpp"
 #include "rtl/engine/assembler/listing.hpp"
+#include "rtl/engine/compiler/microcode_files.hpp"
 #include "rtl/engine/compiler/motion_program.hpp"
 
 namespace {
@@ -91,12 +91,6 @@ void check_period(const ref::CoreParameters& core, const Values& values) {
                     period, least, static_cast<int>(std::ceil(std::log2(least)))));
 }
 
-void write(const std::string& file, const std::string& text) {
-    std::ofstream stream(file);
-    stream << text << std::flush;
-    if (!stream) throw std::runtime_error("cannot write " + file);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -111,10 +105,9 @@ int main(int argc, char** argv) {
         check_period(core, values);
         const assembler::Assembly made = assembler::motion_program(
             core, {values.at("SegmentQueueWords"), values.at("ProfileQueueWords")}, argv[1]);
-        const std::string folder = argv[2];
-        write(folder + "/program.hex", program_hex(made));
-        write(folder + "/data.hex", data_hex(made));
-        write(folder + "/motion.lst", listing(made, {}));
+        assembler::MicrocodeFiles files = assembler::microcode_files(made);
+        files["motion.lst"] = listing(made, {});
+        assembler::write_files(files, argv[2]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "microcode_generator: %s\n", error.what());
         return 1;

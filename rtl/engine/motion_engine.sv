@@ -10,7 +10,8 @@
 //   OUT                                    out_valid_o
 //   BR                conditions_i, tick_i
 //
-// Two programs: due_i starts the foreground; late_o stays 1 if it still ran then.
+// Two programs: due_i starts the foreground; late_o stays 1 if it still ran then. changed_o stays 1
+// from the clock behind the first term of an instruction that is not as it was made.
 `default_nettype none
 module motion_engine #(
     parameter int PlaceBits = 11,  // [1, 15]: 2^PlaceBits instructions
@@ -23,9 +24,10 @@ module motion_engine #(
     input wire logic rst_ni,
 
     input  wire logic due_i,
-    input  wire logic tick_i,  // the foreground may wait for it, exactly
-    output logic      busy_o,  // the foreground runs
+    input  wire logic tick_i,    // the foreground may wait for it, exactly
+    output logic      busy_o,    // the foreground runs
     output logic      late_o,
+    output logic      changed_o,
 
     input  wire logic [12:0] conditions_i,  // 3 to 15
     output logic             in_valid_o,
@@ -71,6 +73,7 @@ module motion_engine #(
   logic [31:0] instruction;
   logic [23:0] fields;
   assign fields = instruction[23:0];
+  always_ff @(posedge clk_i) changed_o <= rst_ni && (changed_o || (run && !(^instruction)));
   engine_program #(
       .PlaceBits(PlaceBits),
       .Program  (Program)
@@ -273,7 +276,7 @@ module motion_engine #(
     out_q       <= rst_ni && run && is_out;
     out_last_q  <= last_column;
     out_limb_q  <= limb[1:0];
-    out_valid_o <= rst_ni && out_q;
+    out_valid_o <= rst_ni && out_q && !changed_o;
     out_port_o  <= out_port;
     out_limb_o  <= out_limb_q;
     out_data_o  <= first_limb;

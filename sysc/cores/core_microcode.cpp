@@ -3,18 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
-#include "rtl/engine/assembler/listing.hpp"
 #include "sysc/cli/usage_error.hpp"
 
 namespace curvecore::sysc {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr const char* kProgram = "program.hex";
-constexpr const char* kData = "data.hex";
 
 bool has(const fs::path& file, const std::string& text) {
     std::ifstream stream(file, std::ios::binary);
@@ -23,36 +20,32 @@ bool has(const fs::path& file, const std::string& text) {
     return stream && found.str() == text;
 }
 
-void write_file(const fs::path& file, const std::string& text) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream) throw std::runtime_error("cannot write " + file.string());
-}
-
 }  // namespace
 
 CoreMicrocode::CoreMicrocode(const CoreParameters& parameters, const assembler::QueueWords& queues,
                              const fs::path& sources) {
     if (parameters.build != Build::kEngine) return;
     try {
-        const assembler::Assembly made =
-            assembler::motion_program(parameters, queues, sources.string());
-        program_ = assembler::program_hex(made);
-        data_ = assembler::data_hex(made);
+        files_ = assembler::microcode_files(
+            assembler::motion_program(parameters, queues, sources.string()));
     } catch (const assembler::AssemblyError& error) {
         throw UsageError(fmt::format("there is no engine with {}: {}",
                                      ref::parameters_text(parameters), error.what()));
     }
 }
 
-void CoreMicrocode::write(const fs::path& folder) const {
-    if (empty()) return;
-    write_file(folder / kProgram, program_);
-    write_file(folder / kData, data_);
+std::string CoreMicrocode::text() const {
+    std::string all;
+    for (const auto& [name, text] : files_) all += text;
+    return all;
 }
 
+void CoreMicrocode::write(const fs::path& folder) const { assembler::write_files(files_, folder); }
+
 bool CoreMicrocode::lies_in(const fs::path& folder) const {
-    return empty() || (has(folder / kProgram, program_) && has(folder / kData, data_));
+    return std::all_of(files_.begin(), files_.end(), [&folder](const auto& file) {
+        return has(folder / file.first, file.second);
+    });
 }
 
 }  // namespace curvecore::sysc

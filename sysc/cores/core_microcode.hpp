@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <string>
 
+#include "rtl/engine/compiler/microcode_files.hpp"
 #include "rtl/engine/compiler/motion_program.hpp"
 #include "sysc/core/core_parameters.hpp"
 
@@ -19,14 +20,14 @@ class CoreMicrocode {
     CoreMicrocode(const CoreParameters& parameters, const assembler::QueueWords& queues,
                   const std::filesystem::path& sources);
 
-    bool empty() const { return program_.empty(); }
-    std::string text() const { return program_ + data_; }
+    bool empty() const { return files_.empty(); }
+    std::string text() const;
     void write(const std::filesystem::path& folder) const;
     /// Returns true if the folder has these texts.
     bool lies_in(const std::filesystem::path& folder) const;
 
   private:
-    std::string program_, data_;
+    assembler::MicrocodeFiles files_;
 };
 
 }  // namespace curvecore::sysc

@@ -47,20 +47,18 @@ StoreSize motion_store(const ref::CoreParameters& core) {
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
                         const std::string& tree) {
     Assembly assembly(motion_store(core));
-    assembly.from({"motion", 0, "reset"});
-    assembly.branch("reset");
-    assembly.branch("foreground");
     define_words(core, queues.segments, queues.profile, assembly);
+    assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
+    assemble_source(tree + "/rtl/engine/programs/reset.asm", assembly);
     std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
     if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
-    assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
     assemble_follow(tree + "/rtl/engine/programs", tables, core, assembly);
     for (const char* source : {"path", "stops", "rate", "pieces", "share", "words", "segment_words",
                                "piece_words", "ledger", "settings", "powers", "motion"}) {
         assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
     }
     put_sample(core, assembly);
-    assembly.label("reset");
+    assembly.label("first_values");
     assembly.open_further();
     assembly.put_starts();
     assembly.call("put_powers");

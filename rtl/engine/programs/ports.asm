@@ -45,3 +45,4 @@ data path_high = 27
 data path_increment = 28   # 4 limbs
 data path_rate = 29        # 2 limbs: with the last one all of the path is there
 data empties = 30          # segments without length, so far, 2 limbs
+data made_for = 31         # what all programs are made for: word_numbers.hpp

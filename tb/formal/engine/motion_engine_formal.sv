@@ -3,7 +3,8 @@
 // other, whatever stands in its memories and whatever comes in: when each instruction begins, of
 // which program and at which place; where each term reads its limbs and how columns gather them;
 // which limbs are written, when, where, from which bits of a sum; flags, pages and links; what
-// ports are asked and told; that the foreground is late. Reset lasts a clock.
+// ports are asked and told, and that nothing is told from a changed instruction on; that the
+// foreground is late. Reset lasts a clock.
 //
 // The reference below executes instruction.hpp term by term. Products, sums, and what the memories
 // read, may be anything: tb/unit/arithmetic/motion_engine_test.cpp has the numbers.
@@ -22,6 +23,8 @@
 // control: LONG_SIGN engine_result s/product_i ? sum_i\[14\] : sum_i\[15\]/sum_i[15]/
 // control: ONE_FLAG engine_result s/zero_q\[thread_i\] /zero_q[0] /
 // control: WRITES_IN_RESET engine_result s/write_q <= rst_ni ?/write_q <= 1'b1 ?/
+// control: TELLS_ON motion_engine s/out_q \&\& !changed_o/out_q/
+// control: FORGETS_CHANGE motion_engine s/changed_o || (run/(run/
 // control: ONE_LINK engine_branch s/link_q\[thread_i\] <= pc_q/link_q[0] <= pc_q/
 // control: NO_WAIT engine_branch s/ \&\& !tick_i;/ \&\& !tick_i \&\& negative_i;/
 // control: LINK_STAYS engine_branch s/      link_q\[1\] <= '0;//
@@ -41,7 +44,7 @@ module motion_engine_formal #(
     input wire logic [15:0] in_data_i
 );
 
-  logic busy, late, in_valid, out_valid;
+  logic busy, late, changed, in_valid, out_valid;
   logic [4:0] in_port, out_port;
   logic [1:0] in_limb, out_limb;
   logic [15:0] out_data;
@@ -55,6 +58,7 @@ module motion_engine_formal #(
       .tick_i,
       .busy_o     (busy),
       .late_o     (late),
+      .changed_o  (changed),
       .conditions_i,
       .in_valid_o (in_valid),
       .in_port_o  (in_port),
@@ -126,6 +130,7 @@ module motion_engine_formal #(
   assign is_product = op >= 4'd8 && op <= 4'd12;
   assign is_branch  = !is_product && !is_sum && !is_in && !is_out;
 
+  logic changed_q;  // an instruction had an even number of ones
   logic running_q;  // a term
   logic thread_q;  // its program
   logic [2:0] column_q;
@@ -261,6 +266,7 @@ module motion_engine_formal #(
       zero_q        <= '0;
       foreground_q  <= 1'b0;
       late_q        <= 1'b0;
+      changed_q     <= 1'b0;
       ended_q       <= 1'b0;
       left_q        <= 3'd4;
       kept_q        <= '0;
@@ -287,6 +293,8 @@ module motion_engine_formal #(
           left_q    <= is_branch ? 3'd2 : is_out ? 3'd1 : 3'd4;
         end
       end
+
+      if (running_q && ($countones(word_q) & 1) == 0) changed_q <= 1'b1;
 
       // Branches
       foreground_q <= foreground_q || due_i;
@@ -315,7 +323,7 @@ module motion_engine_formal #(
       out_q        <= running_q && is_out;
       out_top_q    <= last;
       out_limb_q   <= column_q[1:0];
-      out_2_q      <= out_q;
+      out_2_q      <= out_q && !changed_q;
       out_limb_2_q <= out_limb_q;
       out_port_2_q <= f1[4:0];
       out_data_2_q <= first_limb_read;
@@ -338,6 +346,7 @@ module motion_engine_formal #(
       if (reads) Place : assert (read_place == pc_q[foreground_q]);
       Busy : assert (busy == (foreground_q || ended_q));
       Late : assert (late == late_q);
+      Changed : assert (changed == changed_q);
 
       // Terms
       if (running_q && reads_first) First : assert (first == expected_first);

@@ -45,7 +45,8 @@ inline std::uint32_t meaning(const engine::Instruction& i) {
 inline std::vector<std::uint32_t> mutants(const engine::Instruction& i) {
     std::vector<std::uint32_t> words{encode(engine::Instruction())};
     for (int bit = 0; bit < 32; ++bit) {
-        if ((meaning(i) >> bit & 1) != 0) words.push_back(encode(i) ^ std::uint32_t{1} << bit);
+        if ((meaning(i) >> bit & 1) == 0) continue;
+        words.push_back(encode(engine::decode(encode(i) ^ std::uint32_t{1} << bit)));
     }
     return words;
 }

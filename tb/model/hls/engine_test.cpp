@@ -177,8 +177,35 @@ TEST(Engine, OverlapsTellsEveryHazard) {
 TEST(Engine, InstructionsAreTheirWords) {
     std::mt19937_64 random(3);
     for (int n = 0; n < 100'000; ++n) {
-        const auto word = static_cast<std::uint32_t>(random()) & ~(std::uint32_t(1) << 25);
-        ASSERT_EQ(encode(decode(word)), word);
+        const auto word = static_cast<std::uint32_t>(random());
+        ASSERT_EQ(encode(decode(word)), is_whole(word) ? word : word ^ kParity);
+        ASSERT_EQ(is_whole(word), __builtin_popcount(word) % 2 == 1);
+    }
+    EXPECT_FALSE(is_whole(0));
+}
+
+TEST(Engine, PutsOutNothingFromAChangedInstructionOn) {
+    struct Ear : QuietBoard {
+        int heard = 0;
+        void out(int, int, std::int16_t, std::uint64_t) { ++heard; }
+    };
+    const Instruction put = instruction(Op::kOut, 2, 8, 20, 0);
+    const Instruction sum = instruction(Op::kAdd, 3, 8, 9, 10);
+    for (int bit = 0; bit < 32; ++bit) {
+        for (const int changed : {0, 1, 2}) {
+            std::vector<std::uint32_t> program(4);
+            const Instruction lines[] = {put, sum, put};
+            for (std::size_t n = 0; n < 3; ++n) program[n] = encode(lines[n]);
+            program[std::size_t(changed)] ^= std::uint32_t(1) << bit;
+            Engine engine(program, empty_memory());
+            Ear board;
+            for (int n = 0; n < 3; ++n) {
+                ASSERT_EQ(engine.changed(), n > changed);
+                engine.step(board);
+            }
+            EXPECT_TRUE(engine.changed());
+            EXPECT_EQ(board.heard, changed == 0 ? 0 : 2) << bit;
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 // rtl/engine/motion_engine.sv beside its twin: random instructions on random words, of both
 // programs, with due, tick, conditions and answers of ports at random clocks. On every clock the
 // same instruction begins, the same limb is written, asked for and put out; late and the whole
-// memory are the same in the end.
+// memory are the same in the end. In every other program a bit of an instruction is changed.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -89,7 +89,7 @@ struct NoisyBoard : engine::QuietBoard {
 /// A random instruction: any word, or one whose fields are likely to meet.
 std::uint32_t random_instruction(std::mt19937_64& random) {
     auto word = static_cast<std::uint32_t>(random());
-    if (random() % 4 == 0) return word;
+    if (random() % 4 == 0) return engine::is_whole(word) ? word : word ^ engine::kParity;
     const Op ops[] = {Op::kBr,   Op::kOut,  Op::kIn,   Op::kAdd, Op::kSub,
                       Op::kMull, Op::kMulr, Op::kMadr, Op::kMac, Op::kShr};
     engine::Instruction i = engine::decode(word);
@@ -127,6 +127,9 @@ class MotionEngine : public testing::Test {
         program_.resize(kProgram);
         for (std::uint32_t& word : program_) word = random_instruction(random);
         std::copy(lines.begin(), lines.end(), program_.begin());
+        if (lines.empty() && seed % 2 == 0) {
+            program_[random() % program_.size()] ^= std::uint32_t{1} << random() % 32;
+        }
         memory_ = random_limbs(random);
         for (int n = 0; n < kProgram; ++n) {
             dut_->rootp->motion_engine__DOT__u_program__DOT__memory[n] =
@@ -199,6 +202,8 @@ class MotionEngine : public testing::Test {
         // The twin has looked at every due until shortly before its last instruction.
         const std::uint64_t seen = begin - 2;
         ASSERT_EQ(std::min(late_clock_, seen), std::min(board_.late_clock, seen));
+        ASSERT_EQ(dut_->changed_o != 0, twin.changed());
+        changed_ += twin.changed() ? 1 : 0;
         lates_ += board_.late_clock < seen;
         for (int n = 0; n < 4 * kWords; ++n) {
             const auto limb =
@@ -218,6 +223,7 @@ class MotionEngine : public testing::Test {
     std::uint64_t clocks_ = 0;
     int foreground_ = 0;  // instructions of it
     int lates_ = 0;       // programs that were late
+    int changed_ = 0;     // programs that came to a changed instruction
 };
 
 TEST_F(MotionEngine, IsItsTwinOnEveryClock) {
@@ -229,11 +235,13 @@ TEST_F(MotionEngine, IsItsTwinOnEveryClock) {
     }
     std::cout << programs * instructions << " instructions, " << foreground_
               << " of them of the foreground, in " << clocks_ << " clocks; " << lates_ << " of "
-              << programs << " programs late\n";
+              << programs << " programs late, " << changed_ << " found a change\n";
     EXPECT_GT(foreground_, programs * instructions / 10);
     EXPECT_LT(foreground_, programs * instructions / 10 * 9);
     EXPECT_GT(lates_, programs / 10);
     EXPECT_LT(lates_, programs);
+    EXPECT_GT(changed_, programs / 20);
+    EXPECT_LE(changed_, programs / 2);
 }
 
 TEST_F(MotionEngine, IsLateIfDueComesUntilTheClockOfTheForegroundsEnd) {

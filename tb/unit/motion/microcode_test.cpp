@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+// Microcode of rtl/motion_interpolator.sv that is not its own, or not as it was made: it is
+// refused, or draws nothing that the kernel would not draw. Data that change are not found out:
+// what they do is counted here.
+#include <gtest/gtest-spi.h>
+#include <verilated.h>
+#include <verilated_sym_props.h>
+
+#include "hls/instruction.hpp"
+#include "hls/registers/registers.h"
+#include "rtl/engine/compiler/motion_program.hpp"
+#include "tb/support/bench/motion_bench.hpp"
+#include "tb/support/programs/long_form.hpp"
+
+namespace curvecore::tb {
+namespace {
+
+constexpr std::uint32_t kRefused = CURVECORE_STATE_MOTION_NO_SAMPLE;
+constexpr int kPatience = 1 << 17;  // clocks until it is refused
+
+class Microcode : public MotionInterpolator {
+  protected:
+    Microcode() { dut_.limit_cycles(~std::uint64_t{0}); }
+
+    assembler::Assembly made_for_core(const sysc::CoreParameters& core,
+                                      const assembler::QueueWords& queues) {
+        return assembler::motion_program(core, queues, RTL_DIR "/..");
+    }
+    assembler::Assembly own() { return made_for_core(core_, queues_); }
+
+    /// A memory of the model, by its module and name.
+    template <class Word>
+    Word* memory(const std::string& module, const std::string& name) {
+        const std::string place = "dut.motion_interpolator.g_engine.u_motion.u_engine." + module;
+        const VerilatedScope* scope = Verilated::scopeFind(place.c_str());
+        if (scope == nullptr) throw std::logic_error("no scope " + place);
+        return static_cast<Word*>(scope->varFind(name.c_str())->datap());
+    }
+    std::uint32_t& instruction(std::size_t place) {
+        return memory<std::uint32_t>("u_program", "memory")[place];
+    }
+    std::uint16_t& limb(int copy, std::size_t place) {
+        return memory<std::uint16_t>("u_memory", copy == 0 ? "memory_a" : "memory_b")[place];
+    }
+
+    /// Loads a program, as much of it as fits, and begins anew.
+    void load(const assembler::Assembly& from) {
+        const std::vector<std::uint32_t> program = from.program();
+        const std::vector<std::int16_t> data = from.memory();
+        for (std::size_t n = 0; n < own_.program().size(); ++n) {
+            instruction(n) = n < program.size() ? program[n] : 0;
+        }
+        for (std::size_t n = 0; n < own_.memory().size(); ++n) {
+            const std::int16_t value = n < data.size() ? data[n] : std::int16_t{0};
+            limb(0, n) = limb(1, n) = static_cast<std::uint16_t>(value);
+        }
+        start_afresh();
+    }
+
+    const assembler::QueueWords queues_{1024, 256};
+    const assembler::Assembly own_ = own();
+};
+
+TEST_F(Microcode, OfOtherParametersIsRefused) {
+    struct Other {
+        const char* what;
+        int sysc::CoreParameters::*value;
+        int is;
+    };
+    const Other others[] = {{"Order", &sysc::CoreParameters::order, 5},
+                            {"Order", &sysc::CoreParameters::order, 12},
+                            {"CoefBits", &sysc::CoreParameters::coef_bits, 35},
+                            {"PositionBits", &sysc::CoreParameters::position_bits, 31},
+                            {"GuardBits", &sysc::CoreParameters::guard_bits, 9},
+                            {"AuxAxes", &sysc::CoreParameters::aux_axes, 1},
+                            {"Splines", &sysc::CoreParameters::splines, 0},
+                            {"Mode", &sysc::CoreParameters::mode, 0}};
+    std::vector<std::pair<std::string, assembler::Assembly>> foreign;
+    for (const Other& other : others) {
+        sysc::CoreParameters core = core_;
+        ASSERT_NE(core.*other.value, other.is) << other.what;
+        core.*other.value = other.is;
+        foreign.emplace_back(other.what, made_for_core(core, queues_));
+    }
+    foreign.emplace_back("SegmentQueueWords", made_for_core(core_, {2048, 256}));
+    foreign.emplace_back("ProfileQueueWords", made_for_core(core_, {1024, 512}));
+    for (const auto& [what, program] : foreign) {
+        load(program);
+        this->program(pieces(1, 10, 20, 40, 3 << 16));
+        requesting_ = true;
+        for (int n = 0; n < kPatience + 10 && !HasFatalFailure(); ++n) clock();
+        EXPECT_NE(dut_->fault_o & kRefused, 0U) << what;  // and others, of words
+        EXPECT_EQ(requested_, 0) << what;
+    }
+    load(own_);
+    program(pieces(1, 10, 20, 40, 3 << 16));
+    fill();
+    run();
+}
+
+// A bit of an instruction changes while a program is drawn, or before.
+TEST_F(Microcode, ThatChangesDrawsNothingFromThenOn) {
+    const int changes = cases(20, 500);
+    int found = 0;
+    for (int n = 0; n < changes && !HasFatalFailure(); ++n) {
+        load(own_);
+        program(pieces(static_cast<std::uint32_t>(n), 10, 20, 40, 3 << 16));
+        requesting_ = true;
+        const std::size_t place = random_() % own_.placed().size();
+        const std::uint64_t when = random_() % 60'000;
+        std::int64_t more = 0;  // samples behind it
+        for (std::uint64_t at = 0; at < when + 60'000 && !HasFatalFailure(); ++at) {
+            if (at == when) instruction(place) ^= std::uint32_t{1} << random_() % 32;
+            const std::int64_t before = samples_;
+            clock();
+            ASSERT_TRUE(dut_->fault_o == 0 || dut_->fault_o == kRefused) << dut_->fault_o;
+            if (dut_->fault_o != 0) more += samples_ - before;
+        }
+        ASSERT_LE(more, 16);  // those that were whole
+        found += dut_->fault_o != 0 ? 1 : 0;
+    }
+    std::cout << changes << " changes, " << found << " of them in what was executed\n";
+    EXPECT_GT(found, changes / 4);
+}
+
+// A bit of a data word in one of its two copies changes, of any word: nothing finds it out but what
+// checks the words. The motion goes on as it was, goes wrong, is at fault, or stops, which is late.
+TEST_F(Microcode, WhoseDataChangeIsNotRefused) {
+    const int changes = cases(10, 500);
+    int same = 0;
+    int wrong = 0;
+    int faults = 0;
+    int stops = 0;
+    for (int n = 0; n < changes; ++n) {
+        load(own_);
+        program(pieces(static_cast<std::uint32_t>(n), 10, 20, 40, 3 << 16));
+        requesting_ = true;
+        const std::size_t place = random_() % own_.memory().size();
+        const int copy = static_cast<int>(random_() % 2);
+        const std::uint64_t when = random_() % 60'000;
+        std::int64_t before = 0;
+        testing::TestPartResultArray differences;
+        {
+            const testing::ScopedFakeTestPartResultReporter seen(
+                testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD,
+                &differences);
+            for (std::uint64_t at = 0; at < when + 100'000 && differences.size() == 0; ++at) {
+                if (at == when)
+                    limb(copy, place) ^= static_cast<std::uint16_t>(1 << random_() % 16);
+                if (at == when + 50'000) before = samples_;
+                clock();
+            }
+        }
+        if (dut_->fault_o != 0) {
+            ++faults;
+        } else if (differences.size() > 0) {
+            ++wrong;
+        } else {
+            ++(samples_ > before ? same : stops);
+        }
+    }
+    std::cout << "of " << changes << " changes " << same << " change nothing, " << wrong
+              << " a sample, " << faults << " are faults, " << stops << " stop the samples\n";
+    EXPECT_GT(same, changes / 2);
+}
+
+}  // namespace
+}  // namespace curvecore::tb
