@@ -18,7 +18,6 @@ namespace {
 constexpr int kCoverRounds = 12;
 // Share of an optimum: where a queue is short for more, all of it is slowed.
 constexpr double kMost = 0.5;
-constexpr double kMostSlower = 2;       // times the time, at most
 constexpr double kSlowerExact = 0.004;  // share to which that is found
 // Share of pieces: as few that were cut for branches are not worth a plan without.
 constexpr double kCutPieces = 0.1;
@@ -115,13 +114,13 @@ Uncovered lay(const FeedTask& task, const WindowMotion& motion, Plan& plan) {
 }
 
 /// Goes through all of a motion more slowly, no more than the queues need: stops are then shorter,
-/// too. Returns none if that takes more than kMostSlower times the time, or than `most` seconds.
+/// too. Returns none if that takes more than `most` seconds.
 std::optional<WindowProfile> slow_all(const FeedTask& task, const FeedWindow& window,
                                       std::size_t cut, double most, const Plan& fastest) {
     std::optional<WindowProfile> best;
     double low = 1;
-    for (double high = kMostSlower, factor = high; factor - low > kSlowerExact * low || !best;
-         factor = (low + high) / 2) {
+    for (double high = 2, factor = high; factor - low > kSlowerExact * low || !best;
+         factor = best ? (low + high) / 2 : 2 * low) {
         WindowProfile slower{window.slower_motion(factor), fastest, cut,
                              task.geometry.moves.size()};
         if (!lay(task, slower.motion, slower.plan).any()) {
@@ -129,10 +128,9 @@ std::optional<WindowProfile> slow_all(const FeedTask& task, const FeedWindow& wi
             slower.plan.slowed_line = line_of(task, 0);
             best.emplace(std::move(slower));
             high = factor;
-        } else if (!best) {
-            break;
         } else {
             low = factor;
+            if (!best && low * fastest.duration_s > most) break;
         }
     }
     if (best && best->plan.duration_s > most) best.reset();

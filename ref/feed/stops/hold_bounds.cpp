@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "ref/feed/pieces/piece_loads.hpp"
 #include "ref/format/path_words.hpp"
 #include "ref/limits/limits.hpp"
+#include "ref/numeric/unlimited.hpp"
 #include "ref/text/input_error.hpp"
 
 namespace curvecore::ref {
@@ -15,6 +17,10 @@ namespace {
 
 constexpr double kFineFrom = kFineRate / 65536.0;
 constexpr double kFiner = 1 << kFineShift;
+constexpr double kOfSlope = 0.8;    // share of the jerk's rest: most stops are quickest about here
+constexpr double kRatios = 16;      // classes of a doubling of r'' / r'
+constexpr double kMostRatio = 1e6;  // 1/s; what is steeper is as steep
+constexpr int kSlopes = 32;         // slopes that are compared, and 0
 
 /// Load of a motion on a limit.
 struct Load {
@@ -23,33 +29,56 @@ struct Load {
     double j = 0;
 };
 
-/// Bounds of a hold, the derivatives of time's rate r. They begin finite, so steep that only a
-/// program that hardly moves keeps them.
-struct Slopes {
-    double slope = 1e9;   // r', 1/s
-    double change = 1e9;  // r'', 1/s^2
-
-    /// Keeps the bounds within what the load leaves of the limits up to the rate `top`, for `finer`
-    /// of the bounds.
-    void keep(const Load& load, double acceleration, double jerk, double top, double finer) {
-        constexpr double kOfSlope = 0.8;  // share of the jerk's rest: stops are quickest about here
-        if (load.v == 0) return;
-        const double rest = finer * (acceleration - top * top * load.a);
-        const double room = finer * (jerk - top * top * top * load.j);
-        slope = std::min(slope, rest / load.v);
-        slope = std::min(slope, kOfSlope * room / (3 * top * load.a));
-        change = std::min(change, (1 - kOfSlope) * room / load.v);
-    }
-
+/// Room that loads leave for the derivatives r' and r'' of time's rate in a hold. The bounds begin
+/// finite, so steep that only a program that hardly moves keeps them.
+class HoldRoom {
+  public:
     void keep(const Load& load, double acceleration, double jerk) {
         keep(load, acceleration, jerk, kFineFrom, 1);
         keep(load, acceleration, jerk, 1, kFiner);
     }
 
-    void set(const PlanOptions& options, Plan& plan) const;
+    /// Sets bounds that share the least r' and the least r'' of the jerk alone at any places.
+    void set(const PlanOptions& options, PlanFrame& plan) const;
+    /// Sets the bounds with which a stop takes the fewest ticks.
+    void set_quickest(const PlanOptions& options, PlanFrame& plan) const;
+
+  private:
+    /// Bounds by the jerk: r' / slope + r'' / change <= 1.
+    struct Jerk {
+        double slope = 1e9;   // 1/s
+        double change = 1e9;  // 1/s^2
+    };
+
+    void keep(const Load& load, double acceleration, double jerk, double top, double finer);
+    double least(double Jerk::*bound) const;
+
+    double slope_ = 1e9;         // r' by the acceleration, 1/s
+    std::map<int, Jerk> jerks_;  // least bounds by the logarithm of change / slope
 };
 
-void Slopes::set(const PlanOptions& options, Plan& plan) const {
+/// Keeps the bounds within what the load leaves of the limits up to the rate `top`, for `finer` of
+/// the bounds.
+void HoldRoom::keep(const Load& load, double acceleration, double jerk, double top, double finer) {
+    if (load.v == 0) return;
+    const double rest = finer * (acceleration - top * top * load.a);
+    const double room = finer * (jerk - top * top * top * load.j);
+    slope_ = std::min(slope_, rest / load.v);
+    const double bend = 3 * top * load.a;
+    const double ratio = std::clamp(bend / load.v, 1 / kMostRatio, kMostRatio);
+    Jerk& least = jerks_[static_cast<int>(std::lround(kRatios * std::log2(ratio)))];
+    least.slope = std::min(least.slope, room / bend);
+    least.change = std::min(least.change, room / load.v);
+}
+
+double HoldRoom::least(double Jerk::*bound) const {
+    double least = Jerk().*bound;
+    for (const auto& [ratio, jerk] : jerks_) least = std::min(least, jerk.*bound);
+    return least;
+}
+
+/// Sets the bounds in words; returns false if the smallest words exceed them.
+bool set_words(double slope, double change, const PlanOptions& options, PlanFrame& plan) {
     const double tick = options.tick_s();
     const double second = std::ldexp(change * tick * tick, 32);
     plan.hold_acceleration = static_cast<std::uint32_t>(
@@ -59,13 +88,34 @@ void Slopes::set(const PlanOptions& options, Plan& plan) const {
     plan.hold_slope_steps = static_cast<std::uint32_t>(
         std::clamp(std::floor(steps), 1.0, std::min(most, 4294967295.0)));
     plan.stop_ticks = stop_ticks(plan.hold_acceleration, plan.hold_slope_steps);
+    return second >= kFiner && steps >= 1;
+}
+
+void HoldRoom::set(const PlanOptions& options, PlanFrame& plan) const {
+    const double slope = std::min(slope_, kOfSlope * least(&Jerk::slope));
+    set_words(slope, (1 - kOfSlope) * least(&Jerk::change), options, plan);
+}
+
+void HoldRoom::set_quickest(const PlanOptions& options, PlanFrame& plan) const {
+    set(options, plan);
+    const double most = std::min(slope_, least(&Jerk::slope));
+    for (int step = 1; step < kSlopes; ++step) {
+        const double slope = most * step / kSlopes;
+        double change = kUnlimited;
+        for (const auto& [ratio, jerk] : jerks_) {
+            change = std::min(change, jerk.change * (1 - slope / jerk.slope));
+        }
+        PlanFrame other = plan;
+        const bool kept = set_words(slope, change, options, other);
+        if (kept && other.stop_ticks < plan.stop_ticks) plan = other;
+    }
 }
 
 }  // namespace
 
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, const Geometry& geometry,
                      Plan& plan) {
-    Slopes of;
+    HoldRoom of;
     const PieceGrid grid(machine, options.unit_mm, options.tick_s());
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
         const PieceMotion from = motion(stretch, 0, plan);
@@ -95,7 +145,7 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
 
 void set_close_hold_bounds(const Program& program, const Machine& machine,
                            const PlanOptions& options, const Geometry& geometry, Plan& plan) {
-    Slopes of;
+    HoldRoom of;
     const PieceGrid grid(machine, options.unit_mm, options.tick_s());
     PathPlaces places(program, geometry, options.unit_mm);
     walk_pieces(plan, geometry, grid, [&](const PieceStretch& stretch) {
@@ -112,7 +162,7 @@ void set_close_hold_bounds(const Program& program, const Machine& machine,
                        }
                    });
     });
-    of.set(options, plan);
+    of.set_quickest(options, plan);
 }
 
 void set_hold_bounds(const Machine& machine, const PlanOptions& options, double fastest,
@@ -120,7 +170,7 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, double 
     // The path takes no more than its axes do together, and X Y Z no more than the path.
     const PathLimits path{machine.velocity, machine.acceleration, machine.jerk};
     PathLimits together{0, 0, 0};
-    Slopes of;
+    HoldRoom of;
     const auto keep = [&](const PathLimits& own, const PathLimits& most) {
         of.keep({std::min({fastest, own.velocity, most.velocity}),
                  kAccelerationShare * std::min(own.acceleration, most.acceleration),

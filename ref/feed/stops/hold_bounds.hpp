@@ -20,7 +20,8 @@ void set_hold_bounds(const Machine& machine, const PlanOptions& options, const G
                      Plan& plan);
 
 /// Sets bounds of the same inequalities, by what pieces take of path and axes at places along them
-/// instead of what they may: a stop is quicker, and it takes longer to find.
+/// instead of what they may, and r' and r'' share the jerk so that a stop is quickest: it takes
+/// fewer ticks, and longer to find.
 void set_close_hold_bounds(const Program& program, const Machine& machine,
                            const PlanOptions& options, const Geometry& geometry, Plan& plan);
 
