@@ -68,7 +68,7 @@ TEST_F(Microcode, OfOtherParametersIsRefused) {
         int is;
     };
     const Other others[] = {{"Order", &sysc::CoreParameters::order, 5},
-                            {"Order", &sysc::CoreParameters::order, 12},
+                            {"Order", &sysc::CoreParameters::order, 9},
                             {"CoefBits", &sysc::CoreParameters::coef_bits, 35},
                             {"PositionBits", &sysc::CoreParameters::position_bits, 31},
                             {"GuardBits", &sysc::CoreParameters::guard_bits, 9},
@@ -82,6 +82,10 @@ TEST_F(Microcode, OfOtherParametersIsRefused) {
         core.*other.value = other.is;
         foreign.emplace_back(other.what, made_for_core(core, queues_));
     }
+    sysc::CoreParameters larger = core_;  // a store of 4,096 instructions
+    larger.order = 12;
+    larger.splines = 0;
+    foreign.emplace_back("the store", made_for_core(larger, queues_));
     foreign.emplace_back("SegmentQueueWords", made_for_core(core_, {2048, 256}));
     foreign.emplace_back("ProfileQueueWords", made_for_core(core_, {1024, 512}));
     for (const auto& [what, program] : foreign) {
