@@ -156,20 +156,11 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
             network + sample + 3 * core.aux_axes + 162 + late_clocks(core)};
 }
 
-/// Upper bound from tick to tick of time in the serial build, rtl/path/path_sequencer.sv. A product
-/// takes 16 + m clocks, its rounding to quanta 34 - e; m = 19 and e = 0 at the start of a piece. A
-/// jump costs a clock.
-constexpr int kSerialTickClocks = 3 * (16 + 19 + 6) + (34 - 0 + 3) + 32;
-
-/// Upper bound from a tick's target to its rate in the serial build,
-/// rtl/time/time_scaler_serial.sv. The last tick is evaluated meanwhile.
-constexpr int kSerialScaleClocks = 58;
-
 /// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
 constexpr int kEngineRestClocks = 760;   // the loop: a request and the sample
-constexpr int kEngineTickClocks = 2260;  // of time
+constexpr int kEngineTickClocks = 2420;  // of time
 
 /// Clocks in which a word enters its queue, on the average of a segment's: a few take three times
 /// as long. And the words that enter for a segment: its own, and those of two pieces with a step
@@ -209,11 +200,10 @@ constexpr Clocks engine_clocks(const TimedCore& core, bool spline) {
             sample + engine_segment_clocks(core, spline)};
 }
 
-/// Clocks from a tick of time to the next; the engine makes ticks and samples in turn.
+/// Clocks from a tick of time to the next; the engine makes ticks and samples in turn. The serial
+/// build, a curve core alone, makes none.
 constexpr int tick_clocks(const TimedCore& core) {
-    if (core.build == Build::kEngine) return kEngineTickClocks;
-    return core.build == Build::kSerial ? std::max(kSerialScaleClocks, kSerialTickClocks)
-                                        : core.sample_interval;
+    return core.build == Build::kEngine ? kEngineTickClocks : core.sample_interval;
 }
 
 /// Clocks along lines, arcs and helices.

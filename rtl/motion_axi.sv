@@ -7,7 +7,7 @@
 // would be the middle of a program, which is a fault.
 `default_nettype none
 module motion_axi #(
-    parameter int Build             = 1,     // 0 parallel, 1 serial, 2 the engine
+    parameter int Build             = 2,     // 0 parallel, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]

@@ -3,7 +3,7 @@
 // board carries the bytes: by rtl/line/uart_line.sv, a FIFO, a socket.
 `default_nettype none
 module motion_board #(
-    parameter int Build             = 1,     // 0 parallel, 1 serial, 2 the engine
+    parameter int Build             = 2,     // 0 parallel, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]

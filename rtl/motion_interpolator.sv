@@ -15,9 +15,9 @@
 // Settings are taken while nothing is under way. With settings outside their ranges time does not
 // run; they are reported when a program waits for them, and so is a change while one is under way.
 //
-//   samples per clock                    1 / SampleInterval (Build 0; Build 1: as the core)
-//   request to path increment, clocks    about 60 (Build 1: 60 to 270); to sample: plus the core's
-//   tick of time to tick, clocks         SampleInterval (Build 1: kSerialTickClocks, at most)
+//   samples per clock                    1 / SampleInterval, with Build 0
+//   request to path increment, clocks    about 60; to sample: plus the core's
+//   tick of time to tick, clocks         SampleInterval
 //
 // Build 2 makes ticks, samples and words in turn, in the clocks of hls/clocks.hpp; its programs are
 // made for the parameters, by scripts/microcode.sh.
@@ -46,7 +46,7 @@
 //               cannot be trusted; Build 2: Program is for other parameters, or was changed
 `default_nettype none
 module motion_interpolator #(
-    parameter int Build             = 0,     // 0 parallel, 1 serial, 2 the engine
+    parameter int Build             = 0,     // 0 parallel, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]
@@ -110,7 +110,10 @@ module motion_interpolator #(
     output logic [15:0] empty_segments_o
 );
 
-  initial if (Build < 0 || Build > 2) $fatal(1, "Build must be 0, 1 or 2");
+  initial if (Build < 0 || Build > 2) $fatal(1, "Build must be 0 or 2");
+  initial
+    if (Build == 1)
+      $fatal(1, "Build 1 is a curve core alone, curve_interpolator_serial; Build 2 is as small");
   initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
   initial if (Build != 0 && Anchor != 1) $fatal(1, "Build %0d works with Anchor 1 only", Build);
   initial
@@ -185,7 +188,6 @@ module motion_interpolator #(
     );
   end else begin : g_circuits
     path_interpolator #(
-        .Build(Build),
         .Order(Order),
         .CoefBits(CoefBits),
         .PositionBits(PositionBits),

@@ -23,7 +23,7 @@
 //   step_o                                            low: of the other axes
 `default_nettype none
 module motion_system #(
-    parameter int Build             = 1,     // 0 parallel, 1 serial, 2 the engine
+    parameter int Build             = 2,     // 0 parallel, 2 the engine
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]

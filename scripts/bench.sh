@@ -31,10 +31,11 @@ build/release/tb/bench/planner_speed
 build/curvecore choose --error 1um --radius 300mm --feed 10m/min --device up5k \
   --confirm -q -o build/figures/choose/up5k
 for part in arcs demo; do
-  for build in parallel serial; do
+  for way in "parallel 10us" "engine 1ms"; do
+    read -r build period <<<"$way"
     rm -rf "build/bench/$part-$build"
     build/curvecore run "tb/data/$part.ngc" -o "build/bench/$part-$build" --build "$build" \
-      --sample-period 10us -q
+      --sample-period "$period" -q
   done
 done
 python3 scripts/system_rates.py

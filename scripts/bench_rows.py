@@ -41,7 +41,7 @@ def main():
                 )
             )
     parts = (("arcs", "arcs"), ("demo", "demo part, with splines"))
-    for build in ("parallel", "serial"):
+    for build in ("parallel", "engine"):
         for part, name in parts:
             report = json.loads((BENCH / f"{part}-{build}" / "report.json").read_text())
             clocks = report["simulation_clocks_per_second"]

@@ -168,10 +168,10 @@ steps() {
 }
 
 program() {
-  build motion_steps_serial motion_system_serial motion_system_flat
-  CURVECORE_PART=demo.ngc $tb/motion_steps_serial | tee $out/program.run
+  build motion_steps_parallel motion_system_parallel motion_system_engine motion_system_flat
+  CURVECORE_PART=demo.ngc $tb/motion_steps_parallel | tee $out/program.run
   grep "steps$" $out/program.run | sed "s/$/ from words to pins/" | result
-  for form in serial flat; do
+  for form in parallel engine flat; do
     CURVECORE_PART=demo.ngc $tb/motion_system_$form --gtest_filter="*.Draws*" |
       tee $out/program.run
     grep "clocks$" $out/program.run | sort -u | sed "s/$/ on the system, $form/" | result

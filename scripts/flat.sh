@@ -6,8 +6,8 @@
 #
 # --vhdl: its component for VHDL besides, FILE.vhd, in the package TOP_component.
 # TOP is a module of rtl/, Name a parameter of it: whole numbers. With MultiplierForm 1 or 2 the
-# multipliers are the device's own cells, which its tools know. With Build=2 the engine's programs
-# are in the file.
+# multipliers are the device's own cells, which its tools know. With Build=2, said or by default,
+# the engine's programs are in the file.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 usage() { sed -n '3,10s/^# \{0,1\}//p' "$0"; }
@@ -63,8 +63,10 @@ mkdir -p "$(dirname "$file")"
 made=$(mktemp "$file.XXXXXX")
 trap 'rm -rf "$made" "$made".*' EXIT
 cd "$root/rtl"
-set=$(printf ' -set %s' "${parameters[@]/=/ }")
-if [[ " ${parameters[*]} " = *" Build=2 "* ]]; then
+set=${parameters:+$(printf ' -set %s' "${parameters[@]/=/ }")}
+build=$(sed -nE 's/^ *parameter int Build +=  *([0-9]+),.*/Build=\1/p' "$source")
+[[ " ${parameters[*]}" = *" Build="* ]] && build=
+if [[ " ${parameters[*]} $build " = *" Build=2 "* ]]; then
   mkdir "$made.engine"
   "$root/scripts/microcode.sh" "$made.engine" "$top" "${parameters[@]}" || exit 1
   set+=" -set Program \"$made.engine/program.hex\" -set Data \"$made.engine/data.hex\""
@@ -72,7 +74,7 @@ fi
 yosys -q -w "Replacing memory" -p "
   read_verilog -sv -defer $(grep '\.sv$' curvecore.f | tr '\n' ' ')
   read_verilog -lib +/ecp5/cells_bb.v +/ice40/cells_sim.v
-  ${parameters:+chparam$set $top;} hierarchy -check -top $top
+  ${set:+chparam$set $top;} hierarchy -check -top $top
   proc; flatten; opt_expr; opt_clean; write_verilog $made" >&2 || {
   echo "flat: $top cannot be made${parameters:+ with ${parameters[*]}}" >&2
   exit 1

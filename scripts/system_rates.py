@@ -14,7 +14,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "build/curvecore"
 PART = ROOT / "tb/data/splines.ngc"
-CORE = ["--build", "serial", "--set", "Splines=1", "--set", "Mode=1", "--clock", "2.56MHz", "-q"]
+CORE = ["--set", "Splines=1", "--set", "Mode=1", "--clock", "2.56MHz", "-q"]
 BLOCKS = {
     "kernel, steps by kernel": "interpolator=kernel,steps=kernel",
     "kernel, Verilated step generator": "interpolator=kernel,steps=rtl",

@@ -233,21 +233,13 @@ core_test(word_streams c36 TOP word_streams PARAMS CoefBits=36 FineBits=42 AuxAx
 core_test(word_streams c30_aux2_splines TOP word_streams PARAMS CoefBits=30 FineBits=38 AuxAxes=2
           Splines=1 SegmentQueueWords=128 ProfileQueueWords=32)
 core_test(time_scaler default TOP time_scaler)
-core_test(time_scaler serial TOP time_scaler_serial)
-core_test(rate_generator default TOP rate_generator PARAMS Build=0 Room=128)
-core_test(rate_generator serial TOP rate_generator PARAMS Build=1 Room=16)
+core_test(rate_generator default TOP rate_generator PARAMS Room=128)
 rows(intervals 1 4 MORE 2 8)
 foreach(interval ${intervals})
   core_test(path_generator interval_${interval} TOP path_generator
-            PARAMS Build=0 Interval=${interval})
+            PARAMS Interval=${interval})
 endforeach()
-set(tests *)
-if(NOT CURVECORE_FULL_CAMPAIGN)
-  set(tests -*.EqualsKernelWithTheLongestPieces)  # a minute
-endif()
-core_test(path_generator serial TOP path_generator TESTS ${tests} PARAMS Build=1 Interval=8)
 illegal_parameter_test(word_queue Depth=48 "Depth must be a power of two in .2, 65536.")
-illegal_parameter_test(path_generator Build=2 "Build must be 0 or 1")
 illegal_parameter_test(path_generator Interval=3 "Interval must be 1, 2, 4 or 8")
 illegal_parameter_test(piece_ledger QueueWords=8 "QueueWords must be in .16, 4096.")
 
@@ -264,11 +256,12 @@ foreach(size ${sizes})
 endforeach()
 core_test(step_edges k13 TOP step_generator
           PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=13 TimeBits=12)
-# A program from words to steps: the serial core beside the step generator.
-verilated_model(motion_steps_core TOP motion_interpolator PARAMS Build=1 Splines=1 Mode=1)
-core_test(motion_steps serial TOP step_generator LIBRARIES motion_steps_core curvecore_board
+# A program from words to steps: the parallel core beside the step generator.
+verilated_model(motion_steps_core TOP motion_interpolator
+                PARAMS Build=0 Splines=1 Mode=1 SampleInterval=8)
+core_test(motion_steps parallel TOP step_generator LIBRARIES motion_steps_core curvecore_board
           PARAMS Axes=3 FineBits=42 ScaleBits=44 PeriodLog2=8 TimeBits=12)
-target_compile_definitions(motion_steps_serial
+target_compile_definitions(motion_steps_parallel
                            PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 # The system's step blocks.
 foreach(size 3,8 9,9 3,13)
@@ -295,7 +288,10 @@ illegal_parameter_test(step_generator PeriodLog2=21 "PeriodLog2 must be in .6, 2
 illegal_parameter_test(step_generator TimeBits=3 "TimeBits must be in .4, 16.")
 illegal_parameter_test(step_generator PeriodLog2=7 "Axes .FineBits . 7. . 4 clocks must fit")
 
-illegal_parameter_test(motion_interpolator Build=3 "Build must be 0, 1 or 2")
+illegal_parameter_test(motion_interpolator Build=3 "Build must be 0 or 2")
+foreach(module motion_interpolator motion_system motion_board motion_axi)
+  illegal_parameter_test(${module} Build=1 "Build 1 is a curve core alone")
+endforeach()
 illegal_parameter_test(motion_interpolator Build=2 "Build 2 needs Program and Data")
 illegal_parameter_test(motion_interpolator Splines=2 "Splines must be 0 or 1")
 
@@ -318,29 +314,23 @@ illegal_parameter_test(register_file TimeBits=17 "TimeBits must be in .4, 16.")
 illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
-set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 PeriodLog2=8 SamplesAhead=15
-                  TimeBits=10 ScaleBits=48
-                  ClockHertz=2560000 SampleBufferWords=512)
-set(serial ${system} Build=1 Galvo=0)
-core_test(motion_system serial TOP motion_system LIBRARIES curvecore_board ${serial})
-# The parallel core's model is slow, and two at once are.
-rows(tests *.DrawsAProgram* *.Random* MORE *)
-list(JOIN tests ":" tests)
-core_test(motion_system parallel TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
-          ${system} Build=0 Galvo=1)
-core_test(position_mode serial TOP motion_system LIBRARIES curvecore_board ${serial})
-# Nothing else there depends on scan heads.
-core_test(position_mode galvo TOP motion_system TESTS *.ScanHeads* LIBRARIES curvecore_board
-          ${system} Build=1 Galvo=1)
-core_test(motion_begin serial TOP motion_system LIBRARIES curvecore_board ${serial})
-core_test(motion_probe serial TOP motion_system LIBRARIES curvecore_board ${serial})
-core_test(motion_encoder serial TOP motion_system LIBRARIES curvecore_board ${serial} Encoders=2)
+set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 SamplesAhead=15 TimeBits=10
+                  ScaleBits=48 ClockHertz=2560000 SampleBufferWords=512)
+set(parallel ${system} Build=0 PeriodLog2=8 Galvo=1 Encoders=2)
+foreach(test motion_system motion_begin motion_probe motion_encoder position_mode)
+  core_test(${test} parallel TOP motion_system LIBRARIES curvecore_board ${parallel})
+endforeach()
+# The engine makes a sample in 8192 clocks.
+set(engine ${system} Build=2 PeriodLog2=13 Galvo=0)
+set(tests *.SaysWhat*:*.DrawsAProgram*:*.Random*)
+core_test(motion_system engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
+          ${engine})
 # The same beside its flat file, clock by clock.
-verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${serial})
+verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${engine})
 core_test(motion_system flat TOP motion_system TESTS ${tests}
-          LIBRARIES curvecore_board flat_motion_system ${serial})
+          LIBRARIES curvecore_board flat_motion_system ${engine})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
-foreach(test motion_system_serial motion_system_parallel motion_system_flat position_mode_serial
-             position_mode_galvo motion_begin_serial motion_probe_serial motion_encoder_serial)
+foreach(test motion_system_parallel motion_system_engine motion_system_flat position_mode_parallel
+             motion_begin_parallel motion_probe_parallel motion_encoder_parallel)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()

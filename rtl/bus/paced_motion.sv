@@ -8,7 +8,7 @@
 // ends_i: no further sample is offered. When none is, empty_o resets the motion while ends_i is 1.
 `default_nettype none
 module paced_motion #(
-    parameter int Build             = 1,
+    parameter int Build             = 2,
     parameter int Order             = 6,
     parameter int CoefBits          = 36,
     parameter int PositionBits      = 32,

@@ -8,7 +8,7 @@
 // words_i or positions_i: only one of the two is taken, so samples have one source.
 `default_nettype none
 module sample_sources #(
-    parameter int Build             = 1,
+    parameter int Build             = 2,
     parameter int Order             = 6,
     parameter int CoefBits          = 36,
     parameter int PositionBits      = 32,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plays a part from two memories: the minimum design around motion_interpolator.
-// The files are those of `curvecore words PART -o DIR --build serial`; the settings stand in
-// DIR/words.json.
+// The files are those of `curvecore words PART -o DIR --set SampleInterval=8`; the settings stand
+// in DIR/words.json.
 //
 //   segments.hex, profile.hex -> motion_interpolator <- a request every SampleClocks clocks
 //
@@ -66,8 +66,8 @@ module part_player #(
 
   // Outputs for telemetry and faults may stay open.
   motion_interpolator #(
-      .Build  (1),
-      .Splines(1)
+      .Splines       (1),
+      .SampleInterval(8)
   ) u_motion (
       .clk_i,
       .rst_ni,

@@ -11,7 +11,7 @@ module part_player_bench #(
     parameter int HoldAcceleration   = 2584072,
     parameter int HoldSlope          = 28424792,
     parameter int StopTicks          = 264,
-    parameter int Digest             = 6031
+    parameter int Digest             = 12572
 );
 
   logic clk = 1'b0;

@@ -11,12 +11,9 @@
 //
 // One tick per Interval clocks; results are not held: the sender of rates has room for them. A
 // piece boundary costs no clock when the piece before was 6 clocks long and the next is queued.
-// Build 1 makes one tick after the other, at most every kSerialTickClocks of hls/clocks.hpp, and
-// holds an increment until it is taken.
 `default_nettype none
 module path_generator #(
-    parameter int Build          = 0,  // 0 parallel, 1 serial
-    parameter int Interval       = 1,  // 1, 2, 4, 8 clocks from tick to tick; Build 0
+    parameter int Interval       = 1,  // 1, 2, 4, 8 clocks from tick to tick
     parameter int MultiplierForm = 0   // 0 portable, 1 ECP5, 2 UP5K
 ) (
     input wire logic clk_i,
@@ -45,7 +42,6 @@ module path_generator #(
 
     // Increments, a tick each
     output logic             ds_valid_o,
-    input  wire logic        ds_ready_i,  // Build 1; with Build 0 the receiver has room
     output logic      [47:0] ds_o,
     output logic      [16:0] ds_rate_o,
     output logic             ds_active_o, // a program was under way
@@ -59,17 +55,15 @@ module path_generator #(
     output logic               next_final_o
 );
 
-  initial if (Build < 0 || Build > 1) $fatal(1, "Build must be 0 or 1");
   initial
     if (Interval != 1 && Interval != 2 && Interval != 4 && Interval != 8)
       $fatal(1, "Interval must be 1, 2, 4 or 8");
 
   // Pieces are 6 clocks apart at least, evaluations 36 clocks long at most: a bank that is written
-  // is no longer used.  The serial build has the present piece and the next one.
-  localparam int BankBits = (Build == 1) ? 1 : 3;
+  // is no longer used.
+  localparam int BankBits = 3;
 
   // Pieces
-  logic writes;  // the serial build's memory has one write port
   logic stop_write;
   logic step_write;
   logic coef_write;
@@ -81,15 +75,13 @@ module path_generator #(
   logic [BankBits-1:0] next_bank;
   logic next_valid;
   logic [4:0] next_time_exponent;
-  logic word_room;
-  assign word_ready_o = word_room && !writes;
   piece_loader #(
       .BankBits(BankBits)
   ) u_loader (
       .clk_i,
       .rst_ni,
-      .word_valid_i(word_valid_i && !writes),
-      .word_ready_o(word_room),
+      .word_valid_i,
+      .word_ready_o,
       .word_i,
       .stop_write_o(stop_write),
       .step_write_o(step_write),
@@ -129,189 +121,125 @@ module path_generator #(
   logic may_pass;
   assign may_pass = active_o || begin_i;
 
-  if (Build == 1) begin : g_serial
-    logic [path_control_pkg::Bits-1:0] control;
-    logic [path_control_pkg::Bits-1:0] ahead;
-    logic [1:0] pass;
-    logic signed [47:0] sum;
-    logic look;
-    assign writes = control[path_control_pkg::Store];
-    assign full   = ds_rate_o[16];
-    path_sequencer u_sequencer (
-        .clk_i,
-        .rst_ni,
-        .queued_i(queued_i && may_pass),
-        .next_valid_i(next_valid && may_pass),
-        .next_take_o(piece_take_o),
-        .next_final_i(next_final_o),
-        .next_time_exponent_i(next_time_exponent),
-        .next_exponent_i(next_exponent),
-        .rate_valid_i,
-        .rate_ready_o,
-        .rate_i,
-        .held_i,
-        .tick_taken_o,
-        .rate_o(ds_rate_o),
-        .control_o(control),
-        .ahead_o(ahead),
-        .pass_o(pass),
-        .negative_i(sum[47]),
-        .ds_valid_o,
-        .ds_ready_i,
-        .ds_active_o,
-        .look_o(look),
-        .active_o,
-        .last_o
-    );
-
-    path_datapath u_datapath (
-        .clk_i,
-        .rst_ni,
-        .control_i(control),
-        .ahead_i(ahead),
-        .pass_i(pass),
-        .sum_o(sum),
-        .rate_i(ds_rate_o),
-        .ticks_i(next_ticks_o),
-        .bank_i(next_bank[0]),
-        .ds_write_i(bound_write),
-        .coef_write_i(coef_write),
-        .coef_pass_i(coef_pass[1:0]),
-        .word_i(word_i[43:0])
-    );
-    assign ds_o = sum;
-    logic unused;
-    assign unused = ^{coef_pass[3:2], coef, next_ds};
-
-    // A time of less than a tick is none.
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) ticks_left_o <= '1;
-      else if (look) ticks_left_o <= ~sum[37:16];
-    end
-  end else begin : g_pipeline
-    assign writes = 1'b0;
-    logic unused;
-    assign unused = ds_ready_i;
-    localparam int TagBits = BankBits + 17 + 3;
-    localparam int StartPhase = (Interval == 1) ? 0 : (Interval == 2) ? 1 : 3;  // -5
-    logic [2:0] phase_q;
-    always_ff @(posedge clk_i) begin
-      if (!rst_ni) phase_q <= 3'd0;
-      else phase_q <= (phase_q == 3'(Interval - 1)) ? 3'd0 : phase_q + 3'd1;
-    end
-
-    logic event_valid;
-    logic event_begin;
-    logic event_still;
-    logic event_end;
-    logic [35:0] event_time;
-    logic [4:0] event_time_exponent;
-    logic [BankBits-1:0] event_bank;
-    logic [16:0] event_rate;
-    piece_clock #(
-        .BankBits(BankBits)
-    ) u_clock (
-        .clk_i,
-        .rst_ni,
-        .slot_i(phase_q == 3'(StartPhase)),
-        .queued_i(queued_i && may_pass),
-        .next_valid_i(next_valid && may_pass),
-        .next_take_o(piece_take_o),
-        .next_ticks_i(next_ticks_o),
-        .next_time_exponent_i(next_time_exponent),
-        .next_final_i(next_final_o),
-        .next_bank_i(next_bank),
-        .rate_valid_i,
-        .rate_ready_o,
-        .rate_i,
-        .held_i,
-        .tick_taken_o,
-        .full_o(full),
-        .valid_o(event_valid),
-        .begin_o(event_begin),
-        .still_o(event_still),
-        .end_o(event_end),
-        .time_o(event_time),
-        .time_exponent_o(event_time_exponent),
-        .bank_o(event_bank),
-        .rate_o(event_rate),
-        .active_o,
-        .last_o,
-        .ticks_left_o
-    );
-
-    // Polynomial
-    logic tau_valid;
-    logic [35:0] tau;
-    logic [TagBits-1:0] tau_tag;
-    tau_shift #(
-        .TagBits(TagBits)
-    ) u_tau (
-        .clk_i,
-        .rst_ni,
-        .valid_i(event_valid),
-        .time_i(event_time),
-        .time_exponent_i(event_time_exponent),
-        .tag_i({event_rate, event_begin, event_still, event_end, event_bank}),
-        .valid_o(tau_valid),
-        .tau_o(tau),
-        .tag_o(tau_tag)
-    );
-
-    logic d_valid;
-    logic [35:0] d;
-    logic [TagBits-1:0] d_tag;
-    horner #(
-        .Passes(3),
-        .Lanes(1),
-        .Bits(36),
-        .Shift(35),
-        .Interval(Interval),
-        .BankBits(BankBits),
-        .TagBits(TagBits),
-        .Form(MultiplierForm)
-    ) u_horner (
-        .clk_i,
-        .rst_ni,
-        .en_i(1'b1),
-        .write_i(coef_write),
-        .write_lanes_i({1{1'b1}}),
-        .write_bank_i(next_bank),
-        .write_pass_i(coef_pass),
-        .write_coef_i(coef),
-        .phase_i(phase_q),
-        .valid_i(tau_valid),
-        .x_i(tau),
-        .tag_i(tau_tag),
-        .valid_o(d_valid),
-        .d_o(d),
-        .tag_o(d_tag)
-    );
-
-    // Increments
-    logic [53:0] bounds[2**BankBits];
-    always_ff @(posedge clk_i) begin
-      if (bound_write) bounds[next_bank] <= {next_exponent, next_ds};
-    end
-    logic [53:0] bound;
-    assign bound = bounds[d_tag[BankBits-1:0]];
-
-    path_increment u_increment (
-        .clk_i,
-        .rst_ni,
-        .valid_i(d_valid),
-        .begin_i(d_tag[BankBits+2]),
-        .still_i(d_tag[BankBits+1]),
-        .end_i(d_tag[BankBits]),
-        .d_i(d),
-        .exponent_i(bound[53:48]),
-        .ds_i(bound[47:0]),
-        .rate_i({!d_tag[BankBits+1], d_tag[BankBits+3+:17]}),
-        .valid_o(ds_valid_o),
-        .ds_o,
-        .rate_o({ds_active_o, ds_rate_o})
-    );
+  localparam int TagBits = BankBits + 17 + 3;
+  localparam int StartPhase = (Interval == 1) ? 0 : (Interval == 2) ? 1 : 3;  // -5
+  logic [2:0] phase_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) phase_q <= 3'd0;
+    else phase_q <= (phase_q == 3'(Interval - 1)) ? 3'd0 : phase_q + 3'd1;
   end
+
+  logic event_valid;
+  logic event_begin;
+  logic event_still;
+  logic event_end;
+  logic [35:0] event_time;
+  logic [4:0] event_time_exponent;
+  logic [BankBits-1:0] event_bank;
+  logic [16:0] event_rate;
+  piece_clock #(
+      .BankBits(BankBits)
+  ) u_clock (
+      .clk_i,
+      .rst_ni,
+      .slot_i(phase_q == 3'(StartPhase)),
+      .queued_i(queued_i && may_pass),
+      .next_valid_i(next_valid && may_pass),
+      .next_take_o(piece_take_o),
+      .next_ticks_i(next_ticks_o),
+      .next_time_exponent_i(next_time_exponent),
+      .next_final_i(next_final_o),
+      .next_bank_i(next_bank),
+      .rate_valid_i,
+      .rate_ready_o,
+      .rate_i,
+      .held_i,
+      .tick_taken_o,
+      .full_o(full),
+      .valid_o(event_valid),
+      .begin_o(event_begin),
+      .still_o(event_still),
+      .end_o(event_end),
+      .time_o(event_time),
+      .time_exponent_o(event_time_exponent),
+      .bank_o(event_bank),
+      .rate_o(event_rate),
+      .active_o,
+      .last_o,
+      .ticks_left_o
+  );
+
+  // Polynomial
+  logic tau_valid;
+  logic [35:0] tau;
+  logic [TagBits-1:0] tau_tag;
+  tau_shift #(
+      .TagBits(TagBits)
+  ) u_tau (
+      .clk_i,
+      .rst_ni,
+      .valid_i(event_valid),
+      .time_i(event_time),
+      .time_exponent_i(event_time_exponent),
+      .tag_i({event_rate, event_begin, event_still, event_end, event_bank}),
+      .valid_o(tau_valid),
+      .tau_o(tau),
+      .tag_o(tau_tag)
+  );
+
+  logic d_valid;
+  logic [35:0] d;
+  logic [TagBits-1:0] d_tag;
+  horner #(
+      .Passes(3),
+      .Lanes(1),
+      .Bits(36),
+      .Shift(35),
+      .Interval(Interval),
+      .BankBits(BankBits),
+      .TagBits(TagBits),
+      .Form(MultiplierForm)
+  ) u_horner (
+      .clk_i,
+      .rst_ni,
+      .en_i(1'b1),
+      .write_i(coef_write),
+      .write_lanes_i({1{1'b1}}),
+      .write_bank_i(next_bank),
+      .write_pass_i(coef_pass),
+      .write_coef_i(coef),
+      .phase_i(phase_q),
+      .valid_i(tau_valid),
+      .x_i(tau),
+      .tag_i(tau_tag),
+      .valid_o(d_valid),
+      .d_o(d),
+      .tag_o(d_tag)
+  );
+
+  // Increments
+  logic [53:0] bounds[2**BankBits];
+  always_ff @(posedge clk_i) begin
+    if (bound_write) bounds[next_bank] <= {next_exponent, next_ds};
+  end
+  logic [53:0] bound;
+  assign bound = bounds[d_tag[BankBits-1:0]];
+
+  path_increment u_increment (
+      .clk_i,
+      .rst_ni,
+      .valid_i(d_valid),
+      .begin_i(d_tag[BankBits+2]),
+      .still_i(d_tag[BankBits+1]),
+      .end_i(d_tag[BankBits]),
+      .d_i(d),
+      .exponent_i(bound[53:48]),
+      .ds_i(bound[47:0]),
+      .rate_i({!d_tag[BankBits+1], d_tag[BankBits+3+:17]}),
+      .valid_o(ds_valid_o),
+      .ds_o,
+      .rate_o({ds_active_o, ds_rate_o})
+  );
 
 endmodule
 `default_nettype wire

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds 0 and 1 of rtl/motion_interpolator.sv, which describes all ports: circuits for each of its
-// tasks.
+// Build 0 of rtl/motion_interpolator.sv, which describes all ports: circuits for each of its tasks.
 //
 //   profile words -> queue -> path generator -> share -> path increments -> curve core -> samples
 //                       requests -> rate of time --^        segment words -> queue --^
 `default_nettype none
 module path_interpolator #(
-    parameter int Build             = 0,     // 0 parallel, 1 serial
     parameter int Order             = 6,     // [2, 12]
     parameter int CoefBits          = 36,    // [18, 36]
     parameter int PositionBits      = 32,    // [16, 32]
@@ -14,9 +12,9 @@ module path_interpolator #(
     parameter int AuxAxes           = 0,     // [0, 6]
     parameter int Splines           = 0,     // 1: segments of splines too
     parameter int Mode              = 0,     // 0 series, 1 polynomial
-    parameter int Anchor            = 1,     // 0, 1, for splines; 0 with Build 0 only
+    parameter int Anchor            = 1,     // 0, 1, for splines
     parameter int SampleInterval    = 1,     // 1, 2, 4, 8 clocks
-    parameter int ParameterGuard    = 0,     // [0, 8], for splines; above 0 with Build 0 only
+    parameter int ParameterGuard    = 0,     // [0, 8], for splines
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 4096,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 4096   // [16, 4096], a power of two
@@ -68,13 +66,9 @@ module path_interpolator #(
     output logic [15:0] empty_segments_o
 );
 
-  initial if (Build < 0 || Build > 1) $fatal(1, "Build must be 0 or 1");
   initial if (Splines < 0 || Splines > 1) $fatal(1, "Splines must be 0 or 1");
-  initial if (Build == 1 && Anchor != 1) $fatal(1, "Build 1 works with Anchor 1 only");
-  initial
-    if (Build == 1 && ParameterGuard != 0) $fatal(1, "Build 1 works with ParameterGuard 0 only");
 
-  localparam int Room = (Build == 1 || SampleInterval == 8) ? 16 : (SampleInterval == 4) ? 32 : 128;
+  localparam int Room = (SampleInterval == 8) ? 16 : (SampleInterval == 4) ? 32 : 128;
 
   logic rst_n;
   reset_stretcher u_reset (
@@ -158,8 +152,7 @@ module path_interpolator #(
   logic [16:0] rate;
   logic held;
   rate_generator #(
-      .Build(Build),
-      .Room (Room)
+      .Room(Room)
   ) u_rate (
       .clk_i,
       .rst_ni(rst_n),
@@ -198,12 +191,10 @@ module path_interpolator #(
 
   // Path increments from ticks
   logic ds_valid;
-  logic ds_ready;
   logic [47:0] ds;
   logic [16:0] ds_rate;
   logic ds_active;
   path_generator #(
-      .Build(Build),
       .Interval(SampleInterval),
       .MultiplierForm(MultiplierForm)
   ) u_path (
@@ -225,7 +216,6 @@ module path_interpolator #(
       .step_ready_i(step_ready),
       .step_o(step),
       .ds_valid_o(ds_valid),
-      .ds_ready_i(ds_ready),
       .ds_o(ds),
       .ds_rate_o(ds_rate),
       .ds_active_o(ds_active),
@@ -243,14 +233,12 @@ module path_interpolator #(
   logic [47:0] move_ds;
   logic [17:0] move_rate;
   path_shares #(
-      .Build(Build),
-      .Room (Room)
+      .Room(Room)
   ) u_shares (
       .clk_i,
       .rst_ni(rst_n),
       .samples_per_tick_log2_i(samples_per_tick_log2),
       .tick_valid_i(ds_valid),
-      .tick_ready_o(ds_ready),
       .tick_ds_i(ds),
       .tick_rate_i({ds_active, ds_rate}),
       .wanted_i(wanted),
@@ -276,61 +264,33 @@ module path_interpolator #(
   end
 
   // Curve
-  if (Build == 0) begin : g_parallel
-    curve_interpolator #(
-        .Curves((Splines == 1) ? 3 : 1),
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .PositionBits(PositionBits),
-        .GuardBits(GuardBits),
-        .AuxAxes(AuxAxes),
-        .Mode(Mode),
-        .Anchor(Anchor),
-        .SampleInterval(SampleInterval),
-        .ParameterGuard(ParameterGuard),
-        .MultiplierForm(MultiplierForm)
-    ) u_core (
-        .clk_i,
-        .rst_ni,
-        .segment_valid_i(core_segment_valid),
-        .segment_ready_o(core_segment_ready),
-        .segment_data_i(core_segment_data),
-        .request_valid_i(move_valid),
-        .request_ready_o(move_ready),
-        .request_ds_i(move_ds),
-        .sample_valid_o,
-        .sample_ready_i,
-        .sample_position_o,
-        .sample_fine_o,
-        .empty_segments_o
-    );
-  end else begin : g_serial
-    curve_interpolator_serial #(
-        .Order(Order),
-        .CoefBits(CoefBits),
-        .PositionBits(PositionBits),
-        .GuardBits(GuardBits),
-        .AuxAxes(AuxAxes),
-        .Mode(Mode),
-        .SampleInterval(SampleInterval),
-        .MultiplierForm(MultiplierForm),
-        .Splines(Splines)
-    ) u_core (
-        .clk_i,
-        .rst_ni,
-        .segment_valid_i(core_segment_valid),
-        .segment_ready_o(core_segment_ready),
-        .segment_data_i(core_segment_data),
-        .request_valid_i(move_valid),
-        .request_ready_o(move_ready),
-        .request_ds_i(move_ds),
-        .sample_valid_o,
-        .sample_ready_i,
-        .sample_position_o,
-        .sample_fine_o,
-        .empty_segments_o
-    );
-  end
+  curve_interpolator #(
+      .Curves((Splines == 1) ? 3 : 1),
+      .Order(Order),
+      .CoefBits(CoefBits),
+      .PositionBits(PositionBits),
+      .GuardBits(GuardBits),
+      .AuxAxes(AuxAxes),
+      .Mode(Mode),
+      .Anchor(Anchor),
+      .SampleInterval(SampleInterval),
+      .ParameterGuard(ParameterGuard),
+      .MultiplierForm(MultiplierForm)
+  ) u_core (
+      .clk_i,
+      .rst_ni,
+      .segment_valid_i(core_segment_valid),
+      .segment_ready_o(core_segment_ready),
+      .segment_data_i(core_segment_data),
+      .request_valid_i(move_valid),
+      .request_ready_o(move_ready),
+      .request_ds_i(move_ds),
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_position_o,
+      .sample_fine_o,
+      .empty_segments_o
+  );
 
 endmodule
 `default_nettype wire

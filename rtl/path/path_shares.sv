@@ -3,8 +3,7 @@
 // them: path_valid_o once per sample, up to 2 clocks after it is taken.
 `default_nettype none
 module path_shares #(
-    parameter int Build = 0,  // 0 parallel, 1 serial
-    parameter int Room  = 64  // [8, 128] waiting ticks, with Build 0
+    parameter int Room = 64  // [8, 128] waiting ticks
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -13,7 +12,6 @@ module path_shares #(
 
     // Ticks
     input  wire logic        tick_valid_i,
-    output logic             tick_ready_o,
     input  wire logic [47:0] tick_ds_i,
     input  wire logic [17:0] tick_rate_i,
 
@@ -32,70 +30,49 @@ module path_shares #(
     output logic [63:0] path_o
 );
 
-  if (Build == 1) begin : g_serial
-    serial_share u_share (
-        .clk_i,
-        .rst_ni,
-        .samples_per_tick_log2_i,
-        .tick_valid_i,
-        .tick_ready_o,
-        .tick_ds_i,
-        .tick_rate_i,
-        .wanted_i,
-        .sent_o,
-        .sample_valid_o,
-        .sample_ready_i,
-        .sample_ds_o,
-        .sample_rate_o,
-        .path_valid_o,
-        .path_o
-    );
-    assign path_ds_o   = sample_ds_o;
-    assign path_rate_o = sample_rate_o;
-  end else begin : g_parallel
-    logic share_valid;
-    logic share_ready;
-    logic [65:0] share;
-    word_queue #(
-        .Bits (66),
-        .Depth(Room)
-    ) u_ds_queue (
-        .clk_i,
-        .rst_ni,
-        .valid_i(tick_valid_i),
-        .ready_o(tick_ready_o),
-        .data_i ({tick_rate_i, tick_ds_i}),
-        .valid_o(share_valid),
-        .ready_i(share_ready),
-        .data_o (share)
-    );
-    sample_share u_share (
-        .clk_i,
-        .rst_ni,
-        .samples_per_tick_log2_i,
-        .tick_valid_i(share_valid),
-        .tick_ready_o(share_ready),
-        .tick_ds_i   (share[47:0]),
-        .tick_rate_i (share[65:48]),
-        .wanted_i,
-        .sent_o,
-        .sample_valid_o,
-        .sample_ready_i,
-        .sample_ds_o,
-        .sample_rate_o
-    );
-    path_meter u_meter (
-        .clk_i,
-        .rst_ni,
-        .move_i (sample_valid_o && sample_ready_i),
-        .ds_i   (sample_ds_o),
-        .rate_i (sample_rate_o),
-        .valid_o(path_valid_o),
-        .ds_o   (path_ds_o),
-        .rate_o (path_rate_o),
-        .path_o
-    );
-  end
+  logic unused_room;
+  logic share_valid;
+  logic share_ready;
+  logic [65:0] share;
+  word_queue #(
+      .Bits (66),
+      .Depth(Room)
+  ) u_ds_queue (
+      .clk_i,
+      .rst_ni,
+      .valid_i(tick_valid_i),
+      .ready_o(unused_room),
+      .data_i ({tick_rate_i, tick_ds_i}),
+      .valid_o(share_valid),
+      .ready_i(share_ready),
+      .data_o (share)
+  );
+  sample_share u_share (
+      .clk_i,
+      .rst_ni,
+      .samples_per_tick_log2_i,
+      .tick_valid_i(share_valid),
+      .tick_ready_o(share_ready),
+      .tick_ds_i   (share[47:0]),
+      .tick_rate_i (share[65:48]),
+      .wanted_i,
+      .sent_o,
+      .sample_valid_o,
+      .sample_ready_i,
+      .sample_ds_o,
+      .sample_rate_o
+  );
+  path_meter u_meter (
+      .clk_i,
+      .rst_ni,
+      .move_i (sample_valid_o && sample_ready_i),
+      .ds_i   (sample_ds_o),
+      .rate_i (sample_rate_o),
+      .valid_o(path_valid_o),
+      .ds_o   (path_ds_o),
+      .rate_o (path_rate_o),
+      .path_o
+  );
 
 endmodule
 `default_nettype wire

@@ -10,8 +10,7 @@
 //   sample_ds_o                                ds/2^n
 //
 // One sample per clock, at tick boundaries too. A sample is sent only when it is wanted: wanted_i
-// is 1 while more samples are requested than sent_o has reported. n is constant. The serial build
-// has rtl/path/serial_share.sv.
+// is 1 while more samples are requested than sent_o has reported. n is constant.
 `default_nettype none
 module sample_share (
     input wire logic clk_i,

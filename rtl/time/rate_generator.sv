@@ -9,8 +9,7 @@
 // With refused settings it is 0. Twin: TimeScaler of hls/time_scaler.hpp.
 `default_nettype none
 module rate_generator #(
-    parameter int Build = 0,  // 0 parallel, 1 serial
-    parameter int Room  = 64  // [8, 128] samples between request and sent_i
+    parameter int Room = 64  // [8, 128] samples between request and sent_i
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -153,74 +152,43 @@ module rate_generator #(
   logic [16:0] scaled;
   logic scaled_held;
   logic scaled_still;
-  if (Build == 0) begin : g_parallel
-    time_scaler u_scaler (
-        .clk_i,
-        .rst_ni(rst_ni && !restart),
-        .acceleration_i(hold_acceleration),
-        .slope_i(hold_slope),
-        .valid_i(free_valid),
-        .ready_o(free_ready),
-        .target_i(next_target),
-        .land_i(land),
-        .stopping_o(stopping),
-        .next_wait_i(due_i[19:0]),
-        .begins_i(due_i[20]),
-        .step_valid_i,
-        .step_ready_o,
-        .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
-        .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
-        .step_last_i(step_i[words_pkg::StepLastLow]),
-        .valid_o(scaled_valid),
-        .rate_o(scaled),
-        .held_o(scaled_held),
-        .still_o(scaled_still)
-    );
+  time_scaler u_scaler (
+      .clk_i,
+      .rst_ni(rst_ni && !restart),
+      .acceleration_i(hold_acceleration),
+      .slope_i(hold_slope),
+      .valid_i(free_valid),
+      .ready_o(free_ready),
+      .target_i(next_target),
+      .land_i(land),
+      .stopping_o(stopping),
+      .next_wait_i(due_i[19:0]),
+      .begins_i(due_i[20]),
+      .step_valid_i,
+      .step_ready_o,
+      .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
+      .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
+      .step_last_i(step_i[words_pkg::StepLastLow]),
+      .valid_o(scaled_valid),
+      .rate_o(scaled),
+      .held_o(scaled_held),
+      .still_o(scaled_still)
+  );
 
-    logic rate_room;
-    word_queue #(
-        .Bits (18),
-        .Depth(16)
-    ) u_rate_queue (
-        .clk_i,
-        .rst_ni,
-        .valid_i(scaled_valid),
-        .ready_o(rate_room),
-        .data_i ({scaled_held, scaled}),
-        .valid_o(rate_valid_o),
-        .ready_i(rate_ready_i),
-        .data_o ({held_o, rate_o})
-    );
-    logic unused_room;
-    assign unused_room = rate_room;
-  end else begin : g_serial
-    time_scaler_serial u_scaler (
-        .clk_i,
-        .rst_ni(rst_ni && !restart),
-        .acceleration_i(hold_acceleration),
-        .slope_i(hold_slope),
-        .valid_i(free_valid),
-        .ready_o(free_ready),
-        .target_i(next_target),
-        .land_i(land),
-        .stopping_o(stopping),
-        .next_wait_i(due_i[19:0]),
-        .begins_i(due_i[20]),
-        .step_valid_i,
-        .step_ready_o,
-        .step_ticks_i(step_i[words_pkg::StepTicksLow+:words_pkg::StepTicksBits]),
-        .step_change_i(step_i[words_pkg::StepChangeLow+:words_pkg::StepChangeBits]),
-        .step_last_i(step_i[words_pkg::StepLastLow]),
-        .valid_o(rate_valid_o),
-        .taken_i(rate_ready_i),
-        .rate_o(scaled),
-        .held_o(scaled_held),
-        .still_o(scaled_still)
-    );
-    assign scaled_valid = rate_valid_o && rate_ready_i;
-    assign rate_o       = scaled;
-    assign held_o       = scaled_held;
-  end
+  logic rate_room;
+  word_queue #(
+      .Bits (18),
+      .Depth(16)
+  ) u_rate_queue (
+      .clk_i,
+      .rst_ni,
+      .valid_i(scaled_valid),
+      .ready_o(rate_room),
+      .data_i ({scaled_held, scaled}),
+      .valid_o(rate_valid_o),
+      .ready_i(rate_ready_i),
+      .data_o ({held_o, rate_o})
+  );
 
   // This is a clock later, as the tick is reported too.
   logic asked_q;
@@ -244,7 +212,7 @@ module rate_generator #(
   assign scaled_o = free_valid && free_ready;
 
   logic unused_room;
-  assign unused_room = target_room;
+  assign unused_room = target_room && rate_room;
 
 endmodule
 `default_nettype wire

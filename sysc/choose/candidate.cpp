@@ -51,6 +51,11 @@ void each_core(CoreParameters& parameters, std::size_t n, Visit visit) {
     parameters.*tried.value = ref::parameter_of(tried.value).default_value;
 }
 
+/// The build beside the parallel one: of a curve core alone, of a board.
+Build small_build(const Requirement& requirement) {
+    return requirement.whole_board ? Build::kEngine : Build::kSerial;
+}
+
 int position_bits(const Requirement& requirement, double unit_mm) {
     return static_cast<int>(std::ceil(std::log2(requirement.travel_mm / unit_mm + 1))) + 1;
 }
@@ -93,14 +98,14 @@ std::vector<Candidate> all_candidates(const Requirement& requirement) {
     std::vector<double> units(kUnits.begin(), kUnits.end());
     if (requirement.unit_mm) units = {*requirement.unit_mm};
     for (const double unit : units) {
-        for (const Build build : {Build::kSerial, Build::kParallel}) {
+        for (const Build build : {small_build(requirement), Build::kParallel}) {
             if (requirement.build && *requirement.build != build) continue;
             CoreParameters parameters;
             parameters.build = build;
             parameters.splines = requirement.splines() ? 1 : 0;
             parameters.multiplier_form = requirement.device->form;
-            // A serial core takes its own time between samples.
-            const std::size_t first = build == Build::kSerial ? 1 : 0;
+            // The small builds take their own time between samples.
+            const std::size_t first = build == Build::kParallel ? 0 : 1;
             each_core(parameters, first, [&](const CoreParameters& core) { add(core, unit); });
         }
     }
@@ -116,11 +121,11 @@ std::vector<Candidate> all_candidates(const Requirement& requirement) {
 
 bool cost_is_known(const Requirement& requirement) {
     const auto known = [&](Build build) {
-        return cost_is_known(build, *requirement.device) &&
-               (!requirement.whole_board || board_cost_is_known(build, *requirement.device));
+        return requirement.whole_board ? board_cost_is_known(build, *requirement.device)
+                                       : cost_is_known(build, *requirement.device);
     };
     if (requirement.build) return known(*requirement.build);
-    return known(Build::kSerial) || known(Build::kParallel);
+    return known(small_build(requirement)) || known(Build::kParallel);
 }
 
 }  // namespace curvecore::sysc

@@ -5,7 +5,7 @@
 # only when a source that this model reads has changed (it writes the dependency file).
 # SOURCES may contain another file of the module itself.
 # SC makes a module of SystemC.
-# A model of Build=2 comes with the engine's programs for its parameters.
+# A model of Build=2, said or by default, comes with the engine's programs for its parameters.
 # FLAT reads the one file that scripts/flat.sh makes of the module.
 find_program(VERILATOR verilator REQUIRED)
 execute_process(COMMAND ${VERILATOR} --getenv VERILATOR_ROOT OUTPUT_VARIABLE VERILATOR_ROOT
@@ -65,7 +65,11 @@ function(verilated_model target)
   set(flat "")
   set(microcode "")
   set(makes_programs "")
-  if("Build=2" IN_LIST ARG_PARAMS)
+  set(build "${ARG_PARAMS}")
+  if(top_file AND NOT build MATCHES "Build=")
+    file(STRINGS ${top_file} build REGEX "parameter int Build  *= ")
+  endif()
+  if("${build}" MATCHES "Build *= *2")
     set(makes_programs microcode_generator ${ENGINE_SOURCES})
   endif()
   if(ARG_FLAT)

@@ -62,8 +62,8 @@ BoardFile board_of(const Json& json, std::map<std::string, int> values) {
         }
         values[parameter] = whole_number(value, parameter);
     }
-    if (values.at("Build") < 0 || values.at("Build") >= static_cast<int>(ref::kBuildNames.size())) {
-        throw JsonFlaw{"Build", "Build must be 0, 1 or 2"};
+    if (values.at("Build") != 0 && values.at("Build") != 2) {
+        throw JsonFlaw{"Build", "Build must be 0 (parallel) or 2 (engine)"};
     }
     BoardFile board;
     board.core.parameters = core_of_board(values);

@@ -71,7 +71,7 @@ class Arrangement {
 };
 
 void parallel_core(Arrangement& view) {
-    const std::string core = kCircuits + "g_parallel.u_core.";
+    const std::string core = kCircuits + "u_core.";
     view.group("Steps", core + "u_starter.",
                {{kBit, "there"},
                 {kBit, "room_i"},
@@ -104,30 +104,6 @@ void parallel_core(Arrangement& view) {
                 {kBit, "u_side.u_offset.sample_o"},
                 {kUnsigned, "u_side.u_offset.tau_o"},
                 {kBit, "u_side.u_offset.land_o"}});
-}
-
-void serial_core(Arrangement& view) {
-    const std::string core = kCircuits + "g_serial.u_core.";
-    view.group("Network", core,
-               {{kBit, "net_start"},
-                {kBit, "net_busy"},
-                {kUnsigned, "u_sequencer.place"},
-                {kHex, "a_address"},
-                {kHex, "b_address"},
-                {kHex, "c_address"},
-                {kSigned, "u_datapath.a"},
-                {kSigned, "u_datapath.b"},
-                {kSigned, "u_datapath.c_q"},
-                {kHex, "d_place"},
-                {kSigned, "d"}});
-    view.group("Sampler", core,
-               {{kBit, "request_valid_i"},
-                {kBit, "request_ready_o"},
-                {kUnsigned, "request_ds_i"},
-                {kBit, "sample"},
-                {kBit, "sample_take"},
-                {kBit, "land"},
-                {kUnsigned, "u_sequencer.context_q"}});
 }
 
 void engine_core(Arrangement& view) {
@@ -175,11 +151,9 @@ void path_side(Arrangement& view) {
 
 void positions(Arrangement& view, const CoreParameters& core) {
     Signals signals{{kBit, "sample_valid_o"}, {kBit, "sample_ready_i"}};
-    constexpr std::array<const char*, 3> kWords{
-        "g_circuits.u_motion.g_parallel.u_core.u_side.g_axis[{}].u_lander.position_o",
-        "g_circuits.u_motion.g_serial.u_core.u_lander.g_axis[{}].axis_position_q",
-        "g_engine.u_motion.g_axes[{}].whole"};
-    const char* const words = kWords[static_cast<std::size_t>(core.build)];
+    const char* const engine = "g_engine.u_motion.g_axes[{}].whole";
+    const char* const lander = "g_circuits.u_motion.u_core.u_side.g_axis[{}].u_lander.position_o";
+    const char* const words = core.build == Build::kEngine ? engine : lander;
     for (int axis = 0; axis < core.axes(); ++axis) {
         signals.push_back({kCurve, fmt::format(fmt::runtime(words), axis)});
     }
@@ -219,9 +193,11 @@ std::string gtkw(const CoreParameters& core, const std::string& fst_file, const 
                   kSpan * clock_ps, at * clock_ps);
     Arrangement view(head, waveform_signals(fst_file));
     path_side(view);
-    if (core.build == Build::kParallel) parallel_core(view);
-    if (core.build == Build::kSerial) serial_core(view);
-    if (core.build == Build::kEngine) engine_core(view);
+    if (core.build == Build::kEngine) {
+        engine_core(view);
+    } else {
+        parallel_core(view);
+    }
     positions(view, core);
     return view.text();
 }

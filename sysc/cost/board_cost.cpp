@@ -42,15 +42,35 @@ const PlacedBoard* placed_board(Build build, const Device& device) {
     return found == kPlaced.end() ? nullptr : &*found;
 }
 
+/// The cost of the engine's board, which has the same circuits for words of any width; its store is
+/// of the placed configuration.
+std::optional<CostEstimate> engine_board(const PlacedBoard& placed, const CoreParameters& asked) {
+    if (asked.order > placed.core.order || asked.splines > placed.core.splines ||
+        asked.aux_axes > placed.core.aux_axes) {
+        return std::nullopt;
+    }
+    CostEstimate cost;
+    cost.lut4 = placed.lut4;
+    cost.ff = placed.ff;
+    cost.dsp = placed.dsp;
+    cost.ram = placed.ram;
+    cost.mhz = placed.mhz;
+    return cost;
+}
+
 }  // namespace
 
 bool board_cost_is_known(Build build, const Device& device) {
-    return placed_board(build, device) != nullptr;
+    return placed_board(build, device) != nullptr &&
+           (build == Build::kEngine || cost_is_known(build, device));
 }
 
 std::optional<CostEstimate> board_estimate(Core core, const CoreParameters& parameters,
                                            const Device& device) {
     const PlacedBoard* const placed = placed_board(parameters.build, device);
+    if (placed != nullptr && parameters.build == Build::kEngine) {
+        return engine_board(*placed, parameters);
+    }
     std::optional<CostEstimate> cost = estimate(core, parameters, device);
     if (placed == nullptr || !cost) return std::nullopt;
     const Core drawn = core_for(true, placed->core.splines == 1, placed->core.build);

@@ -20,7 +20,7 @@ struct BoardServerOptions {
     /// computer's load. Otherwise the clock follows real time.
     bool fast = false;
     VirtualAxes axes;
-    Build build = Build::kSerial;
+    Build build = Build::kEngine;
 };
 
 class BoardServer {

@@ -11,15 +11,16 @@
 
 namespace curvecore::sysc {
 
-extern "C" VirtualModel* virtual_board_serial();  // sysc/wire/CMakeLists.txt
-
 namespace {
 
-constexpr VirtualTimes kEngineTimes{13, 10'240'000};
+/// Times in which the build makes its samples, and a simulation keeps up with real time.
+VirtualTimes times_of(Build build) {
+    if (build == Build::kEngine) return {13, 5'120'000};
+    if (build == Build::kParallel) return {8, 2'560'000};
+    throw UsageError("--build: a virtual board is engine or parallel");
+}
 
-std::unique_ptr<VirtualModel> model_of(Build build) {
-    if (build == Build::kSerial) return std::unique_ptr<VirtualModel>(virtual_board_serial());
-    if (build != Build::kEngine) throw UsageError("--build: a virtual board is serial or engine");
+std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
     CachedModel model{"board", "motion_board", "sysc/virtual/compiled_board.cpp", {}, {}, 4096,
                       1024};
     model.core.build = build;
@@ -27,8 +28,8 @@ std::unique_ptr<VirtualModel> model_of(Build build) {
     model.core.mode = 1;
     for (const auto& [name, value] : {std::pair("Splines", 1),
                                       {"Mode", 1},
-                                      {"PeriodLog2", kEngineTimes.period_log2},
-                                      {"ClockHertz", static_cast<int>(kEngineTimes.clock_hz)},
+                                      {"PeriodLog2", times.period_log2},
+                                      {"ClockHertz", static_cast<int>(times.clock_hz)},
                                       {"Encoders", 2}}) {
         model.parameters.push_back(fmt::format("{}={}", name, value));
     }
@@ -40,8 +41,8 @@ std::unique_ptr<VirtualModel> model_of(Build build) {
 
 VirtualBoard::VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
                            Build build)
-    : times_(build == Build::kEngine ? kEngineTimes : VirtualTimes{}),
-      model_(model_of(build)),
+    : times_(times_of(build)),
+      model_(model_of(build, times_)),
       step_(std::move(step)),
       axes_(std::move(axes)) {
     set_switches();

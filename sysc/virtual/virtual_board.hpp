@@ -39,19 +39,19 @@ struct VirtualAxes {
 
 /// Times of a virtual board, which its build needs.
 struct VirtualTimes {
-    int period_log2 = 8;  // clocks of a sample period
-    double clock_hz = 2'560'000;
+    int period_log2;  // clocks of a sample period
+    double clock_hz;
 };
 
 class VirtualBoard {
   public:
     static constexpr int kAxes = 3;
 
-    /// `step` is called for every rising edge of a step pin while the drives are on. A board of the
-    /// serial build is built in, one of the engine is made when it is first asked for.
+    /// `step` is called for every rising edge of a step pin while the drives are on. A board is
+    /// made when its build is first asked for.
     /// @throws UsageError: another build; those of sysc/cores/core_cache.hpp
     VirtualBoard(std::function<void(const VirtualStep&)> step, VirtualAxes axes,
-                 Build build = Build::kSerial);
+                 Build build = Build::kEngine);
 
     /// Offers a frame to the board.
     void offer(const Bytes& frame);

@@ -43,9 +43,13 @@ RemoteBuild build_of(const curvecore_board& board) {
     build.profile_queue_words = 1 << CURVECORE_FIELD(capability, CAPABILITY_PROFILE_QUEUE_LOG2);
     build.widths = board.widths;
     build.encoders = CURVECORE_FIELD(capability, CAPABILITY_ENCODERS) != 0;
-    build.core.build = CURVECORE_FIELD(capability, CAPABILITY_ENGINE) != 0  ? Build::kEngine
-                       : CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0 ? Build::kSerial
-                                                                            : Build::kParallel;
+    if (CURVECORE_FIELD(capability, CAPABILITY_BUILD) != 0) {
+        throw UsageError(
+            "the board has the serial build, which moves nothing any more: make it again with "
+            "Build 2, or use a program of its time");
+    }
+    build.core.build =
+        CURVECORE_FIELD(capability, CAPABILITY_ENGINE) != 0 ? Build::kEngine : Build::kParallel;
     build.core.splines = static_cast<int>(CURVECORE_FIELD(capability, CAPABILITY_SPLINES));
     build.core.aux_axes = build.axes - 3;
     build.core.order = static_cast<int>(CURVECORE_FIELD(core, CORE_ORDER));

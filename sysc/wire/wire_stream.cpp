@@ -16,6 +16,7 @@ constexpr std::uint32_t kOff = kEnds & ~(CURVECORE_STATE_BUS_MASK | CURVECORE_ST
 /// Share of a link's words a second that is used; the rest is for repetitions.
 constexpr double kOfLink = 0.9;
 constexpr auto kStops = std::chrono::seconds(10);
+constexpr int kStepPeriods = 4;  // from a sample that is taken to its last step
 
 }  // namespace
 
@@ -33,7 +34,10 @@ StreamEnd WireStream::run(const std::function<void()>& turn) {
         if (machine_.is(kEnds)) return StreamEnd::kFault;
         if (machine_.is(CURVECORE_STATE_CAUGHT_MASK)) return StreamEnd::kCaught;
         if (machine_.is(CURVECORE_STATE_WATCHDOG_MASK)) machine_.clear_watchdog();
-        if (drawn()) return StreamEnd::kDone;
+        if (drawn()) {
+            settle();
+            return StreamEnd::kDone;
+        }
         if (!meet_wishes()) return StreamEnd::kStopped;
         turn();
     }
@@ -78,6 +82,18 @@ void WireStream::set_rate(double wished) {
 bool WireStream::drawn() const {
     return planned_.all && planned_.segments.empty() && planned_.pieces.empty() &&
            path() == planned_.path && !machine_.is(CURVECORE_STATE_ACTIVE_MASK);
+}
+
+/// Waits for the steps of the samples that are made ahead, also on a board whose clock goes on with
+/// frames alone.
+void WireStream::settle() {
+    const RemoteBuild& build = machine_.build();
+    const double periods = CURVECORE_FIELD(build.widths, WIDTHS_SAMPLES_AHEAD) + kStepPeriods;
+    const std::chrono::duration<double> time(periods * build.sample_period_s);
+    const WireClock::time_point end =
+        machine_.now() + std::chrono::duration_cast<WireClock::duration>(time);
+    while (machine_.now() < end) look();
+    for (int n = 0; n < kStepPeriods; ++n) machine_.steps();
 }
 
 /// Carries out the operator's wishes. Returns false if the operator ended the program.

@@ -40,6 +40,7 @@ class WireStream {
   private:
     bool meet_wishes();
     bool drawn() const;
+    void settle();
     void look();
     void see_waits();
     void keep_to_link();

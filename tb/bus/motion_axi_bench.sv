@@ -34,6 +34,7 @@ module motion_axi_bench (
 );
 
   motion_axi #(
+      .Build            (0),
       .ProfileQueueWords(512),
       .PeriodLog2       (8),
       .SamplesAhead     (15),

@@ -15,6 +15,7 @@ from cocotb_tools.runner import get_runner
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent.parent / "scripts"))
+from synthesis import microcode  # noqa: E402
 from synthesis.board_files import top  # noqa: E402
 from synthesis.boards import TOP, board_named  # noqa: E402
 from synthesis.cores import sources  # noqa: E402
@@ -24,7 +25,12 @@ def main():
     name, registers, folder = sys.argv[1:]
     board = board_named(name, {"MultiplierForm": "0"})  # Icarus has no cells of the device
     text = pathlib.Path(folder) / "top.v"
-    text.write_text(top(board, board.settings))
+    made = pathlib.Path(folder).resolve()
+    settings = microcode.make(TOP, board.settings, made, made / "microcode.log")
+    for parameter, file in microcode.FILES.items():
+        if parameter in settings:
+            settings[parameter] = f'"{made / file}"'
+    text.write_text(top(board, settings))
     runner = get_runner("icarus")
     runner.build(sources=[*sources("uart_line", TOP), text], hdl_toplevel="top", build_dir=folder,
                  always=True, build_args=["-g2012"], timescale=("1ns", "1ps"))

@@ -27,9 +27,9 @@ def main():
     part = pathlib.Path(folder) / "part.ngc"
     part.write_text(PROGRAM, encoding="ascii")
     words = pathlib.Path(folder) / "words"
-    subprocess.run([curvecore, "words", part, "-q", "-o", words, "--build", "serial", "--set",
-                    "Splines=1", "--set", "Mode=1", "--clock", "2.56MHz", "--segment-queue", "1024",
-                    "--profile-queue", "512"], check=True)
+    subprocess.run([curvecore, "words", part, "-q", "-o", words, "--set",
+                    "Splines=1", "--set", "Mode=1", "--set", "SampleInterval=8", "--clock",
+                    "2.56MHz", "--segment-queue", "1024", "--profile-queue", "512"], check=True)
     other = [pathlib.Path(file) for file in sys.argv[4:]]
     files = [file for file in sources("motion_axi") if file.name not in {o.name for o in other}]
     runner = get_runner("icarus")

@@ -156,6 +156,11 @@ const std::vector<BadCommandLine> kBadCommandLines{
      "curvecore: error: Anchor=0 works with --build parallel and Splines=1 only"},
     {"SetSecondIsBad", with({"--set", "Order=4", "--set", "GuardBits=1"}),
      "curvecore: error: --set GuardBits must be in [2, 12]"},
+    {"SerialBuildOnRtl", run_with({"--build", "serial"}),
+     "curvecore: error: --build serial: a curve core alone, which no motion has inside: take "
+     "--build engine, or --on kernel"},
+    {"SerialBuildInASystem", run_with({"--build", "serial", "--on", "systemc"}),
+     "curvecore: error: --build serial: a curve core alone"},
     {"BoardUnknown", run_with({"--on", "paper"}),
      "curvecore: error: --on 'paper': must be one of kernel, rtl, systemc, systemc-rtl"},
     {"StallOnTheKernel", run_with({"--on", "kernel", "--stall", "1"}),

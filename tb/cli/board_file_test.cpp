@@ -34,7 +34,7 @@ class BoardFile : public testing::Test {
 
 TEST_F(BoardFile, SaysCorePeriodAndQueues) {
     const Json json = words("tang_nano_20k");
-    EXPECT_EQ(json["sample_period_s"].get<double>(), 2048 / 27e6);
+    EXPECT_EQ(json["sample_period_s"].get<double>(), 8192 / 27e6);
     EXPECT_EQ(json["parameters"]["Splines"], 1);
     EXPECT_EQ(json["queue_words"]["segments"], 1024);
     EXPECT_EQ(json["queue_words"]["profile"], 1024);
@@ -42,7 +42,7 @@ TEST_F(BoardFile, SaysCorePeriodAndQueues) {
 
 TEST_F(BoardFile, OfOnesOwnIsRead) {
     program_.write("mine.json",
-                   R"({"clock_hz": 50e6, "parameters": {"PeriodLog2": 12, "Order": 5,
+                   R"({"clock_hz": 50e6, "parameters": {"Build": 0, "PeriodLog2": 12, "Order": 5,
                        "ProfileQueueWords": 2048, "MultiplierForm": 1}})");
     const Json json = words("mine.json");
     EXPECT_EQ(json["sample_period_s"].get<double>(), 4096 / 50e6);
@@ -82,8 +82,12 @@ TEST_F(BoardFile, WhatIsNoBoardIsRefused) {
     refuse({"--board", "bad.json"}, "bad.json:1: error: 'clock_hz' is missing");
     program_.write("worse.json", R"({"clock_hz": 1e6, "parameters": {"Length": 3}})");
     refuse({"--board", "worse.json"}, "worse.json:1: error: motion_board has no parameter Length");
-    program_.write("build.json", R"({"clock_hz": 1e6, "parameters": {"Build": 3}})");
-    refuse({"--board", "build.json"}, "build.json:1: error: Build must be 0, 1 or 2");
+    for (const char* build : {"1", "3"}) {
+        program_.write("build.json",
+                       std::string(R"({"clock_hz": 1e6, "parameters": {"Build": )") + build + "}}");
+        refuse({"--board", "build.json"},
+               "build.json:1: error: Build must be 0 (parallel) or 2 (engine)");
+    }
     program_.write("anchor.json", R"({"clock_hz": 1e6, "parameters": {"Build": 2, "Order": 1}})");
     refuse({"--board", "anchor.json"}, "anchor.json:1: error: Order must be in [2, 12]");
     program_.write("wrong.json", "{\"clock_hz\": \"1MHz\",\n \"parameters\": {}}");

@@ -54,14 +54,13 @@ class Boards : public testing::Test {
     ProgramRun program_;
 };
 
-const Arguments kSerial{"--build", "serial",    "--set",           "AuxAxes=6",
-                        "--set",   "Splines=1", "--sample-period", "500us"};
+const Arguments kSplines{"--set", "Splines=1", "--sample-period", "500us"};
 
-TEST_F(Boards, DrawArcsAlike) { compare(DATA_DIR "/arcs.ngc", kSerial); }
-TEST_F(Boards, DrawSplinesAlike) { compare(DATA_DIR "/splines.ngc", kSerial); }
-TEST_F(Boards, DrawAuxiliaryAxesAlike) { compare(DATA_DIR "/aux_axes.ngc", kSerial); }
+TEST_F(Boards, DrawArcsAlike) { compare(DATA_DIR "/arcs.ngc", kSplines); }
+TEST_F(Boards, DrawSplinesAlike) { compare(DATA_DIR "/splines.ngc", kSplines); }
+TEST_F(Boards, DrawAuxiliaryAxesAlike) { compare(DATA_DIR "/aux_axes.ngc", kSplines); }
 TEST_F(Boards, DrawSamplesThatShareTicksAlike) {
-    Arguments options = kSerial;
+    Arguments options = kSplines;
     options.insert(options.end(), {"--samples-per-tick", "8", "--override", "70"});
     compare(DATA_DIR "/stops.ngc", options);
 }
@@ -101,13 +100,13 @@ TEST_F(Boards, DrawARandomProgramAlike) {
     }
     text << "M2\n";
     program_.write("random.ngc", text.str());
-    compare("random.ngc", kSerial);
+    compare("random.ngc", kSplines);
 }
 
 /// Negative control of the comparison: another rate of time is detected.
 TEST_F(Boards, ComparisonSeesAnotherOverride) {
-    draw(DATA_DIR "/arcs.ngc", "kernel", kSerial);
-    Arguments slower = kSerial;
+    draw(DATA_DIR "/arcs.ngc", "kernel", kSplines);
+    Arguments slower = kSplines;
     slower.insert(slower.end(), {"--override", "99"});
     draw(DATA_DIR "/arcs.ngc", "systemc", slower);
     EXPECT_FALSE(rows("kernel") == rows("systemc"));

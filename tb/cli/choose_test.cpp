@@ -48,16 +48,16 @@ TEST_F(ChooseCommand, CountsTheWholeOfABoard) {
         all.insert(all.end(), where.begin(), where.end());
         return choose(all, asked);
     };
-    const Json core = choice({"--device", "ecp5-25"})["choice"]["estimate"];
-    const Json json = choice({"--board", "colorlight_i5"});
+    const Json core = choice({"--device", "ecp5-85"})["choice"]["estimate"];
+    const Json json = choice({"--board", "ulx3s_85"});
     const Json& board = json["choice"]["estimate"];
-    EXPECT_EQ(json["requirement"]["device"], "ecp5-25");
+    EXPECT_EQ(json["requirement"]["device"], "ecp5-85");
     EXPECT_GT(board["lut4"], core["lut4"].get<double>() + 4000);
     EXPECT_GT(board["bram"], core["bram"].get<double>() + 10);
     EXPECT_LT(board["fmax_mhz"], core["fmax_mhz"]);
     const Json file = Json::parse(program_.read("out/core.json"));
-    EXPECT_EQ(file["clock_hz"], 25e6);
-    EXPECT_EQ(file["sample_period_s"], 2048 / 25e6);
+    EXPECT_EQ(file["clock_hz"], 50e6);
+    EXPECT_EQ(file["sample_period_s"], 512 / 50e6);
     const ProgramResult plan =
         run({"plan", DATA_DIR "/arcs.ngc", "-q", "-o", "plan", "--core", "out/core.json"});
     EXPECT_EQ(plan.status, 0) << plan.err;

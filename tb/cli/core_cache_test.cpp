@@ -33,7 +33,7 @@ class MadeCore : public testing::Test {
     ProgramResult run(const std::string& script) const {
         const std::string command =
             "RUN() { folder=$1; shift; '" CURVECORE_PROGRAM
-            "' run part.ngc -o $folder --build serial --set Order=3 --set CoefBits=24 "
+            "' run part.ngc -o $folder --build engine --set Order=3 --set CoefBits=24 "
             "--set GuardBits=6 --unit 1um \"$@\"; }\n";
         return shell_.run({"-c", command + script});
     }
@@ -67,7 +67,7 @@ int count(const std::string& text, const std::string& part) {
 TEST_F(MadeCore, IsMadeOnceForTwoRunsAndKeptAndMadeAgainWhenBroken) {
     const ProgramResult both = run("RUN one & first=$!; RUN two; s=$?; wait $first && exit $s");
     EXPECT_EQ(both.status, 0) << both.err;
-    EXPECT_EQ(count(both.err, "making the core serial Order=3 CoefBits=24"), 1) << both.err;
+    EXPECT_EQ(count(both.err, "making the core engine Order=3 CoefBits=24"), 1) << both.err;
     EXPECT_EQ(count(both.err, "waiting for another run that makes this core"), 1) << both.err;
     ASSERT_EQ(made().size(), 1U);
     EXPECT_TRUE(shell_.read("one/samples.csv") == shell_.read("two/samples.csv"));
@@ -146,8 +146,9 @@ TEST_F(MadeCore, ThatCannotBeMadeLeavesNothingButItsLog) {
 /// The answer of `choose` is drawn by `run`.
 TEST_F(MadeCore, IsWhatChooseAnswered) {
     const ProgramRun program;
-    const ProgramResult chosen = program.run({"choose", "--error", "1um", "--radius", "300mm",
-                                              "--feed", "10m/min", "--device", "up5k", "-o", "."});
+    const ProgramResult chosen =
+        program.run({"choose", "--error", "1um", "--radius", "300mm", "--feed", "10m/min",
+                     "--device", "ecp5-25", "--build", "parallel", "-o", "."});
     ASSERT_EQ(chosen.status, 0) << chosen.err;
     program.write("part.ngc",
                   "G21 G90 F10000\nG1 X100\nG3 X200 Y100 J100\nG2 X500 Y100 R150\nM2\n");

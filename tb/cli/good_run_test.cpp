@@ -94,8 +94,7 @@ TEST_F(GoodRun, RotaryAxisTurnsWithoutEnd) {
     program_.write("part.ngc",
                    "G21 G90 G94\nG1 X10 A2000 F300\nA-3000 F20000\nG64 G91\n"
                    "X1 A180\nX1 A180\nX1 A180\nG5 X10 I3 J3 P-3 Q3\nM2\n");
-    report({"--set", "AuxAxes=6", "--set", "Splines=1", "--build", "serial", "--sample-period",
-            "1ms"});
+    report({"--on", "kernel", "--sample-period", "1ms"});
     for (const std::string& row : rows()) {
         if (row[0] == 'k') continue;
         std::int64_t cell[7];
@@ -195,12 +194,12 @@ TEST_F(GoodRun, StallsDoNotChangeTheSamples) {
     }
 }
 
-TEST_F(GoodRun, SerialGivesTheSameSamples) {
-    report();
-    const Json json = report({"--build", "serial"}, "serial");
+/// The serial build is a curve core alone: it is planned for, and the kernel draws it.
+TEST_F(GoodRun, TheSerialBuildIsDrawnByTheKernelAlone) {
+    const Json json = report({"--build", "serial", "--on", "kernel"});
     EXPECT_EQ(json["build"], "serial");
-    EXPECT_GT(json["clocks_per_sample"], 10);
-    EXPECT_EQ(rows("serial"), rows());
+    report({"--on", "kernel"}, "parallel");
+    EXPECT_EQ(rows("parallel"), rows());
 }
 
 TEST_F(GoodRun, OverrideIsSlowerOnTheSamePath) {
@@ -227,13 +226,6 @@ TEST_F(GoodRun, EveryUnitHolds) {
         const Json json = report({"--unit", unit}, unit);
         EXPECT_EQ(json["landing_lsb"], 0) << unit;
     }
-}
-
-TEST_F(GoodRun, AuxiliaryAxesChooseTheirCore) {
-    program_.write("part.ngc", "G21 G90 F600\nG1 X3 A10\nG2 X5 Y2 I0 J2 A-5 B2\nM2\n");
-    const Json json = report({"--build", "serial"});
-    EXPECT_GE(json["parameters"]["AuxAxes"], 2);
-    EXPECT_EQ(rows()[0], "k,segment,s,x,y,z,a,b");
 }
 
 TEST_F(GoodRun, TraceWritesWaveformAndItsArrangement) {

@@ -24,7 +24,7 @@ struct Board {
 void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
 
 /// Few enough clocks a sample that a Verilated core in the system is no slower than one alone.
-const Arguments kFewClocks{"--build", "serial", "--clock", "256kHz", "--set", "Splines=1"};
+const Arguments kFewClocks{"--clock", "256kHz", "--set", "Splines=1"};
 
 Arguments operator+(Arguments all, const Arguments& more) {
     all.insert(all.end(), more.begin(), more.end());
@@ -33,7 +33,6 @@ Arguments operator+(Arguments all, const Arguments& more) {
 
 const std::vector<Board> kBoards{{"Kernel", {"--on", "kernel"}},
                                  {"Parallel", {"--build", "parallel"}},
-                                 {"Serial", {"--build", "serial"}},
                                  {"SystemC", kFewClocks + Arguments{"--on", "systemc"}},
                                  {"SystemCWithRtl", kFewClocks + Arguments{"--on", "systemc-rtl"}}};
 

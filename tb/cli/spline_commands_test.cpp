@@ -101,9 +101,7 @@ TEST_P(SplineRuns, HoldEveryBoundWithLinesAndArcs) {
 INSTANTIATE_TEST_SUITE_P(Cores, SplineRuns,
                          testing::Values(std::vector<std::string>{"--stall", "3"},
                                          std::vector<std::string>{"--on", "kernel", "--set",
-                                                                  "Mode=1"},
-                                         std::vector<std::string>{"--stall", "3", "--build",
-                                                                  "serial", "--set", "AuxAxes=6"}),
+                                                                  "Mode=1"}),
                          [](const auto& tested) { return name_of(tested.param); });
 
 TEST_F(SplineCommands, RunFasterWithMoreEffort) {

@@ -61,7 +61,7 @@ TEST(SynthBoard, ConstraintsAndTopFollowFromTheTable) {
     const std::string top = synth.read("out/boards/icebreaker/top.v");
     EXPECT_PRED_FORMAT2(IsSubstring, "wire clock = clk;", top);
     EXPECT_PRED_FORMAT2(IsSubstring, ".BitClocks(12)", top);
-    EXPECT_PRED_FORMAT2(IsSubstring, ".PeriodLog2(10)", top);
+    EXPECT_PRED_FORMAT2(IsSubstring, ".PeriodLog2(13)", top);
     EXPECT_PRED_FORMAT2(IsSubstring, ".ClockHertz(12000000)", top);
 
     EXPECT_EQ(synth.synth({"--board", "ulx3s_85"}).status, 0);
@@ -121,11 +121,9 @@ TEST(SynthBoard, AParameterGivenIsInTheTop) {
 /// A board of the engine beside others' tools, which what makes its programs may use.
 ProgramResult engine_board(const SynthRun& synth, int period_log2) {
     Json table = table_of("colorlight_i5");
-    table["parameters"]["Build"] = 2;
     table["parameters"]["PeriodLog2"] = period_log2;
     synth.write("engine.json", table.dump());
-    return synth.shell("PATH=$PATH:/usr/bin:/bin MICROCODE_GENERATOR=" MICROCODE_GENERATOR
-                       " $SYNTH --board engine.json");
+    return synth.shell("PATH=$PATH:/usr/bin:/bin $SYNTH --board engine.json");
 }
 
 TEST(SynthBoard, OfTheEngineComesWithItsPrograms) {
@@ -234,7 +232,8 @@ TEST(SynthBoard, PinsAloneLeaveNoBitstreamOfTheBoard) {
 TEST(SynthBoard, OneThatDoesNotFitSaysByHowMuchAndLeavesNothingOld) {
     const SynthRun synth(kTools);
     EXPECT_EQ(synth.synth({"--board", "colorlight_i5"}).status, 0);
-    const ProgramResult result = synth.synth({"--board", "colorlight_i5", "--set", "Order=12"});
+    const ProgramResult result =
+        synth.synth({"--board", "colorlight_i5", "--set", "Build=0", "--set", "Order=12"});
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err,
               "synth: colorlight_i5: does not fit LFE5U-25F-6BG381C: 30000 TRELLIS_COMB of "

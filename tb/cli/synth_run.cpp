@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 SynthRun::SynthRun(const std::vector<std::string>& tools) : ProgramRun("/usr/bin/env") {
     fs::create_directory(folder() / "bin");
-    for (const std::string command : {"bash", "ls", "sleep", "touch"}) {
+    for (const std::string command : {"bash", "dirname", "ls", "sleep", "touch"}) {
         fs::create_symlink("/bin/" + command, folder() / "bin" / command);
     }
     for (const std::string& tool : tools) {
@@ -29,7 +29,8 @@ ProgramResult SynthRun::shell(const std::string& script) const {
     const std::string here = folder().string();
     return run({"PATH=" + here + "/bin", "FAKE_LOG=" + here + "/log", "FAKE_GATE=" + here + "/gate",
                 "SYNTH=" SYNTH_PYTHON " " SYNTH_PY " --output out",
-                "HLS=" SYNTH_PYTHON " " HLS_PY " --output out", "/bin/sh", "-c", script});
+                "HLS=" SYNTH_PYTHON " " HLS_PY " --output out",
+                "MICROCODE_GENERATOR=" MICROCODE_GENERATOR, "/bin/sh", "-c", script});
 }
 
 int SynthRun::runs(const std::string& tool) const {

@@ -14,8 +14,7 @@ using Json = nlohmann::json;
 using Arguments = std::vector<std::string>;
 
 /// A sample of 2^8 clocks for the step generator; the Verilated one simulates each of them.
-const Arguments kFewClocks{"--build",         "serial",    "--set",    "Splines=1",
-                           "--set",           "AuxAxes=0", "--clock",  "768kHz",
+const Arguments kFewClocks{"--set",           "Splines=1", "--clock",  "512kHz",
                            "--sample-period", "500us",     "--system", "step=10um"};
 
 class System : public testing::Test {
@@ -89,7 +88,7 @@ TEST_F(System, ComparisonSeesOneClock) {
 /// Nine axes at the clocks of a board.
 TEST_F(System, StepsNineAxesAlike) {
     program_.write("part.ngc", "G21 G90 G94 F1200\nG1 X1 A2 C-1\nG3 X3 Y2 I0 J2 B1 W0.5\nM2\n");
-    const Arguments options{"--build", "serial", "--set", "Splines=1", "--set", "AuxAxes=6"};
+    const Arguments options{"--set", "Splines=1", "--set", "AuxAxes=6"};
     const Json kernel = draw("part.ngc", "", options).pulses();
     EXPECT_EQ(kernel["clock_hz"], 81.92e6);
     EXPECT_EQ(kernel["axes"].size(), 9U);

@@ -67,26 +67,10 @@ Waves waves_of(const std::string& vcd) {
 class SystemTrace : public testing::Test {
   protected:
     Waves draw(const std::string& system) {
-        const ProgramResult result = program_.run({"run",
-                                                   DATA_DIR "/pulses.ngc",
-                                                   "-q",
-                                                   "-o",
-                                                   "out",
-                                                   "--on",
-                                                   "systemc",
-                                                   "--trace",
-                                                   "--build",
-                                                   "serial",
-                                                   "--set",
-                                                   "Splines=1",
-                                                   "--clock",
-                                                   "768kHz",
-                                                   "--sample-period",
-                                                   "500us",
-                                                   "--system",
-                                                   "step=10um",
-                                                   "--system",
-                                                   system});
+        const ProgramResult result =
+            program_.run({"run", DATA_DIR "/pulses.ngc", "-q", "-o", "out", "--on", "systemc",
+                          "--trace", "--set", "Splines=1", "--clock", "768kHz", "--sample-period",
+                          "500us", "--system", "step=10um", "--system", system});
         EXPECT_EQ(result.status, 0) << result.err;
         return waves_of(program_.read("out/system.vcd"));
     }

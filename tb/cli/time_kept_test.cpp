@@ -42,28 +42,6 @@ class TimeKept : public testing::Test {
     ProgramRun program_;
 };
 
-TEST_F(TimeKept, BySlowSerialCoresOverManyJoints) {
-    program_.write("part.ngc", joints(1500));
-    for (const char* clock : {"2MHz", "3MHz", "10MHz"}) {
-        const std::vector<std::string> options{"--build", "serial", "--clock", clock};
-        std::vector<std::string> command{"run"};
-        command.insert(command.end(), options.begin(), options.end());
-        const Json ran = report(command);
-        command[0] = "plan";
-        const Json planned = report(command);
-        const double available = ran["time_kept"]["clocks_available"];
-        const double used = ran["time_kept"]["clocks_used"];
-        const double predicted = planned["time_kept"]["clocks_used"];
-        EXPECT_EQ(available, 100 * std::stod(clock));
-        EXPECT_LE(ran["clocks_per_sample"], available);
-        EXPECT_LE(used, predicted) << clock;
-        EXPECT_LE(predicted, available) << clock;
-        EXPECT_GT(used, available / 2) << clock << ": slower than it need be";
-        EXPECT_TRUE(check(ran)["held"]);
-        EXPECT_TRUE(check(planned)["held"]);
-    }
-}
-
 TEST_F(TimeKept, ByTheParallelCoreWithFewClocks) {
     program_.write("part.ngc", joints(300));
     const Json ran = report({"run", "--clock", "1MHz"});
@@ -87,10 +65,10 @@ TEST_F(TimeKept, APeriodShorterThanTheCoresClocksIsRefused) {
     program_.write("part.ngc", joints(30));
     for (const char* command : {"run", "plan", "words"}) {
         const ProgramResult result =
-            program_.run({command, "part.ngc", "-o", "out", "--build", "serial", "--sample-period",
+            program_.run({command, "part.ngc", "-o", "out", "--build", "engine", "--sample-period",
                           "1us", "--clock", "12MHz"});
         EXPECT_EQ(result.status, 2);
-        EXPECT_NE(result.err.find("a sample period has 12 clocks, and this serial core needs "),
+        EXPECT_NE(result.err.find("a sample period has 12 clocks, and this engine core needs "),
                   std::string::npos)
             << result.err;
         EXPECT_FALSE(program_.exists("out"));

@@ -72,10 +72,9 @@ std::uint64_t header_word(const std::string& file, std::size_t at) {
 TEST(WavesTime, IsThatOfTheClock) {
     for (const auto& [clock, period_ps] : {std::pair("100MHz", 10e3), {"20MHz", 50e3}}) {
         const ProgramRun program;
-        program.write("part.ngc", "G21 G61 G90 F900\nG1 X0.1\nM2\n");
-        const ProgramResult result =
-            program.run({"run", "part.ngc", "-q", "-o", "out", "--trace", "--trace-clocks", "2000",
-                         "--clock", clock, "--build", "serial"});
+        program.write("part.ngc", "G21 G61 G90 F900\nG1 X4\nM2\n");
+        const ProgramResult result = program.run({"run", "part.ngc", "-q", "-o", "out", "--trace",
+                                                  "--trace-clocks", "2000", "--clock", clock});
         ASSERT_EQ(result.status, 0) << result.err;
         const std::string fst = program.read("out/waves.fst");
         constexpr std::size_t kEndTime = 17;
@@ -100,20 +99,16 @@ TEST(WavesTime, IsThatOfTheClock) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cores, Waves,
-    testing::Values(
-        Case{"Default", {}, kParallel},
-        Case{"AuxAxes",
-             {"--build", "serial", "--set", "AuxAxes=6"},
-             with({{"Steps", 0},
-                   {"Lines and arcs", 0},
-                   {"Network", 11},
-                   {"Sampler", 7},
-                   {"Positions", 13}})},
-        Case{"Splines", {"--set", "Splines=1"}, with({{"Splines", 7}})},
-        Case{"Polynomial", {"--set", "Mode=1"}, kParallel},
-        Case{"Serial",
-             {"--build", "serial"},
-             with({{"Steps", 0}, {"Lines and arcs", 0}, {"Network", 11}, {"Sampler", 7}})}),
+    testing::Values(Case{"Default", {}, kParallel},
+                    Case{"Splines", {"--set", "Splines=1"}, with({{"Splines", 7}})},
+                    Case{"Polynomial", {"--set", "Mode=1"}, kParallel},
+                    Case{"Engine",
+                         {"--build", "engine", "--set", "Splines=1"},
+                         with({{"Steps", 0},
+                               {"Lines and arcs", 0},
+                               {"Sampler", 0},
+                               {"Path generator", 5},
+                               {"Engine", 11}})}),
     [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -51,7 +51,7 @@ CLASSES = {bench: {"Order": EVEN_AND_ODD, "SampleInterval": INTERVAL} for bench 
         "Order": every(2, 3, 12) | {"even": {4, 6, 8, 10}, "odd": {5, 7, 9, 11}},
         "SampleInterval": every(1, 2, 4, 8)},
     "motion_interpolator": {
-        "Build": every(0, 1, 2), "SampleInterval": INTERVAL,
+        "Build": every(0, 2), "SampleInterval": INTERVAL,
         **{name: default_or_not(name) for name in ("Order", "CoefBits", "PositionBits",
                                                    "GuardBits", "ParameterGuard")}},
 }

@@ -109,7 +109,7 @@ class ComponentTest(unittest.TestCase):
     def draw(self, through=lambda board: board, meanwhile=lambda board: None, board=()):
         """Draws the program and returns the number of late samples."""
         self.compile()
-        board = Board(str(self.folder / "board"), *board)
+        board = Board(str(self.folder / "board"), "--build", "parallel", *board)
         self.addCleanup(board.kill)
         *places, late = self.run_program(through(board).port, 0.03, lambda: meanwhile(board))
         self.check_follows(*places)

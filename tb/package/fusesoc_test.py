@@ -46,20 +46,20 @@ class FuseSoC(unittest.TestCase):
         self.assertIn("%Warning-SELRANGE", done.stdout + done.stderr)
 
     def test_vivado(self):
-        self.ask("run", "--target=synth", "--setup", NAME, "--Build", "1", "--Order", "5")
+        self.ask("run", "--target=synth", "--setup", NAME, "--Build", "2", "--Order", "5")
         script = self.made("synth-vivado/*[0-9].tcl")
         self.assertIn("set_property part xc7a35ticsg324-1L", script)
-        self.assertIn("Build=1 Order=5 ", script)
+        self.assertIn("Build=2 Order=5 ", script)
         read = [line.split("/", 2)[2].rstrip("}") for line in script.split("\n")
                 if line.startswith("read_verilog -sv")]
         self.assertEqual(read, FILES)
 
     def test_quartus(self):
-        self.ask("run", "--target=synth", "--tool=quartus", "--setup", NAME, "--Build", "1")
+        self.ask("run", "--target=synth", "--tool=quartus", "--setup", NAME, "--Build", "2")
         script = self.made("synth-quartus/*.tcl")
         self.assertIn("DEVICE 5CSEBA6U23I7", script)
         self.assertIn("TOP_LEVEL_ENTITY motion_interpolator", script)
-        self.assertIn("set_parameter -name Build 1\n", script)
+        self.assertIn("set_parameter -name Build 2\n", script)
         self.assertEqual(script.count("SYSTEMVERILOG_FILE"), len(FILES))
 
 

@@ -14,9 +14,9 @@ done
 unset CURVECORE_CORES
 export XDG_CACHE_HOME="$folder/cache"
 run() {
-  "$folder/bin/curvecore" run "$part" -o "$folder/out" --build serial --set Order=3 \
+  "$folder/bin/curvecore" run "$part" -o "$folder/out" --build engine --set Order=3 \
     --set CoefBits=24 --set GuardBits=6 --unit 1um | grep -o 'every check held$'
-  echo "kept: $(ls -d "$XDG_CACHE_HOME"/curvecore/serial-*/core.so | wc -l)"
+  echo "kept: $(ls -d "$XDG_CACHE_HOME"/curvecore/engine-*/core.so | wc -l)"
 }
 run
 run

@@ -29,8 +29,8 @@ def motion(positions):
 
 
 def curvecore(program, command, folder, *options):
-    subprocess.run([program, command, "part.ngc", "-o", folder, "--build", "serial", "--set",
-                    "Splines=1", "--sample-period", "500us", "-q", *options], cwd=EXAMPLES,
+    subprocess.run([program, command, "part.ngc", "-o", folder, "--set", "Splines=1", "--set",
+                    "SampleInterval=8", "--sample-period", "500us", "-q", *options], cwd=EXAMPLES,
                    check=True)
 
 

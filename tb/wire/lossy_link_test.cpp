@@ -14,7 +14,7 @@
 namespace curvecore::sysc {
 namespace {
 
-/// Words, in 1.2 s: twice the number that the board's queue of profile words holds.
+/// Words, in 1.2 s: more than the board's queue of profile words holds.
 constexpr const char* kPart =
     "G21 G90 G61 F6000\n"
     "G1 X8 Y1 Z1\nG3 X12 Y5 I0 J4\nG5 X15 Y12 I0 J3 P-2 Q-2\nG3 X9 Y12 Z3 I-3 J0\n"
@@ -44,7 +44,7 @@ Drawn draw(LossyLink& link, Steps& steps) {
     Console console("", 100);
     WireStream stream(machine, words, console, 1);
     EXPECT_EQ(stream.run([] {}), StreamEnd::kDone);
-    EXPECT_GT(stream.planned().words, 2000U);
+    EXPECT_GT(stream.planned().words, 1500U);
     machine.steps();  // until the last step is out
     const std::int64_t first = steps.empty() ? 0 : steps[0][0];
     for (auto& step : steps) step[0] -= first;

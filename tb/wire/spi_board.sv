@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The virtual board's RTL (sysc/wire/CMakeLists.txt) behind SPI's pins.
+// The virtual board's RTL (sysc/virtual/virtual_board.cpp) behind SPI's pins.
 `default_nettype none
-module spi_board (
+module spi_board #(
+    parameter Program = "",
+    parameter Data    = ""
+) (
     input  wire logic       clk_i,
     input  wire logic       rst_ni,
     input  wire logic       cs_ni,
@@ -31,10 +34,10 @@ module spi_board (
       .byte_i      (out)
   );
   motion_board #(
-      .PeriodLog2       (8),
-      .ClockHertz       (2_560_000),
+      .ClockHertz       (5_120_000),
       .SegmentQueueWords(4096),
-      .SamplesAhead     (15)
+      .Program          (Program),
+      .Data             (Data)
   ) u_board (
       .clk_i,
       .rst_ni,

@@ -118,7 +118,7 @@ TEST(SpiLink, DrawsTheStepsThatUdpDraws) {
         board.join();
     }
     Steps over_spi;
-    SpiLink link(std::make_unique<Pins>(over_spi), 2'560'000 / (2.0 * kHalfBit));
+    SpiLink link(std::make_unique<Pins>(over_spi), 5'120'000 / (2.0 * kHalfBit));
     const LinkFigures figures = draw(link, part);
     EXPECT_GT(over_udp.size(), 5000U);
     EXPECT_EQ(over_spi.size(), over_udp.size());

@@ -102,9 +102,10 @@ def system_steps(part, folder):
     """Steps, as above, of the system in SystemC with the same core, queues and drives."""
     subprocess.run(
         [CURVECORE, "run", part, "-q", "-o", folder, "--on", "systemc", "--trace", "--build",
-         "serial", "--set", "Splines=1", "--set", "Mode=1", "--clock", "2.56MHz",
-         "--segment-queue", "4096", "--profile-queue", "1024", "--system",
-         f"step={1000 / STEPS_PER_MM}um,steplen=2us,stepspace=2us,dirsetup=4us,dirhold=4us"],
+         "engine", "--set", "Splines=1", "--set", "Mode=1", "--clock", "5.12MHz",
+         "--sample-period", "1600us", "--segment-queue", "4096", "--profile-queue", "1024",
+         "--system", f"step={1000 / STEPS_PER_MM}um,steplen=2us,stepspace=2us,"
+         "dirsetup=4us,dirhold=4us"],
         check=True)
     pins, level, now, steps = {}, {}, 0, []
     for line in (pathlib.Path(folder) / "system.vcd").read_text(encoding="ascii").split("\n"):
@@ -121,7 +122,7 @@ def system_steps(part, folder):
             axis, pin = pins[words[0][1:]]
             level[axis, pin] = int(words[0][0])
             if pin == "step" and level[axis, pin]:
-                steps.append((round(now * 2.56e-6), axis, -1 if level[axis, "direction"] else 1))
+                steps.append((round(now * 5.12e-6), axis, -1 if level[axis, "direction"] else 1))
     return steps
 
 

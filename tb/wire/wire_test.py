@@ -90,8 +90,8 @@ class WireTest(unittest.TestCase):
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
         self.assertFalse(report["drawn"]["held"])
 
-    def test_a_board_of_the_engine_draws_it(self):
-        steps, _ = self.draw("--fast", "--build", "engine")
+    def test_a_board_of_the_parallel_build_draws_it(self):
+        steps, _ = self.draw("--fast", "--build", "parallel")
         self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
         report = self.report()
         self.assertEqual(report["drawn"]["path_quanta"], report["planned"]["path_quanta"])
@@ -231,7 +231,7 @@ class WireTest(unittest.TestCase):
             self.finish(self.stream(name), 2, "curvecore: error:")
 
     def test_times_that_the_board_cannot_count(self):
-        # 2,048 clocks of 2.56 MHz: with another time they are more than its 12 bits.
+        # 4,096 clocks of 5.12 MHz: more than its 12 bits.
         board = self.board("--fast")
         self.finish(self.stream(f"udp:127.0.0.1:{board.port}", "--steplen", "800us"), 2,
                     "more than 2047 clocks of the board")
@@ -240,12 +240,12 @@ class WireTest(unittest.TestCase):
         # The board's description is changed on its way: times of 10 bits, scales of 40.
         def change(answer):
             words = [answer[n:n + 4] for n in range(0, len(answer), 4)]
-            made, other = ((times | scales << 5 | 15 << 11).to_bytes(4, "little")
+            made, other = ((times | scales << 5 | 4 << 11).to_bytes(4, "little")
                            for times, scales in ((12, 44), (10, 40)))
             return b"".join(other if word == made else word for word in words)
         board = self.board("--fast")
         to = f"udp:127.0.0.1:{Wire(board.port, change=change).port}"
-        self.finish(self.stream(to, "--steplen", "250us"), 2, "more than 511 clocks of the board")
+        self.finish(self.stream(to, "--steplen", "125us"), 2, "more than 511 clocks of the board")
         self.finish(self.stream(to, "--steps-per-mm", "4000"), 2,
                     "steps per mm are too many for the board, whose scales have 40")
 
@@ -263,7 +263,7 @@ class WireTest(unittest.TestCase):
                         f"udp:127.0.0.1:{board.port}"], check=True)
         words = json.loads((out / "words.json").read_text(encoding="utf-8"))
         self.assertEqual(words["queue_words"], {"segments": 4096, "profile": 1024})
-        self.assertEqual((words["clock_hz"], words["sample_period_s"]), (2.56e6, 1e-4))
+        self.assertEqual((words["clock_hz"], words["sample_period_s"]), (5.12e6, 1.6e-3))
         self.assertEqual(words["parameters"]["Mode"], 1)
         self.assertEqual(read(board.port, SEQUENCE), 0, "it was only asked")
         capability, core, clock = (read(board.port, address) for address in (0x08, 0x0C, 0x10))
@@ -371,7 +371,7 @@ class WireTest(unittest.TestCase):
                            report["link"]["words_per_s"])
         steps = board.end()
         self.assertEqual(counts(steps), [STEPS_PER_MM * mm for mm in END])
-        seconds = (steps[-1][0] - steps[0][0]) / 2.56e6
+        seconds = (steps[-1][0] - steps[0][0]) / 5.12e6
         self.assertGreater(seconds, 0.8 * report["planned"]["duration_s"] / report["link"]["rate"])
 
 

@@ -62,8 +62,9 @@ word_done:
   if negative call take_settings
   go to motion
 
-others:                        # the guard is that of the tick before
+others:
   call take_settings
+  call guard
   go to guarded
 
 report_begun:

@@ -18,7 +18,7 @@ namespace curvecore::sysc {
 namespace {
 
 struct BoardOptions {
-    BoardServerOptions served{kWireAddress, false, {}, Build::kSerial};
+    BoardServerOptions served{kWireAddress, false, {}, Build::kEngine};
     std::string folder;  // empty: no steps.csv
 };
 
@@ -90,8 +90,8 @@ void add_board(CLI::App& app, int& status) {
         "each frame gives its clock 5 ms, and nothing else does; otherwise its clock is "
         "that of the wall");
     add_value(command, "--build", served.build, "BUILD",
-              "serial (default), or engine: made with Verilator when it is first asked for, at a "
-              "sample every 800us",
+              "engine (default), a sample every 1600us, or parallel, every 100us; made with "
+              "Verilator when it is first asked for",
               build_of);
     add_text(command, "-o,--output", options.folder, "DIR",
              "folder for steps.csv: every step of its pins, written when it ends");

@@ -106,8 +106,8 @@ void add_core(CLI::App& command, CoreChoice& core) {
     begin_group(command, group::kCore);
     add_text(command, "--core", core.core, "FILE.json",
              "a core as choose writes it: parameters, unit, error, sample period, clock");
-    add_value(command, "--build", core.build, "BUILD", "parallel (default), serial or engine",
-              build_of);
+    add_value(command, "--build", core.build, "BUILD",
+              "parallel (default), engine, or serial: a curve core alone", build_of);
     add_text(command, "--device", core.said.device, "NAME", device_names());
     add_value(command, "--error", core.said.error_mm, "LENGTH",
               fmt::format("worst error of a position on any axis, half a unit of rounding in it; "

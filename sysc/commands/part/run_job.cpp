@@ -5,6 +5,7 @@
 #include "sysc/board/kernel_board.hpp"
 #include "sysc/cli/interrupt.hpp"
 #include "sysc/cli/progress_bar.hpp"
+#include "sysc/cli/usage_error.hpp"
 #include "sysc/commands/part/planned_job.hpp"
 #include "sysc/commands/part/publish.hpp"
 #include "sysc/cores/compiled_core.hpp"
@@ -36,9 +37,18 @@ std::unique_ptr<Board> make_board(const Job& job, MakeBoard* make, const std::st
     return make_system_board(job, std::move(board), make_machine(job), pins);
 }
 
+/// Checks that the core has a path: that of the serial build has none.
+void check_motion(const Options& options) {
+    if (options.core.build != Build::kSerial || options.board == BoardKind::kKernel) return;
+    throw UsageError(
+        "--build serial: a curve core alone, which no motion has inside: take --build engine, or "
+        "--on kernel");
+}
+
 }  // namespace
 
 Runner::Runner(Options options) {
+    check_motion(options);
     hold_input(options);
     JobStream stream(options);
     CoreParameters& core = stream.options().core;

@@ -141,13 +141,12 @@ TEST(SamplePace, ALargerPeriodThanThereIsBreaksTheCheck) {
 
 TEST(SamplePace, APeriodShorterThanTheCoresClocksIsRefused) {
     CoreParameters core;
-    core.build = Build::kSerial;
+    core.build = Build::kEngine;
     const double least = least_period_clocks(core, false);
     EXPECT_NO_THROW(check_period(core, false, kPeriod, least / kPeriod));
     EXPECT_THROW(check_period(core, false, kPeriod, 0.999 * least / kPeriod), UsageError);
     EXPECT_THROW(check_period(core, true, kPeriod, least / kPeriod), UsageError);
     // Samples share the clocks of a tick.
-    EXPECT_EQ(least, hls::tick_clocks(timed_core(core)));
     const double shared = least_period_clocks(core, false, 2);
     EXPECT_LT(shared, least);
     EXPECT_NO_THROW(check_period(core, false, kPeriod, shared / kPeriod, 2));

@@ -49,11 +49,11 @@ class MotionSystem : public testing::Test {
     }
     void clear_faults() { host_.write(CURVECORE_STATE, kFaults); }
 
-    /// Turns the machine on and draws `samples` samples.
-    void begin(int64_t samples) {
+    /// Turns the machine on and draws for so many tenths of a millisecond.
+    void begin(int64_t tenths) {
         host_.prepare(part_);
         RegisterHost::Sent sent;
-        const int64_t end = host_.now() + samples * kSystemPeriod;
+        const int64_t end = host_.now() + tenths * kTenth;
         while (host_.now() < end && !HasFailure()) host_.feed(part_, sent, [] {});
         ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
     }

@@ -28,6 +28,8 @@ namespace curvecore::tb {
 constexpr int kSystemAxes = 3;
 constexpr int64_t kStepsPerMm = 400;
 constexpr int64_t kSystemPeriod = int64_t{1} << CFG_PeriodLog2;
+/// Clocks of 0.1 ms: of what takes the machine's time, whatever a sample period is.
+constexpr int64_t kTenth = CFG_ClockHertz / 10'000;
 constexpr int kFineBits = 42;
 constexpr hls::PulseTimes kDrive{2, 2, 4, 4};
 constexpr uint32_t kEveryAxis = (1U << kSystemAxes) - 1;
@@ -50,7 +52,8 @@ struct Part {
         options.core.splines = 1;
         options.core.mode = 1;
         options.splines_set = true;
-        options.clock_hz = static_cast<double>(kSystemPeriod) / options.sample_period_s;
+        options.clock_hz = CFG_ClockHertz;
+        options.sample_period_s = static_cast<double>(kSystemPeriod) / options.clock_hz;
         change(options);
         job = sysc::plan_job(options);
         settings = sysc::board_settings(job);
@@ -119,6 +122,7 @@ class RegisterHost {
         while (n-- > 0) clock();
     }
     void samples(int64_t n) { clocks(n * kSystemPeriod); }
+    void tenths(int64_t n) { clocks(n * kTenth); }
 
     /// Writes a register. Returns false if the request was an error.
     bool write(uint32_t address, uint32_t data) { return ask(true, address, data); }

@@ -79,14 +79,14 @@ class MotionEncoder : public testing::Test {
     double worst(int axis) {
         return static_cast<double>(of_axis(CURVECORE_FOLLOWING_WORST0, axis)) / axis_[axis].counts;
     }
-    /// Turns the machine on and draws `samples` samples.
-    void begin(int64_t samples) {
+    /// Turns the machine on and draws for so many tenths of a millisecond.
+    void begin(int64_t tenths) {
         host_.write(CURVECORE_CONTROL, 0);
         host_.samples(2);
         host_.write(CURVECORE_STATE, kFaults);
         host_.prepare(part_);
         sent_ = {};
-        const int64_t end = host_.now() + samples * kSystemPeriod;
+        const int64_t end = host_.now() + tenths * kTenth;
         while (host_.now() < end && !HasFailure()) host_.feed(part_, sent_, [] {});
     }
     uint32_t fault_axis() { return CURVECORE_FIELD(host_.state(), STATE_FAULT_AXIS); }

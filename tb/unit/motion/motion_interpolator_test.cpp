@@ -33,7 +33,7 @@ TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
 
 TEST_F(MotionInterpolator, TakesARequestEveryInterval) {
     if (core_.build != Build::kParallel)
-        GTEST_SKIP() << "the serial core's samples take as long as their steps";
+        GTEST_SKIP() << "the engine's samples take as long as their steps";
     // Segments of one step each, of 256 samples: more clocks than a step or a segment's words need.
     LegalSegments shapes(core_, 3);
     std::vector<RunSegment> steps;

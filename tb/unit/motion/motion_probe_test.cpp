@@ -26,11 +26,11 @@ class MotionProbe : public testing::Test {
         host_.samples(2);
         host_.prepare(part_);
     }
-    /// Turns the machine on and draws `samples` samples.
-    void begin(int64_t samples) {
+    /// Turns the machine on and draws for so many tenths of a millisecond.
+    void begin(int64_t tenths) {
         prepare();
         sent_ = {};
-        const int64_t end = host_.now() + samples * kSystemPeriod;
+        const int64_t end = host_.now() + tenths * kTenth;
         while (host_.now() < end && !HasFailure()) host_.feed(part_, sent_, [] {});
         ASSERT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK));
     }

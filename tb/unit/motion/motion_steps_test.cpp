@@ -145,7 +145,7 @@ class StepMachine : public Board {
 int64_t draw(const std::string& file) {
     Options options;
     options.file = std::string(DATA_DIR) + "/" + file;
-    options.core.build = Build::kSerial;
+    options.core.build = Build::kParallel;
     options.core.splines = 1;
     options.core.mode = 1;
     options.splines_set = true;

@@ -9,15 +9,21 @@
 namespace curvecore::tb {
 namespace {
 
-/// Room of an empty queue, as far as ROOM can represent it.
-constexpr uint32_t kSegmentRoom = CFG_SegmentQueueWords < 65536 ? CFG_SegmentQueueWords : 65535;
+constexpr uint32_t kEntryWords = 128;  // rtl/engine/engine_pkg.sv
+/// Room of an empty queue, as far as ROOM can represent it; of the engine's entry.
+constexpr uint32_t kSegmentRoom = CFG_Build == 2                  ? kEntryWords
+                                  : CFG_SegmentQueueWords < 65536 ? CFG_SegmentQueueWords
+                                                                  : 65535;
+constexpr uint32_t kProfileRoom = CFG_Build == 2 ? kEntryWords : CFG_ProfileQueueWords;
+/// Sample periods of silence that the watchdog takes for the host's end.
+constexpr int64_t kSilence = 500 * kTenth / kSystemPeriod;
 
 TEST_F(MotionSystem, SaysWhatItIs) {
     EXPECT_EQ(host_.read(CURVECORE_ID), CURVECORE_ID_ID_VALUE);
     const uint32_t capability = host_.read(CURVECORE_CAPABILITY);
     EXPECT_EQ(capability & CURVECORE_CAPABILITY_AXES_MASK, uint32_t{kSystemAxes});
     EXPECT_EQ(CURVECORE_FIELD(capability, CAPABILITY_PERIOD_LOG2), uint32_t{CFG_PeriodLog2});
-    EXPECT_EQ(host_.read(CURVECORE_ROOM), uint32_t{CFG_ProfileQueueWords} << 16 | kSegmentRoom);
+    EXPECT_EQ(host_.read(CURVECORE_ROOM), kProfileRoom << 16 | kSegmentRoom);
     EXPECT_EQ(host_.read(CURVECORE_CLOCK), uint32_t{CFG_ClockHertz});
     const uint32_t widths = host_.read(CURVECORE_WIDTHS);
     EXPECT_EQ(CURVECORE_FIELD(widths, WIDTHS_TIME_BITS), uint32_t{CFG_TimeBits});
@@ -57,7 +63,7 @@ TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
     host_.draw(part_, [&] {
         if (random_() % 400 != 0) return;
         ++stalls;
-        host_.samples(random_() % 8000);
+        host_.tenths(random_() % 8000);
     });
     expect_drawn();
     EXPECT_GT(stalls, 2);
@@ -66,15 +72,15 @@ TEST_F(MotionSystem, StandsOnThePathHoweverTheHostStalls) {
 
 TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
     host_.prepare(part_);
-    host_.write(CURVECORE_WATCHDOG, 500);
+    host_.write(CURVECORE_WATCHDOG, kSilence);
     int silences = 0;
     std::size_t words = 0;
     host_.draw(part_, [&] {
         if (++words % 1000 != 0) return;
-        host_.samples(499);
+        host_.samples(kSilence - 1);
         EXPECT_FALSE(host_.is(CURVECORE_STATE_WATCHDOG_MASK));
         if (!host_.is(CURVECORE_STATE_ACTIVE_MASK)) return;
-        host_.samples(8000);
+        host_.tenths(8000);
         const uint32_t state = host_.state();
         EXPECT_TRUE(state & CURVECORE_STATE_WATCHDOG_MASK);
         EXPECT_TRUE(state & CURVECORE_STATE_HOLDING_MASK);
@@ -93,15 +99,15 @@ TEST_F(MotionSystem, HoldsWhenTheHostIsSilentAndGoesOn) {
 /// A monitor reads a hundred times as often as the watchdog requires signs of life.
 TEST_F(MotionSystem, HoldsWhenTheMasterIsGoneHoweverManyRead) {
     begin(700);
-    host_.write(CURVECORE_WATCHDOG, 500);
+    host_.write(CURVECORE_WATCHDOG, kSilence);
     const int64_t gone = host_.now();
     while (!host_.is(CURVECORE_STATE_WATCHDOG_MASK)) {
-        ASSERT_LT(host_.now() - gone, 502 * kSystemPeriod) << "reads are taken for life";
-        host_.samples(4);
+        ASSERT_LT(host_.now() - gone, (kSilence + 2) * kSystemPeriod) << "reads are taken for life";
+        host_.samples(1);
     }
-    EXPECT_GT(host_.now() - gone, 498 * kSystemPeriod);
+    EXPECT_GT(host_.now() - gone, (kSilence - 2) * kSystemPeriod);
     while (!host_.is(CURVECORE_STATE_STANDING_MASK)) {
-        ASSERT_LT(host_.now() - gone, 8000 * kSystemPeriod);
+        ASSERT_LT(host_.now() - gone, 8000 * kTenth);
         host_.samples(1);
     }
     EXPECT_TRUE(host_.is(CURVECORE_STATE_ACTIVE_MASK)) << "it drew on to the end";
@@ -109,10 +115,10 @@ TEST_F(MotionSystem, HoldsWhenTheMasterIsGoneHoweverManyRead) {
     clear_faults();
     const int64_t refused = host_.now();
     while (!host_.is(CURVECORE_STATE_WATCHDOG_MASK)) {
-        ASSERT_LT(host_.now() - refused, 503 * kSystemPeriod)
+        ASSERT_LT(host_.now() - refused, (kSilence + 3) * kSystemPeriod)
             << "refused writes are taken for life";
         EXPECT_FALSE(host_.write(CURVECORE_ID, 0));
-        host_.samples(4);
+        host_.samples(1);
     }
 }
 

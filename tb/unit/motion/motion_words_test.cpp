@@ -4,13 +4,14 @@
 #include "hls/registers/registers.h"
 #include "hls/word_entry.hpp"
 #include "tb/support/bench/motion_bench.hpp"
+#include "tb/support/programs/long_form.hpp"
 
 namespace curvecore::tb {
 namespace {
 
 int stalls() {
     const char* count = std::getenv("CURVECORE_STALLS");
-    return count ? std::atoi(count) : 60;
+    return count ? std::atoi(count) : cases(60, 10'000);
 }
 
 class MotionWords : public MotionInterpolator {
@@ -18,12 +19,13 @@ class MotionWords : public MotionInterpolator {
     /// A host that sometimes stops feeding a stream, for any time.
     class Host {
       public:
-        explicit Host(uint32_t seed) : random_(seed) {}
+        Host(uint32_t seed, int pace) : pace_(pace), random_(seed) {}
         /// Percentage of clocks in which it feeds nothing.
         int stall() {
             if (left_-- == 0) {
                 away_ = !away_;
-                left_ = static_cast<int>(std::exp(static_cast<double>(random_() % 1000) / 120));
+                left_ =
+                    pace_ * static_cast<int>(std::exp(static_cast<double>(random_() % 1000) / 120));
                 stalls_ += away_ ? 1 : 0;
             }
             return away_ ? 100 : 0;
@@ -31,6 +33,7 @@ class MotionWords : public MotionInterpolator {
         int stalls() const { return stalls_; }
 
       private:
+        int pace_;
         std::mt19937 random_;
         bool away_ = false;
         int left_ = 1;
@@ -59,8 +62,8 @@ class MotionWords : public MotionInterpolator {
 TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
     int stalls_seen = 0;
     for (uint32_t seed = 1; stalls_seen < stalls() && !HasFatalFailure(); ++seed) {
-        Host segments(2 * seed);
-        Host profile(2 * seed + 1);
+        Host segments(2 * seed, pace_);
+        Host profile(2 * seed + 1, pace_);
         program(pieces(seed, 60, 5, 40, (seed % 8) << 16));
         int64_t waited = 0;  // clocks without a requested sample
         int64_t samples = 0;
@@ -69,11 +72,12 @@ TEST_F(MotionWords, KeepTheLimitsHoweverTheHostStalls) {
             profile_stall_ = seed % 3 == 1 ? 0 : profile.stall();
             waited = samples_ < requested_ && samples_ == samples ? waited + 1 : 0;
             samples = samples_;
-            ASSERT_LT(waited, 20000);
+            ASSERT_LT(waited, 20000) << "no sample, and no fault";
         });
         stalls_seen += segments.stalls() + profile.stalls();
         if (HasFatalFailure()) FAIL() << "seed " << seed;
     }
+    EXPECT_TRUE(dut_->underrun_o) << "the stalls are too short";
 }
 
 TEST_F(MotionWords, StandUntilTheyCoverAStop) {

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "Vpath_generator.h"
-#include "hls/clocks.hpp"
 #include "hls/path_kernel.hpp"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
@@ -16,12 +15,8 @@ namespace curvecore::tb {
 using namespace sysc;
 namespace {
 
-constexpr bool kSerial = CFG_Build == 1;
-constexpr int kInterval = kSerial ? hls::kSerialTickClocks : CFG_Interval;
-constexpr int kLatency = kSerial          ? hls::kSerialTickClocks  // at most
-                         : kInterval == 1 ? 35
-                         : kInterval == 2 ? 37
-                                          : 43;
+constexpr int kInterval = CFG_Interval;
+constexpr int kLatency = kInterval == 1 ? 35 : kInterval == 2 ? 37 : 43;
 
 class PathGenerator : public testing::Test {
   protected:
@@ -54,7 +49,6 @@ class PathGenerator : public testing::Test {
         dut_->rate_valid_i = rate >= 0 ? 1 : 0;
         dut_->rate_i = to_port(std::max(rate, 0), 17);
         dut_->held_i = static_cast<int>(random_() % 100) < held_percent_;
-        dut_->ds_ready_i = !kSerial || static_cast<int>(random_() % 100) >= hold_percent_;
         dut_.settle();
         // The ticks left are those of a piece as soon as it has begun: the ledger no longer counts
         // it.
@@ -69,7 +63,7 @@ class PathGenerator : public testing::Test {
         if (dut_->tick_taken_o) predict();
         if (dut_->piece_take_o) ++taken_;
         if (dut_->word_valid_i && dut_->word_ready_o) words_.pop_front();
-        if (dut_->ds_valid_o && dut_->ds_ready_i) compare();
+        if (dut_->ds_valid_o) compare();
         dut_.tick();
         return ticked;
     }
@@ -93,8 +87,7 @@ class PathGenerator : public testing::Test {
         expected_.pop_front();
         ASSERT_EQ(static_cast<int64_t>(dut_->ds_o), expected.ds) << "tick " << compared_;
         ASSERT_EQ(static_cast<int32_t>(dut_->ds_rate_o), expected.rate) << "tick " << compared_;
-        const auto latency = static_cast<int>(dut_.cycle() - expected.cycle);
-        ASSERT_TRUE(hold_percent_ > 0 || (kSerial ? latency < kLatency : latency == kLatency))
+        ASSERT_EQ(static_cast<int>(dut_.cycle() - expected.cycle), kLatency)
             << "tick " << compared_;
         walked_ += expected.ds;
         ++compared_;
@@ -124,7 +117,6 @@ class PathGenerator : public testing::Test {
     }
 
     void drain() {
-        hold_percent_ = 0;
         for (int n = 0; n < kLatency + 50; ++n) clock(-1);
         EXPECT_TRUE(expected_.empty());
     }
@@ -156,7 +148,6 @@ class PathGenerator : public testing::Test {
     std::deque<uint64_t> words_;
     std::deque<std::pair<int32_t, bool>> rates_;  // rates, and whether each was held
     int held_percent_ = 0;
-    int hold_percent_ = 0;  // of clocks in which the serial build's increments are not taken
     std::deque<Expected> expected_;
     int taken_ticks_ = 0;  // ticks of the piece that began in the clock before, or 0
     int lefts_ = 0;        // number of such pieces compared
@@ -178,7 +169,6 @@ TEST_F(PathGenerator, EqualsKernelAtFullRate) {
 
 TEST_F(PathGenerator, EqualsKernelAtAnyRateWithStalls) {
     for (uint32_t seed = 1; seed <= 60; ++seed) {
-        hold_percent_ = seed % 4 == 0 ? 99 : 0;
         publish(random_pieces(seed, 40, seed % 2 ? 300 : 4));
         const int stall = seed % 3 == 0 ? 0 : 70;
         run([this] { return any_rate(); }, seed % 5 == 0 ? 0 : 30, stall);
@@ -188,7 +178,7 @@ TEST_F(PathGenerator, EqualsKernelAtAnyRateWithStalls) {
 }
 
 TEST_F(PathGenerator, EqualsKernelWithLongPieces) {
-    for (int exponent = 10; exponent < 19; exponent += kSerial ? 3 : 1) {
+    for (int exponent = 10; exponent < 19; ++exponent) {
         run_long(exponent);
         ASSERT_FALSE(HasFatalFailure()) << "exponent " << exponent;
     }
@@ -205,7 +195,7 @@ TEST_F(PathGenerator, WaitsAtThePiecesEndWhenItIsNotFed) {
         const std::vector<hls::ProfileWords> pieces = random_pieces(seed, 30, 6);
         for (const hls::ProfileWords& piece : pieces) {
             publish({piece});
-            const int clocks = static_cast<int>(random_() % (kSerial ? 6000 : 60));
+            const int clocks = static_cast<int>(random_() % 60);
             for (int n = 0; n < clocks; ++n) {
                 clock(seed % 2 ? 65536 : any_rate());
                 if (HasFatalFailure()) FAIL() << "seed " << seed;
@@ -231,7 +221,6 @@ TEST_F(PathGenerator, ClampsPiecesWhoseWordsGoAstray) {
 }
 
 TEST_F(PathGenerator, TakesATickEveryIntervalAcrossPieces) {
-    if (kSerial) GTEST_SKIP() << "its clocks depend on the words";
     std::vector<hls::ProfileWords> pieces;
     const int shortest = (6 + kInterval - 1) / kInterval;
     for (int n = 0; n < 200; ++n) {
@@ -247,23 +236,6 @@ TEST_F(PathGenerator, TakesATickEveryIntervalAcrossPieces) {
     while (kernel_.active()) clock(65536);
     EXPECT_EQ(dut_.cycle() - first, static_cast<uint64_t>(kInterval * (ticks_ - ticks)));
     drain();
-}
-
-TEST_F(PathGenerator, OfTheSerialBuildTakesItsMostClocksWhereALongPieceBegins) {
-    if (!kSerial) GTEST_SKIP();
-    hls::ProfileWords piece;  // one tick each, with different words
-    piece.time_exponent = hls::kMaxTimeExponent;
-    piece.ticks = 2;
-    publish(std::vector<hls::ProfileWords>(20, piece));
-    const auto clocks = [this](int32_t rate) {
-        int count = 1;
-        while (!clock(rate)) ++count;
-        return count;
-    };
-    for (int n = 0; n < 20; ++n) clock(-1);  // the first piece is loaded
-    int most = 0;
-    for (int n = 0; n < 30; ++n) most = std::max(most, clocks(65535));
-    EXPECT_EQ(most, hls::kSerialTickClocks);
 }
 
 TEST_F(PathGenerator, NoProgramBeginsInATickThatIsHeld) {
@@ -288,7 +260,7 @@ TEST_F(PathGenerator, StandsStillWithoutAPiece) {
     drain();
     EXPECT_EQ(walked_, 0);
     EXPECT_FALSE(dut_->active_o);
-    EXPECT_GE(compared_, kSerial ? 1 : 100 / kInterval - 1);
+    EXPECT_GE(compared_, 100 / kInterval - 1);
 }
 
 }  // namespace

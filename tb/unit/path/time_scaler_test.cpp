@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// rtl/time/time_scaler.sv, time_scaler_serial.sv against TimeScaler, tick by tick.
+// rtl/time/time_scaler.sv against TimeScaler, tick by tick.
 #include "hls/time_scaler.hpp"
 
 #include <gtest/gtest.h>
@@ -7,28 +7,16 @@
 #include <deque>
 #include <random>
 
-#include "hls/clocks.hpp"
+#include "Vtime_scaler.h"
 #include "sysc/cores/clocked_dut.hpp"
 #include "sysc/cores/port_word.hpp"
 #include "tb/support/programs/long_form.hpp"
-#if __has_include("Vtime_scaler.h")
-#include "Vtime_scaler.h"
-#else
-#include "Vtime_scaler_serial.h"
-#endif
 
 namespace curvecore::tb {
 using namespace sysc;
 namespace {
 
-#if __has_include("Vtime_scaler.h")
-using Scaler = Vtime_scaler;
-constexpr bool kSerial = false;
-#else
-using Scaler = Vtime_scaler_serial;
-constexpr bool kSerial = true;
-#endif
-const int kFewer = kSerial ? cases(48, 8) : cases(4, 1);  // divides the number of ticks
+const int kFewer = cases(4, 1);  // divides the number of ticks
 
 struct Bounds {
     int64_t acceleration;
@@ -56,7 +44,6 @@ class TimeScalerBench : public testing::Test {
     /// true if it was taken.
     bool clock(int32_t target, const hls::StopDue& due = {}) {
         dut_->valid_i = target >= 0 ? 1 : 0;
-        const bool room = give_way(random_() % 100 >= hold_percent_);
         dut_->target_i = to_port(target, 17);
         dut_->next_wait_i = to_port(due.wait, 20);
         dut_->begins_i = due.begins ? 1 : 0;
@@ -80,7 +67,7 @@ class TimeScalerBench : public testing::Test {
         EXPECT_EQ(stepped, steps_ != before);
         EXPECT_EQ(dut_->stopping_o != 0, stops_on_);
         if (taken) stops_on_ = kernel_.stopping();
-        if (dut_->valid_o && room) compare();
+        if (dut_->valid_o) compare();
         dut_.tick();
         return taken;
     }
@@ -104,16 +91,6 @@ class TimeScalerBench : public testing::Test {
         }
     }
 
-    /// Holds a rate of the serial build until it is taken. Returns true if it may be.
-    bool give_way([[maybe_unused]] bool taken) {
-#if __has_include("Vtime_scaler.h")
-        return true;
-#else
-        dut_->taken_i = taken ? 1 : 0;
-        return taken;
-#endif
-    }
-
     /// Branch steps that need not match each other.
     static hls::StopStep step(uint64_t index) {
         std::mt19937 random(static_cast<unsigned>(index));
@@ -135,11 +112,10 @@ class TimeScalerBench : public testing::Test {
         int32_t rate;
     };
 
-    ClockedDut<Scaler> dut_;
+    ClockedDut<Vtime_scaler> dut_;
     hls::TimeScaler kernel_{1, 1};
     std::deque<Tick> expected_;
-    uint64_t steps_ = 0;  // steps taken
-    unsigned hold_percent_ = 0;
+    uint64_t steps_ = 0;         // steps taken
     unsigned idle_percent_ = 0;  // percentage of ticks before which all rates are out
     int64_t landed_ = 0;
     bool stops_on_ = false;
@@ -156,7 +132,6 @@ class TimeScaler : public TimeScalerBench, public testing::WithParamInterface<Bo
 TEST_P(TimeScaler, EqualsKernelForTargetsThatChangeAtRandom) {
     for (const unsigned every : {1U, 2U, 7U, 50U, 400U, 4000U}) {
         int32_t target = 65536;
-        hold_percent_ = every == 7 ? 90 : 0;
         for (int n = 0; n < 40000 / kFewer; ++n) {
             if (random_() % every == 0) target = any_target();
             while (random_() % 8 == 0) clock(-1);
@@ -238,7 +213,6 @@ TEST_P(TimeScaler, EqualsKernelForNeighbouringTargets) {
 }
 
 TEST_P(TimeScaler, TakesATickPerClockTowardsOneTarget) {
-    if (kSerial) GTEST_SKIP() << "its clocks depend on the rates";
     take(65536);
     const uint64_t first = dut_.cycle();
     for (int n = 0; n < 1000; ++n) take(65536);
@@ -251,7 +225,6 @@ TEST_P(TimeScaler, TakesATickPerClockTowardsOneTarget) {
 }
 
 TEST_P(TimeScaler, LatencyIsThree) {
-    if (kSerial) GTEST_SKIP() << "its clocks depend on the rates";
     for (int n = 0; n < 20; ++n) clock(-1);
     take(65536);
     for (int n = 1; n <= 3; ++n) {
@@ -259,19 +232,6 @@ TEST_P(TimeScaler, LatencyIsThree) {
         clock(-1);
     }
     EXPECT_EQ(ticks_, 1);
-}
-
-// The rate rests on 7/8, having come from below, and goes back.
-TEST_F(TimeScalerBench, OfTheSerialBuildTakesItsMostClocksWhereItTurnsRoundOnTheBorder) {
-    if (!kSerial) GTEST_SKIP();
-    start({1 << 22, 1 << 26});
-    int most = 0;
-    for (int n = 0; n < 8000 && !HasFatalFailure(); ++n) {
-        int clocks = 1;
-        while (!clock(n / 2000 % 2 == 0 ? 30000 : ref::kFineRate)) ++clocks;
-        most = std::max(most, clocks);
-    }
-    EXPECT_EQ(most, hls::kSerialScaleClocks);
 }
 
 // Random words, also invalid ones, which are never obeyed: every target is then 0.
