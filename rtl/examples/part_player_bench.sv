@@ -25,7 +25,7 @@ module part_player_bench #(
   part_player #(
       .SegmentWords(SegmentWords),
       .ProfileWords(ProfileWords),
-      .SampleClocks(64),
+      .SampleClocks(8),
       .SamplesPerTickLog2(SamplesPerTickLog2),
       .HoldAcceleration(HoldAcceleration),
       .HoldSlope(HoldSlope),
