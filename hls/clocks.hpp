@@ -156,11 +156,14 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
             network + sample + 3 * core.aux_axes + 162 + late_clocks(core)};
 }
 
-/// Programs of the engine, at most: tb/model/engine/engine_clocks_test.cpp holds these to what the
+/// Programs of the engine, at most: tb/model/hls/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
 constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
 constexpr int kEngineRestClocks = 760;   // the loop: a request and the sample
 constexpr int kEngineTickClocks = 2420;  // of time
+
+/// Rates of the axes in place of positions, on top: of boards (rtl/engine/programs/places.asm).
+constexpr int engine_place_clocks(const TimedCore& core) { return 330 + 112 * core.aux_axes; }
 
 /// Clocks in which a word enters its queue, on the average of a segment's: a few take three times
 /// as long. And the words that enter for a segment: its own, and those of two pieces with a step

@@ -55,10 +55,11 @@ engine/column_sum.sv
 engine/engine_branch.sv
 engine/engine_decoder.sv
 engine/engine_entry.sv
-engine/engine_interpolator.sv
 engine/engine_memory.sv
+engine/engine_motion.sv
 engine/engine_operands.sv
 engine/engine_program.sv
+engine/engine_rates.sv
 engine/engine_result.sv
 engine/engine_samples.sv
 engine/engine_sequencer.sv

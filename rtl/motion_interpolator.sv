@@ -120,24 +120,23 @@ module motion_interpolator #(
     if (Build != 0 && ParameterGuard != 0)
       $fatal(1, "Build %0d works with ParameterGuard 0 only", Build);
 
-  // Instructions and words of data that the programs of these parameters need
-  localparam int PlaceBits = (Order <= 9) ? 11 : 12;
-  localparam int WordBits = (Order <= 6 && AuxAxes == 0) ? 8 : 9;
-
   initial
     if (Build == 2 && (Program == "" || Data == ""))
       $fatal(1, "Build 2 needs Program and Data, files that scripts/microcode.sh makes");
 
   if (Build == 2) begin : g_engine
-    engine_interpolator #(
-        .PositionBits(PositionBits),
-        .GuardBits(GuardBits),
+    localparam int Axes = 3 + AuxAxes;
+    localparam int FineBits = PositionBits + GuardBits;
+    logic [31:0] out;
+    logic [ 1:0] unused_limb;
+    logic [15:0] data;
+    logic unused_scale_high, unused_scale_last;
+    engine_motion #(
+        .Order(Order),
         .AuxAxes(AuxAxes),
         .MultiplierForm(MultiplierForm),
         .SegmentQueueWords(SegmentQueueWords),
         .ProfileQueueWords(ProfileQueueWords),
-        .PlaceBits(PlaceBits),
-        .WordBits(WordBits),
         .Program(Program),
         .Data(Data)
     ) u_motion (
@@ -150,8 +149,10 @@ module motion_interpolator #(
             AuxAxes,
             Splines,
             SegmentQueueWords,
-            ProfileQueueWords
+            ProfileQueueWords,
+            0
         )),
+        .tick_i(1'b1),
         .digest_i,
         .segment_valid_i,
         .segment_ready_o,
@@ -170,10 +171,16 @@ module motion_interpolator #(
         .hold_acceleration_i,
         .hold_slope_i,
         .stop_ticks_i,
-        .sample_valid_o,
-        .sample_ready_i,
-        .sample_position_o,
-        .sample_fine_o,
+        .out_o(out),
+        .limb_o(unused_limb),
+        .data_o(data),
+        .leaves_i(sample_valid_o && sample_ready_i),
+        .position_waits_i(1'b0),
+        .position_i(32'd0),
+        .references_i(9'd0),
+        .scale_high_o(unused_scale_high),
+        .scale_last_o(unused_scale_last),
+        .scale_i(32'd0),
         .path_valid_o,
         .path_ds_o,
         .path_rate_o,
@@ -186,6 +193,26 @@ module motion_interpolator #(
         .fault_o,
         .empty_segments_o
     );
+    engine_samples #(
+        .Axes(Axes),
+        .FineBits(FineBits),
+        .Places(16)
+    ) u_samples (
+        .clk_i,
+        .rst_ni,
+        .limb_i (out[engine_pkg::OutSample]),
+        .whole_i(out[engine_pkg::OutSampleWhole]),
+        .data_i (data),
+        .valid_o(sample_valid_o),
+        .ready_i(sample_ready_i),
+        .data_o (sample_fine_o)
+    );
+    for (genvar axis = 0; axis < Axes; axis++) begin : g_axes  // rounded, ties upwards
+      logic [PositionBits-1:0] whole;
+      logic half;
+      assign {whole, half} = sample_fine_o[axis*FineBits+GuardBits-1+:PositionBits+1];
+      assign sample_position_o[axis*PositionBits+:PositionBits] = whole + PositionBits'(half);
+    end
   end else begin : g_circuits
     path_interpolator #(
         .Order(Order),

@@ -35,11 +35,11 @@ module motion_system #(
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
-    parameter int ScaleBits         = 44,    // [40, 56]
-    parameter int PeriodLog2        = 13,    // [6, 20]
+    parameter int ScaleBits         = 44,    // [40, 56], with Build 2 [40, 45]
+    parameter int PeriodLog2        = 13,    // [6, 20], with Build 2 [12, 13]
     parameter int TimeBits          = 12,    // [4, 16]
     parameter int SamplesAhead      = 4,     // [1, 15]
-    parameter int Galvo             = 0,     // 1: frames of scan heads too, rtl/pulse/xy2_100.sv
+    parameter int Galvo             = 0,     // 1: frames of scan heads too, with Build 0
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
     parameter int Encoders          = 0,     // [0, 15] 0: none; rtl/pulse/glitch_filter.sv
@@ -86,27 +86,20 @@ module motion_system #(
 
   // Registers
   localparam int Capability = system_pkg::capability(
-      Axes,
-      PeriodLog2,
-      Build,
-      Splines,
-      SegmentQueueWords,
-      ProfileQueueWords,
-      SampleBufferWords,
-      Encoders
+      Axes, PeriodLog2, Build, Splines, Encoders
+  ) + system_pkg::memories(
+      SegmentQueueWords, ProfileQueueWords, SampleBufferWords
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
   localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, SamplesAhead);
   logic [16:0] override_rate, rate;
   logic [15:0] watchdog, digest;
-  logic [ 3:0] samples_per_tick_log2;
-  logic [31:0] hold_acceleration;
+  logic [3:0] samples_per_tick_log2, scale_axis, steps_axis, position_axis, fault_axis;
+  logic [31:0] hold_acceleration, stop_ticks;
   logic [32:0] hold_slope;
-  logic [31:0] stop_ticks;
   logic [TimeBits-1:0] steplen, stepspace, dirsetup, dirhold;
   logic [Axes-1:0] step_inverted, direction_inverted, limit_masked;
   logic scale_write;
-  logic [3:0] scale_axis;
   logic [ScaleBits-1:0] scale;
   logic segment_valid, segment_ready, profile_valid, profile_ready;
   logic [47:0] register_word;
@@ -115,7 +108,6 @@ module motion_system #(
   logic probe_write, homed_write;
   logic [31:0] command, state, axes, room, samples, steps;
   logic [63:0] path;
-  logic [3:0] steps_axis;
   logic note_ready;
   logic [6:0] note_word, kept_word;
   logic [31:0] note_data, kept;
@@ -189,17 +181,15 @@ module motion_system #(
   // Permissions
   logic hold, ends, empty, begins, active, standing, underrun;
   logic [7:0] motion_fault;
-  logic sample_valid, sample_ready;
+  logic sample_valid, sample_ready, sample_taken;
   logic [Axes*FineBits-1:0] sample;
   logic [FineBits-1:0] position;
-  logic [3:0] position_axis;
   logic by_position, queued, word_taken;
-  logic tick, late, estop;
-  logic [Axes-1:0] limit, referenced, uncertain, overrun, refused;
-  logic [Axes-1:0] reference_axes, homed;
+  logic [5:0] rates_read;
+  logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates;
+  logic [Axes-1:0] limit, referenced, uncertain, overrun, refused, reference_axes, homed;
   logic [2*Axes-1:0] step_counts;
-  logic caught, encoder, following;
-  logic [3:0] fault_axis;
+  logic caught, encoder, following, tick, late, estop;
   machine_state #(
       .Axes(Axes)
   ) u_state (
@@ -225,7 +215,7 @@ module motion_system #(
       .word_i(word_taken),
       .offered_i(sample_valid),
       .empty_i(empty),
-      .sample_i(sample_valid && sample_ready),
+      .sample_i(sample_taken),
       .hold_o(hold),
       .ends_o(ends),
       .words_o(words),
@@ -247,12 +237,9 @@ module motion_system #(
       .reference_o(reference_axes),
       .enable_o
   );
-  always_comb begin
-    axes = 32'd0;
-    axes[registers_pkg::AxesReferencedLow+:Axes] = referenced;
-    axes[registers_pkg::AxesUncertainLow+:Axes] = uncertain;
-    axes[registers_pkg::AxesLimitLow+:Axes] = limit;
-  end
+  assign axes = (32'(referenced) << registers_pkg::AxesReferencedLow) |
+      (32'(uncertain) << registers_pkg::AxesUncertainLow) |
+      (32'(limit) << registers_pkg::AxesLimitLow);
 
   machine_inputs #(
       .Axes(Axes),
@@ -299,6 +286,8 @@ module motion_system #(
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(SamplesAhead),
       .SampleBufferWords(SampleBufferWords),
+      .ScaleBits(ScaleBits),
+      .PeriodLog2(PeriodLog2),
       .Program(Program),
       .Data(Data)
   ) u_sources (
@@ -335,9 +324,18 @@ module motion_system #(
       .empty_o(empty),
       .sample_valid_o(sample_valid),
       .sample_ready_i(sample_ready),
+      .sample_taken_o(sample_taken),
       .sample_o(sample),
       .axis_i(position_axis),
       .position_o(position),
+      .off_i(!enable_o),
+      .tick_i(tick),
+      .scale_write_i(scale_write),
+      .scale_axis_i(scale_axis),
+      .scale_i(scale),
+      .reference_i(reference_axes),
+      .rates_read_i(rates_read),
+      .rates_o(rates),
       .path_rate_o(rate),
       .path_o(path),
       .active_o(active),
@@ -352,7 +350,8 @@ module motion_system #(
       .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
       .TimeBits(TimeBits),
-      .Galvo(Galvo)
+      .Galvo(Galvo),
+      .Rates((Build == 2) ? 1 : 0)
   ) u_pins (
       .clk_i,
       .rst_ni,
@@ -371,6 +370,8 @@ module motion_system #(
       .by_axis_i(by_position),
       .axis_o(position_axis),
       .position_i(position),
+      .rates_read_o(rates_read),
+      .rates_i(rates),
       .begins_i(begins),
       .reference_i(reference_axes),
       .estop_i,

@@ -50,6 +50,18 @@ foreach(words 2 128)
 endforeach()
 illegal_parameter_test(engine_entry Words=48 "Words must be a power of two in .2, 4096.")
 
+# The engine's samples as rates: axes, scale, sample period.
+rows(sizes 3,44,13 9,45,6)
+foreach(size ${sizes})
+  read_row(${size} axes scale period)
+  core_test(engine_rates a${axes}_s${scale}_k${period} TOP engine_rates
+            PARAMS Axes=${axes} ScaleBits=${scale} PeriodLog2=${period})
+endforeach()
+illegal_parameter_test(engine_rates Axes=10 "Axes must be in .1, 9.")
+illegal_parameter_test(engine_rates ScaleBits=46 "ScaleBits must be in .40, 45. with Build 2")
+illegal_parameter_test(engine_rates PeriodLog2=14 "PeriodLog2 must be in .6, 13. with Build 2")
+illegal_parameter_test(engine_motion Ahead=17 "Ahead must be in .1, 16.")
+
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)
   core_test(folded_datapath splines_${splines} TOP folded_datapath
@@ -279,6 +291,7 @@ endforeach()
 illegal_parameter_test(xy2_100 Axes=2 "Axes must be in .3, 9.")
 illegal_parameter_test(xy2_100 FineBits=45 "FineBits must be in .18, 44.")
 illegal_parameter_test(motion_system Galvo=2 "Galvo must be 0 or 1")
+illegal_parameter_test(motion_pins Galvo=1,Rates=1 "Galvo works with Build 0 only")
 illegal_parameter_test(motion_system Encoders=16 "Encoders must be in .0, 15.")
 illegal_parameter_test(xy2_100 PeriodLog2=6 "PeriodLog2 must be in .7, 20.")
 illegal_parameter_test(step_generator Axes=10 "Axes must be in .1, 9.")
@@ -315,13 +328,16 @@ illegal_parameter_test(uart_line BitClocks=3 "BitClocks must be in .4, 65535.")
 
 # A board's motion, from its registers to its pins.
 set(system PARAMS SegmentQueueWords=4096 ProfileQueueWords=512 SamplesAhead=15 TimeBits=10
-                  ScaleBits=48 ClockHertz=2560000 SampleBufferWords=512)
-set(parallel ${system} Build=0 PeriodLog2=8 Galvo=1 Encoders=2)
+                  ClockHertz=2560000 SampleBufferWords=512)
+set(parallel ${system} Build=0 PeriodLog2=8 ScaleBits=48 Galvo=1 Encoders=2)
 foreach(test motion_system motion_begin motion_probe motion_encoder position_mode)
   core_test(${test} parallel TOP motion_system LIBRARIES curvecore_board ${parallel})
 endforeach()
 # The engine makes a sample in 8192 clocks.
-set(engine ${system} Build=2 PeriodLog2=13 Galvo=0)
+set(engine ${system} Build=2 PeriodLog2=13 ScaleBits=44 Galvo=0)
+set(tests *.SaysHow*:*.AxesWait*:*.WhereThere*:*.Programs*:*.Stops*:*.AStepToo*)
+core_test(position_mode engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
+          ${engine})
 set(tests *.SaysWhat*:*.DrawsAProgram*:*.Random*)
 core_test(motion_system engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
           ${engine})
@@ -330,7 +346,8 @@ verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system 
 core_test(motion_system flat TOP motion_system TESTS ${tests}
           LIBRARIES curvecore_board flat_motion_system ${engine})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
-foreach(test motion_system_parallel motion_system_engine motion_system_flat position_mode_parallel
+foreach(test motion_system_parallel motion_system_engine motion_system_flat position_mode_engine
+             position_mode_parallel
              motion_begin_parallel motion_probe_parallel motion_encoder_parallel)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()

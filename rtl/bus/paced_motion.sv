@@ -6,6 +6,11 @@
 //                   ^ SamplesAhead requests
 //
 // ends_i: no further sample is offered. When none is, empty_o resets the motion while ends_i is 1.
+//
+// With Build 2 samples are rates of the axes, and wait here until they are due: one that is taken
+// is what rates_read_i, {last, read, axis}, reads next; rates_o is {valid, and two clocks later
+// refused, fresh, moves, rate}. Samples of the host are drawn here, too: one at a time, when no
+// other waits.
 `default_nettype none
 module paced_motion #(
     parameter int Build             = 2,
@@ -21,6 +26,8 @@ module paced_motion #(
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
     parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int ScaleBits         = 44,    // [40, 45] with Build 2, the scales'
+    parameter int PeriodLog2        = 13,
     parameter     Program           = "",    // files of Build 2
     parameter     Data              = ""
 ) (
@@ -46,11 +53,25 @@ module paced_motion #(
     input wire logic [31:0] stop_ticks_i,
 
     // Samples, axis 0 in the low bits
-    input  wire logic                                            ends_i,
-    output logic                                                 empty_o,
-    output logic                                                 sample_valid_o,
-    input  wire logic                                            sample_ready_i,
-    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_o,
+    input wire logic ends_i,
+    output logic empty_o,
+    output logic sample_valid_o,
+    input wire logic sample_ready_i,
+    output logic sample_taken_o,
+    output logic [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_o,  // 0 with Build 2
+
+    // Build 2: rtl/engine/engine_rates.sv, rtl/motion_system.sv. No sample moves what is off.
+    input wire logic off_i,
+    input wire logic tick_i,
+    input wire logic scale_write_i,
+    input wire logic [3:0] scale_axis_i,
+    input wire logic [ScaleBits-1:0] scale_i,
+    input wire logic [3+AuxAxes-1:0] reference_i,
+    input wire logic by_host_i,  // a host's sample waits
+    output logic [3:0] axis_o,
+    input wire logic [PositionBits-1:0] position_i,  // axis_o's, a clock later
+    input wire logic [5:0] rates_read_i,
+    output logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Telemetry
     output logic [16:0] path_rate_o,
@@ -68,23 +89,16 @@ module paced_motion #(
   logic made;
   logic taken;
   logic offered_q;
+  logic ready;
+  logic placing;  // it will be offered
   assign rst_n = rst_ni && !empty_o;
   assign sample_valid_o = made && (offered_q || !ends_i);
-  assign taken = sample_valid_o && sample_ready_i;
-  assign empty_o = ends_i && !sample_valid_o;
+  assign taken = sample_valid_o && ready;
+  assign sample_taken_o = taken;
+  assign empty_o = ends_i && !sample_valid_o && !placing;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) offered_q <= 1'b0;
-    else offered_q <= sample_valid_o && !sample_ready_i;
-  end
-
-  // Requests
-  logic [3:0] ahead_q;  // samples requested and not taken
-  logic request;
-  logic request_ready;
-  assign request = ahead_q != 4'(SamplesAhead);
-  always_ff @(posedge clk_i) begin
-    if (!rst_n) ahead_q <= '0;
-    else ahead_q <= ahead_q + {3'b0, request && request_ready} - {3'b0, taken};
+    else offered_q <= (sample_valid_o && !ready) || placing;
   end
 
   // Words enter only if there is room: in their queue, or in the engine's entry.
@@ -117,64 +131,200 @@ module paced_motion #(
       .room_o (profile_room_o)
   );
 
-  logic [(3+AuxAxes)*PositionBits-1:0] unused_position;
   logic unused_path_valid;
   logic [47:0] unused_path_ds;
   logic unused_path_active;
   logic unused_killed;
   logic [15:0] unused_empty_segments;
-  motion_interpolator #(
-      .Build(Build),
-      .Order(Order),
-      .CoefBits(CoefBits),
-      .PositionBits(PositionBits),
-      .GuardBits(GuardBits),
-      .AuxAxes(AuxAxes),
-      .Splines(Splines),
-      .Mode(Mode),
-      .SampleInterval(SampleInterval),
-      .MultiplierForm(MultiplierForm),
-      .SegmentQueueWords(SegmentQueueWords),
-      .ProfileQueueWords(ProfileQueueWords),
-      .Program(Program),
-      .Data(Data)
-  ) u_motion (
-      .clk_i,
-      .rst_ni(rst_n),
-      .digest_i,
-      .segment_valid_i(segment_valid),
-      .segment_ready_o(segment_ready),
-      .segment_data_i(word_i),
-      .profile_valid_i(profile_valid),
-      .profile_ready_o(profile_ready),
-      .profile_data_i(word_i),
-      .segment_leaves_o(segment_leaves),
-      .profile_leaves_o(profile_leaves),
-      .sample_request_valid_i(request),
-      .sample_request_ready_o(request_ready),
-      .hold_i,
-      .override_i,
-      .kill_i(1'b0),
-      .samples_per_tick_log2_i,
-      .hold_acceleration_i,
-      .hold_slope_i,
-      .stop_ticks_i,
-      .sample_valid_o(made),
-      .sample_ready_i(taken),
-      .sample_position_o(unused_position),
-      .sample_fine_o(sample_o),
-      .path_valid_o(unused_path_valid),
-      .path_ds_o(unused_path_ds),
-      .path_rate_o,
-      .path_active_o(unused_path_active),
-      .path_o,
-      .active_o,
-      .underrun_o,
-      .killed_o(unused_killed),
-      .standing_o,
-      .fault_o,
-      .empty_segments_o(unused_empty_segments)
-  );
+  if (Build == 2) begin : g_engine
+    localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
+    logic [31:0] out;
+    logic [1:0] limb;
+    logic [15:0] data;
+    logic work;
+    logic placing_q;
+    logic scale_high;
+    logic scale_last;
+    logic [31:0] scale;
+    logic [3+AuxAxes-1:0] references;
+    logic unused_request_ready;
+    logic signed [PositionBits-1:0] host;
+    logic signed [31:0] position;  // the same with its sign
+    assign host = position_i;
+    assign position = host;
+    assign work = rst_n && !off_i;
+    assign placing = placing_q;
+    always_ff @(posedge clk_i) begin
+      if (!work || out[engine_pkg::OutSampleWhole]) placing_q <= 1'b0;
+      else if (out[engine_pkg::OutPlacing]) placing_q <= 1'b1;
+    end
+    engine_motion #(
+        .Order(Order),
+        .AuxAxes(AuxAxes),
+        .Ahead(SamplesAhead),
+        .MultiplierForm(MultiplierForm),
+        .SegmentQueueWords(SegmentQueueWords),
+        .ProfileQueueWords(ProfileQueueWords),
+        .Program(Program),
+        .Data(Data)
+    ) u_motion (
+        .clk_i,
+        .rst_ni(work),
+        .tick_i,
+        .made_for_i(engine_pkg::made_for(
+            system_pkg::core(
+                Order, Mode, CoefBits, PositionBits, GuardBits
+            ),
+            AuxAxes,
+            Splines,
+            SegmentQueueWords,
+            ProfileQueueWords,
+            RateBits
+        )),
+        .digest_i,
+        .segment_valid_i(segment_valid),
+        .segment_ready_o(segment_ready),
+        .segment_data_i(word_i),
+        .profile_valid_i(profile_valid),
+        .profile_ready_o(profile_ready),
+        .profile_data_i(word_i),
+        .segment_leaves_o(segment_leaves),
+        .profile_leaves_o(profile_leaves),
+        .sample_request_valid_i(1'b1),
+        .sample_request_ready_o(unused_request_ready),
+        .hold_i,
+        .override_i,
+        .kill_i(1'b0),
+        .samples_per_tick_log2_i,
+        .hold_acceleration_i,
+        .hold_slope_i,
+        .stop_ticks_i,
+        .out_o(out),
+        .limb_o(limb),
+        .data_o(data),
+        .leaves_i(taken && !by_host_i),
+        .position_waits_i(by_host_i && !made),
+        .position_i(position),
+        .references_i(9'(references)),
+        .scale_high_o(scale_high),
+        .scale_last_o(scale_last),
+        .scale_i(scale),
+        .path_valid_o(unused_path_valid),
+        .path_ds_o(unused_path_ds),
+        .path_rate_o,
+        .path_active_o(unused_path_active),
+        .path_o,
+        .active_o,
+        .underrun_o,
+        .killed_o(unused_killed),
+        .standing_o,
+        .fault_o,
+        .empty_segments_o(unused_empty_segments)
+    );
+    engine_rates #(
+        .Axes(3 + AuxAxes),
+        .ScaleBits(ScaleBits),
+        .PeriodLog2(PeriodLog2)
+    ) u_rates (
+        .clk_i,
+        .rst_ni,
+        .work_i(work),
+        .out_i(out),
+        .high_i(limb != 2'd0),
+        .data_i(data),
+        .axis_o,
+        .scale_high_i(scale_high),
+        .scale_last_i(scale_last),
+        .scale_o(scale),
+        .scale_write_i,
+        .scale_axis_i,
+        .scale_i,
+        .reference_i,
+        .references_o(references),
+        .empty_i(empty_o),
+        .made_o(made),
+        .ready_o(ready),
+        .taken_i(taken),
+        .valid_o(rates_o[RateBits+3]),
+        .read_i(rates_read_i[4]),
+        .read_axis_i(rates_read_i[3:0]),
+        .read_last_i(rates_read_i[5]),
+        .rate_o(rates_o[RateBits+2:0])
+    );
+    assign sample_o = '0;
+    logic unused;
+    assign unused = &{1'b0, sample_ready_i, limb};
+  end else begin : g_samples
+    // Requests
+    logic [3:0] ahead_q;  // samples requested and not taken
+    logic request;
+    logic request_ready;
+    logic [(3+AuxAxes)*PositionBits-1:0] unused_position;
+    assign ready   = sample_ready_i;
+    assign placing = 1'b0;
+    assign request = ahead_q != 4'(SamplesAhead);
+    always_ff @(posedge clk_i) begin
+      if (!rst_n) ahead_q <= '0;
+      else ahead_q <= ahead_q + {3'b0, request && request_ready} - {3'b0, taken};
+    end
+    motion_interpolator #(
+        .Build(Build),
+        .Order(Order),
+        .CoefBits(CoefBits),
+        .PositionBits(PositionBits),
+        .GuardBits(GuardBits),
+        .AuxAxes(AuxAxes),
+        .Splines(Splines),
+        .Mode(Mode),
+        .SampleInterval(SampleInterval),
+        .MultiplierForm(MultiplierForm),
+        .SegmentQueueWords(SegmentQueueWords),
+        .ProfileQueueWords(ProfileQueueWords),
+        .Program(Program),
+        .Data(Data)
+    ) u_motion (
+        .clk_i,
+        .rst_ni(rst_n),
+        .digest_i,
+        .segment_valid_i(segment_valid),
+        .segment_ready_o(segment_ready),
+        .segment_data_i(word_i),
+        .profile_valid_i(profile_valid),
+        .profile_ready_o(profile_ready),
+        .profile_data_i(word_i),
+        .segment_leaves_o(segment_leaves),
+        .profile_leaves_o(profile_leaves),
+        .sample_request_valid_i(request),
+        .sample_request_ready_o(request_ready),
+        .hold_i,
+        .override_i,
+        .kill_i(1'b0),
+        .samples_per_tick_log2_i,
+        .hold_acceleration_i,
+        .hold_slope_i,
+        .stop_ticks_i,
+        .sample_valid_o(made),
+        .sample_ready_i(taken),
+        .sample_position_o(unused_position),
+        .sample_fine_o(sample_o),
+        .path_valid_o(unused_path_valid),
+        .path_ds_o(unused_path_ds),
+        .path_rate_o,
+        .path_active_o(unused_path_active),
+        .path_o,
+        .active_o,
+        .underrun_o,
+        .killed_o(unused_killed),
+        .standing_o,
+        .fault_o,
+        .empty_segments_o(unused_empty_segments)
+    );
+    assign axis_o  = '0;
+    assign rates_o = '0;
+    logic unused;
+    assign unused = &{1'b0, off_i, tick_i, scale_write_i, scale_axis_i, scale_i, reference_i,
+                      by_host_i, position_i, rates_read_i};
+  end
 
 endmodule
 `default_nettype wire

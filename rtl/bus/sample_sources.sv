@@ -5,6 +5,8 @@
 //   words     -> word_sources -> paced_motion ----> samples
 //   positions ----------------> position_buffer -> .. axis by axis
 //
+// With Build 2 both are rates of the axes, in one ring: rtl/bus/paced_motion.sv.
+//
 // words_i or positions_i: only one of the two is taken, so samples have one source.
 `default_nettype none
 module sample_sources #(
@@ -22,6 +24,8 @@ module sample_sources #(
     parameter int ProfileQueueWords = 1024,
     parameter int SamplesAhead      = 4,
     parameter int SampleBufferWords = 512,
+    parameter int ScaleBits         = 44,
+    parameter int PeriodLog2        = 13,
     parameter     Program           = "",
     parameter     Data              = ""
 ) (
@@ -67,9 +71,20 @@ module sample_sources #(
     output logic                                                 empty_o,
     output logic                                                 sample_valid_o,
     input  wire logic                                            sample_ready_i,
+    output logic                                                 sample_taken_o,
     output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_o,
     input  wire logic [                                     3:0] axis_i,
     output logic      [              PositionBits+GuardBits-1:0] position_o,
+
+    // Rates, with Build 2: rtl/bus/paced_motion.sv
+    input  wire logic                                          off_i,
+    input  wire logic                                          tick_i,
+    input  wire logic                                          scale_write_i,
+    input  wire logic [                                   3:0] scale_axis_i,
+    input  wire logic [                         ScaleBits-1:0] scale_i,
+    input  wire logic [                         3+AuxAxes-1:0] reference_i,
+    input  wire logic [                                   5:0] rates_read_i,
+    output logic      [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_o,
 
     // Telemetry
     output logic [16:0] path_rate_o,
@@ -107,6 +122,9 @@ module sample_sources #(
 
   logic motion_empty;
   logic motion_valid;
+  logic motion_taken;
+  logic [3:0] rate_axis;
+  logic [PositionBits-1:0] position;
   paced_motion #(
       .Build(Build),
       .Order(Order),
@@ -121,6 +139,8 @@ module sample_sources #(
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
       .SamplesAhead(SamplesAhead),
+      .ScaleBits(ScaleBits),
+      .PeriodLog2(PeriodLog2),
       .Program(Program),
       .Data(Data)
   ) u_motion (
@@ -144,7 +164,19 @@ module sample_sources #(
       .empty_o(motion_empty),
       .sample_valid_o(motion_valid),
       .sample_ready_i,
+      .sample_taken_o(motion_taken),
       .sample_o,
+      .off_i,
+      .tick_i,
+      .scale_write_i,
+      .scale_axis_i,
+      .scale_i,
+      .reference_i,
+      .by_host_i(queued_o),
+      .axis_o(rate_axis),
+      .position_i(position),
+      .rates_read_i,
+      .rates_o,
       .path_rate_o,
       .path_o,
       .active_o,
@@ -155,7 +187,6 @@ module sample_sources #(
 
   logic buffer_ready;
   logic buffer_valid;
-  logic [PositionBits-1:0] position;
   position_buffer #(
       .Axes (3 + AuxAxes),
       .Bits (PositionBits),
@@ -171,8 +202,8 @@ module sample_sources #(
       .ends_i,
       .empty_i(empty_o),
       .valid_o(buffer_valid),
-      .ready_i(sample_ready_i),
-      .axis_i,
+      .ready_i((Build == 2) ? motion_taken : sample_ready_i),
+      .axis_i((Build == 2) ? rate_axis : axis_i),
       .position_o(position)
   );
   assign position_ready_o = buffer_ready && positions_i;
@@ -181,8 +212,9 @@ module sample_sources #(
 
   assign taken_o = segment_valid && segment_ready || profile_valid && profile_ready ||
       position_valid_i && position_ready_o;
-  assign sample_valid_o = motion_valid || buffer_valid;
-  assign empty_o = motion_empty && !buffer_valid;
+  assign sample_valid_o = motion_valid || (buffer_valid && Build != 2);
+  assign sample_taken_o = (Build == 2) ? motion_taken : sample_valid_o && sample_ready_i;
+  assign empty_o = motion_empty && !(buffer_valid && Build != 2);
 
 endmodule
 `default_nettype wire

@@ -4,18 +4,21 @@
 package system_pkg;
 
   function automatic int capability(input int axes, input int period_log2, input int build,
-                                    input int splines, input int segment_queue_words,
-                                    input int profile_queue_words, input int sample_buffer_words,
-                                    input int encoders);
+                                    input int splines, input int encoders);
     capability = (axes << registers_pkg::CapabilityAxesLow) +
         (period_log2 << registers_pkg::CapabilityPeriodLog2Low) +
         ((build & 1) << registers_pkg::CapabilityBuildLow) +
         ((build >> 1) << registers_pkg::CapabilityEngineLow) +
         (splines << registers_pkg::CapabilitySplinesLow) +
-        ($clog2(segment_queue_words) << registers_pkg::CapabilitySegmentQueueLog2Low) +
-        ($clog2(profile_queue_words) << registers_pkg::CapabilityProfileQueueLog2Low) +
-        ($clog2(sample_buffer_words) << registers_pkg::CapabilitySampleBufferLog2Low) +
         ((encoders != 0 ? 1 : 0) << registers_pkg::CapabilityEncodersLow);
+  endfunction
+
+  // The rest of that register
+  function automatic int memories(input int segment_words, input int profile_words,
+                                  input int sample_words);
+    memories = ($clog2(segment_words) << registers_pkg::CapabilitySegmentQueueLog2Low) +
+        ($clog2(profile_words) << registers_pkg::CapabilityProfileQueueLog2Low) +
+        ($clog2(sample_words) << registers_pkg::CapabilitySampleBufferLog2Low);
   endfunction
 
   function automatic int widths(input int time_bits, input int scale_bits, input int samples_ahead);

@@ -23,14 +23,24 @@ package engine_pkg;
   // Returns what microcode is made for, a digest of its core: rtl/engine/compiler/word_numbers.hpp
   function automatic logic [14:0] made_for(input int core, input int aux_axes, input int splines,
                                            input int segment_queue_words,
-                                           input int profile_queue_words);
+                                           input int profile_queue_words, input int rate_bits);
     logic [15:0] sum;
     sum = system_pkg::digest_word(16'd0, 32'(core));
-    sum = system_pkg::digest_word(sum, 32'(2 * aux_axes + splines));
+    sum = system_pkg::digest_word(sum, 32'((rate_bits << 8) + 2 * aux_axes + splines));
     sum = system_pkg::digest_word(sum, 32'(segment_queue_words));
     sum = system_pkg::digest_word(sum, 32'(profile_queue_words));
     made_for = sum[14:0];
   endfunction
+  // Ports of samples: rtl/engine/programs/ports.asm
+  localparam int OutSample = 16;
+  localparam int OutPlacing = 17;
+  localparam int OutAxisRate = 19;
+  localparam int OutUnmoved = 20;
+  localparam int OutMovedOn = 21;
+  localparam int OutStandsAt = 22;
+  localparam int OutRefused = 23;
+  localparam int OutRefusedMove = 24;
+  localparam int OutSampleWhole = 25;
 
   // Words of either stream that have room at once: rtl/engine/engine_entry.sv
   localparam int EntryWords = 128;

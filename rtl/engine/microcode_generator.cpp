@@ -19,6 +19,7 @@
 #include <string>
 
 #include "hls/clocks.hpp"
+#include "hls/place_scaler.hpp"
 #include "ref/format/parameter_text.hpp"
 #include "ref/text/text_file.hpp"
 #include "rtl/engine/assembler/listing.hpp"
@@ -83,12 +84,18 @@ void check_period(const ref::CoreParameters& core, const Values& values) {
     timed.series = core.mode == 0;
     int least = hls::engine_clocks(timed, false).sample;
     if (core.splines != 0) least = std::max(least, hls::engine_clocks(timed, true).sample);
-    least += hls::tick_clocks(timed);
+    least += hls::tick_clocks(timed) + hls::engine_place_clocks(timed);
     const int period = 1 << values.at("PeriodLog2");
     if (period >= least) return;
     throw std::invalid_argument(
         fmt::format("a sample period has {} clocks, and the engine needs {}: PeriodLog2 must be {}",
                     period, least, static_cast<int>(std::ceil(std::log2(least)))));
+}
+
+/// Bits of the rates that a module's samples are, or 0: they are positions.
+int rate_bits(const Values& values) {
+    const auto period = values.find("PeriodLog2");
+    return period == values.end() ? 0 : hls::kStepFraction + period->second;
 }
 
 }  // namespace
@@ -104,7 +111,8 @@ int main(int argc, char** argv) {
         const ref::CoreParameters core = core_of(values);
         check_period(core, values);
         const assembler::Assembly made = assembler::motion_program(
-            core, {values.at("SegmentQueueWords"), values.at("ProfileQueueWords")}, argv[1]);
+            core, {values.at("SegmentQueueWords"), values.at("ProfileQueueWords")}, argv[1],
+            rate_bits(values));
         assembler::MicrocodeFiles files = assembler::microcode_files(made);
         files["motion.lst"] = listing(made, {});
         assembler::write_files(files, argv[2]);

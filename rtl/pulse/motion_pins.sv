@@ -7,7 +7,8 @@ module motion_pins #(
     parameter int ScaleBits  = 44,  // [40, 56]
     parameter int PeriodLog2 = 13,  // [6, 20]
     parameter int TimeBits   = 12,  // [4, 16]
-    parameter int Galvo      = 0    // 0, 1
+    parameter int Galvo      = 0,   // 0, 1
+    parameter int Rates      = 0    // 0, 1
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -39,6 +40,10 @@ module motion_pins #(
     output logic      [         3:0] axis_o,
     input  wire logic [FineBits-1:0] position_i,
 
+    // Rates instead of samples, with Rates = 1
+    output logic      [                                   5:0] rates_read_o,
+    input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
+
     // External inputs, and the same synchronised
     input  wire logic            estop_i,
     input  wire logic [Axes-1:0] limit_i,
@@ -68,6 +73,10 @@ module motion_pins #(
     output logic            late_o
 );
 
+  initial
+    if (Galvo == 1 && Rates == 1)
+      $fatal(1, "Galvo works with Build 0 only: with Build 2 samples have no positions");
+
   logic [Axes-1:0] rise;
   logic [Axes-1:0] back;
   step_generator #(
@@ -75,7 +84,8 @@ module motion_pins #(
       .FineBits(FineBits),
       .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),
-      .TimeBits(TimeBits)
+      .TimeBits(TimeBits),
+      .Rates(Rates)
   ) u_steps (
       .clk_i,
       .rst_ni,
@@ -96,6 +106,8 @@ module motion_pins #(
       .by_axis_i,
       .axis_o,
       .position_i,
+      .rates_read_o,
+      .rates_i,
       .estop_i,
       .limit_i,
       .estop_o,

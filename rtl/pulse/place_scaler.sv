@@ -56,7 +56,6 @@ module place_scaler #(
 
     // Rates of all axes, until the last one is taken
     output logic                     rates_valid_o,
-    output logic                     moving_o,       // one of them is not 0
     input  wire logic                rates_taken_i,
     input  wire logic                read_i,         // only while rates are valid
     input  wire logic [         3:0] read_axis_i,
@@ -210,12 +209,6 @@ module place_scaler #(
     if (tail_q[4]) write_data[RateBits+2:0] = {refused_q, fresh_q, moves_q, rate};
   end
   assign fresh_taken_o = tail_q[4] && fresh_q ? here : '0;
-  logic moving_q;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni || ends) moving_q <= 1'b0;
-    else if (tail_q[4] && moves_q) moving_q <= 1'b1;
-    if (ends) moving_o <= moving_q || moves_q;
-  end
 
   // A register behind the memory, which is slow.
   always_ff @(posedge clk_i) begin

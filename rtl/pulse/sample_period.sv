@@ -20,7 +20,7 @@ module sample_period #(
     input wire logic rst_ni,
 
     input  wire logic       valid_i,      // rates are present
-    input  wire logic       moving_i,     // one of them is not 0
+    input  wire logic       moves_i,      // the one that is loaded is not 0
     output logic            read_o,
     output logic      [3:0] read_axis_o,
     output logic            taken_o,
@@ -56,9 +56,10 @@ module sample_period #(
       if (tick_o) begin
         walks_q  <= 1'b1;
         valid_q  <= valid_i;
-        moving_q <= valid_i && moving_i;
-      end else if (last) begin
-        walks_q <= 1'b0;
+        moving_q <= 1'b0;
+      end else begin
+        if (last) walks_q <= 1'b0;
+        if (load_o != '0 && valid_q && moves_i) moving_q <= 1'b1;
       end
       if (walks_q) read_axis_o <= last ? '0 : read_axis_o + 1'b1;
       next_q <= walks_q ? Axes'(1) << read_axis_o : '0;

@@ -28,6 +28,9 @@
 // refused rate: half a step per clock or more, or a program that begins a step or more from where
 // the axis stands.
 //
+// With Rates = 1 there are no samples here, but rates from outside (rtl/engine/engine_rates.sv),
+// which count if the axis is referenced when they are loaded.
+//
 // The flags of an axis stay until its next reference. late_o, for one clock: a sample was late
 // while the axes were moving; stopped axes do not count.
 `default_nettype none
@@ -36,7 +39,8 @@ module step_generator #(
     parameter int FineBits   = 42,  // [18, 44] bits of a position
     parameter int ScaleBits  = 44,  // [40, 56]
     parameter int PeriodLog2 = 13,  // [6, 20]
-    parameter int TimeBits   = 12   // [4, 16]
+    parameter int TimeBits   = 12,  // [4, 16]
+    parameter int Rates      = 0    // 1: instead of samples
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -66,6 +70,10 @@ module step_generator #(
     input  wire logic                by_axis_i,
     output logic      [         3:0] axis_o,
     input  wire logic [FineBits-1:0] position_i,
+
+    // Rates: rtl/bus/paced_motion.sv
+    output logic      [                                   5:0] rates_read_o,
+    input  wire logic [pulse_pkg::StepFraction+PeriodLog2+3:0] rates_i,
 
     // External inputs, and the same synchronised
     input  wire logic            estop_i,
@@ -97,22 +105,13 @@ module step_generator #(
   initial if (TimeBits < 4 || TimeBits > 16) $fatal(1, "TimeBits must be in [4, 16]");
   // Scaling, and loading before it.
   initial
-    if (Axes * (FineBits + 7) + 4 > 2 ** PeriodLog2)
+    if (Rates == 0 && Axes * (FineBits + 7) + 4 > 2 ** PeriodLog2)
       $fatal(1, "Axes (FineBits + 7) + 4 clocks must fit in a period");
 
   localparam int RateBits = pulse_pkg::StepFraction + PeriodLog2;
 
-  logic [Axes-1:0] fresh_q;  // to be referenced by the next sample
-  logic [Axes-1:0] fresh_taken;
   logic late;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) fresh_q <= '0;
-    else fresh_q <= (fresh_q & ~fresh_taken) | reference_i;
-    late_o <= rst_ni && late && referenced_o != '0;
-  end
-
   logic rates_valid;
-  logic moving;
   logic taken;
   logic read;
   logic [3:0] read_axis;
@@ -120,40 +119,64 @@ module step_generator #(
   logic moves;
   logic fresh;
   logic refused;
-  place_scaler #(
-      .Axes     (Axes),
-      .FineBits (FineBits),
-      .ScaleBits(ScaleBits),
-      .RateBits (RateBits)
-  ) u_scaler (
-      .clk_i,
-      .rst_ni,
-      .scale_write_i,
-      .scale_axis_i,
-      .scale_i,
-      .sample_valid_i,
-      .sample_ready_o,
-      .sample_i,
-      .by_axis_i,
-      .axis_o,
-      .position_i,
-      .begins_i,
-      .fresh_i(fresh_q),
-      .referenced_i(referenced_o),
-      .fresh_taken_o(fresh_taken),
-      .rates_valid_o(rates_valid),
-      .moving_o(moving),
-      .rates_taken_i(taken),
-      .read_i(read),
-      .read_axis_i(read_axis),
-      .rate_o(rate),
-      .moves_o(moves),
-      .fresh_o(fresh),
-      .refused_o(refused)
-  );
-
   logic [Axes-1:0] load;
   logic none;
+  always_ff @(posedge clk_i) late_o <= rst_ni && late && referenced_o != '0;
+  assign rates_read_o = {taken, read, read_axis};
+  if (Rates == 1) begin : g_rates
+    logic counts;
+    logic refused_now;
+    logic moves_now;
+    logic unused;
+    assign counts = (load & referenced_o) != '0;
+    assign {rates_valid, refused_now, fresh, moves_now, rate} = rates_i;
+    assign refused = refused_now && counts;
+    assign moves = moves_now && counts;
+    assign sample_ready_o = 1'b0;
+    assign axis_o = '0;
+    assign unused = &{1'b0, scale_write_i, scale_axis_i, scale_i, sample_valid_i, sample_i,
+                      begins_i, reference_i, by_axis_i, position_i};
+  end else begin : g_samples
+    logic [Axes-1:0] fresh_q;  // to be referenced by the next sample
+    logic [Axes-1:0] fresh_taken;
+    logic unused;
+    assign unused = &{1'b0, rates_i};
+    always_ff @(posedge clk_i) begin
+      if (!rst_ni) fresh_q <= '0;
+      else fresh_q <= (fresh_q & ~fresh_taken) | reference_i;
+    end
+    place_scaler #(
+        .Axes     (Axes),
+        .FineBits (FineBits),
+        .ScaleBits(ScaleBits),
+        .RateBits (RateBits)
+    ) u_scaler (
+        .clk_i,
+        .rst_ni,
+        .scale_write_i,
+        .scale_axis_i,
+        .scale_i,
+        .sample_valid_i,
+        .sample_ready_o,
+        .sample_i,
+        .by_axis_i,
+        .axis_o,
+        .position_i,
+        .begins_i,
+        .fresh_i(fresh_q),
+        .referenced_i(referenced_o),
+        .fresh_taken_o(fresh_taken),
+        .rates_valid_o(rates_valid),
+        .rates_taken_i(taken),
+        .read_i(read),
+        .read_axis_i(read_axis),
+        .rate_o(rate),
+        .moves_o(moves),
+        .fresh_o(fresh),
+        .refused_o(refused)
+    );
+  end
+
   sample_period #(
       .Axes      (Axes),
       .PeriodLog2(PeriodLog2)
@@ -161,7 +184,7 @@ module step_generator #(
       .clk_i,
       .rst_ni,
       .valid_i(rates_valid),
-      .moving_i(moving),
+      .moves_i(moves),
       .read_o(read),
       .read_axis_o(read_axis),
       .taken_o(taken),

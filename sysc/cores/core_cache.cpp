@@ -248,7 +248,8 @@ MakeBoard* CoreCache::open(const CoreParameters& parameters, bool quiet) const {
 void* CoreCache::open(const CachedModel& model, bool quiet) const {
     fs::create_directories(cores_);
     const CoreMicrocode microcode(model.core,
-                                  {model.segment_queue_words, model.profile_queue_words}, sources_);
+                                  {model.segment_queue_words, model.profile_queue_words}, sources_,
+                                  model.rate_bits);
     const fs::path folder =
         cores_ / fmt::format("{}-{}", build_name(model.core.build), digest(model, microcode));
     const fs::path file = folder / "core.so";

@@ -21,6 +21,7 @@ struct CachedModel {
     std::vector<std::string> parameters;  // Name=Value, of the module
     int segment_queue_words;
     int profile_queue_words;
+    int rate_bits = 0;  // of a board's engine: motion_program.hpp
 };
 
 class CoreCache {

@@ -23,11 +23,11 @@ bool has(const fs::path& file, const std::string& text) {
 }  // namespace
 
 CoreMicrocode::CoreMicrocode(const CoreParameters& parameters, const assembler::QueueWords& queues,
-                             const fs::path& sources) {
+                             const fs::path& sources, int rate_bits) {
     if (parameters.build != Build::kEngine) return;
     try {
         files_ = assembler::microcode_files(
-            assembler::motion_program(parameters, queues, sources.string()));
+            assembler::motion_program(parameters, queues, sources.string(), rate_bits));
     } catch (const assembler::AssemblyError& error) {
         throw UsageError(fmt::format("there is no engine with {}: {}",
                                      ref::parameters_text(parameters), error.what()));

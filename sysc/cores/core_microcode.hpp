@@ -18,7 +18,7 @@ class CoreMicrocode {
     /// Assembles what lies in `sources`, which has the layout of the source tree.
     /// @throws UsageError: the engine has no room for these parameters
     CoreMicrocode(const CoreParameters& parameters, const assembler::QueueWords& queues,
-                  const std::filesystem::path& sources);
+                  const std::filesystem::path& sources, int rate_bits = 0);
 
     bool empty() const { return files_.empty(); }
     std::string text() const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hls/place_scaler.hpp"
 #include "sysc/cli/usage_error.hpp"
 #include "sysc/cores/core_cache.hpp"
 
@@ -26,6 +27,7 @@ std::unique_ptr<VirtualModel> model_of(Build build, const VirtualTimes& times) {
     model.core.build = build;
     model.core.splines = 1;
     model.core.mode = 1;
+    model.rate_bits = hls::kStepFraction + times.period_log2;
     for (const auto& [name, value] : {std::pair("Splines", 1),
                                       {"Mode", 1},
                                       {"PeriodLog2", times.period_log2},

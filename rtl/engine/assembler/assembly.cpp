@@ -151,13 +151,13 @@ Field Assembly::axis_word(const std::string& name) {
     return names_[name] = {base + place % engine::kPageWords, name};
 }
 
-Field Assembly::auxiliary_word(const std::string& name) {
+Field Assembly::auxiliary_word(const std::string& name, int page) {
     const auto found = names_.find(name);
     if (found != names_.end()) {
         return found->second;
     }
-    const int place = auxiliary_words_++;
-    data_[engine::kPageWords * auxiliary_page() + place] = {name, 0, 1};
+    const int place = auxiliary_words_[page]++;
+    data_[engine::kPageWords * (auxiliary_page() + page) + place] = {name, 0, 1};
     return names_[name] = {engine::kX + place, name};
 }
 
@@ -222,7 +222,7 @@ void Assembly::set_page(int port, int page, const char* name) {
         {port, name}, false, last ? engine::kWordLimbs : 1);
 }
 
-void Assembly::open_auxiliary() { set_page(engine::kPortX, auxiliary_page(), "X"); }
+void Assembly::open_auxiliary(int page) { set_page(engine::kPortX, auxiliary_page() + page, "X"); }
 void Assembly::open_further() {
     if (further_in_x() && size_.axis_pages == 1) {  // at reset alone: -2, the last page but one
         put(Op::kSub, scratch(0), zero(), power(1), false, 1);
@@ -319,7 +319,9 @@ void Assembly::finish() {
     keep_pages();
     source_ = {};
     fits(axis_words_, size_.axis_pages * engine::kPageWords, "of each axis");
-    fits(auxiliary_words_, engine::kPageWords, "of auxiliary axes");
+    for (const int auxiliary : auxiliary_words_) {
+        fits(auxiliary, engine::kPageWords, "of auxiliary axes");
+    }
     const int pages = (further_words_ + engine::kPageWords - 1) / engine::kPageWords;
     const int words = data_words() + pages * engine::kPageWords;
     if (words > size_.data) {
@@ -339,9 +341,10 @@ int Assembly::place(const std::string& name, int axis) const {
 }
 
 int Assembly::data_words() const {
-    const int last = auxiliary_words_ > 0 ? auxiliary_page()
-                     : axis_words_ > 0    ? page_of(kAxes - 1, axis_words_ - 1)
-                                          : kFirstPage - 1;
+    const int last = auxiliary_words_[1] > 0   ? auxiliary_page() + 1
+                     : auxiliary_words_[0] > 0 ? auxiliary_page()
+                     : axis_words_ > 0         ? page_of(kAxes - 1, axis_words_ - 1)
+                                               : kFirstPage - 1;
     return (last + 1) * engine::kPageWords;
 }
 

@@ -75,8 +75,8 @@ class Assembly {
     Field word(const std::string& name);
     /// A word of each of X Y Z, read in what call_for_axes() calls.
     Field axis_word(const std::string& name);
-    /// A word of the auxiliary axes together, read behind open_auxiliary().
-    Field auxiliary_word(const std::string& name);
+    /// A word of the auxiliary axes together, read behind open_auxiliary() of page 0 or 1.
+    Field auxiliary_word(const std::string& name, int page = 0);
     /// The n-th of the words that live in one call of one program alone: all programs share them.
     Field scratch(int n) { return word("scratch " + std::to_string(n)); }
     Field constant(std::int64_t value);
@@ -108,7 +108,7 @@ class Assembly {
     void branch(const std::string& to, int condition = engine::kNot | engine::kNever);
     void call_for_axes(const std::string& subroutine);
     /// Makes page X that of the auxiliary axes.
-    void open_auxiliary();
+    void open_auxiliary(int page = 0);
     /// Opens the words for which those without a page did not suffice: page Y, and with more than
     /// 256 words X, but for axes.
     void open_further();
@@ -164,7 +164,7 @@ class Assembly {
     int shared_words_ = engine::kConstantWords;
     std::optional<int> gap_;  // in front of a wide word
     int axis_words_ = 0;
-    int auxiliary_words_ = 0;
+    int auxiliary_words_[2] = {0, 0};
     int further_words_ = 0;
     struct Start {
         Field field;

@@ -4,6 +4,7 @@
 #include "ref/curves/table_reader.hpp"
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/compiler/follow_assembler.hpp"
+#include "rtl/engine/compiler/places_assembler.hpp"
 #include "rtl/engine/compiler/word_numbers.hpp"
 
 namespace curvecore::assembler {
@@ -31,13 +32,15 @@ void put_sample(const ref::CoreParameters& core, Assembly& assembly) {
     assembly.label("put_axis");
     put(assembly.axis_word("fine[k]"));
     assembly.give_back();
+    assembly.label("put_position");  // of a host, which there is not
+    assembly.give_back();
 }
 
 }  // namespace
 
 StoreSize motion_store(const ref::CoreParameters& core) {
     StoreSize size;
-    size.program = core.order <= 9 ? 2048 : 4096;
+    size.program = core.order <= 9 && core.order + core.aux_axes <= 12 ? 2048 : 4096;
     const bool small = core.order <= 6 && core.aux_axes == 0;
     size.data = small ? 256 : 512;
     size.axis_pages = small ? 1 : 2;
@@ -45,23 +48,32 @@ StoreSize motion_store(const ref::CoreParameters& core) {
 }
 
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
-                        const std::string& tree) {
+                        const std::string& tree, int rate_bits) {
     Assembly assembly(motion_store(core));
-    define_words(core, queues.segments, queues.profile, assembly);
+    define_words(core, queues.segments, queues.profile, assembly, rate_bits);
     assemble_source(tree + "/rtl/engine/programs/ports.asm", assembly);
     assemble_source(tree + "/rtl/engine/programs/reset.asm", assembly);
     std::vector<ref::CurveTable> tables{ref::read_curve_table(tree + "/ref/curves/arc.net")};
     if (core.splines != 0) tables.push_back(ref::read_curve_table(tree + "/ref/curves/spline.net"));
     assemble_follow(tree + "/rtl/engine/programs", tables, core, assembly);
+    if (rate_bits == 0) {
+        put_sample(core, assembly);
+    } else {
+        assemble_places(tree + "/rtl/engine/programs", core, rate_bits, assembly);
+    }
     for (const char* source : {"path", "stops", "rate", "pieces", "share", "words", "segment_words",
                                "piece_words", "ledger", "settings", "powers", "motion"}) {
         assemble_source(tree + "/rtl/engine/programs/" + source + ".asm", assembly);
     }
-    put_sample(core, assembly);
     assembly.label("first_values");
+    if (rate_bits != 0) {  // behind a tick nothing else reads the scales' memory
+        assembly.wait("values_now");
+        assembly.label("values_now");
+    }
     assembly.open_further();
     assembly.put_starts();
     assembly.call("put_powers");
+    if (rate_bits != 0) assembly.call("read_scales");
     assembly.branch("motion");
     assembly.finish();
     return assembly;

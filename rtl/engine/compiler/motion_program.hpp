@@ -19,9 +19,10 @@ struct QueueWords {
 /// Returns the store of a core's parameters, as rtl/motion_interpolator.sv has it.
 StoreSize motion_store(const ref::CoreParameters& core);
 
-/// Assembles the motion of a core; `tree` is the folder that has ref/curves and rtl/engine.
+/// Assembles the motion of a core; `tree` is the folder that has ref/curves and rtl/engine. Its
+/// samples are fine positions, or with rate_bits rates of so many bits: motion_system's.
 /// @throws AssemblyError
 Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queues,
-                        const std::string& tree);
+                        const std::string& tree, int rate_bits = 0);
 
 }  // namespace curvecore::assembler

@@ -18,7 +18,8 @@ constexpr int kPowerEntries = 240;
 constexpr int kWordsBehind = 4;
 
 /// Returns what programs are made for. Twin: engine_pkg::made_for.
-inline int made_for(const ref::CoreParameters& core, int segment_words, int profile_words) {
+inline int made_for(const ref::CoreParameters& core, int segment_words, int profile_words,
+                    int rate_bits = 0) {
     const std::uint32_t widths = CURVECORE_PUT(CORE_ORDER, core.order) |
                                  CURVECORE_PUT(CORE_MODE, core.mode) |
                                  CURVECORE_PUT(CORE_COEF_BITS, core.coef_bits) |
@@ -26,7 +27,7 @@ inline int made_for(const ref::CoreParameters& core, int segment_words, int prof
                                  CURVECORE_PUT(CORE_GUARD_BITS, core.guard_bits);
     std::uint16_t digest = 0;
     for (const std::uint32_t word :
-         {widths, static_cast<std::uint32_t>(2 * core.aux_axes + core.splines),
+         {widths, static_cast<std::uint32_t>((rate_bits << 8) + 2 * core.aux_axes + core.splines),
           static_cast<std::uint32_t>(segment_words), static_cast<std::uint32_t>(profile_words)}) {
         digest = curvecore_digest(digest, word);
     }
@@ -35,9 +36,9 @@ inline int made_for(const ref::CoreParameters& core, int segment_words, int prof
 
 /// Defines them for queues of so many words; that of segments holds whole ones.
 inline void define_words(const ref::CoreParameters& core, int segment_words, int profile_words,
-                         Assembly& assembly) {
+                         Assembly& assembly, int rate_bits = 0) {
     constexpr int kLimbs = 3;  // of a queued word
-    assembly.define("own", made_for(core, segment_words, profile_words));
+    assembly.define("own", made_for(core, segment_words, profile_words, rate_bits));
     const int frame = ref::segment_bus_words(core.aux_axes);
     segment_words -= segment_words % frame;  // whole segments
     const int profile = kPowerEntries + kLimbs * segment_words;

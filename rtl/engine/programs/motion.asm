@@ -37,6 +37,7 @@ fetch:                         # first the next one, with its branch
   go to tick_is_due
 
 words:                         # one, and the samples that are asked for
+  if port position_waits call put_position
   stream = 0 - stream, 1 limb
   if negative go to piece_word_first
   if port segment_waits go to segment_word_here

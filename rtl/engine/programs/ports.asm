@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# Ports and conditions of the board around the motion's programs: rtl/engine/engine_interpolator.sv.
+# Ports and conditions of the board around the motion's programs: rtl/engine/engine_motion.sv.
 
 # Conditions
 data request = 3           # a sample is asked for, and there is room for one
@@ -9,6 +9,7 @@ data check_holds = 6       # of the selected stream's word
 data killed = 7            # as of the request taken
 data held_now = 8
 data tag_is = 9            # of the selected stream's word: the selected one
+data position_waits = 10   # a sample of the host, and there is room for one
 
 # IN and OUT
 data link = 2              # of the program at hand
@@ -23,6 +24,10 @@ data slope_in = 10
 data stop_ticks_in = 11
 data samples_per_tick_in = 12
 data digest_in = 13
+data scale_low = 14        # 32 bits of an axis' scale: rtl/engine/engine_rates.sv
+data scale_high = 15       # those above, which go on to the next axis
+data position_in = 16      # of the host, of the axis whose rate comes next
+data references = 17       # axes that the first sample references, that of axis 0 in bit 13
 
 # OUT
 data address = 4           # of the memory, 2 limbs
@@ -39,6 +44,13 @@ data now_active = 13       # a program is under way
 data now_standing = 14     # the machine stands until a target above 0
 data path_active = 15      # of the increment behind it: it is not 0
 data sample = 16           # fine positions, 3 limbs of each axis
+data placing = 17          # a sample's places change until it is whole
+data axis_rate = 19        # of the next axis, 2 limbs; before it one of
+data unmoved = 20          # .. it is 0
+data moved_on = 21         # .. it is not
+data stands_at = 22        # .. the axis stands at this fraction of a step
+data refused = 23          # .. it is 0, and refused
+data refused_move = 24     # .. it is refused
 data sample_whole = 25     # they are all there
 data path_low = 26         # 3 limbs of the path, then 2 more
 data path_high = 27

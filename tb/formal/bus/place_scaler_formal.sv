@@ -47,7 +47,6 @@ module place_scaler_formal (
       .referenced_i  ('1),
       .fresh_taken_o (told),
       .rates_valid_o (rates),
-      .moving_o      (),
       .rates_taken_i (take_i && rates),
       .read_i        (1'b0),
       .read_axis_i   ('0),

@@ -11,7 +11,7 @@ module sample_period_formal (
     input wire logic clk_i,
     input wire logic rst_ni,
     input wire logic made_i,
-    input wire logic moving_i
+    input wire logic moves_i
 );
 
   localparam int Axes = 3;
@@ -32,7 +32,7 @@ module sample_period_formal (
       .clk_i,
       .rst_ni,
       .valid_i(valid_q),
-      .moving_i,
+      .moves_i,
       .read_o(read),
       .read_axis_o(axis),
       .taken_o(taken),
@@ -49,7 +49,7 @@ module sample_period_formal (
   logic [1:0] read_q;
   logic [3:0] axis_q;
   logic [3:0] before_q;
-  logic moved_q;  // the rates of the last tick were not all 0
+  logic moved_q;  // a rate that was loaded since the last tick was not 0
   always_ff @(posedge clk_i) begin
     started_q <= 1'b1;
     read_q <= {read_q[0], read};
@@ -66,7 +66,8 @@ module sample_period_formal (
       else if (made_i) valid_q <= 1'b1;
       if (load[0]) loaded_q <= 1'b1;
       since_q <= load[0] ? 1 : since_q + 1'b1;
-      if (tick) moved_q <= valid_q && moving_i;
+      if (tick) moved_q <= 1'b0;
+      else if (load != '0 && !none && moves_i) moved_q <= 1'b1;
     end
   end
 

@@ -147,7 +147,7 @@ TEST_F(MotionSystem, RefusesAWordThatDoesNotFitAndLosesNone) {
     while (piece < part_.pieces.size() && host_.push(CURVECORE_PROFILE_LO, part_.pieces[piece])) {
         ++piece;
     }
-    EXPECT_GE(piece, std::size_t{CFG_ProfileQueueWords});  // some have left for the generator
+    EXPECT_GE(piece, std::size_t{kProfileRoom});  // some have left for the generator
     ASSERT_LT(piece, part_.pieces.size()) << "a longer program is needed";
     EXPECT_EQ(host_.read(CURVECORE_ROOM) >> 16, 0U);
     EXPECT_EQ(host_.state() & kFaults, uint32_t{CURVECORE_STATE_BUS_MASK});

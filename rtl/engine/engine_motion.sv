@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
-// Build 2 of motion_interpolator: the engine, its store, and the ports between its programs
+// The motion of Build 2: the engine, its store, and the ports between its programs
 // (rtl/engine/programs/motion.asm) and the streams.
 //
-//   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> samples
+//   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> out_o
 //
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
 // the assembler makes for these parameters. A program says first what it is made for: one for other
 // parameters finds no request, and fault_o[7] comes as when it makes no sample. A program one of
 // whose instructions has changed puts out nothing from then on, and fault_o[7] comes at once.
+// Samples come limb by limb at out_o, by the port's number, and wait outside: in engine_samples as
+// positions, in engine_rates as rates of the axes.
 //
 //   from sample to sample, clocks     hls/clocks.hpp; some 2,000 with a tick for each
-//   room for samples that wait        16
 `default_nettype none
-module engine_interpolator #(
-    parameter int PositionBits      = 32,    // [16, 32]
-    parameter int GuardBits         = 10,    // [2, 12]
+module engine_motion #(
+    parameter int Order             = 6,     // [2, 12]
     parameter int AuxAxes           = 0,     // [0, 6]
+    parameter int Ahead             = 16,    // [1, 16] samples asked for and not taken, at most
     parameter int MultiplierForm    = 0,     // 0 portable, 1 ECP5, 2 UP5K
     parameter int SegmentQueueWords = 1024,  // [64, 65536], a power of two
     parameter int ProfileQueueWords = 1024,  // [16, 4096], a power of two
-    parameter int PlaceBits         = 11,    // [1, 15]: 2^PlaceBits instructions
-    parameter int WordBits          = 8,     // [8, 12]: 2^WordBits words of data
     parameter     Program           = "",    // files of hexadecimal words
     parameter     Data              = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
+    input wire logic tick_i,  // the programs begin behind one
 
     input wire logic [14:0] made_for_i,  // engine_pkg::made_for
 
@@ -51,10 +51,19 @@ module engine_interpolator #(
     input wire logic [32:0] hold_slope_i,
     input wire logic [31:0] stop_ticks_i,
 
-    output logic                                                 sample_valid_o,
-    input  wire logic                                            sample_ready_i,
-    output logic      [            (3+AuxAxes)*PositionBits-1:0] sample_position_o,
-    output logic      [(3+AuxAxes)*(PositionBits+GuardBits)-1:0] sample_fine_o,
+    // Samples: the limb that is put out, by its port; samples that are taken
+    output logic      [31:0] out_o,
+    output logic      [ 1:0] limb_o,
+    output logic      [15:0] data_o,
+    input  wire logic        leaves_i,
+
+    // What the programs of rates ask for: rtl/engine/engine_rates.sv, and positions of a host
+    input  wire logic        position_waits_i,
+    input  wire logic [31:0] position_i,        // signed
+    input  wire logic [ 8:0] references_i,
+    output logic             scale_high_o,
+    output logic             scale_last_o,
+    input  wire logic [31:0] scale_i,           // a clock later
 
     output logic        path_valid_o,
     output logic [47:0] path_ds_o,
@@ -69,10 +78,13 @@ module engine_interpolator #(
     output logic [15:0] empty_segments_o
 );
 
-  localparam int Axes = 3 + AuxAxes;
-  localparam int FineBits = PositionBits + GuardBits;
+  initial if (Ahead < 1 || Ahead > 16) $fatal(1, "Ahead must be in [1, 16]");
+
+  // Instructions and words of data that the programs of these parameters need
+  localparam int PlaceBits = (Order <= 9 && Order + AuxAxes <= 12) ? 11 : 12;
+  localparam int WordBits = (Order <= 6 && AuxAxes == 0) ? 8 : 9;
+
   localparam int StopWords = 2 * words_pkg::StopSteps;
-  localparam int Places = 16;  // samples that are made and not taken
   localparam int Powers = 240;  // rtl/engine/programs/powers.asm
   localparam int Behind = 4;  // words behind the profile's end: rtl/engine/programs/pieces.asm
   localparam int Limbs = Powers + 3 * (SegmentQueueWords + ProfileQueueWords + Behind + StopWords);
@@ -86,6 +98,10 @@ module engine_interpolator #(
   localparam logic [4:0] InSlope = 5'd10;
   localparam logic [4:0] InStopTicks = 5'd11;
   localparam logic [4:0] InSamplesPerTick = 5'd12;
+  localparam logic [4:0] InDigest = 5'd13;
+  localparam logic [4:0] InScaleLow = 5'd14;
+  localparam logic [4:0] InScaleHigh = 5'd15;
+  localparam logic [4:0] InPosition = 5'd16;
   localparam int OutMemory = 3;
   localparam int OutAddress = 4;
   localparam int OutTake = 5;
@@ -99,8 +115,6 @@ module engine_interpolator #(
   localparam int OutActive = 13;
   localparam int OutStanding = 14;
   localparam int OutPathActive = 15;
-  localparam int OutSample = 16;
-  localparam int OutSampleWhole = 25;
   localparam int OutPathLow = 26;
   localparam int OutPathHigh = 27;
   localparam int OutIncrement = 28;
@@ -126,7 +140,7 @@ module engine_interpolator #(
       .clk_i,
       .rst_ni,
       .due_i       (1'b0),
-      .tick_i      (1'b1),
+      .tick_i,
       .busy_o      (unused_busy),
       .late_o      (unused_late),
       .changed_o   (changed),
@@ -150,6 +164,11 @@ module engine_interpolator #(
     if (!rst_ni) own_q <= 1'b0;
     else if (out[OutMadeFor]) own_q <= out_data[14:0] == made_for_i;
   end
+  assign out_o = out;
+  assign limb_o = out_limb;
+  assign data_o = out_data;
+  assign scale_high_o = in_port == InScaleHigh;
+  assign scale_last_o = in_valid && in_port == InScaleHigh && in_limb == 2'd2;
 
   // Words
   logic profile, holds, has_tag, segment_waits, profile_waits;
@@ -204,13 +223,11 @@ module engine_interpolator #(
 
   // Requests
   logic held_q;
-  logic leaves;
   logic [4:0] under_way_q, under_way;  // samples, requested and not taken
   logic [16:0] override_q;
   assign sample_request_ready_o = out[OutTakeRequest];
-  assign leaves = sample_valid_o && sample_ready_i;
-  assign under_way = under_way_q + {{4{leaves && !out[OutTakeRequest]}},
-                                    leaves != out[OutTakeRequest]};
+  assign under_way = under_way_q + {{4{leaves_i && !out[OutTakeRequest]}},
+                                    leaves_i != out[OutTakeRequest]};
   always_ff @(posedge clk_i) begin
     if (out[OutTakeRequest]) begin
       held_q     <= hold_i;
@@ -222,14 +239,15 @@ module engine_interpolator #(
     else if (kill_i) killed_o <= 1'b1;
   end
   assign conditions = {
-    6'd0,
+    5'd0,
+    position_waits_i,
     has_tag,
     held_q,
     killed_o,
     holds,
     profile_waits,
     segment_waits,
-    sample_request_valid_i && own_q && !under_way_q[4] && !out[OutTakeRequest]
+    sample_request_valid_i && own_q && under_way_q != 5'(Ahead) && !out[OutTakeRequest]
   };
 
   // Answers, two clocks behind their question
@@ -244,14 +262,20 @@ module engine_interpolator #(
       InSlope: setting = hold_slope_i;
       InStopTicks: setting = {1'b0, stop_ticks_i};
       InSamplesPerTick: setting = {29'd0, samples_per_tick_log2_i};
-      default: setting = {17'd0, digest_i};
+      InDigest: setting = {17'd0, digest_i};
+      InScaleLow, InScaleHigh: setting = {1'b0, scale_i};
+      InPosition: setting = {position_i[31], position_i};
+      default: setting = {19'd0, references};
     endcase
     case (limb_q)
-      2'd0: setting_limb = (port_q[3:0] == 4'd13) ? setting[15:0] : {1'b0, setting[14:0]};
+      2'd0: setting_limb = (port_q == InDigest) ? setting[15:0] : {1'b0, setting[14:0]};
       2'd1: setting_limb = {1'b0, setting[29:15]};
-      default: setting_limb = {13'd0, setting[32:30]};
+      default: setting_limb = {{13{setting[32] && port_q == InPosition}}, setting[32:30]};
     endcase
   end
+  logic [13:0] references;
+  for (genvar axis = 0; axis < 9; axis++) assign references[13-axis] = references_i[axis];
+  assign references[4:0] = '0;
   always_ff @(posedge clk_i) begin
     port_q <= in_port;
     limb_q <= in_limb;
@@ -263,33 +287,11 @@ module engine_interpolator #(
     endcase
   end
 
-  // Samples
-  for (genvar axis = 0; axis < Axes; axis++) begin : g_axes  // rounded, ties upwards
-    logic [PositionBits-1:0] whole;
-    logic half;
-    assign {whole, half} = sample_fine_o[axis*FineBits+GuardBits-1+:PositionBits+1];
-    assign sample_position_o[axis*PositionBits+:PositionBits] = whole + PositionBits'(half);
-  end
-  engine_samples #(
-      .Axes    (Axes),
-      .FineBits(FineBits),
-      .Places  (Places)
-  ) u_samples (
-      .clk_i,
-      .rst_ni,
-      .limb_i (out[OutSample]),
-      .whole_i(out[OutSampleWhole]),
-      .data_i (out_data),
-      .valid_o(sample_valid_o),
-      .ready_i(sample_ready_i),
-      .data_o (sample_fine_o)
-  );
-
   // A bound for invalid words and programs: a sample of a program comes, or this count is up.
   logic making_q;
   logic [17:0] patience_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni || out[OutSampleWhole]) making_q <= 1'b0;
+    if (!rst_ni || out[engine_pkg::OutSampleWhole]) making_q <= 1'b0;
     else if (out[OutTakeRequest]) making_q <= 1'b1;
     if (!rst_ni) patience_q <= '0;
     else if (!patience_q[17])
@@ -352,7 +354,7 @@ module engine_interpolator #(
     end else begin
       if (out[OutStanding]) rests_q <= out_data[0];
       if (out[OutStanding] && out_data[0] && !rests_q) left_q <= under_way;
-      else if (leaves && left_q != '0) left_q <= left_q - 1'b1;
+      else if (leaves_i && left_q != '0) left_q <= left_q - 1'b1;
     end
   end
   assign standing_o = rests_q && left_q == '0;

@@ -118,5 +118,26 @@ TEST(EngineClocks, AreThoseOfItsLoop) {
     }
 }
 
+/// Rates of the axes, on top of positions.
+TEST(EngineClocks, AreThoseOfItsPlaces) {
+    for (const int aux_axes : {0, 1, 6}) {
+        ref::CoreParameters core;
+        core.splines = 1;
+        core.mode = 1;
+        core.aux_axes = aux_axes;
+        hls::TimedCore timed;
+        timed.aux_axes = aux_axes;
+        int clocks[2];
+        for (const int rate_bits : {0, 29}) {
+            clocks[rate_bits == 0 ? 0 : 1] =
+                worst_case(assembler::motion_program(core, {1024, 1024}, RTL_DIR "/..", rate_bits),
+                           "put_sample");
+        }
+        const int bound = hls::engine_place_clocks(timed);
+        EXPECT_LE(clocks[1] - clocks[0], bound) << aux_axes;
+        EXPECT_GE(clocks[1] - clocks[0], 0.9 * bound) << aux_axes;
+    }
+}
+
 }  // namespace
 }  // namespace curvecore::tb
