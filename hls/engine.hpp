@@ -29,6 +29,8 @@ struct QuietBoard {
     std::int16_t in(int /*port*/, int /*limb*/, std::uint64_t) { return 0; }
     /// Limb that is at the board in a clock.
     void out(int /*port*/, int /*limb*/, std::int16_t, std::uint64_t) {}
+    /// Limb that an operand is in a clock.
+    void read(std::int16_t, std::uint64_t) {}
     /// Limb that is written in a clock, at 4 word + limb.
     void wrote(int /*place*/, std::int16_t, std::uint64_t) {}
 };
@@ -153,7 +155,7 @@ class Engine {
         const int port = i.f1 & 31;
         std::int16_t value = 0;
         for (int limb = 0; limb < i.limbs; ++limb) {
-            value = read(wide_limb(i.f0, limb));
+            value = read(board, wide_limb(i.f0, limb));
             if (!changed_) board.out(port, limb, value, now_ + 2);
             ++now_;
         }
@@ -173,16 +175,16 @@ class Engine {
             sum_ = (sum_ >> kLimbBits) + half;
             const std::uint64_t ends = now_ + std::uint64_t(terms(i, column));
             if (is_sum(i.op)) {
-                term(wide_limb(i.f0, column), 0);
-                term(i.op == Op::kSub ? kMinusOne : 0, second_limb(i, column));
+                term(board, wide_limb(i.f0, column), 0);
+                term(board, i.op == Op::kSub ? kMinusOne : 0, second_limb(i, column));
             } else if (is_product(i.op)) {
                 const int first = first_limb(i, column);
                 for (int n = 0; n < products(i, column); ++n) {
-                    term(wide_limb(a, first + n), second_limb(i, column - first - n));
+                    term(board, wide_limb(a, first + n), second_limb(i, column - first - n));
                 }
                 if (adds(i, column)) {
                     const bool wide = i.op == Op::kMac;
-                    term(wide ? wide_limb(i.f2, column) : wide_limb(i.f0, column - 3), 0);
+                    term(board, wide ? wide_limb(i.f2, column) : wide_limb(i.f0, column - 3), 0);
                 }
             }
             now_ = ends;
@@ -193,8 +195,9 @@ class Engine {
         now_ += 4;
     }
 
-    void term(int a, int b) {
-        sum_ += std::int64_t(read(a)) * read(b);
+    template <class Board>
+    void term(Board& board, int a, int b) {
+        sum_ += std::int64_t(read(board, a)) * read(board, b);
         ++now_;
     }
 
@@ -222,7 +225,8 @@ class Engine {
         board.wrote(place, std::int16_t(value), clock);
     }
 
-    std::int16_t read(int place) {
+    template <class Board>
+    std::int16_t read(Board& board, int place) {
         std::int16_t limb = memory_[std::size_t(place)];
         for (int n = 0; n < written_; ++n) {
             const Write& one = writes_[n];
@@ -230,6 +234,7 @@ class Engine {
             hazard_ = true;
             if (one.clock < now_) limb = one.limb;
         }
+        board.read(limb, now_);
         return limb;
     }
 

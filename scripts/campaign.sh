@@ -10,6 +10,7 @@
 #   tests      unit tests of every configuration, tests of label long, clang-tidy of every file
 #   models     tests of models with all their random cases, 10^4 cubics at slow clocks
 #   equality   N samples of the RTL against the kernel, in every configuration
+#   microcode  N words of the engine's twin, and 10^5 samples of its RTL, in every configuration
 #   steps      10^8 steps under the monitors of the pins
 #   program    the demo part from words to pins: core, system, its flat file
 #   buses      20,000 accesses on every bus, 2,000 on lines, 40,000 datagrams
@@ -28,7 +29,7 @@ list=false
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      sed -n '3,22s/^# \{0,1\}//p' "$0"
+      sed -n '3,23s/^# \{0,1\}//p' "$0"
       exit 0
       ;;
     --list) list=true ;;
@@ -59,7 +60,7 @@ tree=$(git log -1 --format=%h -- "${tried[@]}")
 [ -z "$(git status --porcelain -- "${tried[@]}")" ] || tree=$tree-changed
 out=build/campaign
 mkdir -p $out build/figures
-asked() { [ "$1" != equality ] || echo "$samples samples"; }
+asked() { [[ $1 != equality && $1 != microcode ]] || echo "$samples samples"; }
 is_done() {
   [[ $tree != *-changed ]] &&
     grep -qs "\"tree\": \"$tree\", \"asked\": \"$(asked "$1")\"" "$out/$1.json"
@@ -152,6 +153,25 @@ sys.exit(not all(found) or differ > 0)
 PYTHON
   )
   echo "$sum" | result
+}
+
+microcode() {
+  # Configurations that a run before this one has done on this tree are not done again.
+  configure
+  mapfile -t benches < <(targets "motion_interpolator_b2_[a-z0-9_]+")
+  build microcode_campaign "${benches[@]}"
+  lines=$out/microcode-$tree
+  [[ $tree != *-changed ]] || rm -f "$lines".*
+  seq "$(nproc)" | xargs -P "$(nproc)" -I N $tb/campaign/microcode_campaign \
+    --words "$samples" --part N --parts "$(nproc)" -o "$lines.N" | tee $out/microcode.run
+  awk '{words += $1; n += $4; differ += $6}
+    END {print words " words of the twin in " n " configurations, " differ " differ"}' \
+    $out/microcode.run | result
+  for bench in "${benches[@]}"; do
+    CURVECORE_SAMPLES=100000 $tb/$bench --gtest_filter=*.EqualsKernelsOverManySamples |
+      tee $out/microcode.run
+    grep "words differ" $out/microcode.run | sed "s/^/$bench: /" | result
+  done
 }
 
 steps() {

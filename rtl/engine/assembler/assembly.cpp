@@ -118,7 +118,9 @@ void Assembly::put_starts() {
         bool first = true;
         for (int n = 0; n < engine::kLimbBits * start.limbs; ++n) {
             if (((value < 0 ? -value : value) >> n & 1) != 0) {
-                put(op, start.field, first ? zero() : start.field, power(n), false, start.limbs);
+                const bool low = !first && value > 0;  // limbs above n's stay as they are
+                put(op, start.field, first ? zero() : start.field, power(n), false,
+                    low ? n / engine::kLimbBits + 1 : start.limbs);
                 first = false;
             }
         }

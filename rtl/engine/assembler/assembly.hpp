@@ -64,6 +64,15 @@ struct Datum {
     int words = 1;
 };
 
+/// A word that a reset gives a value, or the place of a label's instruction.
+struct Start {
+    Field field;
+    std::int64_t value;
+    std::string label;
+    int limbs;
+    Source source;
+};
+
 constexpr int kAxes = 3;                  // axes that have pages: X Y Z
 constexpr char kBeyondInX[] = "X again";  // F1 of what opens page X of words beyond
 
@@ -131,6 +140,7 @@ class Assembly {
     const std::vector<Loop>& loops() const { return loops_; }
     const std::map<std::string, std::size_t>& labels() const { return labels_; }
     const std::map<int, Datum>& data() const { return data_; }  // by place, X's for axes
+    const std::vector<Start>& starts() const { return starts_; }
     const StoreSize& size() const { return size_; }
     /// Returns the field of a word by its name.
     const Field& field(const std::string& name) const { return names_.at(name); }
@@ -166,13 +176,6 @@ class Assembly {
     int axis_words_ = 0;
     int auxiliary_words_[2] = {0, 0};
     int further_words_ = 0;
-    struct Start {
-        Field field;
-        std::int64_t value;
-        std::string label;
-        int limbs;
-        Source source;
-    };
     std::vector<Start> starts_;
     std::set<std::string> of_axes_;  // what call_for_axes() calls
     std::map<std::string, std::int64_t> definitions_;

@@ -18,8 +18,8 @@ data most_step = 44
 fetch_segment:
   segments = segments - 1, 1 limb
   frame = 0 + 2^4                        # 17 + 3 AuxAxes words
-  frame = frame + 1
-  frame = frame + aux_words
+  frame = frame + 1, 1 limb
+  frame = frame + aux_words, 1 limb
   segment_words = segment_words - frame, 2 limbs
   place = segment_take                   # on by three entries a word
   segment_take = segment_take + frame, 2 limbs
@@ -46,8 +46,8 @@ k_known:
   theta = floor(theta * 2^36 >> 45)
   for each axis call fetch_axis
   call fetch_auxiliary
-  place = place + 2^4                    # lambda: bits 41:36 of X's normal, the sixth word
-  place = place - 1
+  place = place + 2^4, 2 limbs           # lambda: bits 41:36 of X's normal, the sixth word
+  place = place - 1, 2 limbs
   port address = place, 2 limbs
   lambda = port memory
   lambda = lambda * 2^3

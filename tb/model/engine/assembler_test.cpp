@@ -8,7 +8,7 @@
 #include "rtl/engine/assembler/listing.hpp"
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/assembler/worst_case.hpp"
-#include "tb/model/engine/microcode_machine.hpp"
+#include "tb/support/microcode/curve_comparison.hpp"
 
 namespace curvecore::assembler {
 namespace {

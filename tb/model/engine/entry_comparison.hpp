@@ -12,7 +12,7 @@
 
 #include "rtl/engine/assembler/source.hpp"
 #include "rtl/engine/compiler/word_numbers.hpp"
-#include "tb/model/engine/microcode_machine.hpp"
+#include "tb/support/microcode/microcode_machine.hpp"
 #include "tb/support/segments/random_streams.hpp"
 #include "tb/support/segments/word_rule.hpp"
 
@@ -158,7 +158,7 @@ class EntryComparison {
         std::fill(memory_.begin(), memory_.end(), std::int16_t{0});
         write_powers(memory_);
         machine_.ports().memory = memory_;
-        machine_.run(kReset);
+        machine_.reset(kReset);
         machine_.set("stop_ticks", stop_ticks_);
         machine_.set("twice_stop", 2 * stop_ticks_);
         machine_.set("queued_ticks", 0);

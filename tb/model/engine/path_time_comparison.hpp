@@ -3,6 +3,7 @@
 // sysc/board/kernel_board.cpp composes them.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 
 #include "hls/path_kernel.hpp"
@@ -127,7 +128,17 @@ class PathTimeComparison : public TimeComparison {
         standing(target, rate, active);
         expect("queued_ticks", ticks_);
         expect("finals", finals_);
+        expect("profile_words", static_cast<std::int64_t>(queue_.size() - fetched()));
         same(pieces_, machine_.get("pieces") + machine_.get("next"));
+    }
+
+    /// Words of the queue that the engine has fetched already: those of the next piece.
+    std::size_t fetched() {
+        if (machine_.get("next") == 0) return 0;
+        const auto piece = std::find_if(queue_.begin(), queue_.end(), [](std::uint64_t word) {
+            return hls::get(hls::kTagField, word) == static_cast<int>(hls::Tag::kPiece);
+        });
+        return static_cast<std::size_t>(piece - queue_.begin()) + hls::kProfileBusWords;
     }
 
     std::uint64_t pop() {

@@ -12,7 +12,7 @@
 #include "rtl/engine/compiler/follow_assembler.hpp"
 #include "rtl/engine/compiler/motion_program.hpp"
 #include "sysc/core/core_clocks.hpp"
-#include "tb/model/engine/microcode_configurations.hpp"
+#include "tb/support/microcode/microcode_configurations.hpp"
 
 namespace curvecore::tb {
 namespace {

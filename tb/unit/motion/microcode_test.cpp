@@ -102,6 +102,24 @@ TEST_F(Microcode, OfOtherParametersIsRefused) {
     run();
 }
 
+// A reset leaves the data as they are: what a program wrote is anything, and the next one is drawn.
+TEST_F(Microcode, FindsAnythingInItsWordsAtAReset) {
+    const std::vector<std::int16_t> at_first = own_.memory();
+    std::size_t spoilt = 0;
+    for (std::uint32_t round = 0; round < 4 && !HasFatalFailure(); ++round) {
+        start_afresh();
+        program(pieces(round, 10, 5, 20, 3 << 16));
+        fill();
+        run();
+        for (std::size_t n = 0; n < at_first.size(); ++n) {
+            if (limb(0, n) == static_cast<std::uint16_t>(at_first[n])) continue;
+            limb(0, n) = limb(1, n) = static_cast<std::uint16_t>(random_() & 0x7fff);
+            ++spoilt;
+        }
+    }
+    EXPECT_GT(spoilt, 400U);
+}
+
 // A bit of an instruction changes while a program is drawn, or before.
 TEST_F(Microcode, ThatChangesDrawsNothingFromThenOn) {
     const int changes = cases(20, 500);

@@ -24,6 +24,22 @@ TEST_F(MotionInterpolator, EqualsKernelsWithRandomStalls) {
     }
 }
 
+// With and without stalls; CURVECORE_SAMPLES sets their number (scripts/campaign.sh).
+TEST_F(MotionInterpolator, EqualsKernelsOverManySamples) {
+    const char* const wanted = std::getenv("CURVECORE_SAMPLES");
+    const std::int64_t samples = wanted != nullptr ? std::atoll(wanted) : 500;
+    dut_.limit_cycles(~std::uint64_t{0});
+    std::int64_t compared = 0;
+    for (std::uint32_t seed = 1; compared < samples && !HasFatalFailure(); ++seed) {
+        start_afresh();
+        program(pieces(seed, 40, 5, 60, static_cast<std::int64_t>(seed % 8 + 1) << 16));
+        stall_ = seed % 3 == 0 ? 40 : 0;
+        run();
+        compared += samples_;
+    }
+    std::printf("%lld samples, 0 words differ\n", static_cast<long long>(compared));
+}
+
 TEST_F(MotionInterpolator, SharesTicksAmongSamples) {
     samples_per_tick_log2(3);
     program(pieces(2, 30, 20, 60, 9 << 16));

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/model/engine/microcode_machine.hpp"
+#include "tb/support/microcode/curve_comparison.hpp"
 
 namespace curvecore::tb {
 
