@@ -112,12 +112,14 @@ class ShortWays {
 };
 
 TEST(PortClocks, NoAnswerIsAskedForBeforeItIsKnown) {
-    for (const bool splines : {false, true}) {
-        ref::CoreParameters core;
-        core.splines = splines ? 1 : 0;
-        const assembler::Assembly made =
-            assembler::motion_program(core, {1024, 1024}, RTL_DIR "/..");
-        EXPECT_EQ(ShortWays(made).early(), "");
+    for (const int rate_bits : {0, 29}) {
+        for (const int splines : {0, 1}) {
+            ref::CoreParameters core;
+            core.splines = splines;
+            const assembler::Assembly made =
+                assembler::motion_program(core, {1024, 1024}, RTL_DIR "/..", rate_bits);
+            EXPECT_EQ(ShortWays(made).early(), "");
+        }
     }
 }
 

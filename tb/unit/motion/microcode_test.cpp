@@ -86,6 +86,7 @@ TEST_F(Microcode, OfOtherParametersIsRefused) {
     larger.order = 12;
     larger.splines = 0;
     foreign.emplace_back("the store", made_for_core(larger, queues_));
+    foreign.emplace_back("rates", assembler::motion_program(core_, queues_, RTL_DIR "/..", 29));
     foreign.emplace_back("SegmentQueueWords", made_for_core(core_, {2048, 256}));
     foreign.emplace_back("ProfileQueueWords", made_for_core(core_, {1024, 512}));
     for (const auto& [what, program] : foreign) {
