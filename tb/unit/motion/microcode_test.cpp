@@ -121,6 +121,35 @@ TEST_F(Microcode, FindsAnythingInItsWordsAtAReset) {
     EXPECT_GT(spoilt, 400U);
 }
 
+// A sample goes through all segments without length that there are; a queue of them alone would not
+// cover a stop, which is a fault.
+TEST_F(Microcode, GoesThroughAQueueOfSegmentsWithoutLength) {
+    const std::vector<hls::ProfileWords> tick = pieces(1, 10, 20, 40, 3 << 16);
+    MixedSegments shapes(core_, 5, kMaxStepExponent);
+    std::int64_t length = 0;
+    for (const hls::ProfileWords& piece : tick) length += piece.ds;
+    std::vector<RunSegment> segments =
+        chain(shapes, length, std::int64_t{1} << (kMaxStepExponent + hls::kPathFrac));
+    const int frames = queues_.segments / 17 * 2 / 3;
+    RunSegment none = segments[1];
+    none.length = 0;
+    segments.insert(segments.begin() + 1, static_cast<std::size_t>(frames), none);
+    program(tick, segments);
+    fill();
+    std::int64_t most = 0;  // clocks without a sample
+    std::int64_t since = 0;
+    std::int64_t samples = 0;
+    run([&] {
+        since = samples_ > samples || samples_ == 0 ? 0 : since + 1;
+        samples = samples_;
+        most = std::max(most, since);
+    });
+    std::printf("%d segments without length: no sample for %d clocks\n",
+                static_cast<int>(dut_->empty_segments_o), static_cast<int>(most));
+    EXPECT_GE(dut_->empty_segments_o, frames);
+    EXPECT_LT(most, frames * 400);
+}
+
 // A bit of an instruction changes while a program is drawn, or before.
 TEST_F(Microcode, ThatChangesDrawsNothingFromThenOn) {
     const int changes = cases(20, 500);
