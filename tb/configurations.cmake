@@ -341,13 +341,20 @@ core_test(position_mode engine TOP motion_system TESTS ${tests} LIBRARIES curvec
 set(tests *.SaysWhat*:*.DrawsAProgram*:*.Random*)
 core_test(motion_system engine TOP motion_system TESTS ${tests} LIBRARIES curvecore_board
           ${engine})
+core_test(system_microcode engine TOP motion_system LIBRARIES curvecore_board curvecore_assembler
+          PARAMS SegmentQueueWords=1024 ProfileQueueWords=256 SamplesAhead=15 TimeBits=10
+                 ClockHertz=2560000 SampleBufferWords=512 Build=2 PeriodLog2=12 ScaleBits=44
+                 Galvo=0
+          SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/motion/microcode.vlt)
 # The same beside its flat file, clock by clock.
 verilated_model(flat_motion_system TOP motion_system PREFIX Vflat_motion_system FLAT ${engine})
 core_test(motion_system flat TOP motion_system TESTS ${tests}
           LIBRARIES curvecore_board flat_motion_system ${engine})
 target_compile_definitions(motion_system_flat PRIVATE FLAT_TWIN)
 foreach(test motion_system_parallel motion_system_engine motion_system_flat position_mode_engine
+             system_microcode_engine
              position_mode_parallel
              motion_begin_parallel motion_probe_parallel motion_encoder_parallel)
   target_compile_definitions(${test} PRIVATE DATA_DIR="${CMAKE_CURRENT_SOURCE_DIR}/data")
 endforeach()
+target_compile_definitions(system_microcode_engine PRIVATE RTL_DIR="${PROJECT_SOURCE_DIR}/rtl")

@@ -5,9 +5,10 @@
 //   words -> engine_words -> engine <-> engine_store      settings, requests -> engine -> out_o
 //
 // The programs' side of the ports: rtl/engine/programs/ports.asm. Program and data are files that
-// the assembler makes for these parameters. A program says first what it is made for: one for other
-// parameters finds no request, and fault_o[7] comes as when it makes no sample. A program one of
-// whose instructions has changed puts out nothing from then on, and fault_o[7] comes at once.
+// the assembler makes for these parameters. A program says first what it is made for: fault_o[7] is
+// up for one for other parameters, which finds no request, and as when it makes no sample for one
+// that says nothing. A program one of whose instructions has changed puts out nothing from then on,
+// and fault_o[7] comes at once.
 // Samples come limb by limb at out_o, by the port's number, and wait outside: in engine_samples as
 // positions, in engine_rates as rates of the axes.
 //
@@ -159,10 +160,11 @@ module engine_motion #(
     out = '0;
     out[out_port] = out_valid;
   end
-  logic own_q;  // the program is made for these parameters
+  logic own, own_q;  // the program is made for these parameters
+  assign own = out_data[14:0] == made_for_i;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) own_q <= 1'b0;
-    else if (out[OutMadeFor]) own_q <= out_data[14:0] == made_for_i;
+    else if (out[OutMadeFor]) own_q <= own;
   end
   assign out_o = out;
   assign limb_o = out_limb;
@@ -240,7 +242,7 @@ module engine_motion #(
   end
   assign conditions = {
     5'd0,
-    position_waits_i,
+    position_waits_i && own_q,
     has_tag,
     held_q,
     killed_o,
@@ -337,7 +339,7 @@ module engine_motion #(
       if (out[OutUnderrun]) underrun_o <= 1'b1;
       if (out[OutShort]) fault_o[5] <= 1'b1;
       if (out[OutSettings]) fault_o[6] <= 1'b1;
-      if (patience_q[17] || changed) fault_o[7] <= 1'b1;
+      if (patience_q[17] || changed || (out[OutMadeFor] && !own)) fault_o[7] <= 1'b1;
       if (out[OutWordFaults]) fault_o[4:0] <= fault_o[4:0] | out_data[4:0];
       if (out[OutEmpties] && out_limb == 2'd0) empty_segments_o[14:0] <= out_data[14:0];
       if (out[OutEmpties] && out_limb != 2'd0) empty_segments_o[15] <= out_data[0];
