@@ -43,9 +43,9 @@ struct Clocks {
 
 /// Least number of samples that a core makes ahead of the one that is taken, if requests wait: the
 /// serial core holds this many, the parallel one more. With auxiliary axes, which a sample's frames
-/// send last, it is one less. The engine holds 13; rtl/motion_system.sv asks for 4, and takes one.
+/// send last, it is one less. Of the engine rtl/motion_system.sv asks for 15, the one it takes too.
 constexpr int samples_ahead(const TimedCore& core) {
-    if (core.build == Build::kEngine) return 3;
+    if (core.build == Build::kEngine) return 14;
     return core.build == Build::kSerial && core.aux_axes > 0 ? 1 : 2;
 }
 
@@ -156,11 +156,23 @@ constexpr Clocks serial_spline_clocks(const TimedCore& core) {
             network + sample + 3 * core.aux_axes + 162 + late_clocks(core)};
 }
 
+/// The engine does one thing after the other, samples that are asked for before the host's words.
+/// In W = 1 + samples_ahead() periods it makes W samples, their ticks and what changes in them: if
+/// that fits there, as the planner has it, no sample is late. For let sample m be asked for, W
+/// periods before it is due, while it has none to make. The n samples from then on are n / W of
+/// these windows, rounded up, and so ready within n + W - 1 periods, in time; the word that it was
+/// at takes less than what that leaves. So no host makes a sample late: words have the rest of the
+/// clocks, and if they come too slowly, a hold (rtl/engine/programs/ledger.asm). The clocks of a
+/// segment have its words.
+///
 /// Programs of the engine, at most: tb/model/hls/engine_clocks_test.cpp holds these to what the
 /// assembler says of rtl/engine/programs and ref/curves.
-constexpr int kEngineFollowClocks = 65;  // of a sample, besides its curve
-constexpr int kEngineRestClocks = 760;   // the loop: a request and the sample
-constexpr int kEngineTickClocks = 2420;  // of time
+constexpr int kEngineFollowClocks = 60;  // of a sample, besides its curve
+constexpr int kEngineRestClocks = 226;   // the loop: a request and the sample
+constexpr int kEngineTickClocks = 1998;  // of time, with a piece that begins
+
+/// Steps of a stop branch that the engine loads in a tick, while it has no piece to fetch.
+constexpr int kEngineBranchSteps = 2;
 
 /// Rates of the axes in place of positions, on top: of boards (rtl/engine/programs/places.asm).
 constexpr int engine_place_clocks(const TimedCore& core) { return 330 + 112 * core.aux_axes; }
@@ -198,7 +210,8 @@ constexpr int engine_segment_clocks(const TimedCore& core, bool spline) {
 }
 
 constexpr Clocks engine_clocks(const TimedCore& core, bool spline) {
-    const int sample = kEngineRestClocks + kEngineFollowClocks + engine_curve_clocks(core, spline);
+    const int sample = kEngineRestClocks + kEngineFollowClocks + engine_curve_clocks(core, spline) +
+                       engine_place_clocks(core);
     return {sample, sample + engine_step_clocks(core, spline),
             sample + engine_segment_clocks(core, spline)};
 }

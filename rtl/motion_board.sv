@@ -18,7 +18,7 @@ module motion_board #(
     parameter int ScaleBits         = 44,    // [40, 56]
     parameter int PeriodLog2        = 13,    // [6, 20]
     parameter int TimeBits          = 12,    // [4, 16]
-    parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int SamplesAhead      = 4,     // [1, 15]; Build 2 has 15
     parameter int Galvo             = 0,     // 0, 1
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz

@@ -175,6 +175,7 @@ module motion_interpolator #(
         .limb_o(unused_limb),
         .data_o(data),
         .leaves_i(sample_valid_o && sample_ready_i),
+        .awaited_i(!sample_valid_o && sample_ready_i),
         .position_waits_i(1'b0),
         .position_i(32'd0),
         .references_i(9'd0),

@@ -38,7 +38,7 @@ module motion_system #(
     parameter int ScaleBits         = 44,    // [40, 56], with Build 2 [40, 45]
     parameter int PeriodLog2        = 13,    // [6, 20], with Build 2 [12, 13]
     parameter int TimeBits          = 12,    // [4, 16]
-    parameter int SamplesAhead      = 4,     // [1, 15]
+    parameter int SamplesAhead      = 4,     // [1, 15]; Build 2 has 15
     parameter int Galvo             = 0,     // 1: frames of scan heads too, with Build 0
     parameter int SampleBufferWords = 512,   // [32, 4096], a power of two; for position mode
     parameter int ClockHertz        = 0,     // clock of the CLOCK register, Hz
@@ -91,7 +91,8 @@ module motion_system #(
       SegmentQueueWords, ProfileQueueWords, SampleBufferWords
   );
   localparam int Core = system_pkg::core(Order, Mode, CoefBits, PositionBits, GuardBits);
-  localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, SamplesAhead);
+  localparam int Ahead = (Build == 2) ? 15 : SamplesAhead;  // samples_ahead() of hls/clocks.hpp
+  localparam int Widths = system_pkg::widths(TimeBits, ScaleBits, Ahead);
   logic [16:0] override_rate, rate;
   logic [15:0] watchdog, digest;
   logic [3:0] samples_per_tick_log2, scale_axis, steps_axis, position_axis, fault_axis;
@@ -284,7 +285,7 @@ module motion_system #(
       .MultiplierForm(MultiplierForm),
       .SegmentQueueWords(SegmentQueueWords),
       .ProfileQueueWords(ProfileQueueWords),
-      .SamplesAhead(SamplesAhead),
+      .SamplesAhead(Ahead),
       .SampleBufferWords(SampleBufferWords),
       .ScaleBits(ScaleBits),
       .PeriodLog2(PeriodLog2),

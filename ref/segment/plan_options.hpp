@@ -27,11 +27,13 @@ struct CurveTime {
 /// | ahead         |      | true: during the samples of the last step; false: in turn           |
 /// | sample        | s    | time of a sample in which the core makes no steps; 0 with ahead     |
 /// | samples_ahead | 1    | samples that the core makes ahead of the one that is due            |
+/// | branch_steps  | 1    | steps of a stop branch that the core loads in a tick; 0: any number |
 struct CoreTime {
     ByKind<CurveTime> curve{{{{2e-6, 2e-6}, {4e-6, 4e-6}}}};
     bool ahead = true;
     double sample = 0;
     int samples_ahead = 2;
+    int branch_steps = 0;
 };
 
 /// Method of planning the feed: by rules, one bound for each move and ramps between; or as the

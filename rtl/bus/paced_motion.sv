@@ -203,6 +203,7 @@ module paced_motion #(
         .limb_o(limb),
         .data_o(data),
         .leaves_i(taken && !by_host_i),
+        .awaited_i(1'b0),
         .position_waits_i(by_host_i && !made),
         .position_i(position),
         .references_i(9'(references)),

@@ -74,6 +74,15 @@ ref::CoreParameters core_of(const Values& values) {
     return core;
 }
 
+/// Least clocks of a period in which a sample with a tick is made, and in a window of those made
+/// ahead a segment: least_period_clocks() of sysc/core.
+int least_period(const hls::TimedCore& core, bool spline) {
+    const hls::Clocks clocks = hls::engine_clocks(core, spline);
+    const int change = std::max(clocks.step, clocks.segment) - clocks.sample;
+    const int window = 1 + hls::samples_ahead(core);
+    return clocks.sample + hls::tick_clocks(core) + (change + window - 1) / window;
+}
+
 /// Checks that a board's samples can be made in its period.
 void check_period(const ref::CoreParameters& core, const Values& values) {
     if (values.count("PeriodLog2") == 0) return;
@@ -82,9 +91,8 @@ void check_period(const ref::CoreParameters& core, const Values& values) {
     timed.order = core.order;
     timed.aux_axes = core.aux_axes;
     timed.series = core.mode == 0;
-    int least = hls::engine_clocks(timed, false).sample;
-    if (core.splines != 0) least = std::max(least, hls::engine_clocks(timed, true).sample);
-    least += hls::tick_clocks(timed) + hls::engine_place_clocks(timed);
+    int least = least_period(timed, false);
+    if (core.splines != 0) least = std::max(least, least_period(timed, true));
     const int period = 1 << values.at("PeriodLog2");
     if (period >= least) return;
     throw std::invalid_argument(

@@ -52,6 +52,7 @@ ref::CoreTime core_time(const CoreParameters& parameters, double clock_hz, int s
     ref::CoreTime time;
     time.samples_ahead = hls::samples_ahead(timed_core(parameters));
     time.ahead = !hls::in_turn(parameters.build);
+    if (parameters.build == Build::kEngine) time.branch_steps = hls::kEngineBranchSteps;
     int sample = 0;  // clocks
     for (const CurveKind kind : ref::kCurveKinds) {
         const hls::Clocks clocks = change_clocks(parameters, kind);

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "sysc/core/core_clocks.hpp"
 #include "sysc/report/report.hpp"
 #include "sysc/system/host_port.hpp"
 #include "sysc/system/timed_board.hpp"
@@ -34,6 +35,13 @@ Modules& modules(const std::string& trace_file, const std::vector<std::string>& 
     return only;
 }
 
+/// Number of samples requested before they are due: SamplesAhead of rtl/motion_system.sv.
+std::size_t requested_ahead(const CoreParameters& core) {
+    constexpr std::size_t kSamplesAhead = 4;
+    if (core.build != Build::kEngine) return kSamplesAhead;
+    return 1 + static_cast<std::size_t>(hls::samples_ahead(timed_core(core)));
+}
+
 class SystemBoard : public Board {
   public:
     SystemBoard(const Job& job, std::unique_ptr<Board> core, std::unique_ptr<Machine> machine,
@@ -45,11 +53,18 @@ class SystemBoard : public Board {
           modules_(modules(trace, axis_names(job))) {
         bus_.set_word_time(settings_.word_s);
         const double period = job.options.sample_period_s;
+        BoardParts parts;
+        parts.core = core_.get();
+        parts.machine = machine_.get();
+        parts.guard = &guard_;
+        parts.trace = trace.empty() ? nullptr : modules_.trace.get();
+        parts.sample_s = period;
+        parts.ahead = requested_ahead(job.options.core);
         // A turn is a sample for the kernel, a clock for a Verilated core.
-        const double turns = rtl() ? std::floor(period * job.options.clock_hz + 1e-9) : kAhead;
-        board_.begin({core_.get(), machine_.get(), &guard_,
-                      trace.empty() ? nullptr : modules_.trace.get(), period,
-                      static_cast<std::uint64_t>(turns)});
+        const double turns = rtl() ? std::floor(period * job.options.clock_hz + 1e-9)
+                                   : static_cast<double>(parts.ahead);
+        parts.turns_per_sample = static_cast<std::uint64_t>(turns);
+        board_.begin(parts);
     }
     ~SystemBoard() override {
         board_.end();

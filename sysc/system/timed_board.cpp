@@ -97,7 +97,7 @@ void TimedBoard::move(const Sample* sample) {
 
 /// Lets the core work for at most the time of a sample, and takes one.
 void TimedBoard::take_sample() {
-    while (run_.wanted > 0 && run_.asked + run_.made.size() < kAhead) {
+    while (run_.wanted > 0 && run_.asked + run_.made.size() < parts_.ahead) {
         parts_.core->request(1);
         --run_.wanted;
         ++run_.asked;

@@ -15,9 +15,6 @@
 
 namespace curvecore::sysc {
 
-/// Number of samples requested before they are due: SamplesAhead of rtl/motion_system.sv.
-constexpr std::size_t kAhead = 4;
-
 /// Parts that a board draws with, from begin() to end().
 struct BoardParts {
     Board* core = nullptr;
@@ -25,6 +22,7 @@ struct BoardParts {
     QueueGuard* guard = nullptr;
     PinTrace* trace = nullptr;  // null: none
     double sample_s = 0;
+    std::size_t ahead = 4;               // samples requested before they are due
     std::uint64_t turns_per_sample = 0;  // turns of the core's work
 };
 

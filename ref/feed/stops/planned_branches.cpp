@@ -51,7 +51,8 @@ class BranchPlanner {
         : course_(program, machine, geometry, plan, kStopShare),
           reach_(static_cast<double>(stop_reach(machine, plan.tick_s))),
           distance_(branch_distance({machine, plan.unit_mm, plan.tick_s})),
-          words_per_tick_(kWordShare * covered_words(options, plan)) {
+          words_per_tick_(kWordShare * covered_words(options, plan)),
+          branch_steps_(static_cast<std::size_t>(options.core.branch_steps)) {
         std::uint64_t start = 0;
         std::uint64_t s = 0;
         for (const ProfilePiece& piece : plan.pieces) {
@@ -84,17 +85,22 @@ class BranchPlanner {
 
   private:
     /// Looks for a branch as far as the course is known up to this tick: before the last piece that
-    /// is near enough, else before the next one.
+    /// is near enough and leaves the core the time to load it, else before the next one.
     void find_until(double tick) {
         while (next_ < due_.size() && due_[next_] < end_) {
-            std::size_t piece = next_;
+            const std::size_t first = next_;
+            std::size_t piece = first;
             while (piece + 1 < due_.size() && near(piece + 1)) ++piece;
             if (static_cast<double>(due_[piece]) > tick) return;
             next_ = piece + 1;
             if (!carried(piece)) continue;
             StopSteps steps = steps_before(piece);
-            if (steps.empty()) continue;
+            for (; piece > first && !loaded(piece, steps.size()); steps = steps_before(piece)) {
+                --piece;
+            }
+            if (steps.empty() || !loaded(piece, steps.size()) || !carried(piece)) continue;
             branches_.push_back({piece, 1, std::move(steps)});
+            next_ = piece + 1;
             while (next_ < due_.size() && due_[next_] <= due_[piece] + kStopLead) ++next_;
         }
     }
@@ -115,6 +121,14 @@ class BranchPlanner {
         return words <= words_per_tick_ * static_cast<double>(due_[piece] - due_[last.piece]);
     }
 
+    /// Returns true if the core loads so many steps, and what stands before and behind them, in the
+    /// ticks of the piece before.
+    bool loaded(std::size_t piece, std::size_t steps) const {
+        constexpr std::size_t kOthers = 3;  // ticks: the stop, the piece, a queue that begins anew
+        if (branch_steps_ == 0 || piece == 0) return true;
+        return steps / branch_steps_ + 1 + kOthers <= due_[piece] - due_[piece - 1];
+    }
+
     StopSteps steps_before(std::size_t piece) {
         const auto due = static_cast<double>(due_[piece]);
         if (!branches_.empty()) {
@@ -130,6 +144,7 @@ class BranchPlanner {
     double reach_;
     Reach distance_;
     double words_per_tick_;
+    std::size_t branch_steps_;
     std::vector<std::uint64_t> due_;   // ticks, of the pieces
     std::vector<std::uint64_t> path_;  // quanta, before them
     std::uint64_t end_ = 0;

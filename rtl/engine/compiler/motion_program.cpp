@@ -74,7 +74,7 @@ Assembly motion_program(const ref::CoreParameters& core, const QueueWords& queue
     assembly.put_starts();
     assembly.call("put_powers");
     if (rate_bits != 0) assembly.call("read_scales");
-    assembly.branch("motion");
+    assembly.branch("first_settings");
     assembly.finish();
     return assembly;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# A motion: words in, samples out; what waits, one after the other. sysc/board/kernel_board.cpp
-# composes the kernels in the same way.
+# A motion: words in, samples out; what waits, one after the other, samples first, since words can
+# wait. But where the motion stands, perhaps for want of words, or somebody takes samples as they
+# come, they take turns. sysc/board/kernel_board.cpp composes the kernels in the same way.
 #
 #   motion   the background, from a reset on
 #   sample   a sample from its request on: a tick of time where one is due, its share, a position
@@ -8,12 +9,13 @@
 word target rate active next underrun_hold good standing share_index end time
 word pieces
 word waits = 0, 1 limb         # the sample under way waits for a segment
-word stream = 1, 1 limb        # whose word comes first: 1 the pieces', -1 the segments'
 local left
 
 foreground:                    # it has nothing to do
   end, then foreground
 
+first_settings:
+  call take_settings
 motion:
   test waits + 0, 1 limb
   if not zero go to draw
@@ -36,41 +38,22 @@ fetch:                         # first the next one, with its branch
   call fetch_piece
   go to tick_is_due
 
-words:                         # one, and the samples that are asked for
+words:                         # one of each stream
   if port position_waits call put_position
-  stream = 0 - stream, 1 limb
-  if negative go to piece_word_first
-  if port segment_waits go to segment_word_here
-  if port piece_waits call enter_piece_word
-  go to word_done
-piece_word_first:
-  if port piece_waits go to piece_word_here
   if port segment_waits call enter_segment_word
-  go to word_done
-segment_word_here:
-  call enter_segment_word
-  go to word_done
-piece_word_here:
-  call enter_piece_word
-word_done:
-  test share_index + 0, 2 limbs
-  if not zero go to motion     # the settings are those of a whole tick
-  call fetch_piece
+  if port piece_waits call enter_piece_word
   if port request go to motion
   if port segment_waits go to motion
   if port piece_waits go to motion
+  test share_index + 0, 2 limbs
+  if not zero go to motion     # the settings are those of a whole tick
   call settings
   if negative call take_settings
   go to motion
 
-others:
+others:                        # between programs: the guard is that of the tick before
   call take_settings
-  call guard
   go to guarded
-
-report_begun:
-  port path_active = active, 1 limb
-  return
 
 sample:
   port take_request = 0, 1 limb
@@ -81,9 +64,8 @@ guarded:
   target = 0, 2 limbs
   if port killed go to aimed
   if port held_now go to aimed
-  test underrun_hold + 0, 1 limb
-  if not zero go to aimed
-  test good + 0, 1 limb
+  test good - underrun_hold, 1 limb
+  if negative go to aimed
   if zero go to aimed
   target = port override_in, 2 limbs
   test target - one, 2 limbs     # the rate 1: rate.asm
@@ -95,8 +77,6 @@ aimed:
   call tick
   port now_active = active, 1 limb
   port now_standing = standing, 1 limb
-  test active + 0, 1 limb
-  if not zero call report_begun
 shares_on:
   call share
   port path_rate = rate, 2 limbs
@@ -106,4 +86,11 @@ draw:
   if not zero go to words
   call put_sample
   port sample_whole = 0, 1 limb
-  go to words
+  test standing + 0, 1 limb
+  if not zero go to words
+  test share_index + 0, 2 limbs
+  if not zero go to sample_is_out
+  call fetch_piece             # once a tick
+sample_is_out:
+  if port awaited go to words  # it has no pace to keep
+  go to motion

@@ -12,11 +12,11 @@ word target rate increment
 word may_begin                             # 1: a program may begin, ledger.asm
 word ticks m e
 word next_end next_ds next_final next_c1 next_c2 next_c3 next_tau
-word next = 0                              # it is there
+word next = 0, 1 limb                      # it is there
 word queued_ticks = 0                      # of the pieces that have not begun,
 word finals = 0, 2 limbs                   # and how many of these are final
 word end ds final c1 c2 c3 to_tau time walked
-word active = 0
+word active = 0, 1 limb
 word idle                                  # ticks without a piece, 16 at most: time_begins
 wide next_scale scale
 local path start tau d place
@@ -39,16 +39,16 @@ piece:
 
 tick:
   increment = 0
-  test active + 0
+  test active + 0, 1 limb
   if zero go to resting
   time = time + rate
   test time - end
   if negative go to inside
   increment = ds - walked                   # the rest of the piece
   walked = ds
-  test final + 0
+  test final + 0, 1 limb
   if not zero go to ended
-  test next + 0
+  test next + 0, 1 limb
   if zero go to waiting
   start = time - end
   go to branch_passes
@@ -56,14 +56,14 @@ waiting:
   time = end
   go to count_idle
 ended:
-  active = 0
+  active = 0, 1 limb
   go to count_idle
 resting:
-  test target + 0
+  test target + 0, 2 limbs
   if zero go to count_idle
   test may_begin + 0, 1 limb
   if zero go to count_idle
-  test next + 0
+  test next + 0, 1 limb
   if zero go to count_idle
   start = rate
   go to branch_passes
@@ -72,14 +72,15 @@ piece_begins:
   finals = finals - next_final, 2 limbs
   end = next_end
   ds = next_ds
-  final = next_final
+  final = next_final, 1 limb
   c1 = next_c1
   c2 = next_c2
   c3 = next_c3
   to_tau = next_tau
   scale = next_scale + 0, 4 limbs
-  next = 0
-  active = 1
+  next = 0, 1 limb
+  active = 1, 1 limb
+  port path_active = active, 1 limb
   walked = 0
   time = start
   test time - end
@@ -105,13 +106,12 @@ reached:
   increment = increment - walked
   walked = path + 0
 count_idle:
-  test active + 0
+  test active + 0, 1 limb
   if zero go to idles
-  idle = 0
+  idle = 0, 1 limb
   return
 idles:
-  test idle - idle_ticks
-  if zero go to counted
-  idle = idle + 1
-counted:
+  test idle - idle_ticks, 1 limb
+  if zero return
+  idle = idle + 1, 1 limb
   return

@@ -28,6 +28,7 @@ piece_word:
   call put_before_end
   test piece_select * 2^13, 1 limb         # 53 of a stop, or 35
   if not negative go to stop_word
+of_piece:
   t = entering * 2^9                       # bits 35:0
   high = floor(t * 2^4 >> 45), 1 limb
   if not zero go to bad_word
@@ -63,14 +64,16 @@ piece_word:
   call next_piece
 
 ds_word:
+  entering = entering - 2^44               # less its tag
   t = entering * 2^0, 4 limbs
-  t = t - 2^44, 4 limbs
   path_lead = path_lead - t, 4 limbs
   piece_select = piece_select + 2, 1 limb
 next_coefficient:
   call next_piece
 coefficient_word:
   if not port check_holds go to bad_word
+  entering = entering * 2^9                # bits 35:0
+  entering = floor(entering * 2^36 >> 45)
   test piece_select * 2^10, 1 limb         # 51, or 43 and 47
   if not negative go to next_coefficient
   go to piece_whole

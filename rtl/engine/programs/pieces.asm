@@ -3,12 +3,13 @@
 # it goes to the stop memory (load_wait, load_step of hls/stop_schedule.hpp). Lines:
 # rtl/engine/assembler/source.hpp.
 #
-#   fetch_piece   if the path has no next piece and the queue a whole one: takes a word of the
-#                 branch before it, or the piece
+#   fetch_piece   if the path has no next piece and the queue a whole one: takes the piece, or of
+#                 the branch before it the stop, or up to two steps
 #
-# So a tick may come while `next` is not 0, or `pieces` is. The queue has 46 bits of a word: the
-# highest two are 0 of a piece's first word, 1 of a stop, -2 of a step. A piece, a stop and a step
-# begin in front of profile_end: the last piece's words may go on behind it.
+# So a tick in which the piece under way ends may come while `next` is not 0, or `pieces` is. The
+# queue has 46 bits of a word: the highest two are 0 of a piece's first word, 1 of a stop, -2 of a
+# step; a ds and coefficients stand there alone, as numbers. A piece, a stop and a step begin in
+# front of profile_end: the last piece's words may go on behind it.
 
 word piece_take = profile_begin, 2 limbs   # address of the first word
 word pieces                                # whole pieces, with their branches: words.asm
@@ -19,7 +20,7 @@ word loaded                                # entries of the branch
 data bank_entries = 768                    # kStopSteps, of three entries
 data second_bit = 17592186044416           # 2^44: the tag's low two bits are 1
 
-local word_here above place
+local word_here above place more
 
 fetch_piece:
   test next + 0, 1 limb
@@ -40,24 +41,17 @@ taken_from:
   ticks = above * 2^20
   ticks = word_here - ticks
   place = floor(above * 2^40 >> 45)        # 24:20 m,
-  m = place * 2^5
-  m = above - m
+  m = place * 2^5, 1 limb
+  m = above - m, 1 limb
   above = floor(place * 2^39 >> 45)        # 30:25 e,
-  e = above * 2^6
-  e = place - e
+  e = above * 2^6, 1 limb
+  e = place - e, 1 limb
   next_final = above * 2^44                # 31 final
   next_final = next_final * -1 >> 45       # a half, rounded up
   next_ds = port memory
-  next_ds = next_ds - second_bit
   next_c1 = port memory
-  next_c1 = next_c1 * 2^9                  # 35:0, signed
-  next_c1 = floor(next_c1 * 2^36 >> 45)
   next_c2 = port memory
-  next_c2 = next_c2 * 2^9
-  next_c2 = floor(next_c2 * 2^36 >> 45)
   next_c3 = port memory
-  next_c3 = next_c3 * 2^9
-  next_c3 = floor(next_c3 * 2^36 >> 45)
   piece_take = piece_take + 2^4, 2 limbs   # 5 words
   piece_take = piece_take - 1, 2 limbs
   profile_words = profile_words - 2^2, 2 limbs
@@ -66,18 +60,30 @@ taken_from:
   go to piece
 
 load_wait:
-  branch = above
+  branch = above, 2 limbs
   loaded = 0, 1 limb
-  go to word_gone
-load_step:
-  place = loading + loaded
-  port address = place, 2 limbs
-  port memory = word_here
-  loaded = loaded + 3, 1 limb
-  test loaded - bank_entries, 1 limb
-  if not zero go to word_gone
-  loaded = 0, 1 limb
-word_gone:
   profile_words = profile_words - 1, 2 limbs
   piece_take = piece_take + 3, 2 limbs
   return
+
+load_step:
+  more = 1, 1 limb
+  loop
+    place = loading + loaded, 2 limbs
+    port address = place, 2 limbs
+    port memory = word_here
+    loaded = loaded + 3, 1 limb
+    test loaded - bank_entries, 1 limb
+    if not zero go to step_loaded
+    loaded = 0, 1 limb
+step_loaded:
+    profile_words = profile_words - 1, 2 limbs
+    piece_take = piece_take + 3, 2 limbs
+    test piece_take - profile_end, 2 limbs
+    if not negative return
+    port address = piece_take, 2 limbs
+    word_here = port memory
+    if not negative return
+    more = more - 1, 1 limb
+    if negative return
+  repeat 1 times

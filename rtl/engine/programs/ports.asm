@@ -10,6 +10,7 @@ data killed = 7            # as of the request taken
 data held_now = 8
 data tag_is = 9            # of the selected stream's word: the selected one
 data position_waits = 10   # a sample of the host, and there is room for one
+data awaited = 11          # somebody waits for a sample, with none there
 
 # IN and OUT
 data link = 2              # of the program at hand

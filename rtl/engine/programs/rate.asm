@@ -37,25 +37,17 @@ word active idle                           # path.asm
 local mode obeyed same low goal acceleration max_slope rest faster from
 data idle_ticks = 16
 data one = 65536                           # the rate 1 ..
+data border = 3758096384                   # 7/8 with 32 fraction bits
 data one_scaled = 4294967296               # .. with 32 fraction bits
 data bank_entries = 768                    # kStopSteps, of three entries
 data most_rest = 31                        # kStopLead - 1
 
 rate_tick:
-  mode = 1, 1 limb                         # 2: it lands, -1: a stop at the rate 1
+  mode = 1, 1 limb                         # -1: a stop at the rate 1
   test target - asked, 2 limbs
-  if zero go to as_asked
+  if zero go to count
   asked = target, 2 limbs
   unsettled = 1, 1 limb
-as_asked:
-  test stopping + 0, 1 limb
-  if not zero go to count
-  test unsettled + 0, 1 limb
-  if zero go to count
-  test idle - idle_ticks, 1 limb
-  if not zero go to count
-  unsettled = 0, 1 limb
-  mode = 2, 1 limb
 
 count:                                     # ticks until a branch is due, at most
   obeyed = target
@@ -63,8 +55,8 @@ count:                                     # ticks until a branch is due, at mos
   if zero go to clip
   test target + 0, 2 limbs
   if not zero go to runs
-  test mode - 1, 1 limb
-  if not zero go to clip
+  test idle - idle_ticks, 1 limb           # the target is another now
+  if zero go to clip                       # it lands
   mode = 0 - 1, 1 limb
   test wait + 0, 2 limbs
   if zero go to clip
@@ -136,8 +128,11 @@ aim:
   low = obeyed - one
   low = low + 2^13                         # from 7/8
   low = floor(low * 2^0 >> 45), 1 limb     # -1: below 7/8
-  test mode - 2, 1 limb
+  test unsettled + 0, 1 limb
+  if zero go to rate_follows
+  test idle - idle_ticks, 1 limb
   if not zero go to rate_follows
+  unsettled = 0, 1 limb
 lands:                                     # rest, land
   at_one = 0, 1 limb
   settling = 0, 1 limb
@@ -150,17 +145,14 @@ lands:                                     # rest, land
 rate_follows:
   test slope + 0
   if not zero go to sides
-  goal = one_scaled                        # 7/8
-  goal = goal - 2^29
-  test scaled - goal
+  test scaled - border
   if not zero go to sides
   coarse = low, 1 limb                     # a rate that settles moves neither way
 sides:
   goal = obeyed * 2^16
   test low - coarse, 1 limb
   if zero go to bounds
-  goal = one_scaled
-  goal = goal - 2^29
+  goal = border
 bounds:
   acceleration = hold_acceleration
   max_slope = hold_slope
@@ -190,7 +182,7 @@ away:
   if zero go to leaves
   settling = 0, 1 limb
   go to rated
-leaves:
+leaves:                                    # with a slope of 0 `braking` is 0, too
   test rest - acceleration
   if not negative go to drives
   settling = 1, 1 limb
@@ -198,10 +190,10 @@ leaves:
   go to rated
 moves:
   rest = rest * way
-drives:
   rest = rest - braking
   rest = rest - slope
   if negative go to brakes
+drives:
   faster = slope + acceleration
   test max_slope - faster
   if negative go to keeps

@@ -7,7 +7,7 @@
 
 word near = - 1, 1 limb                    # ticks until what is next is due; -1: another counts
 word next_wait begins                      # next_
-word branch = 0                            # wait of the branch before the next piece, 0: none
+word branch = 0, 2 limbs                   # wait of the branch before the next piece, 0: none
 word reading = stop_begin                  # a bank: the steps that a stop takes ..
 word read                                  # .. and how many entries it has taken
 word loading = stop_middle                 # the other bank: the steps before the next piece
@@ -16,7 +16,7 @@ data one = 65536                           # the rate 1
 data stop_lead = 32                        # kStopLead
 
 branch_passes:
-  test branch + 0
+  test branch + 0, 2 limbs
   if not zero go to counts
   test active + 0, 1 limb
   if not zero go to piece_begins
@@ -25,10 +25,10 @@ counts:
   if not negative go to passed
   near = stop_lead, 1 limb
   begins = 0, 1 limb
-  next_wait = 1
-  test branch + 0
+  next_wait = 1, 2 limbs
+  test branch + 0, 2 limbs
   if zero go to piece_begins
-  next_wait = branch
+  next_wait = branch, 2 limbs
   test rate - one, 2 limbs
   if not zero go to passed
   begins = 1, 1 limb
@@ -37,5 +37,5 @@ counts:
   loading = reading - loading
   reading = reading - loading
 passed:
-  branch = 0
+  branch = 0, 2 limbs
   go to piece_begins

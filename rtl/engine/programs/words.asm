@@ -9,8 +9,9 @@
 # `call next_segment` lets one pass and finds itself back with the next as `entering`, which has the
 # selected tag. A select is 4 tag, + 2: bits 43:36 are left out of the check, + 1: of the profile.
 # An entering word is signed and has the low half of its tag in bits 45:44. Products modulo 2^45
-# drop it; in what floor() gives of the word it stays, and is taken off. Numbers here are sums of
-# powers of two where a word of data would be needed else.
+# drop it; in what floor() gives of the word it stays, and is taken off. The queue has the word as it
+# passes on, of a ds and coefficients the number alone. Numbers here are sums of powers of two where
+# a word of data would be needed else.
 
 word segment_next = place of length_word, 1 limb
 word segment_select = 4, 1 limb
@@ -56,24 +57,26 @@ next_segment:
 enter_piece_word:
   entry_link = port link, 1 limb
   entry_fault = 4, 1 limb
-  loop
-    port select = piece_select, 1 limb
-    test profile_words - profile_queue_words, 2 limbs
-    if not negative go to word_stays
-    if port tag_is go to piece_selected
-    left = piece_select - 32, 1 limb       # a stop branch may stand before a piece: 35, 53
-    test left - 3, 1 limb
-    if not zero go to bad_word
-    test piece_inside - 1, 1 limb
-    if zero go to bad_word
-    piece_select = piece_select + 16, 1 limb
-    piece_select = piece_select + 2, 1 limb
-  repeat 1 times
-piece_selected:
+  port select = piece_select, 1 limb
+  test profile_words - profile_queue_words, 2 limbs
+  if not negative go to word_stays
+  if not port tag_is go to stop_here
+selected:
   port check = piece_check, 1 limb
   entering = port word_in
   port link = piece_next, 1 limb
   return
+stop_here:                                 # a branch may stand before a piece, 35 or 53
+  left = piece_select - 32, 1 limb
+  test left - 3, 1 limb
+  if not zero go to bad_word
+  piece_select = piece_select + 16, 1 limb
+  piece_select = piece_select + 2, 1 limb
+  port select = piece_select, 1 limb       # tag_is: six clocks later
+  test piece_inside - 1, 1 limb
+  if zero go to bad_word
+  if port tag_is go to selected
+  go to bad_word
 
 next_piece:
   piece_next = port link, 1 limb

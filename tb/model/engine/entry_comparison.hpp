@@ -208,7 +208,8 @@ class EntryComparison {
         const std::size_t end = 3 * static_cast<std::size_t>(of_.queues[stream]);
         if (wraps && put_[stream] >= end) put_[stream] = 0;
         for (int limb = 0; limb < 3; ++limb) {
-            memory_[begin_[stream] + put_[stream]++] = StreamPorts::limb_of(word, limb);
+            memory_[begin_[stream] + put_[stream]++] = StreamPorts::limb_of(
+                stream == kPieces ? static_cast<std::uint64_t>(queued(word)) : word, limb);
         }
     }
 

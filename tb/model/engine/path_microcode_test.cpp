@@ -55,7 +55,12 @@ class PathComparison {
     PathComparison(const assembler::Assembly& assembly, MicrocodeMachine& machine)
         : machine_(machine), bound_(worst_case(assembly, "tick")) {
         write_powers(machine_.ports().memory);
+        machine_.ports().take = [this](int port, int, std::int16_t value) {
+            constexpr int kPathActive = 15;
+            if (port == kPathActive) told_ += value;
+        };
     }
+    PathComparison(const PathComparison&) = delete;
 
     /// Drives a random program with both; returns the number of words that differ.
     int program(std::uint32_t seed, int pieces, int most_ticks) {
@@ -64,6 +69,7 @@ class PathComparison {
         std::size_t told = 0;
         std::size_t taken = 0;
         machine_.set("passes", 0);
+        told_ = 0;
         int differ = 0;
         for (int tick = 0; tick < 80 || (taken < words.size() && tick < 4000); ++tick) {
             if (told == taken && told < words.size() && random() % 4 != 0) tell(words[told++]);
@@ -94,8 +100,9 @@ class PathComparison {
             differ += machine_.get("finals") != (queued && queued->final ? 1 : 0) ? 1 : 0;
             differ += machine_.get("passes") != static_cast<std::int64_t>(taken) ? 1 : 0;
             differ += kernel_.active() && machine_.get("final") != (final_ ? 1 : 0) ? 1 : 0;
+            differ += told_ != static_cast<std::int64_t>(taken) ? 1 : 0;
             differ += most_clocks_ > bound_ ? 1 : 0;
-            words_ += 8;
+            words_ += 9;
             if (differ > 0) return differ;
         }
         return differ;
@@ -123,6 +130,7 @@ class PathComparison {
     hls::PathKernel kernel_;
     bool final_ = false;  // of the present piece
     std::int64_t words_ = 0;
+    std::int64_t told_ = 0;  // pieces with which the path is active
     int bound_;
     int most_clocks_ = 0;
 };

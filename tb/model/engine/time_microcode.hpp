@@ -48,12 +48,13 @@ inline TimeMicrocode time_microcode() {
     return code;
 }
 
-/// Writes the 46 bits of a queued word into the memory.
+/// Writes a profile's word into the memory.
 inline void write_word(std::vector<std::int16_t>& memory, int place, std::uint64_t word) {
     const auto at = static_cast<std::size_t>(place);
-    memory.at(at) = static_cast<std::int16_t>(word & 0x7fff);
-    memory.at(at + 1) = static_cast<std::int16_t>(word >> 15 & 0x7fff);
-    memory.at(at + 2) = static_cast<std::int16_t>(word >> 30 & 0xffff);
+    const std::int64_t value = queued(word);
+    memory.at(at) = static_cast<std::int16_t>(value & 0x7fff);
+    memory.at(at + 1) = static_cast<std::int16_t>(value >> 15 & 0x7fff);
+    memory.at(at + 2) = static_cast<std::int16_t>(value >> 30);
 }
 
 struct TimeBounds {
@@ -104,6 +105,8 @@ class TimeComparison {
         : machine_(machine), bounds_(code.bounds), most_(code.bounds.size()) {
         machine_.ports().memory.resize(kMemoryEntries);
         write_powers(machine_.ports().memory);
+        std::vector<std::int16_t>& memory = machine_.ports().memory;
+        std::fill(memory.begin() + kProfileEnd, memory.begin() + kStopBegin, std::int16_t{-1});
         machine_.reset(kReset);
         same(machine_.starts_hold(), true);
         machine_.set("pieces", 0);

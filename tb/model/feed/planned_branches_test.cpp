@@ -223,6 +223,35 @@ TEST(PlannedBranches, FitTheirWordsAndTheCore) {
     }
 }
 
+/// Branches whose steps, two a tick, do not fit into the piece before them.
+int hurried(const Plan& plan) {
+    int count = 0;
+    for (const PlannedBranch& branch : plan.branches) {
+        if (branch.piece == 0) continue;
+        count += branch.steps.size() > 2 * plan.pieces[branch.piece - 1].ticks ? 1 : 0;
+    }
+    return count;
+}
+
+TEST(PlannedBranches, LeaveACoreTheTimeToLoadThem) {
+    int before = 0;
+    std::size_t branches = 0;
+    std::size_t left = 0;
+    for (const Curve& curve : curves()) {
+        ref::PlanOptions options;
+        options.sample_period_s = 400e-6;
+        const Plan any = make_plan(curve.program, curve.machine, options);
+        options.core.branch_steps = 2;
+        const Plan loaded = make_plan(curve.program, curve.machine, options);
+        before += hurried(any);
+        branches += any.branches.size();
+        left += loaded.branches.size();
+        EXPECT_EQ(hurried(loaded), 0) << curve.name;
+    }
+    EXPECT_GT(before, 0);
+    EXPECT_GT(left, branches - static_cast<std::size_t>(before)) << "others take their place";
+}
+
 // The ticks of the profile that a hold takes are those that the core must have queued.
 TEST(PlannedBranches, PassNoMoreOfTheProfileThanTheGuardKeeps) {
     for (const Curve& curve : curves()) {

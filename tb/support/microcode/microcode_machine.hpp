@@ -37,6 +37,16 @@ inline bool may_wrap(std::uint64_t word) {
     return tag == hls::Tag::kPiece || tag == hls::Tag::kStop || tag == hls::Tag::kStep;
 }
 
+/// What the profile's queue has of a word: 46 bits, as a signed number, or a ds, a coefficient.
+inline std::int64_t queued(std::uint64_t word) {
+    const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
+    const auto low = [word](int bits) {
+        return static_cast<std::int64_t>(word << (64 - bits)) >> (64 - bits);
+    };
+    if (tag == hls::Tag::kDs) return static_cast<std::int64_t>(hls::get(hls::kLengthField, word));
+    return low(tag >= hls::Tag::kC1 && tag <= hls::Tag::kC3 ? hls::kCoefField.bits : 46);
+}
+
 /// The board around the engine, as far as a test makes it: the memory behind it, and what else is
 /// at its ports (rtl/engine/programs/ports.asm).
 struct MicrocodePorts {

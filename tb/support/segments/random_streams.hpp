@@ -115,7 +115,7 @@ class RandomStreams {
     }
 
     /// Number of kinds of a word made wrong.
-    static constexpr int kChanges = 27;
+    static constexpr int kChanges = 28;
 
     /// Changes a field of a word to what is at the edge of the legal, or beyond; checks are right.
     void change(Streams& streams, int kind) {
@@ -255,6 +255,9 @@ class RandomStreams {
                 frame.insert(frame.begin(), words.begin(), words.end());
                 return branch > 0;
             }
+            case 26:  // a branch within a piece
+                frame[branch + 1 + random_() % 4] = hls::pack_stop(1);
+                return true;
             default:
                 frame[random_() % frame.size()] ^= bit;
                 return true;
