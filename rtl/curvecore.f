@@ -140,6 +140,7 @@ queue/program_ledger.sv
 queue/sample_queue.sv
 queue/segment_entry.sv
 queue/segment_loader.sv
+queue/single_port_memory.sv
 queue/skid_buffer.sv
 queue/underrun_guard.sv
 queue/word_queue.sv

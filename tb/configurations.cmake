@@ -31,16 +31,16 @@ illegal_parameter_test(multiplier BBits=37 "BBits must be in .18, 36.")
 illegal_parameter_test(multiplier Shift=36 "Shift must be in .0, 35.")
 illegal_parameter_test(multiplier Form=3 "Form must be 0, 1 or 2")
 
-# The engine: bits of program places, of words, form.
-rows(sizes 11,8,0 7,9,1 MORE 15,12,2)
+# The engine: instructions, bits of words, form.
+rows(sizes 2048,8,0 128,9,1 MORE 32768,12,2)
 foreach(size ${sizes})
-  read_row(${size} places words form)
-  core_test(motion_engine p${places}_w${words}_${form_${form}} TOP motion_engine
-            PARAMS PlaceBits=${places} WordBits=${words} Form=${form}
+  read_row(${size} instructions words form)
+  core_test(motion_engine i${instructions}_w${words}_${form_${form}} TOP motion_engine
+            PARAMS Instructions=${instructions} WordBits=${words} Form=${form}
             SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/unit/arithmetic/motion_engine.vlt
                     ${primitives_${form}})
 endforeach()
-illegal_parameter_test(motion_engine PlaceBits=16 "PlaceBits must be in .1, 15.")
+illegal_parameter_test(motion_engine Instructions=32769 "Instructions must be in .2, 32768.")
 illegal_parameter_test(motion_engine WordBits=7 "WordBits must be in .8, 12.")
 illegal_parameter_test(motion_engine Form=3 "Form must be 0, 1 or 2")
 
@@ -61,6 +61,19 @@ illegal_parameter_test(engine_rates Axes=10 "Axes must be in .1, 9.")
 illegal_parameter_test(engine_rates ScaleBits=46 "ScaleBits must be in .40, 45. with Build 2")
 illegal_parameter_test(engine_rates PeriodLog2=14 "PeriodLog2 must be in .6, 13. with Build 2")
 illegal_parameter_test(engine_motion Ahead=17 "Ahead must be in .1, 16.")
+
+# Large memories: bits, words, form.
+rows(sizes 16,20480,0 20,40000,2)
+foreach(size ${sizes})
+  read_row(${size} bits words form)
+  core_test(single_port_memory b${bits}_w${words}_${form_${form}} TOP single_port_memory
+            PARAMS Bits=${bits} Words=${words} Form=${form} SOURCES ${primitives_${form}})
+endforeach()
+illegal_parameter_test(single_port_memory Words=8 "Words must be in .16, 262144.")
+foreach(form 0 2)
+  core_test(position_buffer a3_${form_${form}} TOP position_buffer
+            PARAMS Axes=3 Bits=32 Words=64 Form=${form} SOURCES ${primitives_${form}})
+endforeach()
 
 # The serial build's datapath, for arcs and for both kinds.
 foreach(splines 0 1)

@@ -111,6 +111,8 @@ module machine_state #(
   localparam logic [17:0] Other = (18'd1 << registers_pkg::StateWatchdogLow) |
       (18'd1 << registers_pkg::StateLateLow);
   logic clean_q;
+  logic offered_q;
+  logic empty_q;
   logic clean;
   logic asks_position;
   logic [17:0] stop_mask;
@@ -123,7 +125,7 @@ module machine_state #(
   assign stops = (sources & stop_mask) != '0;
   assign stopped = (faults_q & (Stops | stop_mask)) != '0 || estop_i || limit_i != '0;
   assign asks = command_i[registers_pkg::ControlEnableLow];
-  assign may_enable = enable_o ? clean || asks_position == position_o : (!stopped && empty_i);
+  assign may_enable = enable_o ? clean || asks_position == position_o : (!stopped && empty_q);
   assign turned_off = stops || (control_write_i && !asks && enable_o);
   assign control_ready_o = !asks || may_enable;
   always_ff @(posedge clk_i) begin
@@ -132,9 +134,12 @@ module machine_state #(
   end
 
   // A program or positions, chosen when neither is under way.
-  assign clean = clean_q && !offered_i;
+  // Of the clock before, for a request's answer: empty, the motion stays so for a clock.
+  assign clean = clean_q && !offered_q;
   assign asks_position = command_i[registers_pkg::ControlPositionLow];
   always_ff @(posedge clk_i) begin
+    offered_q <= offered_i;
+    empty_q   <= rst_ni && empty_i;
     if (!rst_ni) position_o <= 1'b0;
     else if (control_write_i && asks) position_o <= asks_position;
   end

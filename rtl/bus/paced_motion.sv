@@ -5,7 +5,8 @@
 //   words -> motion_interpolator -> samples that are offered, each until it is taken
 //                   ^ SamplesAhead requests
 //
-// ends_i: no further sample is offered. When none is, empty_o resets the motion while ends_i is 1.
+// ends_i: no further sample is offered. When none is, empty_o resets the motion while ends_i is 1,
+// and a clock more, in which no word is taken.
 //
 // With Build 2 samples are rates of the axes, and wait here until they are due: one that is taken
 // is what rates_read_i, {last, read, axis}, reads next; rates_o is {valid, and two clocks later
@@ -85,18 +86,18 @@ module paced_motion #(
   initial if (SamplesAhead < 1 || SamplesAhead > 15) $fatal(1, "SamplesAhead must be in [1, 15]");
 
   // An offered sample stays.
-  logic rst_n;
+  logic rst_n;  // a register: it goes far
   logic made;
   logic taken;
   logic offered_q;
   logic ready;
   logic placing;  // it will be offered
-  assign rst_n = rst_ni && !empty_o;
-  assign sample_valid_o = made && (offered_q || !ends_i);
+  assign sample_valid_o = made && rst_n && (offered_q || !ends_i);
   assign taken = sample_valid_o && ready;
   assign sample_taken_o = taken;
   assign empty_o = ends_i && !sample_valid_o && !placing;
   always_ff @(posedge clk_i) begin
+    rst_n <= rst_ni && !empty_o;
     if (!rst_ni) offered_q <= 1'b0;
     else offered_q <= (sample_valid_o && !ready) || placing;
   end
@@ -106,8 +107,8 @@ module paced_motion #(
   logic profile_ready;
   logic segment_valid;
   logic profile_valid;
-  assign segment_ready_o = segment_ready && segment_room_o != '0;
-  assign profile_ready_o = profile_ready && profile_room_o != '0;
+  assign segment_ready_o = rst_n && segment_ready && segment_room_o != '0;
+  assign profile_ready_o = rst_n && profile_ready && profile_room_o != '0;
   assign segment_valid   = segment_valid_i && segment_room_o != '0;
   assign profile_valid   = profile_valid_i && profile_room_o != '0;
   logic segment_leaves;
@@ -242,7 +243,7 @@ module paced_motion #(
         .scale_i,
         .reference_i,
         .references_o(references),
-        .empty_i(empty_o),
+        .empty_i(!rst_n),
         .made_o(made),
         .ready_o(ready),
         .taken_i(taken),

@@ -3,11 +3,11 @@
 //
 //   positions, axis 0 first -> memory -> the position of the requested axis
 //
-//   clock          0       1
+//   clock          0       1       2
 //   write_i        last
-//   valid_o                1       until ready_i has taken the sample
+//   valid_o                1               until ready_i has taken the sample
 //   axis_i         a
-//   position_o             of axis a
+//   position_o                     of axis a
 //
 // ready_o at a sample's first position decides whether the sample is taken. All positions of a
 // refused sample are refused, so that axes are never mistaken for each other.
@@ -15,9 +15,10 @@
 // ends_i: no further sample is offered. When none is, empty_i empties the buffer.
 `default_nettype none
 module position_buffer #(
-    parameter int Axes  = 3,   // [1, 9]
-    parameter int Bits  = 32,  // [16, 32]
-    parameter int Words = 512  // [32, 4096], a power of two
+    parameter int Axes = 3,  // [1, 9]
+    parameter int Bits = 32,  // [16, 32]
+    parameter int Words = 512,  // [32, 4096], a power of two
+    parameter int Form = 0  // 2: in SPRAM of UP5K
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -100,11 +101,35 @@ module position_buffer #(
       if (leaves) read_q <= read_q + AddressBits'(Axes);
     end
   end
-  (* no_rw_check *)
-  logic [Bits-1:0] memory[Words];
-  always_ff @(posedge clk_i) begin
-    if (write) memory[write_q] <= data_i;
-    position_o <= memory[read];
+  if (Form == 2) begin : g_spram
+    logic written_q;
+    logic [Bits-1:0] word;
+    logic [Bits-1:0] position_q;
+    single_port_memory #(
+        .Bits (Bits),
+        .Words(Words),
+        .Form (Form)
+    ) u_memory (
+        .clk_i,
+        .write_i(write),
+        .place_i(write ? write_q : read),
+        .word_i (data_i),
+        .word_o (word)
+    );
+    assign position_o = written_q ? position_q : word;
+    always_ff @(posedge clk_i) begin
+      written_q  <= write;
+      position_q <= position_o;
+    end
+  end else begin : g_memory
+    (* no_rw_check *)
+    logic [Bits-1:0] memory [Words];
+    logic [Bits-1:0] word_q;
+    always_ff @(posedge clk_i) begin
+      if (write) memory[write_q] <= data_i;
+      word_q     <= memory[read];
+      position_o <= word_q;  // block RAM is slow
+    end
   end
 
 endmodule

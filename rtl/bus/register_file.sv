@@ -117,65 +117,76 @@ module register_file #(
     end
   end
 
-  // The word: of an axis, or of all
+  // The word, of an axis or of all: whether it exists is known a clock before it is written.
   logic of_axis;
   logic axis_exists;
-  logic [1:0] axis_word;
   logic axis_scale;
+  logic turns;  // a polarity
   logic exists;
-  assign of_axis      = word_i[6] && word_i < registers_pkg::Following0;
-  assign scale_axis_o = word_i[5:2];
+  assign of_axis = word_i[6] && word_i < registers_pkg::Following0;
   assign steps_axis_o = note_ready_o ? note_word_i[5:2] : word_i[5:2];
-  assign axis_word    = word_i[1:0];
-  assign axis_exists  = scale_axis_o < 4'(Axes);
-  assign axis_scale   = axis_exists && !axis_word[1];
+  assign axis_exists = word_i[5:2] < 4'(Axes);
+  assign axis_scale = axis_exists && !word_i[1];
+  assign turns        = word_i == registers_pkg::Pins &&
+      (data_i[registers_pkg::PinsStepInvertedLow+:Axes] != step_inverted_o ||
+       data_i[registers_pkg::PinsDirectionInvertedLow+:Axes] != direction_inverted_o);
   always_comb begin
     if (of_axis && write_i) exists = axis_scale && off_i;
-    else if (of_axis) exists = axis_scale || (axis_exists && axis_word[1]);
-    else exists = write_i ? registers_pkg::can_write(word_i) : registers_pkg::can_read(word_i);
+    else if (of_axis) exists = axis_scale || (axis_exists && word_i[1]);
+    else if (write_i) exists = registers_pkg::can_write(word_i) && (off_i || !turns);
+    else exists = registers_pkg::can_read(word_i);
+  end
+  logic of_axis_q;
+  logic exists_q;
+  logic write_q;
+  logic [6:0] word_q;
+  logic [1:0] axis_word;
+  assign axis_word    = word_q[1:0];
+  assign scale_axis_o = word_q[5:2];
+  always_ff @(posedge clk_i) begin
+    of_axis_q <= of_axis;
+    exists_q  <= exists;
+    write_q   <= write_i;
+    word_q    <= word_i;
   end
 
-  // Conditions
+  // Conditions of what goes on from here
   logic taken;
   logic writes;
-  logic turns;  // a polarity
-  assign turns = data_i[registers_pkg::PinsStepInvertedLow+:Axes] != step_inverted_o ||
-      data_i[registers_pkg::PinsDirectionInvertedLow+:Axes] != direction_inverted_o;
   always_comb begin
-    case (word_i)
+    case (word_q)
       registers_pkg::SegmentHi: taken = segment_ready_i;
       registers_pkg::ProfileHi: taken = profile_ready_i;
       registers_pkg::Sample:    taken = sample_ready_i;
       registers_pkg::Control:   taken = control_ready_i;
       registers_pkg::Reference: taken = reference_ready_i;
-      registers_pkg::Pins:      taken = off_i || !turns;
       default:                  taken = 1'b1;
     endcase
   end
-  assign writes = works_q && write_i && exists && taken;
+  assign writes = works_q && write_q && exists_q;
 
   // Words to be pushed
   logic [31:0] low_q;
   logic low;
   always_comb begin
-    case (word_i)
+    case (word_q)
       registers_pkg::SegmentLo, registers_pkg::ProfileLo: low = 1'b1;
-      default: low = of_axis && axis_word == registers_pkg::AxisScaleLo;
+      default: low = of_axis_q && axis_word == registers_pkg::AxisScaleLo;
     endcase
   end
   always_ff @(posedge clk_i) if (writes && low) low_q <= data_i;
   assign motion_word_o     = {data_i[15:0], low_q};
   assign scale_o           = {data_i[ScaleBits-33:0], low_q};
   assign command_o         = data_i;
-  assign scale_write_o     = writes && of_axis && axis_word == registers_pkg::AxisScaleHi;
-  assign segment_valid_o   = works_q && write_i && word_i == registers_pkg::SegmentHi;
-  assign profile_valid_o   = works_q && write_i && word_i == registers_pkg::ProfileHi;
-  assign sample_valid_o    = works_q && write_i && word_i == registers_pkg::Sample;
-  assign control_write_o   = writes && word_i == registers_pkg::Control;
-  assign state_write_o     = writes && word_i == registers_pkg::State;
-  assign reference_write_o = writes && word_i == registers_pkg::Reference;
-  assign probe_write_o     = writes && word_i == registers_pkg::Probe;
-  assign homed_write_o     = writes && word_i == registers_pkg::Homed;
+  assign scale_write_o     = writes && of_axis_q && axis_word == registers_pkg::AxisScaleHi;
+  assign segment_valid_o   = works_q && write_q && word_q == registers_pkg::SegmentHi;
+  assign profile_valid_o   = works_q && write_q && word_q == registers_pkg::ProfileHi;
+  assign sample_valid_o    = works_q && write_q && word_q == registers_pkg::Sample;
+  assign control_write_o   = writes && word_q == registers_pkg::Control && control_ready_i;
+  assign state_write_o     = writes && word_q == registers_pkg::State;
+  assign reference_write_o = writes && word_q == registers_pkg::Reference && reference_ready_i;
+  assign probe_write_o     = writes && word_q == registers_pkg::Probe;
+  assign homed_write_o     = writes && word_q == registers_pkg::Homed;
 
   // Settings
   logic [31:0] override_reset;
@@ -197,7 +208,7 @@ module register_file #(
       {dirhold_o, dirsetup_o}                                 <= '0;
       {limit_masked_o, direction_inverted_o, step_inverted_o} <= '0;
     end else if (writes) begin
-      case (word_i)
+      case (word_q)
         registers_pkg::Override:         override_o <= data_i[16:0];
         registers_pkg::Watchdog:         watchdog_o <= data_i[15:0];
         registers_pkg::Timing:           samples_per_tick_log2_o <= data_i[3:0];
@@ -281,7 +292,7 @@ module register_file #(
       registers_pkg::PathLo: answer_q <= PathLo;
       registers_pkg::PathHi: answer_q <= PathHi;
       registers_pkg::Rate: answer_q <= Rate;
-      default: answer_q <= of_axis && axis_word == registers_pkg::AxisSteps ? Steps : Kept;
+      default: answer_q <= of_axis && word_i[1:0] == registers_pkg::AxisSteps ? Steps : Kept;
     endcase
   end
   always_comb begin
@@ -299,9 +310,9 @@ module register_file #(
   end
   always_ff @(posedge clk_i) begin
     if (works_q) begin
-      error_o <= !exists || (write_i && !taken);
+      error_o <= !exists_q || (write_q && !taken);
       data_o  <= answer;
-      if (!write_i && word_i == registers_pkg::PathLo) begin
+      if (!write_q && word_q == registers_pkg::PathLo) begin
         high_q <= path_i[63:32];
         rate_q <= rate_i;
       end

@@ -190,7 +190,8 @@ module sample_sources #(
   position_buffer #(
       .Axes (3 + AuxAxes),
       .Bits (PositionBits),
-      .Words(SampleBufferWords)
+      .Words(SampleBufferWords),
+      .Form (MultiplierForm)
   ) u_positions (
       .clk_i,
       .rst_ni,

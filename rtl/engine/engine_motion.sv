@@ -83,8 +83,10 @@ module engine_motion #(
   initial if (Ahead < 1 || Ahead > 16) $fatal(1, "Ahead must be in [1, 16]");
 
   // Instructions and words of data that the programs of these parameters need
-  localparam int PlaceBits = (Order <= 9 && Order + AuxAxes <= 12) ? 11 : 12;
-  localparam int WordBits = (Order <= 6 && AuxAxes == 0) ? 8 : 9;
+  localparam bit Small = Order <= 6 && AuxAxes == 0;
+  localparam bit Large = Order > 9 || Order + AuxAxes > 12;
+  localparam int Instructions = Small ? 1536 : Large ? 4096 : 2048;
+  localparam int WordBits = Small ? 8 : 9;
 
   localparam int StopWords = 2 * words_pkg::StopSteps;
   localparam int Powers = 240;  // rtl/engine/programs/powers.asm
@@ -133,11 +135,11 @@ module engine_motion #(
   logic changed;
   logic unused_busy, unused_late;
   motion_engine #(
-      .PlaceBits(PlaceBits),
-      .WordBits (WordBits),
-      .Form     (MultiplierForm),
-      .Program  (Program),
-      .Data     (Data)
+      .Instructions(Instructions),
+      .WordBits    (WordBits),
+      .Form        (MultiplierForm),
+      .Program     (Program),
+      .Data        (Data)
   ) u_engine (
       .clk_i,
       .rst_ni,
@@ -353,15 +355,16 @@ module engine_motion #(
   logic [4:0] left_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      rests_q <= 1'b1;
-      left_q  <= '0;
+      rests_q    <= 1'b1;
+      left_q     <= '0;
+      standing_o <= 1'b1;
     end else begin
+      standing_o <= rests_q && left_q == '0;
       if (out[OutStanding]) rests_q <= out_data[0];
       if (out[OutStanding] && out_data[0] && !rests_q) left_q <= under_way;
       else if (leaves_i && left_q != '0) left_q <= left_q - 1'b1;
     end
   end
-  assign standing_o = rests_q && left_q == '0;
 
 endmodule
 `default_nettype wire

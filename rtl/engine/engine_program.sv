@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine's program: 2^PlaceBits instructions that the device's configuration loads from a file
-// of hexadecimal words; without one all of them are 0, no instructions. Block RAM is slow, so a
+// The engine's program: instructions that the device's configuration loads from a file of
+// hexadecimal words; without one all of them are 0, no instructions. Block RAM is slow, so a
 // register follows it.
 //
 //   clock          0       1             2
@@ -10,23 +10,27 @@
 //   instruction_o                        instruction, until the next fetch
 `default_nettype none
 module engine_program #(
-    parameter int PlaceBits = 11,  // [1, 15]
-    parameter     Program   = ""   // file
+    parameter int Instructions = 2048,  // [2, 32768]
+    parameter int Form         = 0,     // 2: block RAM of UP5K
+    parameter     Program      = ""     // file
 ) (
     input wire logic clk_i,
 
-    input  wire logic [PlaceBits-1:0] place_i,
-    input  wire logic                 fetch_i,
-    output logic      [         31:0] ahead_o,
-    output logic      [         31:0] instruction_o
+    input  wire logic [$clog2(Instructions)-1:0] place_i,
+    input  wire logic                            fetch_i,
+    output logic      [                    31:0] ahead_o,
+    output logic      [                    31:0] instruction_o
 );
 
-  initial if (PlaceBits < 1 || PlaceBits > 15) $fatal(1, "PlaceBits must be in [1, 15]");
+  initial
+    if (Instructions < 2 || Instructions > 32768) $fatal(1, "Instructions must be in [2, 32768]");
 
-  logic [31:0] memory[2**PlaceBits];
+  // UP5K's blocks are small; others hold a power of two without a multiplexer.
+  localparam int Depth = (Form == 2) ? Instructions : 2 ** $clog2(Instructions);
+  logic [31:0] memory[Depth];
   if (Program == "") begin : g_empty
 `ifndef SYNTHESIS  // nobody makes a device without programs
-    initial for (int n = 0; n < 2 ** PlaceBits; n = n + 1) memory[n] = '0;
+    initial for (int n = 0; n < Depth; n = n + 1) memory[n] = '0;
 `endif
   end else begin : g_file
     initial $readmemh(Program, memory);

@@ -22,7 +22,6 @@ module engine_store #(
     output logic      [15:0] limb_o
 );
 
-  initial if (Limbs < 16 || Limbs > 262144) $fatal(1, "Limbs must be in [16, 262144]");
   localparam int PlaceBits = $clog2(Limbs);
 
   logic [17:0] address_q;
@@ -35,38 +34,17 @@ module engine_store #(
     end
   end
 
-  if (Form == 2) begin : g_spram
-    localparam int Blocks = (Limbs + 16383) / 16384;
-    initial if (Blocks > 4) $fatal(1, "Form 2 works with Limbs up to 65536 only");
-    logic [15:0] limbs[4];
-    logic [1:0] block_q;
-    for (genvar n = 0; n < 4; n++) begin : g_block
-      if (n < Blocks) begin : g_memory
-        SB_SPRAM256KA u_memory (
-            .ADDRESS(address_q[13:0]),
-            .DATAIN(data_i),
-            .MASKWREN(4'hf),
-            .WREN(write_i && address_q[15:14] == 2'(n)),
-            .CHIPSELECT(1'b1),
-            .CLOCK(clk_i),
-            .STANDBY(1'b0),
-            .SLEEP(1'b0),
-            .POWEROFF(1'b1),
-            .DATAOUT(limbs[n])
-        );
-      end else begin : g_none
-        assign limbs[n] = '0;
-      end
-    end
-    always_ff @(posedge clk_i) block_q <= address_q[15:14];
-    assign limb_o = limbs[block_q];
-  end else begin : g_memory
-    logic [15:0] memory[Limbs];
-    always_ff @(posedge clk_i) begin
-      if (write_i) memory[address_q[PlaceBits-1:0]] <= data_i;
-      limb_o <= memory[address_q[PlaceBits-1:0]];
-    end
-  end
+  single_port_memory #(
+      .Bits (16),
+      .Words(Limbs),
+      .Form (Form)
+  ) u_memory (
+      .clk_i,
+      .write_i,
+      .place_i(address_q[PlaceBits-1:0]),
+      .word_i (data_i),
+      .word_o (limb_o)
+  );
 
   logic unused_address;
   assign unused_address = &{1'b0, address_q};

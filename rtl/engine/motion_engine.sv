@@ -14,11 +14,11 @@
 // from the clock behind the first term of an instruction that is not as it was made.
 `default_nettype none
 module motion_engine #(
-    parameter int PlaceBits = 11,  // [1, 15]: 2^PlaceBits instructions
-    parameter int WordBits  = 8,   // [8, 12]: 2^WordBits words of data
-    parameter int Form      = 0,   // multiplier: 0 portable, 1 ECP5, 2 UP5K
-    parameter     Program   = "",  // files of hexadecimal words
-    parameter     Data      = ""
+    parameter int Instructions = 2048,  // [2, 32768]
+    parameter int WordBits     = 8,     // [8, 12]: 2^WordBits words of data
+    parameter int Form         = 0,     // multiplier: 0 portable, 1 ECP5, 2 UP5K
+    parameter     Program      = "",    // files of hexadecimal words
+    parameter     Data         = ""
 ) (
     input wire logic clk_i,
     input wire logic rst_ni,
@@ -40,6 +40,7 @@ module motion_engine #(
     output logic      [15:0] out_data_o
 );
 
+  localparam int PlaceBits = $clog2(Instructions);
   localparam int LimbPlaceBits = WordBits + 2;
 
   // Sequence
@@ -75,8 +76,9 @@ module motion_engine #(
   assign fields = instruction[23:0];
   always_ff @(posedge clk_i) changed_o <= rst_ni && (changed_o || (run && !(^instruction)));
   engine_program #(
-      .PlaceBits(PlaceBits),
-      .Program  (Program)
+      .Instructions(Instructions),
+      .Form(Form),
+      .Program(Program)
   ) u_program (
       .clk_i,
       .place_i      (place),

@@ -3,9 +3,9 @@
 // otherwise. A frame has at most 2^8 - 1 bytes with its CRC; a longer one, or one without room, is
 // not good. The output is its number of bytes, then the bytes.
 //
-//   clock        0     1
+//   clock        0     1     2
 //   next_i       1
-//   read_valid_o 1     0     the next byte, one clock later at best
+//   read_valid_o 1     0     0     the next byte, two clocks later at best
 `default_nettype none
 module frame_buffer (
     input wire logic clk_i,
@@ -66,19 +66,24 @@ module frame_buffer (
 
   (* no_rw_check *)
   logic [7:0] memory[2**Log2];
+  logic [7:0] byte_q;
   logic there_q;
+  logic goes_on;
+  assign goes_on = read_valid_o && next_i;
   always_ff @(posedge clk_i) begin
     if (write) memory[write_at] <= write_data;
-    read_o <= memory[read_q];
+    byte_q <= memory[read_q];
+    read_o <= byte_q;  // block RAM is slow
     if (!rst_ni) begin
-      read_q  <= '0;
-      there_q <= 1'b0;
+      read_q       <= '0;
+      there_q      <= 1'b0;
+      read_valid_o <= 1'b0;
     end else begin
-      if (read_valid_o && next_i) read_q <= read_q + 1'b1;
-      there_q <= read_q != first_q && !(read_valid_o && next_i);
+      if (goes_on) read_q <= read_q + 1'b1;
+      there_q      <= read_q != first_q && !goes_on;
+      read_valid_o <= there_q && !goes_on;
     end
   end
-  assign read_valid_o = there_q;
 
 endmodule
 `default_nettype wire

@@ -20,8 +20,8 @@
 // RateBits, half a step per clock or more, is refused, and in a program's first sample (begins_i)
 // one of a step or more: the axis stands elsewhere.
 //
-// A sample is one word of all axes, or with by_axis_i the position of axis_o, a clock later; its
-// lowest bit is 0, for it is used in the same clock.
+// A sample is one word of all axes, or with by_axis_i the position of axis_o, two clocks later; its
+// two lowest bits are 0, for they are used before.
 //
 // Rates wait in the memory until they are taken: read_i, and two clocks later rate_o. Twin:
 // PlaceScaler of hls/place_scaler.hpp.
@@ -35,7 +35,8 @@ module place_scaler #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Scales, to be written while nothing moves; then the axis needs a reference
+    // Scales, to be written while nothing moves; then the axis needs a reference. Axis and scale
+    // stay for a clock more.
     input wire logic                 scale_write_i,
     input wire logic [          3:0] scale_axis_i,
     input wire logic [ScaleBits-1:0] scale_i,
@@ -72,7 +73,7 @@ module place_scaler #(
   // Times: bits of an axis, then its difference.
   logic [3:0] axis_q;
   logic [5:0] bits_q;
-  logic [IndexBits-1:0] index_q;
+  logic [IndexBits-1:0] index_q;  // of all bits, a clock ahead of bits_q
   logic choosing_q;
   logic chosen_q;
   logic sign_q;
@@ -113,7 +114,7 @@ module place_scaler #(
       if (last_bit) bits_q <= '0;
       else if (choosing_q) bits_q <= bits_q + 1'b1;
       if (ends) index_q <= '0;
-      else if (choosing_q) index_q <= index_q + 1'b1;
+      else if (starts || (choosing_q && !last_bit)) index_q <= index_q + 1'b1;
       chosen_q <= choosing_q;
       sign_q   <= last_bit;
       adding_q <= {adding_q[0], chosen_q};
@@ -125,32 +126,36 @@ module place_scaler #(
 
   // The present bit, and whether its axis begins anew.
   logic bit_q;
+  logic sample_bit_q;
   logic fresh_q;
   always_ff @(posedge clk_i) begin
-    bit_q <= by_axis_i ? position_i[bits_q[$clog2(FineBits)-1:0]] : sample_i[index_q];
+    sample_bit_q <= sample_i[index_q];
+    bit_q        <= by_axis_i ? position_i[bits_q[$clog2(FineBits)-1:0]] : sample_bit_q;
     if (sign_q) fresh_q <= (fresh_i & here) != '0;
   end
 
-  // Memories: scales by axis; places, and above them rates.
-  logic [ScaleBits-1:0] scale_q;
-  (* no_rw_check, ram_style = "block" *)
-  logic [ScaleBits-1:0] scales  [16];
-  always_ff @(posedge clk_i) begin
-    if (scale_write_i) scales[scale_axis_i] <= scale_i;
-    scale_q <= scales[axis_q];
-  end
+  // The memory: by axis places, rates and scales. A scale that meets another word waits a clock.
+  localparam logic [1:0] Places = 2'd0;
+  localparam logic [1:0] Rates = 2'd1;
+  localparam logic [1:0] Scales = 2'd2;
   logic write;
-  logic [4:0] write_address;
-  logic [4:0] read_address;
+  logic scale_waits_q;
+  logic [5:0] write_address;
+  logic [5:0] read_address;
   logic [SumBits-1:0] write_data;
   logic [SumBits-1:0] word_q;
   (* no_rw_check, ram_style = "block" *)
-  logic [SumBits-1:0] words[32];
+  logic [SumBits-1:0] words[64];
   assign write = tail_q[2] || tail_q[4];
-  assign write_address = {tail_q[4], axis_q};
-  assign read_address = {read_i, read_i ? read_axis_i : axis_q};
+  always_comb begin
+    if (write) write_address = {tail_q[4] ? Rates : Places, axis_q};
+    else write_address = {Scales, scale_axis_i};
+    if (read_i) read_address = {Rates, read_axis_i};
+    else read_address = {tail_q[0] ? Places : Scales, axis_q};
+  end
   always_ff @(posedge clk_i) begin
-    if (write) words[write_address] <= write_data;
+    scale_waits_q <= scale_write_i && write;
+    if (write || scale_write_i || scale_waits_q) words[write_address] <= write_data;
     word_q <= words[read_address];
   end
 
@@ -169,7 +174,7 @@ module place_scaler #(
   logic signed [ScaleBits:0] scale;
   logic signed [ScaleBits:0] place;
   logic signed [SumBits-1:0] sum;
-  assign scale = {1'b0, scale_q};
+  assign scale = {1'b0, word_q[ScaleBits-1:0]};
   assign place = word_q[SumBits-1:1];
   assign sum = {sum_q[SumBits-1], sum_q[SumBits-1:1]} + {addend_q[ScaleBits], addend_q}
       + SumBits'(carry_q);
@@ -205,7 +210,7 @@ module place_scaler #(
     moves_q   <= counts_q && sum_q[RateBits-1:0] != '0;
   end
   always_comb begin
-    write_data = sum_q;
+    write_data = write ? sum_q : {2'd0, scale_i};
     if (tail_q[4]) write_data[RateBits+2:0] = {refused_q, fresh_q, moves_q, rate};
   end
   assign fresh_taken_o = tail_q[4] && fresh_q ? here : '0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of steps of all axes since the reset; one of them is read.
+// The numbers of steps of all axes since the reset; one of them is read, by an axis that exists.
 `default_nettype none
 module step_counters #(
     parameter int Axes = 3  // [1, 9]
@@ -13,8 +13,9 @@ module step_counters #(
     output logic      [2*Axes-1:0] low_o     // low bits of each
 );
 
-  logic [31:0] counts[16];
-  for (genvar a = 0; a < 16; a++) begin : gen_counts
+  localparam int AxisBits = (Axes > 1) ? $clog2(Axes) : 1;
+  logic [31:0] counts[2**AxisBits];
+  for (genvar a = 0; a < 2 ** AxisBits; a++) begin : gen_counts
     if (a < Axes) begin : g_axis
       step_counter u_counter (
           .clk_i,
@@ -28,7 +29,9 @@ module step_counters #(
       assign counts[a] = 32'd0;
     end
   end
-  assign count_o = counts[axis_i];
+  assign count_o = counts[axis_i[AxisBits-1:0]];
+  logic unused_axis;
+  assign unused_axis = &{1'b0, axis_i};
 
 endmodule
 `default_nettype wire

@@ -45,7 +45,7 @@ module step_generator #(
     input wire logic clk_i,
     input wire logic rst_ni,
 
-    // Scales: 2^-16 steps in 2^FineBits units of a position
+    // Scales: 2^-16 steps in 2^FineBits units of a position; axis and scale stay for a clock more
     input wire logic                 scale_write_i,
     input wire logic [          3:0] scale_axis_i,
     input wire logic [ScaleBits-1:0] scale_i,

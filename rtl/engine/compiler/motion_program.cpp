@@ -40,8 +40,9 @@ void put_sample(const ref::CoreParameters& core, Assembly& assembly) {
 
 StoreSize motion_store(const ref::CoreParameters& core) {
     StoreSize size;
-    size.program = core.order <= 9 && core.order + core.aux_axes <= 12 ? 2048 : 4096;
     const bool small = core.order <= 6 && core.aux_axes == 0;
+    const bool large = core.order > 9 || core.order + core.aux_axes > 12;
+    size.program = small ? 1536 : large ? 4096 : 2048;
     size.data = small ? 256 : 512;
     size.axis_pages = small ? 1 : 2;
     return size;

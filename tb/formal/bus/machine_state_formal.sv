@@ -5,8 +5,8 @@
 // host's samples are taken, and the choice changes only with nothing of the other under way.
 // control: ESTOP_PASSES s/= estop_i \&\& enable_o/= 1'b0/
 // control: LIMIT_PASSES s/= limit_i != '0 \&\& enable_o/= 1'b0/
-// control: COMES_ON_FAULTY s/(!stopped \&\& empty_i)/empty_i/
-// control: COMES_ON_FULL s/(!stopped \&\& empty_i)/!stopped/
+// control: COMES_ON_FAULTY s/(!stopped \&\& empty_q)/empty_q/
+// control: COMES_ON_FULL s/(!stopped \&\& empty_q)/!stopped/
 // control: KEEPS_REFERENCE s/!rst_ni || turned_off/!rst_ni/
 // control: WORDS_UNREFERENCED s/enable_o \&\& ready/enable_o/
 // control: FLUSHES_MOVING s/(flush_q \&\& rests)/flush_q/
@@ -187,6 +187,7 @@ module machine_state_formal (
 
   always_comb begin
     if (!started_q) assume (!rst_ni);
+    if (empty_q) assume (!offered_i);  // rtl/bus/paced_motion.sv resets the motion
     if (started_q && rst_ni) begin
       Stops : assert (!(wrong_q && enable));
       Comes_on :

@@ -4,9 +4,9 @@
 // control: WAITS_FOR_ROOM s/works_q <= filled/works_q <= segment_ready_i \&\& filled/
 // control: ANSWERS_TWICE s/works_q && !done_o/works_q/
 // control: NO_RESET s/works_q <= 1'b0;//
-// control: TAKES_QUIETLY s/(write_i && !taken)/1'b0/
+// control: TAKES_QUIETLY s/(write_q && !taken)/1'b0/
 // control: NOTES_WHEN_IDLE s/(!valid_i || done_o)/!valid_i/
-// control: PUSHES_LONG s/works_q \&\& \(write_i \&\& word_i == registers_pkg::SegmentHi\)/\1/
+// control: PUSHES_LONG s/works_q \&\& \(write_q \&\& word_q == registers_pkg::SegmentHi\)/\1/
 `default_nettype none
 module register_file_formal (
     input wire logic       clk_i,

@@ -5,8 +5,8 @@
 // control: STAYS s/write_i || read_i/write_i/
 // control: HIGH_LOST s/if (high_i) address_q\[17:15\] <= data_i\[2:0\];/if (high_i) ;/
 // control: LOW_KEEPS_HIGH s/address_q <= {3'd0, data_i\[14:0\]}/address_q[14:0] <= data_i[14:0]/
-// control: WRITES_BESIDE s/memory\[\(address_q.*\)\] <= data_i/memory[\1 ^ 4'd1] <= data_i/
-// control: WRITES_READS s/if (write_i) memory/if (write_i || read_i) memory/
+// control: WRITES_BESIDE s/\(address_q\[PlaceBits-1:0\]\)),/\1 ^ PlaceBits'(write_i)),/
+// control: WRITES_READS s/\.write_i,/.write_i(write_i || read_i),/
 `default_nettype none
 module engine_store_formal (
     input wire logic        clk_i,

@@ -49,8 +49,8 @@ module motion_engine_formal #(
   logic [1:0] in_limb, out_limb;
   logic [15:0] out_data;
   motion_engine #(
-      .PlaceBits(PlaceBits),
-      .WordBits (WordBits)
+      .Instructions(2 ** PlaceBits),
+      .WordBits(WordBits)
   ) u_dut (
       .clk_i,
       .rst_ni,

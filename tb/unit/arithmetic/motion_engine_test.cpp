@@ -21,7 +21,7 @@ namespace {
 using engine::Engine;
 using engine::Op;
 
-constexpr int kProgram = 1 << CFG_PlaceBits;
+constexpr int kProgram = CFG_Instructions;
 constexpr int kWords = 1 << CFG_WordBits;
 
 /// A random number of a clock, the same whoever asks.

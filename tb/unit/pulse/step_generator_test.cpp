@@ -169,6 +169,23 @@ TEST_F(StepGenerator, TakesASampleInTheClocksThatItsHeaderSays) {
     EXPECT_EQ(bench_.now() - 1 - offered, kStepAxes * (kFineBits + 6));
 }
 
+// Scales, places and rates share a memory.
+TEST_F(StepGenerator, TakesAScaleOfAnAxisInEveryClockOfASample) {
+    const int last = kStepAxes - 1;
+    for (int clock = 0; clock < kStepAxes * (kFineBits + 6) + 1; ++clock) {
+        begin();
+        bench_.offer(everywhere(1));
+        bench_.clocks(clock);
+        bench_.set_scale(last, 2 * kScale);
+        count(kMove);
+        bench_.reference(1 << last);
+        bench_.sample(everywhere(2));
+        EXPECT_EQ(count(kMove), last) << clock << ": a step of each, none of the last";
+        bench_.sample(everywhere(5));
+        EXPECT_EQ(count(kMove), 3 * last + 6) << clock;
+    }
+}
+
 TEST_F(StepGenerator, GivesNoStepUntilAReferenceAndThenCountsFromThere) {
     begin();
     bench_.reset();
