@@ -174,12 +174,14 @@ module machine_state #(
   // References: the next sample is the next program's, if none came since the queues were emptied.
   logic [Axes-1:0] next_q;
   logic ready;
+  logic ready_q;
   assign reference_ready_o = clean;
   assign reference_o = reference_write_i ? command_i[Axes-1:0] : '0;
   assign ready = &(referenced_i | next_q);
-  assign words_o = enable_o && ready && !flush_q && !position_o;
-  assign samples_o = enable_o && ready && !flush_q && position_o;
+  assign words_o = enable_o && ready_q && !flush_q && !position_o;
+  assign samples_o = enable_o && ready_q && !flush_q && position_o;
   always_ff @(posedge clk_i) begin
+    ready_q <= ready;
     if (!rst_ni || turned_off) next_q <= '0;
     else next_q <= (next_q & ~referenced_i) | reference_o;
   end

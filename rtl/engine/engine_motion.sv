@@ -65,7 +65,7 @@ module engine_motion #(
     input  wire logic [ 8:0] references_i,
     output logic             scale_high_o,
     output logic             scale_last_o,
-    input  wire logic [31:0] scale_i,           // a clock later
+    input  wire logic [31:0] scale_i,           // two clocks later; its port is told a clock early
 
     output logic        path_valid_o,
     output logic [47:0] path_ds_o,

@@ -30,7 +30,7 @@ module engine_rates #(
     output logic      [ 3:0] axis_o,        // whose rate, or scale, is next
     input  wire logic        scale_high_i,  // it is the scale's high word
     input  wire logic        scale_last_i,  // the axis' last
-    output logic      [31:0] scale_o,
+    output logic      [31:0] scale_o,       // two clocks later
 
     // Scales, while the programs do not work. Axis and scale stay for a clock more.
     input wire logic                 scale_write_i,
@@ -136,7 +136,7 @@ module engine_rates #(
     if (write_high) words[write_address][31:16] <= write_data[31:16];
     word_q <= words[read_address];
   end
-  assign scale_o = word_q;
+  always_ff @(posedge clk_i) scale_o <= word_q;  // block RAM is slow
   logic [28:0] axis_rate;
   assign axis_rate = {word_q[29:16], word_q[14:0]};
   assign rate_o = {word_q[31], word_q[30], word_q[15], axis_rate[RateBits-1:0]};

@@ -32,7 +32,8 @@ def cst(board):
 
 
 CLOCK = "  wire clock = clk;\n  wire locked = 1'b1;\n"
-PLL = "  wire clock;\n  wire locked;\n  pll u_pll (.clkin(clk), .clkout(clock), .locked(locked));\n"
+PLL = ("  wire clock;\n  wire locked;\n  pll u_pll (.clock_in(clk), .clock_out(clock),"
+       " .locked(locked));\n")
 
 # Block memories of iCE40 read as 0 until some microseconds after the start.
 MOTION = """  reg [7:0] start = 8'd0;

@@ -21,7 +21,7 @@ class BoardTools:
     flags: tuple  # of nextpnr
     pack: tuple
     bitstream: str
-    pll: tuple = ()  # writes pll.v, with {clkin} and {clkout} in MHz
+    pll: tuple  # writes pll.v, with {clkin} and {clkout} in MHz
 
 
 # nextpnr puts a flip-flop beside the LUT that it registers, but not beside an adder's cell, and
@@ -35,12 +35,13 @@ TOOLS = {
         ("--{size}", "--package", "{package}", "--speed", "{speed}", "--lpf", "board.lpf",
          "--textcfg", "board.config"),
         ("ecppack", "board.config", "board.bit"), "board.bit",
-        ("ecppll", "-n", "pll", "-i", "{clkin}", "-o", "{clkout}", "--clkin_name", "clkin",
-         "--clkout0_name", "clkout", "-f", "pll.v")),
+        ("ecppll", "-n", "pll", "-i", "{clkin}", "-o", "{clkout}", "--clkin_name", "clock_in",
+         "--clkout0_name", "clock_out", "-f", "pll.v")),
     "ice40": BoardTools(
         UP5K, "synth_ice40 -top top", pcf, "board.pcf",
         ("--{size}", "--package", "{package}", "--pcf", "board.pcf", "--asc", "board.asc"),
-        ("icepack", "board.asc", "board.bin"), "board.bin"),
+        ("icepack", "board.asc", "board.bin"), "board.bin",
+        ("icepll", "-p", "-i", "{clkin}", "-o", "{clkout}", "-m", "-n", "pll", "-f", "pll.v")),
     "gowin": BoardTools(
         GOWIN_BOARD, "synth_gowin -family {yosys} -nowidelut -top top -run begin:map_gates;"
         f" select -set narrow t:$alu r:Y_WIDTH<={NARROW} %i;"
@@ -48,7 +49,8 @@ TOOLS = {
         " synth_gowin -family {yosys} -nowidelut -top top -run map_gates:", cst, "board.cst",
         ("--device", "{part}", "--vopt", "family={die}", "--vopt", "cst=board.cst",
          "--write", "placed.json"),
-        ("gowin_pack", "-d", "{die}", "-o", "board.fs", "placed.json"), "board.fs"),
+        ("gowin_pack", "-d", "{die}", "-o", "board.fs", "placed.json"), "board.fs",
+        ("gowin_pll", "-d", "{part}", "-i", "{clkin}", "-o", "{clkout}", "-f", "pll.v")),
 }
 
 
@@ -61,8 +63,6 @@ def tools_of(board):
         command((tools.synthesis, *tools.flags, *tools.pack), board)
     except KeyError as error:
         raise Refused(f"device: there is no {error}") from None
-    if board.clock_hz != board.oscillator_hz and not tools.pll:
-        raise Refused(f"there is no PLL for {board.family} here: clock_hz must be oscillator_hz")
     return tools
 
 

@@ -147,17 +147,22 @@ std::string ChooseReport::text() const {
         out,
         "\nThe first is the smallest. Its error is a derived bound, for every such "
         "curve, of segments planned\nwith --core core.json, which choose -o DIR writes.\n");
-    fmt::format_to(out,
-                   "Estimates are off by {:.0f} % ({}), {:.0f} % (FF){}, root mean square; {}.\n",
-                   100 * cost.lut4_error, requirement.device->lut_name(), 100 * cost.ff_error,
-                   cost.mhz ? fmt::format(", {:.0f} % (MHz)", 100 * cost.mhz_error) : "",
-                   cost_model_source(*requirement.device));
-    if (!cost.mhz) text += "Whether the device reaches the clock is not known.\n";
-    fmt::format_to(out, "{}\n",
-                   requirement.whole_board
-                       ? "That is of the core; the rest of the board is as another one was placed, "
-                         "with queues of 1,024\nwords."
-                       : "DSP and RAM blocks are exact.");
+    if (winner.candidate.parameters.build == Build::kEngine) {
+        text +=
+            "The engine is the same with all of these widths: it took that on a placed board.\n";
+    } else {
+        fmt::format_to(
+            out, "Estimates are off by {:.0f} % ({}), {:.0f} % (FF){}, root mean square; {}.\n",
+            100 * cost.lut4_error, requirement.device->lut_name(), 100 * cost.ff_error,
+            cost.mhz ? fmt::format(", {:.0f} % (MHz)", 100 * cost.mhz_error) : "",
+            cost_model_source(*requirement.device));
+        if (!cost.mhz) text += "Whether the device reaches the clock is not known.\n";
+        fmt::format_to(out, "{}\n",
+                       requirement.whole_board
+                           ? "That is of the core; the rest of the board is as another one was "
+                             "placed, with queues of 1,024\nwords."
+                           : "DSP and RAM blocks are exact.");
+    }
     if (confirmation) {
         const auto off = [](double measured, double planned) {
             return 100 * (measured / planned - 1);

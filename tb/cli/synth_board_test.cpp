@@ -18,7 +18,8 @@ using Json = nlohmann::json;
 
 const std::vector<std::string> kTools{
     "yosys",   "nextpnr-ecp5", "nextpnr-ice40", "nextpnr-himbaechel-gowin",
-    "ecppack", "icepack",      "gowin_pack",    "ecppll"};
+    "ecppack", "icepack",      "gowin_pack",    "ecppll",
+    "icepll",  "gowin_pll"};
 
 Json table_of(const std::string& board) {
     std::ifstream file(SYNTH_FOLDER "/boards/" + board + ".json");
@@ -198,8 +199,6 @@ const std::vector<BadBoard> kBadBoards{
     {"BaudOff", R"({"baud": 2380000})", "2380000 baud: 11 clocks a bit are -4.5% off"},
     {"UnknownFamily", R"({"family": "max10"})", "unknown family 'max10': one of ecp5, ice40"},
     {"NoSuchDevice", R"({"family": "gowin"})", "device: there is no 'yosys'"},
-    {"PllThatIsNotMade", R"({"family": "ice40", "clock_hz": 30000000})",
-     "there is no PLL for ice40 here"},
     {"UnknownEntry", R"({"colour": "green"})", "'colour': a board has board, part, "},
     {"EntryMissing", R"({"baud": null})", "'baud' is missing"},
 };
@@ -259,6 +258,15 @@ TEST(SynthBoard, APllThatMakesAnotherClockIsAnError) {
     const ProgramResult result = synth.synth({"--board", "odd.json"});
     EXPECT_EQ(result.status, 1);
     EXPECT_EQ(result.err, "synth: odd: the PLL gives 70 MHz instead of 71\n");
+
+    for (const char* board : {"icebreaker", "tang_nano_9k"}) {
+        Json other = table_of(board);
+        other["clock_hz"] = 45'800'000;
+        synth.write("odd.json", other.dump());
+        const ProgramResult refused = synth.synth({"--board", "odd.json"});
+        EXPECT_EQ(refused.status, 1) << board;
+        EXPECT_EQ(refused.err, "synth: odd: the PLL gives 45.5 MHz instead of 45.8\n");
+    }
 }
 
 // The placement with seed n reaches 100 + n MHz.

@@ -38,6 +38,10 @@ void complete(ChooseOptions& options) {
         throw UsageError("--device or --board must be given, one of them");
     }
     if (!options.board.empty()) {
+        if (options.confirm) {
+            throw UsageError(
+                "--confirm places a core, and no board: that is scripts/synth.sh --board");
+        }
         const BoardFile board = read_board_file(options.board);
         requirement.whole_board = true;
         requirement.device = find_device(board.device);

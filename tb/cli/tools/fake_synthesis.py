@@ -75,8 +75,9 @@ def nextpnr(arguments):
         sys.exit("ERROR: Unable to place cell 'dut.x', no Bels remaining of type 'TRELLIS_COMB'\n"
                  "ERROR: Placing design failed.\n0 warnings, 2 errors")
     seed = int(arguments[arguments.index("--seed") + 1])
-    asked = (float(Path("pll.v").read_text()) if Path("pll.v").exists()
-             else float(arguments[arguments.index("--freq") + 1]))
+    asked = float(arguments[arguments.index("--freq") + 1])
+    if name == "nextpnr-ecp5" and Path("pll.v").exists():
+        asked = float(Path("pll.v").read_text())
     Path("report.json").write_text(json.dumps(
         {"fmax": {"clk": {"achieved": 100 + seed, "constraint": asked}}}))
 
@@ -88,7 +89,12 @@ def pack(arguments):
 
 def ecppll(arguments):
     """Rounds to multiples of 2 MHz."""
-    Path(arguments[-1]).write_text(str(int(arguments[arguments.index("-o") + 1]) // 2 * 2))
+    Path(arguments[-1]).write_text(str(float(arguments[arguments.index("-o") + 1]) // 2 * 2))
+
+
+def other_pll(arguments):
+    made = float(arguments[arguments.index("-o") + 1]) // 0.5 * 0.5
+    Path(arguments[-1]).write_text(f" * Achieved output frequency:        {made:.3f} MHz\n")
 
 
 def clang(arguments):
@@ -119,5 +125,6 @@ else:
     if name == "sbatch":
         sys.exit(subprocess.run(["/bin/sh", arguments[-1]]).returncode)
     tools = {"yosys": yosys, "ecppack": pack, "icepack": pack,
-             "gowin_pack": pack, "ecppll": ecppll, "clang++-14": clang, "verilator": verilator}
+             "gowin_pack": pack, "ecppll": ecppll, "icepll": other_pll, "gowin_pll": other_pll,
+             "clang++-14": clang, "verilator": verilator}
     tools.get(name, nextpnr)(arguments)

@@ -144,6 +144,7 @@ module machine_state_formal (
   logic [1:0] silence_q;  // samples, 3 at most
   logic silent_q;  // the watchdog's time is over
   logic position_q;
+  logic ready_q;  // all axes were, in the clock before
   logic used_q;  // a word or sample came since it was empty
   logic watches;
   assign watches = active_i || (position && enable);
@@ -154,6 +155,7 @@ module machine_state_formal (
         (enable && (encoder_i || following_i));
     asked_q <= control && command_i[0];
     empty_q <= empty;
+    ready_q <= (referenced_i | known_q) == 2'b11;
     enable_q <= enable;
     faults_q <= faults;
     axis_q <= faults[17:16] != 2'd0 ? state[30:27] : {3'd0, axis_i};
@@ -193,7 +195,7 @@ module machine_state_formal (
       Comes_on :
       assert (!(enable && !enable_q) || (asked_q && empty_q && faults_q[17:16] == 2'd0 &&
           faults_q[7:2] == 6'd0));
-      Words : assert (!(words || samples) || (enable && (referenced_i | known_q) == 2'b11));
+      Words : assert (!(words || samples) || (enable && ready_q));
       One : assert (!(words && samples) && !(words && position) && !(samples && !position));
       Chosen : assert (!ran_q || position == position_q || !enable_q || !used_q);
       Ends :

@@ -136,8 +136,9 @@ TEST_F(EngineRates, ProgramsReadTheScales) {
     write();  // samples do not touch them
     for (const uint64_t scale : scales) {
         for (const unsigned high : {0U, 1U}) {
+            dut_->scale_high_i = high;
+            clock();
             for (int limb = 0; limb < 3; ++limb) {
-                dut_->scale_high_i = high;
                 dut_->scale_last_i = high == 1 && limb == 2 ? 1 : 0;
                 clock();
                 ASSERT_EQ(dut_->scale_o, high == 1 ? scale >> 32 : scale & 0xffffffff);
