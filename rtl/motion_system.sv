@@ -6,7 +6,6 @@
 //               machine_state <- faults <---------------- step_generator -> pins
 //
 // In position mode samples come from registers as well: rtl/bus/position_buffer.sv.
-//
 // A sample is taken every 2^PeriodLog2 clocks; SamplesAhead are requested before they are due. A
 // request is answered in two clocks, whatever the motion does: rtl/bus/register_file.sv.
 //

@@ -95,7 +95,8 @@ int most_word_clocks(const assembler::Assembly& made) {
 }
 
 /// Clocks of the loop (rtl/engine/programs/motion.asm) from a request to the next one's. A piece is
-/// fetched at most once a tick. What it is at when a sample is asked for is over in less than a tick.
+/// fetched at most once a tick. What it is at when a sample is asked for is over in less than a
+/// tick.
 TEST(EngineClocks, AreThoseOfItsLoop) {
     for (const bool spline : {false, true}) {
         ref::CoreParameters core;

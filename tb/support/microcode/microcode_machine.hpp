@@ -37,7 +37,7 @@ inline bool may_wrap(std::uint64_t word) {
     return tag == hls::Tag::kPiece || tag == hls::Tag::kStop || tag == hls::Tag::kStep;
 }
 
-/// What the profile's queue has of a word: 46 bits, as a signed number, or a ds, a coefficient.
+/// Returns what the profile's queue keeps of a word: 46 signed bits, a ds or a coefficient.
 inline std::int64_t queued(std::uint64_t word) {
     const auto tag = static_cast<hls::Tag>(hls::get(hls::kTagField, word));
     const auto low = [word](int bits) {
