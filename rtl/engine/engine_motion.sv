@@ -261,6 +261,9 @@ module engine_motion #(
   logic [ 1:0] limb_q;
   logic [32:0] setting;
   logic [15:0] setting_limb;
+  logic [13:0] references;
+  for (genvar axis = 0; axis < 9; axis++) assign references[13-axis] = references_i[axis];
+  assign references[4:0] = '0;
   always_comb begin
     case (port_q)
       InOverride: setting = {16'd0, override_q};
@@ -279,9 +282,6 @@ module engine_motion #(
       default: setting_limb = {{13{setting[32] && port_q == InPosition}}, setting[32:30]};
     endcase
   end
-  logic [13:0] references;
-  for (genvar axis = 0; axis < 9; axis++) assign references[13-axis] = references_i[axis];
-  assign references[4:0] = '0;
   always_ff @(posedge clk_i) begin
     port_q <= in_port;
     limb_q <= in_limb;
